@@ -1,0 +1,53 @@
+// dashpad check: says how a case was understood, or what is wrong with it.
+
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/io/case_file.hpp"
+#include "dashpad/io/case_text.hpp"
+#include "streams.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr const char* footer = R"(Examples:
+  dashpad check examples/dashboard-20mph.toml
+  dashpad check examples/dashboard-20mph.toml --units us
+
+Shows what strikes what, and every value in SI as it would be computed with. Each fault is a line
+"file:line: key = value: what would be right".
+
+Exit codes: 0 the case can be run, 2 it cannot.)";
+
+struct Request {
+  std::string case_file;
+  std::string units;
+  std::string materials;
+};
+
+int check(const Request& request, const std::filesystem::path& materials) {
+  const CaseFile input = read_case(request.case_file, materials);
+  write_output(fmt::format("{}: OK\n\n{}\nIn SI:\n{}", request.case_file,
+                           case_text(input.impact, unit_system(request.units)),
+                           case_in_si(input.impact, input.options)));
+  return exit_done;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+  CLI::App* sub = app.add_subcommand("check", "Say how a case is understood, or what is wrong with it");
+  const auto request = std::make_shared<Request>();
+  sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
+  add_units(*sub, request->units);
+  add_material_folder(*sub, request->materials);
+  sub->footer(footer);
+  sub->callback([request, &action, executable] {
+    action = [request, executable] { return check(*request, chosen_folder(request->materials, executable)); };
+  });
+}
+
+}  // namespace dashpad

@@ -1,0 +1,34 @@
+// What several subcommands share.
+
+#include "command.hpp"
+#include "dashpad/io/unit_system.hpp"
+#include "material_folder.hpp"
+
+namespace dashpad {
+
+void add_units(CLI::App& app, std::string& units) {
+  std::vector<std::string> names;
+  for (const UnitSystem& system : unit_systems()) names.push_back(system.name);
+  units = names.front();
+  app.add_option("--units", units, "Units to show: si (default), us, or engineering-metric")
+      ->check(CLI::IsMember(names))
+      ->type_name("SYSTEM");
+}
+
+void add_material_folder(CLI::App& app, std::string& folder) {
+  app.add_option("--materials", folder,
+                 "Folder of material cards (default: $DASHPAD_MATERIALS or dashpad's own)")
+      ->type_name("DIR");
+}
+
+std::filesystem::path chosen_folder(const std::string& folder, const std::filesystem::path& executable) {
+  return folder.empty() ? material_folder(executable) : std::filesystem::path{folder};
+}
+
+std::vector<std::string> lines(const std::vector<Fault>& faults) {
+  std::vector<std::string> text;
+  for (const Fault& fault : faults) text.push_back(to_string(fault));
+  return text;
+}
+
+}  // namespace dashpad

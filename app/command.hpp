@@ -1,0 +1,54 @@
+#pragma once
+/// The parts of the command: each subcommand adds itself to the command line and leaves what is to be done.
+
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "dashpad/io/fault.hpp"
+
+namespace dashpad {
+
+enum ExitCode {
+  exit_done = 0,         ///< results are there; also when the pad bottomed out or the time was up
+  exit_failed = 1,       ///< a result could not be written, or the program is at fault
+  exit_refused = 2,      ///< input or command line refused; nothing was run and nothing written
+  exit_not_trusted = 3,  ///< results are there, but miss the tolerance
+};
+
+/// What a subcommand does once the command line is read; returns the exit code.
+using Action = std::function<int()>;
+
+void add_run(CLI::App& app, Action& action, const std::filesystem::path& executable);
+void add_check(CLI::App& app, Action& action, const std::filesystem::path& executable);
+void add_materials(CLI::App& app, Action& action, const std::filesystem::path& executable);
+
+/// Adds --units; the help names the systems on offer.
+void add_units(CLI::App& app, std::string& units);
+/// Adds --materials; the folder stays empty where the cards that came with the command are meant.
+void add_material_folder(CLI::App& app, std::string& folder);
+/// The folder that was chosen, or the one that came with the command.
+std::filesystem::path chosen_folder(const std::string& folder, const std::filesystem::path& executable);
+
+/// One line for each fault.
+std::vector<std::string> lines(const std::vector<Fault>& faults);
+
+/// Facts about this build, for --version.
+std::string version_text();
+
+/// The command line or a case is refused; each complaint is one line that says what to mend.
+class Refused : public std::runtime_error {
+ public:
+  explicit Refused(std::vector<std::string> complaints)
+      : std::runtime_error("refused"), complaints_(std::move(complaints)) {}
+  [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }
+
+ private:
+  std::vector<std::string> complaints_;
+};
+
+}  // namespace dashpad

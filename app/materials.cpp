@@ -1,0 +1,88 @@
+// dashpad materials: lists the material cards, or shows one.
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/io/case_file.hpp"
+#include "dashpad/io/case_text.hpp"
+#include "streams.hpp"
+
+namespace dashpad {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* footer = R"(Examples:
+  dashpad materials                        all cards, a line each
+  dashpad materials ensolite-aac-9         one card: source, law, parameters, fitted range
+  dashpad materials ensolite-aac-9 --units us
+  dashpad materials ./my-foam.toml         a card anywhere: a name that ends in .toml is a file
+
+Exit codes: 0 done, 2 no such card, or a card with faults (the other cards are listed all the same).)";
+
+struct Request {
+  std::string name;
+  std::string units;
+  std::string folder;
+};
+
+std::string names_of(const std::vector<fs::path>& cards) {
+  std::string names;
+  for (const fs::path& card : cards) names += (names.empty() ? "" : ", ") + card.stem().string();
+  return names.empty() ? "none" : names;
+}
+
+fs::path find_card(const std::string& name, const fs::path& folder) {
+  if (name.ends_with(".toml")) return name;
+  const std::vector<fs::path> cards = list_materials(folder);
+  const auto card = std::ranges::find(cards, name, [](const fs::path& path) { return path.stem().string(); });
+  if (card == cards.end())
+    throw Refused(
+        {fmt::format("{}: no such material in {}; there are: {}", name, folder.string(), names_of(cards))});
+  return *card;
+}
+
+int show(const Request& request, const fs::path& folder) {
+  const Material material = read_material(find_card(request.name, folder));
+  write_output(material_text(material, unit_system(request.units)));
+  return exit_done;
+}
+
+/// A card with faults does not hide the others.
+int list(const fs::path& folder) {
+  std::string text = fmt::format("Materials in {}:\n", folder.string());
+  std::vector<std::string> faults;
+  for (const fs::path& card : list_materials(folder)) {
+    try {
+      text += material_line(read_material(card));
+    } catch (const InputError& error) {
+      for (std::string& line : lines(error.faults())) faults.push_back(std::move(line));
+    }
+  }
+  write_output(text);
+  if (!faults.empty()) throw Refused(std::move(faults));
+  return exit_done;
+}
+
+}  // namespace
+
+void add_materials(CLI::App& app, Action& action, const fs::path& executable) {
+  CLI::App* sub = app.add_subcommand("materials", "List the material cards, or show one");
+  const auto request = std::make_shared<Request>();
+  sub->add_option("NAME", request->name, "Card to show in full")->type_name("");
+  add_units(*sub, request->units);
+  add_material_folder(*sub, request->folder);
+  sub->footer(footer);
+  sub->callback([request, &action, executable] {
+    action = [request, executable] {
+      const fs::path folder = chosen_folder(request->folder, executable);
+      return request->name.empty() ? list(folder) : show(*request, folder);
+    };
+  });
+}
+
+}  // namespace dashpad

@@ -1,0 +1,174 @@
+#include "output.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace dashpad {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string reason(int error) { return std::generic_category().message(error); }
+
+[[noreturn]] void fail(const std::string& name, int error) {
+  throw std::runtime_error("could not write " + name + ": " + reason(error));
+}
+
+bool is_taken(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(path, ignored));
+}
+
+/// Something to write into as it is: a device or a pipe.
+bool is_device(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path{"."};
+}
+
+bool are_one(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error) && !error) return true;
+  const fs::path whole_a = fs::weakly_canonical(a, error);
+  if (error) return a == b;
+  const fs::path whole_b = fs::weakly_canonical(b, error);
+  return error ? a == b : whole_a == whole_b;
+}
+
+/// Empty if nothing forbids it.
+std::string complaint(const Target& target, bool force) {
+  if (target.file.empty()) return "needs the name of a file, or - for standard output";
+  const fs::path path{target.file};
+  std::error_code error;
+  if (fs::is_directory(path, error) || !path.has_filename()) return "is a folder; name a file";
+  if (is_device(path)) return "";
+  if (is_taken(path) && !force) return "exists already; choose another name, or --force to overwrite it";
+  const fs::path folder = folder_of(path);
+  if (!fs::is_directory(folder, error)) return "there is no folder " + folder.string();
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    return "no new file can be made in " + folder.string() + ": " + reason(errno);
+  return "";
+}
+
+/// An open file of a name that nobody else uses, in `folder`. The mode is that of any new file.
+int open_draft(const fs::path& folder, fs::path& draft) {
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    draft = folder / (".dashpad-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".part");
+    const int file = ::open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file >= 0 || errno != EEXIST) return file;
+  }
+  return -1;
+}
+
+/// Gives `draft` the name `target` if that name is free. Returns 0 or the error number.
+int rename_to_free_name(const fs::path& draft, const fs::path& target) {
+#ifdef RENAME_NOREPLACE
+  if (::renameat2(AT_FDCWD, draft.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return errno;
+#endif
+  if (::link(draft.c_str(), target.c_str()) != 0) return errno;
+  ::unlink(draft.c_str());
+  return 0;
+}
+
+/// So that the new name survives a power failure, where the system can promise it.
+void sync_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+void write_device(const std::string& name, const fs::path& device, std::string_view text) {
+  const int descriptor = ::open(device.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) fail(name, errno);
+  const int error = write_all(descriptor, text);
+  ::close(descriptor);
+  if (error != 0 && error != EPIPE) fail(name, error);
+}
+
+}  // namespace
+
+std::vector<std::string> complaints(const std::vector<Target>& targets, const fs::path& case_file,
+                                    bool force) {
+  std::vector<std::string> lines;
+  for (auto target = targets.begin(); target != targets.end(); ++target) {
+    const auto say = [&](const std::string& what) {
+      lines.push_back(target->option + " " + target->file + ": " + what);
+    };
+    for (auto earlier = targets.begin(); earlier != target; ++earlier) {
+      if (target->is_standard_output() && earlier->is_standard_output())
+        say("only one result can go to standard output");
+      else if (are_one(target->file, earlier->file))
+        say("is the file of " + earlier->option + " too; name another");
+    }
+    if (target->is_standard_output()) continue;
+    if (are_one(target->file, case_file))
+      say("is the case file; name another");
+    else if (const std::string what = complaint(*target, force); !what.empty())
+      say(what);
+  }
+  return lines;
+}
+
+PendingFile::PendingFile(const Target& target, std::string_view text, bool force)
+    : name_(target.file), target_(target.file), force_(force) {
+  if (is_device(target_)) {
+    device_text_ = text;
+    return;
+  }
+  std::error_code error;
+  if (const fs::path real = fs::canonical(target_, error); force && !error) target_ = real;
+
+  const int file = open_draft(folder_of(target_), draft_);
+  if (file < 0) {
+    draft_.clear();
+    fail(name_, errno);
+  }
+  struct stat old {};
+  if (force && ::stat(target_.c_str(), &old) == 0) ::fchmod(file, old.st_mode & 07777);
+  int problem = write_all(file, text);
+  if (problem == 0 && ::fsync(file) != 0) problem = errno;
+  if (::close(file) != 0 && problem == 0) problem = errno;
+  if (problem != 0) {
+    ::unlink(draft_.c_str());
+    fail(name_, problem);
+  }
+}
+
+PendingFile::~PendingFile() {
+  if (!draft_.empty()) ::unlink(draft_.c_str());
+}
+
+PendingFile::PendingFile(PendingFile&& other) noexcept
+    : name_(std::move(other.name_)),
+      target_(std::move(other.target_)),
+      draft_(std::exchange(other.draft_, {})),
+      device_text_(std::move(other.device_text_)),
+      force_(other.force_) {}
+
+void PendingFile::publish() {
+  if (draft_.empty()) {
+    write_device(name_, target_, device_text_);
+    return;
+  }
+  const int error = force_ ? (::rename(draft_.c_str(), target_.c_str()) == 0 ? 0 : errno)
+                           : rename_to_free_name(draft_, target_);
+  if (error != 0) fail(name_, error);
+  draft_.clear();
+  sync_folder(folder_of(target_));
+}
+
+}  // namespace dashpad

@@ -1,0 +1,49 @@
+#pragma once
+/// Result files: complete or not there at all, and never in the place of another file unasked.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "streams.hpp"
+
+namespace dashpad {
+
+/// A file that the user wants written, as given: "--json" and its FILE.
+struct Target {
+  std::string option;
+  std::string file;
+  [[nodiscard]] bool is_standard_output() const { return file == "-"; }
+};
+
+/// What forbids writing to the targets, seen before the run, a line each: a file that exists (without force),
+/// a folder that is missing or closed to us, two targets that are one, a target that is the case file.
+std::vector<std::string> complaints(const std::vector<Target>& targets,
+                                    const std::filesystem::path& case_file, bool force);
+
+/// A result on its way to its target. The constructor writes it beside the target under another name and
+/// makes sure that it is on the disk; publish() gives it its name in one step, without force only if that
+/// name is still free. Dropped before that, it leaves nothing. With force, a link is followed. A device or
+/// pipe is written to by publish(), as it is. Both throw std::runtime_error that names the file and the
+/// system's reason.
+class PendingFile {
+ public:
+  PendingFile(const Target& target, std::string_view text, bool force);
+  ~PendingFile();
+  PendingFile(PendingFile&& other) noexcept;
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+  PendingFile& operator=(PendingFile&&) = delete;
+
+  void publish();
+
+ private:
+  std::string name_;              ///< for messages
+  std::filesystem::path target_;  ///< links followed
+  std::filesystem::path draft_;   ///< empty once published, or for a device
+  std::string device_text_;
+  bool force_ = false;
+};
+
+}  // namespace dashpad

@@ -1,0 +1,45 @@
+#include "streams.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace dashpad {
+
+void prepare_streams() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  // Read-only, so that writing to a closed standard output is still an error. It takes the lowest free
+  // number.
+  while (true) {
+    const int descriptor = ::open("/dev/null", O_RDONLY);
+    if (descriptor <= STDERR_FILENO && descriptor >= 0) continue;
+    if (descriptor > STDERR_FILENO) ::close(descriptor);
+    return;
+  }
+}
+
+int write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(descriptor, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return errno;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return 0;
+}
+
+void write_output(std::string_view text) {
+  const int error = write_all(STDOUT_FILENO, text);
+  if (error != 0 && error != EPIPE)
+    throw std::runtime_error("could not write to standard output: " + std::generic_category().message(error));
+}
+
+void write_error(std::string_view text) { write_all(STDERR_FILENO, text); }
+
+}  // namespace dashpad

@@ -1,0 +1,212 @@
+#!/usr/bin/env bash
+# The tasks of this project. ./do help lists them.
+set -euo pipefail
+
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
+log="$root/build/do.log"
+jobs="$(nproc)"
+
+help() {
+  cat <<'TEXT'
+Usage: ./do TASK [arguments]
+
+  run [CASE] [arguments]   build the command and solve CASE (default: examples/dashboard-20mph.toml)
+  test [PRESET] [ctest arguments]
+                           build and run the tests (default: release; also dev, asan-ubsan, coverage)
+  bench [arguments]        build and run the benchmarks
+  format                   lay out the C++ code with clang-format
+  lint                     check layout, clang-tidy, cppcheck and shellcheck; changes nothing
+  coverage                 run the tests and report the lines they reach
+  clean                    remove build/
+  install-packages [GROUP...]
+                           install the Debian packages of packages.txt (default: all groups)
+
+A task first installs the packages that it needs, if any is missing. Build output goes to build/do.log and is
+shown if a build fails.
+TEXT
+}
+
+say() { printf '%s\n' "$*" >&2; }
+fail() {
+  say "do: $*"
+  exit 1
+}
+
+# --- Packages ---
+
+# Names of the packages in the given groups of packages.txt; of all groups without arguments.
+packages_of() {
+  awk -v wanted=" $* " '
+    /^# [a-z]+:/ { group = substr($2, 1, length($2) - 1) }
+    /^[^#]/ && NF && (wanted ~ /^ *$/ || index(wanted, " " group " ")) { print $1 }
+  ' "$root/packages.txt" | sort -u
+}
+
+is_installed() {
+  [[ "$(dpkg-query -W -f='${Status}' "$1" 2>/dev/null)" == "install ok installed" ]]
+}
+
+
+# Installs what is missing of the given groups. Without a missing package it leaves apt alone.
+need_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    say "Not a Debian system: taking for granted that the packages of packages.txt are here."
+    return
+  fi
+  local package missing=()
+  for package in $(packages_of "$@"); do
+    is_installed "$package" || missing+=("$package")
+  done
+  if [[ ${#missing[@]} -eq 0 ]]; then return; fi
+
+  local as_root=()
+  if [[ "$(id -u)" -ne 0 ]]; then
+    command -v sudo >/dev/null || fail "these packages are missing, and only root can install them: ${missing[*]}"
+    as_root=(sudo)
+  fi
+  say "Installing ${missing[*]} ..."
+  logged "${as_root[@]}" apt-get update
+  logged "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 \
+    install --yes --no-install-recommends "${missing[@]}"
+}
+
+# --- Building ---
+
+# Runs a command quietly: its output goes to the log and is shown only if it fails.
+logged() {
+  mkdir -p "$(dirname "$log")"
+  local status=0
+  "$@" >"$log" 2>&1 </dev/null || status=$?
+  if [[ $status -ne 0 ]]; then
+    cat "$log" >&2
+    say "do: failed: $*"
+    exit "$status"
+  fi
+}
+
+# configure PRESET [-DOPTION=VALUE ...]: a fresh tree begins without tests and benchmarks, so that nobody needs
+# their packages to run the command. What a task has switched on stays on.
+configure() {
+  local preset="$1" options=()
+  shift
+  if [[ ! -f "$root/build/$preset/CMakeCache.txt" ]]; then
+    options=(-DDASHPAD_BUILD_TESTS=OFF -DDASHPAD_BUILD_BENCH=OFF)
+  fi
+  logged cmake -S "$root" --preset "$preset" "${options[@]}" "$@"
+}
+
+# build PRESET [TARGET...]
+build() {
+  local preset="$1" target targets=()
+  shift
+  for target in "$@"; do targets+=(--target "$target"); done
+  logged cmake --build "$root/build/$preset" --parallel "$jobs" "${targets[@]}"
+}
+
+# --- Tasks ---
+
+task_run() {
+  local case="$root/examples/dashboard-20mph.toml"
+  if [[ $# -gt 0 && "$1" != -* ]]; then
+    case="$1"
+    shift
+  fi
+  need_packages run
+  say "Building the command ..."
+  configure release
+  build release dashpad-command
+  exec "$root/build/release/app/dashpad" run "$case" "$@"
+}
+
+# ctest's summary line comes last, after the list of failed tests if there is one.
+summary_last() {
+  awk '/tests passed, [0-9]+ tests failed out of/ { summary = $0; next }
+       { print; fflush() }
+       END { if (summary) print summary }'
+}
+
+task_test() {
+  local preset=release
+  if [[ $# -gt 0 && "$1" != -* ]]; then
+    preset="$1"
+    shift
+  fi
+  need_packages run test
+  say "Building the tests ..."
+  configure "$preset" -DDASHPAD_BUILD_TESTS=ON
+  build "$preset"
+  cd "$root"
+  ctest --preset "$preset" --parallel "$jobs" --no-label-summary "$@" </dev/null 2>&1 | summary_last
+}
+
+task_bench() {
+  need_packages run bench
+  say "Building the benchmarks ..."
+  configure release -DDASHPAD_BUILD_BENCH=ON
+  build release dashpad-bench
+  exec "$root/build/release/bench/dashpad-bench" "$@"
+}
+
+# Paths of the C++ files, relative to the root.
+cpp_files() {
+  (cd "$root" && find app bench include src tests -name '*.[ch]pp' | sort)
+}
+
+task_format() {
+  need_packages format
+  cd "$root"
+  cpp_files | xargs -r clang-format -i
+}
+
+task_lint() {
+  need_packages run test bench format lint
+  cd "$root"
+
+  say "Checking the layout ..."
+  cpp_files | xargs -r clang-format --dry-run --Werror
+
+  say "Running shellcheck ..."
+  shellcheck ./do ./.ci/run
+
+  say "Building, warnings are errors ..."
+  configure dev -DDASHPAD_BUILD_TESTS=ON -DDASHPAD_BUILD_BENCH=ON
+  build dev
+
+  say "Running clang-tidy ..."
+  cpp_files | grep '\.cpp$' | grep -v '^tests/consumer/' |
+    xargs -r -n 1 -P "$jobs" clang-tidy -p build/dev --quiet --warnings-as-errors='*' 2> >(
+      grep -vE '^[0-9]+ warnings? (generated|treated)' >&2 || true
+    )
+
+  say "Running cppcheck ..."
+  cppcheck --project=build/dev/compile_commands.json --file-filter="$root/src/*" --file-filter="$root/app/*" \
+    --enable=warning,performance,portability --inline-suppr --std=c++20 --quiet --error-exitcode=1 \
+    --suppress='*:/usr/include/*' --suppress=internalAstError --suppress=useInitializationList -j "$jobs"
+  say "No complaints."
+}
+
+task_coverage() {
+  need_packages run test coverage
+  find "$root/build/coverage" -name '*.gcda' -delete 2>/dev/null || true
+  task_test coverage
+  mkdir -p "$root/build/coverage/report"
+  gcovr --root "$root" --object-directory "$root/build/coverage" --filter "$root/include/" --filter "$root/src/" \
+    --filter "$root/app/" --exclude-throw-branches --exclude-directories '.*(CompilerId|consumer).*' \
+    --html-details "$root/build/coverage/report/index.html" --txt
+  say "Line by line: build/coverage/report/index.html"
+}
+
+task_clean() { rm -rf "$root/build"; }
+
+task_install_packages() { need_packages "$@"; }
+
+task="${1:-help}"
+[[ $# -eq 0 ]] || shift
+case "$task" in
+  run | test | bench | format | lint | coverage | clean | install-packages) "task_${task//-/_}" "$@" ;;
+  help | -h | --help) help ;;
+  *)
+    help >&2
+    fail "no task '$task'"
+    ;;
+esac

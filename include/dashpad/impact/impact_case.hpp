@@ -1,0 +1,36 @@
+#pragma once
+/// One impact: what strikes what, how fast. SI throughout.
+
+#include <string>
+#include <vector>
+
+#include "dashpad/pad/material.hpp"
+#include "dashpad/support/support.hpp"
+
+namespace dashpad {
+
+/// The impactor is rigid; its nose is a sphere of the given radius. Penetrated deeper than its radius, its
+/// side is taken to be a cylinder of that radius.
+struct Impactor {
+  double mass = 0;    ///< kg, > 0
+  double radius = 0;  ///< m, > 0
+  double speed = 0;   ///< m/s at first contact, towards the pad, > 0
+};
+
+struct Pad {
+  double thickness = 0;  ///< m, > 0
+  Material material;
+};
+
+struct ImpactCase {
+  std::string title;
+  Impactor impactor;
+  Pad pad;
+  Support support;
+};
+
+/// Every physical rule that the case breaks; empty for a case that can be solved. Keys are those of case
+/// files, such as `impactor.mass` and `pad.parameters.modulus`.
+std::vector<Violation> violations(const ImpactCase& impact);
+
+}  // namespace dashpad

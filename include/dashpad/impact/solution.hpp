@@ -1,0 +1,110 @@
+#pragma once
+/// What is asked of the solver and what it answers. SI throughout; forces, penetration and strains are positive
+/// in compression, velocities positive towards the pad.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dashpad {
+
+/// Standard gravity, m/s2: for weights and for accelerations in g.
+inline constexpr double standard_gravity = 9.80665;
+
+struct Options {
+  double tolerance = 1e-4;  ///< relative error asked for, in [1e-8, 1e-2]
+  double time_limit = 10;   ///< s after first contact at which an impact is given up, > 0
+  std::size_t most_steps = 200'000;  ///< of one run; more means that the tolerance cannot be met
+};
+
+enum class Status {
+  not_run,
+  released,           ///< the impactor left the pad
+  bottomed_out,       ///< the pad was fully compressed on a rigid support: no finite force beyond it
+  time_limit,         ///< still in contact at Options::time_limit
+  tolerance_not_met,  ///< finished, but an error estimate or the energy residual is above the tolerance
+};
+/// "released", "bottomed out", "time limit", "tolerance not met", "not run".
+std::string to_string(Status status);
+
+struct Moment {
+  double time = 0;      ///< s
+  double velocity = 0;  ///< m/s
+};
+
+/// Estimated errors, relative to the figure (times: to the figure; speeds and lengths: likewise).
+struct ErrorEstimates {
+  double peak_force = 0;
+  double time_of_peak_force = 0;
+  double peak_motion = 0;
+  double peak_penetration = 0;
+  double rebound_speed = 0;
+  double release_time = 0;
+  double energy_absorbed = 0;  ///< of the absorbed fraction, relative to the impact energy
+};
+
+/// Energies at the end of the run, J. initial = kinetic + support + pad + residual.
+struct EnergyLedger {
+  double initial = 0;
+  double kinetic = 0;
+  double support = 0;   ///< stored in the support
+  double pad = 0;       ///< work done on the pad: what it stores and what it has lost
+  double residual = 0;  ///< what the numbers fail to account for
+};
+
+struct Summary {
+  Status status = Status::not_run;
+  /// Absent when the pad bottomed out on a rigid support: the model has no finite force there.
+  std::optional<double> peak_force;           ///< N
+  std::optional<double> time_of_peak_force;   ///< s
+  double peak_motion = 0;                     ///< of the impactor since first contact, m
+  double peak_penetration = 0;                ///< m
+  double peak_strain = 0;                     ///< on the axis
+  double peak_strain_rate = 0;                ///< 1/s, magnitude
+  std::optional<double> peak_acceleration;    ///< m/s2, magnitude
+  /// Force below the impactor's weight on rebound (the report's end of the impact).
+  std::optional<Moment> weight;
+  /// Contact lost.
+  std::optional<Moment> release;
+  /// Pad fully compressed on the axis for the first time.
+  std::optional<Moment> bottomed;
+  std::optional<double> rebound_speed;        ///< at release, m/s
+  std::optional<double> restitution;          ///< rebound speed over impact speed
+  double energy_absorbed_fraction = 0;        ///< of the impact energy, by the pad, until the end of the run
+  EnergyLedger energy;
+  bool extrapolated = false;
+  std::vector<std::string> extrapolations;    ///< why, in words
+  ErrorEstimates errors;
+  std::size_t steps = 0;     ///< of the finest run
+  std::size_t stations = 0;  ///< of the finest run; 0 for laws without memory, whose force is a closed form
+  int runs = 0;              ///< resolutions compared
+  double tolerance = 0;
+  double wall_time = 0;      ///< s
+
+  /// Whether the figures may be relied on to the tolerance asked for.
+  [[nodiscard]] bool trustworthy() const {
+    return status == Status::released || status == Status::bottomed_out || status == Status::time_limit;
+  }
+};
+
+/// The impact over time, one entry a time step of the finest run.
+struct History {
+  std::vector<double> time;                ///< s
+  std::vector<double> force;               ///< N
+  std::vector<double> acceleration;        ///< m/s2, negative while the pad pushes
+  std::vector<double> velocity;            ///< m/s
+  std::vector<double> motion;              ///< m
+  std::vector<double> penetration;         ///< m
+  std::vector<double> support_deflection;  ///< m
+  std::vector<double> contact_radius;      ///< m, outer edge of the stressed area
+  std::vector<double> largest_strain;      ///< on the axis
+  [[nodiscard]] std::size_t size() const { return time.size(); }
+};
+
+struct Solution {
+  Summary summary;
+  History history;
+};
+
+}  // namespace dashpad

@@ -1,0 +1,32 @@
+#pragma once
+/// What is wrong with something that a user gave us, said so that the user can mend it.
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace dashpad {
+
+/// One fault: where it stands, what stands there, and the rule that it breaks.
+struct Fault {
+  std::string file;
+  int line = 0;  ///< 0 where no line can be named
+  std::string key;
+  std::string value;  ///< as written
+  std::string rule;   ///< what would be right, in the user's words
+};
+
+/// "case.toml:12: impactor.speed = \"20\": rule" - one line.
+std::string to_string(const Fault& fault);
+
+/// Bad input. Carries every fault found, not only the first; what() has one fault a line.
+class InputError : public std::runtime_error {
+ public:
+  explicit InputError(std::vector<Fault> faults);
+  [[nodiscard]] const std::vector<Fault>& faults() const { return faults_; }
+
+ private:
+  std::vector<Fault> faults_;
+};
+
+}  // namespace dashpad

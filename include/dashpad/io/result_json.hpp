@@ -1,0 +1,16 @@
+#pragma once
+/// The result of one impact for other programs.
+
+#include <string>
+
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
+
+namespace dashpad {
+
+/// JSON text (RFC 8259, UTF-8, ends with a line break) that schema/summary.schema.json describes: the
+/// summary, the case that it belongs to and the program that made it. SI units, which the keys name. Every
+/// number reads back as the very same double; a figure that is absent or not finite is null.
+std::string result_json(const ImpactCase& impact, const Summary& summary);
+
+}  // namespace dashpad

@@ -1,0 +1,50 @@
+#pragma once
+/// Law 1: linear elastic pad.
+///
+///   G = E e,  h -> infinity (the stress is the envelope)            (theory.md, Eq. 8; report, KEYP = 1)
+///
+/// Stress and strain are engineering values, compression positive. It loses no energy.
+
+#include <array>
+
+#include "dashpad/pad/parameter.hpp"
+#include "dashpad/pad/power_shape.hpp"
+#include "dashpad/pad/stress_curve.hpp"
+
+namespace dashpad {
+
+struct Elastic {
+  double modulus = 0;  ///< E, Pa, > 0
+
+  static constexpr const char* name = "elastic";
+  static constexpr bool memoryless = true;
+  static constexpr bool recovers = true;  ///< unloads along its loading curve
+  static const std::array<Parameter<Elastic>, 1> parameters;
+
+  [[nodiscard]] StressCurve curve() const {
+    StressCurve curve;
+    curve.add_kink(0, modulus);
+    return curve;
+  }
+
+  struct StrainPart {
+    double stress = 0;
+  };
+  struct RatePart {};
+  struct TimePart {};
+
+  [[nodiscard]] PowerExponents exponents() const { return {1, 0}; }
+  [[nodiscard]] StrainPart strain_part(Strain strain, const PowerShape::Value&) const {
+    return {modulus * strain.value};
+  }
+  [[nodiscard]] RatePart rate_part(double) const { return {}; }
+  [[nodiscard]] double envelope(StrainPart part, RatePart, double, double) const { return part.stress; }
+  [[nodiscard]] TimePart time_part(double, double) const { return {}; }
+  [[nodiscard]] double decay(TimePart, double, double) const { return 0; }
+};
+
+inline constexpr std::array<Parameter<Elastic>, 1> Elastic::parameters{{
+    {"modulus", "E", "Pa", &Elastic::modulus, positive, "Young's modulus"},
+}};
+
+}  // namespace dashpad

@@ -1,0 +1,40 @@
+#pragma once
+/// What a law tells the rest of the program about its parameters: key, unit, admissible range, meaning.
+
+#include <limits>
+
+namespace dashpad {
+
+/// Physically possible values of a parameter (not the range of a fit; see FittedRange).
+struct Bounds {
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
+  bool lowest_admitted = false;
+  bool highest_admitted = false;
+
+  /// False for NaN and for infinities as well.
+  [[nodiscard]] constexpr bool contain(double value) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (!(value > -infinity && value < infinity)) return false;
+    return (value > lowest || (lowest_admitted && value == lowest)) &&
+           (value < highest || (highest_admitted && value == highest));
+  }
+};
+
+/// Greater than zero.
+inline constexpr Bounds positive{.lowest = 0};
+/// Zero or greater.
+inline constexpr Bounds not_negative{.lowest = 0, .lowest_admitted = true};
+
+/// One entry of a law's parameter table. The tables serve case files, checks, listings and tests alike.
+template <class Law>
+struct Parameter {
+  const char* key;     ///< name in case files and in results
+  const char* symbol;  ///< the report's symbol
+  const char* unit;    ///< SI unit as text that UDUNITS-2 reads; "1" for a pure number
+  double Law::*member;
+  Bounds bounds;
+  const char* meaning;
+};
+
+}  // namespace dashpad

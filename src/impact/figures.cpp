@@ -1,0 +1,102 @@
+#include "impact/figures.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace dashpad {
+namespace {
+
+/// The parabola through three points, and its slope.
+struct Parabola {
+  std::array<double, 3> t{}, y{};
+  Parabola(const std::vector<double>& time, const std::vector<double>& value, std::size_t first)
+      : t{time[first], time[first + 1], time[first + 2]}, y{value[first], value[first + 1], value[first + 2]} {}
+  [[nodiscard]] double first_difference() const { return (y[1] - y[0]) / (t[1] - t[0]); }
+  [[nodiscard]] double curvature() const {
+    return ((y[2] - y[1]) / (t[2] - t[1]) - first_difference()) / (t[2] - t[0]);
+  }
+  [[nodiscard]] double at(double x) const {
+    return y[0] + (x - t[0]) * (first_difference() + curvature() * (x - t[1]));
+  }
+  [[nodiscard]] double slope(double x) const { return first_difference() + curvature() * (2 * x - t[0] - t[1]); }
+};
+
+/// Integral of F dY over [from, to]; Simpson's rule is exact for the product of a parabola and a slope.
+double work_of(const Parabola& f, const Parabola& y, double from, double to) {
+  const double middle = (from + to) / 2;
+  return (to - from) / 6 *
+         (f.at(from) * y.slope(from) + 4 * f.at(middle) * y.slope(middle) + f.at(to) * y.slope(to));
+}
+
+template <class Visit>
+void for_each_stretch(const Track& track, Visit&& visit) {
+  for (std::size_t k = 0; k < track.phase_starts.size(); ++k) {
+    const std::size_t first = track.phase_starts[k];
+    const std::size_t last = k + 1 < track.phase_starts.size() ? track.phase_starts[k + 1] : track.size() - 1;
+    if (last > first) visit(first, last);
+  }
+}
+
+void read_peak_force(const History& h, std::size_t first, std::size_t last, Figures& figures) {
+  std::size_t top = first;
+  for (std::size_t i = first; i <= last; ++i)
+    if (h.force[i] > h.force[top]) top = i;
+  double time = h.time[top];
+  double force = h.force[top];
+  if (top > first && top < last) {
+    const Parabola p(h.time, h.force, top - 1);
+    if (p.curvature() < 0) {
+      time = std::clamp(time - p.slope(time) / (2 * p.curvature()), h.time[top - 1], h.time[top + 1]);
+      force = p.at(time);
+    }
+  }
+  if (force > figures.peak_force) {
+    figures.peak_force = force;
+    figures.time_of_peak_force = time;
+  }
+}
+
+}  // namespace
+
+void read_peaks(const Track& track, Figures& figures) {
+  const History& h = track.history;
+  figures.peak_force = 0;
+  for_each_stretch(track,
+                   [&](std::size_t first, std::size_t last) { read_peak_force(h, first, last, figures); });
+  figures.peak_penetration = *std::max_element(h.penetration.begin(), h.penetration.end());
+  figures.peak_motion = *std::max_element(h.motion.begin(), h.motion.end());
+  for (std::size_t i = 1; i < h.size(); ++i) {
+    if (!(h.velocity[i - 1] > 0 && h.velocity[i] <= 0)) continue;
+    // The velocity crosses zero in the step: cubic through motion and velocity of both ends.
+    const double step = h.time[i] - h.time[i - 1];
+    const double share = h.velocity[i - 1] / (h.velocity[i - 1] - h.velocity[i]);
+    const double u = share, v = 1 - share;
+    const double motion = h.motion[i - 1] * v * v * (1 + 2 * u) + h.motion[i] * u * u * (1 + 2 * v) +
+                          step * u * v * (h.velocity[i - 1] * v - h.velocity[i] * u);
+    figures.peak_motion = std::max(figures.peak_motion, motion);
+  }
+}
+
+double work_on_pad(const Track& track) {
+  const History& h = track.history;
+  double sum = 0;
+  for_each_stretch(track, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto with = [&](std::size_t start) {
+        return work_of(Parabola(h.time, h.force, start), Parabola(h.time, h.penetration, start), h.time[i],
+                       h.time[i + 1]);
+      };
+      const bool behind = i > first;
+      const bool ahead = i + 2 <= last;
+      if (behind && ahead)
+        sum += (with(i - 1) + with(i)) / 2;
+      else if (behind || ahead)
+        sum += with(behind ? i - 1 : i);
+      else
+        sum += (h.force[i] + h.force[i + 1]) / 2 * (h.penetration[i + 1] - h.penetration[i]);
+    }
+  });
+  return sum;
+}
+
+}  // namespace dashpad

@@ -1,0 +1,37 @@
+#pragma once
+/// The figures of one run at one resolution, before runs are compared.
+
+#include <cstddef>
+#include <optional>
+
+#include "dashpad/impact/solution.hpp"
+#include "impact/track.hpp"
+
+namespace dashpad {
+
+enum class Ending { released, bottomed_out, time_limit, too_many_steps };
+
+struct Figures {
+  Ending ending = Ending::too_many_steps;
+  double peak_force = 0;
+  double time_of_peak_force = 0;
+  double peak_motion = 0;
+  double peak_penetration = 0;
+  double peak_pad_rate = 0;  ///< |dY/dt|, m/s
+  std::optional<Moment> weight;
+  std::optional<Moment> release;
+  std::optional<Moment> bottomed;
+  double final_velocity = 0;
+  double support_energy = 0;  ///< J, at the end
+  double pad_work = 0;        ///< J, integral of F dY
+  std::size_t stations = 0;
+};
+
+/// Peak force and motion between the entries of a track: parabolas and cubics within each smooth stretch.
+void read_peaks(const Track& track, Figures& figures);
+
+/// Integral of F dY over the track, by local parabolas of F(t) and Y(t) within each smooth stretch: of higher
+/// order than the step, so that it audits the step's energy (theory.md, Eq. 24).
+double work_on_pad(const Track& track);
+
+}  // namespace dashpad

@@ -1,0 +1,58 @@
+#include "dashpad/impact/impact_case.hpp"
+
+#include <fmt/format.h>
+
+namespace dashpad {
+namespace {
+
+/// Values between which the solver's arithmetic is sure not to overflow; nobody's impact is outside.
+struct Range {
+  double lowest = 0;
+  double highest = 0;
+  const char* unit = "";
+
+  [[nodiscard]] bool contains(double value) const { return value >= lowest && value <= highest; }
+  [[nodiscard]] std::string rule() const {
+    return fmt::format("must be more than 0: between {0} {2} and {1} {2}", lowest, highest, unit);
+  }
+};
+
+constexpr Range masses{1e-6, 1e6, "kg"};
+constexpr Range lengths{1e-5, 1e2, "m"};
+constexpr Range speeds{1e-4, 1e3, "m/s"};
+constexpr Range stiffnesses{1e-3, 1e15, "N/m"};
+
+/// NaN breaks every range.
+void check(std::vector<Violation>& broken, std::string key, double value, const Range& range) {
+  if (!range.contains(value)) broken.push_back({std::move(key), value, range.rule()});
+}
+
+void check_support(std::vector<Violation>& broken, const Support& support) {
+  const auto& points = support.points();
+  Support::Point before;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double stiffness = (points[i].force - before.force) / (points[i].deflection - before.deflection);
+    if (!stiffnesses.contains(stiffness))
+      broken.push_back({points.size() == 1 ? "support.stiffness" : fmt::format("support.points[{}]", i + 1),
+                        stiffness, "the stiffness up to here " + stiffnesses.rule()});
+    before = points[i];
+  }
+}
+
+}  // namespace
+
+std::vector<Violation> violations(const ImpactCase& impact) {
+  std::vector<Violation> broken;
+  check(broken, "impactor.mass", impact.impactor.mass, masses);
+  check(broken, "impactor.radius", impact.impactor.radius, lengths);
+  check(broken, "impactor.speed", impact.impactor.speed, speeds);
+  check(broken, "pad.thickness", impact.pad.thickness, lengths);
+  for (Violation& violation : violations(impact.pad.material)) {
+    violation.key = "pad." + violation.key;
+    broken.push_back(std::move(violation));
+  }
+  check_support(broken, impact.support);
+  return broken;
+}
+
+}  // namespace dashpad

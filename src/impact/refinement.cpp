@@ -1,0 +1,109 @@
+#include "impact/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dashpad {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::infinity();
+
+/// Calls visit(member of each) for every number of a run that is extrapolated.
+template <class Visit, class... Run>
+void for_each_number(Visit&& visit, Run&... runs) {
+  visit(runs.peak_force...);
+  visit(runs.time_of_peak_force...);
+  visit(runs.peak_motion...);
+  visit(runs.peak_penetration...);
+  visit(runs.peak_pad_rate...);
+  visit(runs.final_velocity...);
+  visit(runs.support_energy...);
+  visit(runs.pad_work...);
+  const auto moment = [&](auto&... moments) {
+    if (!(moments.has_value() && ...)) return;
+    visit(moments->time...);
+    visit(moments->velocity...);
+  };
+  moment(runs.weight...);
+  moment(runs.release...);
+  moment(runs.bottomed...);
+}
+
+bool same_kind(const Figures& a, const Figures& b) {
+  return a.ending == b.ending && a.weight.has_value() == b.weight.has_value() &&
+         a.bottomed.has_value() == b.bottomed.has_value();
+}
+
+Figures extrapolate(const Figures& fine, const Figures& coarse) {
+  Figures result = fine;
+  for_each_number([](double& x, const double& f, const double& c) { x = f + (f - c) / 3; }, result, fine, coarse);
+  return result;
+}
+
+}  // namespace
+
+Refinement::Refinement(const Impactor& impactor, double tolerance)
+    : speed_(impactor.speed),
+      energy_(impactor.mass * impactor.speed * impactor.speed / 2),
+      tolerance_(tolerance) {
+  for (double* error : {&errors_.peak_force, &errors_.time_of_peak_force, &errors_.peak_motion,
+                        &errors_.peak_penetration, &errors_.rebound_speed, &errors_.release_time,
+                        &errors_.energy_absorbed})
+    *error = unknown;
+}
+
+void Refinement::add(const Figures& run) {
+  ++runs_;
+  const Figures before = extrapolated_;
+  const bool comparable = runs_ > 1 && same_kind(run, last_run_);
+  extrapolated_ = comparable ? extrapolate(run, last_run_) : run;
+  last_run_ = run;
+  settled_ = false;
+  if (comparable && runs_ > 2 && same_kind(run, before)) judge(run, before);
+}
+
+void Refinement::judge(const Figures& run, const Figures& before) {
+  const Figures& now = extrapolated_;
+  const auto error = [](double x, double x_before, double x_run, double scale) {
+    const double difference = 2 * std::max(std::abs(x - x_before), std::abs(x - x_run) / 5);
+    return difference == 0 ? 0 : difference / scale;
+  };
+  const auto relative = [&](double x, double x_before, double x_run) { return error(x, x_before, x_run, std::abs(x)); };
+  errors_ = {};
+  // On a rigid support a bottomed pad has no peak force; what matters is when and how fast it bottoms.
+  const bool ended_in_lock = now.ending == Ending::bottomed_out;
+  if (!ended_in_lock) {
+    errors_.peak_force = relative(now.peak_force, before.peak_force, run.peak_force);
+    errors_.time_of_peak_force =
+        error(now.time_of_peak_force, before.time_of_peak_force, run.time_of_peak_force,
+              now.release ? now.release->time : now.time_of_peak_force);
+  }
+  errors_.peak_motion = relative(now.peak_motion, before.peak_motion, run.peak_motion);
+  errors_.peak_penetration = relative(now.peak_penetration, before.peak_penetration, run.peak_penetration);
+  double worst = std::max({errors_.peak_force, errors_.time_of_peak_force, errors_.peak_motion,
+                           errors_.peak_penetration});
+  const auto moment = [&](const std::optional<Moment>& m, const std::optional<Moment>& m_before,
+                          const std::optional<Moment>& m_run, double& of_time, double& of_speed) {
+    if (!m) return;
+    of_time = relative(m->time, m_before->time, m_run->time);
+    of_speed = error(m->velocity, m_before->velocity, m_run->velocity,
+                     std::max(std::abs(m->velocity), 1e-3 * speed_));
+    worst = std::max({worst, of_time, of_speed});
+  };
+  double unused = 0;
+  moment(now.release, before.release, run.release, errors_.release_time, errors_.rebound_speed);
+  moment(now.weight, before.weight, run.weight, unused, unused);
+  moment(now.bottomed, before.bottomed, run.bottomed, unused, unused);
+  const auto absorbed = [&](const Figures& f) {
+    const double v = f.final_velocity / speed_;
+    return 1 - v * v - f.support_energy / energy_;
+  };
+  errors_.energy_absorbed = error(absorbed(now), absorbed(before), absorbed(run), 1);
+  const double residual = std::abs(absorbed(now) - now.pad_work / energy_);
+  // The absorbed share is held to the tolerance relative to itself, down to a hundredth of the impact energy.
+  worst = std::max({worst, errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.01)), residual});
+  settled_ = worst <= tolerance_;
+}
+
+}  // namespace dashpad

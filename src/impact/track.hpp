@@ -1,0 +1,34 @@
+#pragma once
+/// What a run leaves behind: the history, and where in it the phases change.
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "dashpad/impact/solution.hpp"
+
+namespace dashpad {
+
+struct Track {
+  History history;
+  std::vector<std::size_t> phase_starts;  ///< entries at which a smooth stretch begins; the first is 0
+
+  void reserve(std::size_t entries) {
+    for (auto* column : columns()) column->reserve(entries);
+    phase_starts.reserve(entries);
+  }
+  void clear() {
+    for (auto* column : columns()) column->clear();
+    phase_starts.assign(1, 0);
+  }
+  [[nodiscard]] std::size_t size() const { return history.time.size(); }
+
+ private:
+  std::vector<std::vector<double>*> columns() {
+    History& h = history;
+    return {&h.time,        &h.force,              &h.acceleration,   &h.velocity,       &h.motion,
+            &h.penetration, &h.support_deflection, &h.contact_radius, &h.largest_strain};
+  }
+};
+
+}  // namespace dashpad

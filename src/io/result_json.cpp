@@ -1,0 +1,135 @@
+#include "dashpad/io/result_json.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "dashpad/version.hpp"
+#include "io/parameter_values.hpp"
+
+namespace dashpad {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+Json moment(const Moment& of) {
+  return {{"time_s", number(of.time)}, {"velocity_m_per_s", number(of.velocity)}};
+}
+
+Json moment(const std::optional<Moment>& of) { return of ? moment(*of) : Json(nullptr); }
+
+std::optional<double> in_g(const std::optional<double>& acceleration) {
+  return acceleration ? std::optional{*acceleration / standard_gravity} : std::nullopt;
+}
+
+Json energy(const EnergyLedger& ledger) {
+  return {{"initial_J", number(ledger.initial)},
+          {"kinetic_J", number(ledger.kinetic)},
+          {"support_J", number(ledger.support)},
+          {"pad_J", number(ledger.pad)},
+          {"residual_J", number(ledger.residual)}};
+}
+
+/// Null for the error of a figure that is absent.
+Json errors(const Summary& summary) {
+  const ErrorEstimates& of = summary.errors;
+  const auto error = [](bool present, double value) { return present ? number(value) : Json(nullptr); };
+  return {{"peak_force", error(summary.peak_force.has_value(), of.peak_force)},
+          {"time_of_peak_force", error(summary.time_of_peak_force.has_value(), of.time_of_peak_force)},
+          {"peak_motion", number(of.peak_motion)},
+          {"peak_penetration", number(of.peak_penetration)},
+          {"rebound_speed", error(summary.rebound_speed.has_value(), of.rebound_speed)},
+          {"release_time", error(summary.release.has_value(), of.release_time)},
+          {"energy_absorbed", number(of.energy_absorbed)}};
+}
+
+Json solver(const Summary& summary) {
+  return {{"steps", summary.steps},
+          {"stations", summary.stations},
+          {"runs", summary.runs},
+          {"tolerance", number(summary.tolerance)},
+          {"wall_time_s", number(summary.wall_time)}};
+}
+
+Json parameters(const PadLaw& law) {
+  Json table = Json::object();
+  for (const ParameterValue& parameter : parameter_values(law))
+    table[parameter.key] = {
+        {"value", number(parameter.value)}, {"unit", parameter.unit}, {"symbol", parameter.symbol}};
+  return table;
+}
+
+Json fitted(const std::optional<FittedRange>& range) {
+  if (!range) return nullptr;
+  return {{"highest_strain", number(range->highest_strain)},
+          {"lowest_rate_per_s", number(range->lowest_rate)},
+          {"highest_rate_per_s", number(range->highest_rate)}};
+}
+
+Json pad(const Pad& of) {
+  return {{"thickness_m", number(of.thickness)}, {"material", of.material.name},
+          {"title", of.material.title},          {"source", of.material.source},
+          {"law", name_of(of.material.law)},     {"parameters", parameters(of.material.law)},
+          {"fitted", fitted(of.material.fitted)}};
+}
+
+Json support(const Support& of) {
+  Json points = Json::array();
+  for (const Support::Point& point : of.points())
+    points.push_back({{"deflection_m", number(point.deflection)}, {"force_N", number(point.force)}});
+  if (of.is_rigid()) return {{"type", "rigid"}, {"stiffness_N_per_m", nullptr}, {"points", points}};
+  if (of.points().size() > 1) return {{"type", "curve"}, {"stiffness_N_per_m", nullptr}, {"points", points}};
+  const Support::Point& point = of.points().front();
+  return {
+      {"type", "linear"}, {"stiffness_N_per_m", number(point.force / point.deflection)}, {"points", points}};
+}
+
+Json echo(const ImpactCase& impact) {
+  return {{"title", impact.title},
+          {"impactor",
+           {{"mass_kg", number(impact.impactor.mass)},
+            {"radius_m", number(impact.impactor.radius)},
+            {"speed_m_per_s", number(impact.impactor.speed)}}},
+          {"pad", pad(impact.pad)},
+          {"support", support(impact.support)}};
+}
+
+Json program() { return {{"name", "dashpad"}, {"version", version()}, {"commit", build_facts().git_commit}}; }
+
+}  // namespace
+
+std::string result_json(const ImpactCase& impact, const Summary& summary) {
+  Json result;
+  result["status"] = to_string(summary.status);
+  result["peak_force_N"] = number(summary.peak_force);
+  result["time_of_peak_force_s"] = number(summary.time_of_peak_force);
+  result["peak_motion_m"] = number(summary.peak_motion);
+  result["peak_penetration_m"] = number(summary.peak_penetration);
+  result["peak_strain"] = number(summary.peak_strain);
+  result["peak_strain_rate_per_s"] = number(summary.peak_strain_rate);
+  result["peak_acceleration_g"] = number(in_g(summary.peak_acceleration));
+  result["weight"] = moment(summary.weight);
+  result["release"] = moment(summary.release);
+  result["rebound_speed_m_per_s"] = number(summary.rebound_speed);
+  result["restitution"] = number(summary.restitution);
+  result["energy_absorbed_fraction"] = number(summary.energy_absorbed_fraction);
+  result["energy_residual_fraction"] = number(summary.energy.residual / summary.energy.initial);
+  result["energy"] = energy(summary.energy);
+  result["extrapolated"] = summary.extrapolated;
+  result["extrapolations"] = summary.extrapolations;
+  result["bottomed"] = summary.bottomed ? moment(*summary.bottomed) : Json(false);
+  result["errors"] = errors(summary);
+  result["solver"] = solver(summary);
+  result["case"] = echo(impact);
+  result["program"] = program();
+  // Text that is not UTF-8 must not stop a result: the offending bytes are replaced.
+  return result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace dashpad

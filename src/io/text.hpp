@@ -1,0 +1,29 @@
+#pragma once
+/// Numbers and foreign text as people read them.
+
+#include <string>
+#include <string_view>
+
+#include "dashpad/io/unit_system.hpp"
+
+namespace dashpad {
+
+/// Five significant digits, trailing zeros kept: "8.9408", "5768.8", "123457". "none" if not finite.
+std::string significant(double value);
+
+/// Up to five significant digits without trailing zeros: "25.4".
+std::string brief(double value);
+
+/// An SI value with its unit, brief: "25.4 mm". Pure numbers have no unit.
+std::string brief_quantity(double value, const std::string& si_unit, const UnitSystem& units);
+
+/// A fraction as a percentage of two digits: "0.0031 %". "unknown" if not finite.
+std::string percentage(double fraction);
+
+/// A unit as it is shown: "in.lbf" gives "in·lbf"; "1" gives "".
+std::string shown_unit(const std::string& unit);
+
+/// Text from a file, safe for a terminal: line breaks and other control characters become spaces.
+std::string one_line(std::string_view text);
+
+}  // namespace dashpad

@@ -1,0 +1,13 @@
+#pragma once
+/// Small text files that a user named, read with care: a wrong name must not hang or flood the program.
+
+#include <filesystem>
+#include <string>
+
+namespace dashpad {
+
+/// The text of a regular file of at most 1 MiB. Throws InputError with one fault for anything else: missing,
+/// a folder, a pipe or a device, unreadable, larger, or not text.
+std::string read_text_file(const std::filesystem::path& file);
+
+}  // namespace dashpad

@@ -1,0 +1,95 @@
+#include "io/toml_tree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dashpad/io/fault.hpp"
+#include "io/text_file.hpp"
+#include "io/toml_parser.hpp"
+
+namespace dashpad {
+namespace {
+
+/// toml++ nests a table for each dot in a key, without limit, and overflows the stack with some ten thousand.
+constexpr std::ptrdiff_t most_dots = 64;
+
+/// Line of the first key (or value: no matter) with more dots than that; 0 if there is none.
+int line_of_overlong_key(std::string_view text) {
+  int line = 1;
+  std::ptrdiff_t dots = 0;
+  for (const char c : text) {
+    if (c == '.' && ++dots > most_dots) return line;
+    if (std::string_view("=,{\n").find(c) != std::string_view::npos) dots = 0;
+    if (c == '\n') ++line;
+  }
+  return 0;
+}
+
+TomlNode convert(const toml::node& source, std::string key) {
+  TomlNode node;
+  node.line = static_cast<int>(source.source().begin.line);
+  node.key = std::move(key);
+  if (const auto* table = source.as_table()) {
+    node.kind = TomlNode::Kind::table;
+    for (const auto& [name, value] : *table) node.children.push_back(convert(value, std::string(name.str())));
+    std::ranges::stable_sort(node.children, {}, &TomlNode::line);
+  } else if (const auto* array = source.as_array()) {
+    node.kind = TomlNode::Kind::array;
+    for (const auto& value : *array)
+      node.children.push_back(convert(value, fmt::format("[{}]", node.children.size() + 1)));
+  } else if (const auto* text = source.as_string()) {
+    node.kind = TomlNode::Kind::text;
+    node.text = text->get();
+  } else if (source.is_number()) {
+    node.kind = TomlNode::Kind::number;
+    node.number = source.value_or(0.0);
+    node.text = fmt::format("{}", node.number);
+  } else {
+    node.text = source.is_boolean() ? (source.value_or(false) ? "true" : "false") : "a date or time";
+  }
+  return node;
+}
+
+}  // namespace
+
+const TomlNode* TomlNode::child(std::string_view name) const {
+  const auto found = std::ranges::find(children, name, &TomlNode::key);
+  return found != children.end() ? &*found : nullptr;
+}
+
+const TomlNode& TomlNode::nearest(std::string_view dotted_key) const {
+  const auto end = std::min(dotted_key.find_first_of(".[", 1), dotted_key.size());
+  const TomlNode* next = child(dotted_key.substr(0, end));
+  if (!next) return *this;
+  dotted_key.remove_prefix(end);
+  if (dotted_key.starts_with('.')) dotted_key.remove_prefix(1);
+  return dotted_key.empty() ? *next : next->nearest(dotted_key);
+}
+
+std::string TomlNode::written() const {
+  const auto continues_a_character = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };
+  std::size_t end = std::min<std::size_t>(60, text.size());
+  while (end > 0 && end < text.size() && continues_a_character(text[end])) --end;
+  const std::string shown = text.substr(0, end) + (end < text.size() ? "..." : "");
+  return kind == Kind::text ? '"' + shown + '"' : shown;
+}
+
+TomlNode read_toml(const std::filesystem::path& file) {
+  const std::string text = read_text_file(file);
+  const auto refuse = [&file](int line, const std::string& rule) {
+    throw InputError({Fault{file.string(), line, "", "", rule}});
+  };
+  if (const int line = line_of_overlong_key(text))
+    refuse(line, fmt::format("a name holds more than {} dots", most_dots));
+  try {
+    TomlNode root = convert(toml::parse(text), "");
+    root.line = 0;  // a key that is missing at the top is missing nowhere in particular
+    return root;
+  } catch (const toml::parse_error& error) {
+    refuse(static_cast<int>(error.source().begin.line), fmt::format("is not TOML: {}", error.description()));
+  }
+  return {};
+}
+
+}  // namespace dashpad

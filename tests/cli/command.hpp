@@ -1,0 +1,166 @@
+#pragma once
+/// Runs the built command as a user does, in a folder of its own.
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+namespace dashpad::test {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int exit_code = -1;  ///< 128 + signal if it was killed
+  std::string out;
+  std::string err;
+};
+
+/// A folder for one test, removed with it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "dashpad-test-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// Runs a program with its arguments, with nothing on standard input, and waits for its end.
+inline Outcome run_program(std::vector<std::string> arguments) {
+  std::array<int, 2> out{}, err{};
+  if (::pipe2(out.data(), O_CLOEXEC) != 0 || ::pipe2(err.data(), O_CLOEXEC) != 0)
+    throw std::runtime_error("no pipe");
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, err[1], STDERR_FILENO);
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  pid_t process = 0;
+  const int error = ::posix_spawn(&process, pointers[0], &actions, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  ::close(out[1]);
+  ::close(err[1]);
+  if (error != 0) throw std::runtime_error("could not start " + arguments[0]);
+
+  Outcome outcome;
+  std::array<pollfd, 2> streams{pollfd{out[0], POLLIN, 0}, pollfd{err[0], POLLIN, 0}};
+  const std::array<std::string*, 2> texts{&outcome.out, &outcome.err};
+  std::array<char, 65536> buffer{};
+  for (int open = 2; open > 0;) {
+    if (::poll(streams.data(), streams.size(), -1) < 0 && errno != EINTR) break;
+    for (std::size_t i = 0; i < streams.size(); ++i) {
+      if (streams[i].fd < 0 || streams[i].revents == 0) continue;
+      const ssize_t count = ::read(streams[i].fd, buffer.data(), buffer.size());
+      if (count > 0) {
+        texts[i]->append(buffer.data(), static_cast<std::size_t>(count));
+      } else {
+        ::close(streams[i].fd);
+        streams[i].fd = -1;
+        --open;
+      }
+    }
+  }
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return outcome;
+}
+
+/// A shell script in which $DASHPAD is the command.
+inline Outcome shell(const std::string& script) {
+  return run_program({"/bin/sh", "-c", "DASHPAD='" DASHPAD_COMMAND "'\n" + script});
+}
+
+inline Outcome dashpad(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), DASHPAD_COMMAND);
+  return run_program(std::move(arguments));
+}
+
+inline std::string read_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline void write_file(const fs::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  ASSERT_TRUE(file.flush()) << path;
+}
+
+/// A case that is solved in no time: an elastic pad on an elastic support.
+inline std::string elastic_case() {
+  return R"(title = "Elastic"
+[impactor]
+mass = "5 kg"
+radius = "80 mm"
+speed = "3 m/s"
+[pad]
+thickness = "50 mm"
+law = "elastic"
+[pad.parameters]
+modulus = "300 kPa"
+[support]
+type = "linear"
+stiffness = "100 N/mm"
+)";
+}
+
+/// `text` with the first `old` replaced; fails the test if there is none.
+inline std::string with(std::string text, const std::string& old, const std::string& replacement) {
+  const auto place = text.find(old);
+  if (place == std::string::npos) throw std::invalid_argument("no \"" + old + "\" in the text");
+  return text.replace(place, old.size(), replacement);
+}
+
+/// A test of the command: a folder, and in it case.toml, which is all right.
+class CommandTest : public testing::Test {
+ protected:
+  void SetUp() override { write_file(file("case.toml"), elastic_case()); }
+
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] std::string case_file() const { return file("case.toml"); }
+
+  /// Names in the folder beside case.toml.
+  [[nodiscard]] std::vector<std::string> other_files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_.path()))
+      if (entry.path().filename() != "case.toml") names.push_back(entry.path().filename().string());
+    return names;
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+}  // namespace dashpad::test

@@ -1,0 +1,99 @@
+// What tells a user how to go on: check, materials, --help, --version.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+
+namespace dashpad::test {
+namespace {
+
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class GuidanceTest : public CommandTest {};
+
+TEST_F(GuidanceTest, CheckSaysHowACaseIsUnderstood) {
+  const Outcome outcome = dashpad({"check", case_file(), "--units", "us"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(StartsWith(case_file() + ": OK\n"), HasSubstr("strikes at 6.7108 mph"),
+                    HasSubstr("impactor.mass = 5 kg\n"), HasSubstr("pad.parameters.modulus = 300000 Pa\n"),
+                    HasSubstr("support = linear, 100000 N/m\n")));
+  EXPECT_TRUE(other_files().empty());
+}
+
+TEST_F(GuidanceTest, MaterialsListsTheCards) {
+  const Outcome outcome = dashpad({"materials"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, ContainsRegex("ensolite-aac-9 +nine-parameter"));
+}
+
+TEST_F(GuidanceTest, MaterialsShowsACard) {
+  const Outcome outcome = dashpad({"materials", "ensolite-aac-9", "--units", "us"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(ContainsRegex("asymptotic_modulus +E_inf +7.96 psi"), HasSubstr("Source"),
+                                 HasSubstr("at strain rates from")));
+}
+
+TEST_F(GuidanceTest, MaterialsShowsACardFromAFile) {
+  const std::string card = (fs::path{DASHPAD_SOURCE_DIR} / "materials/ensolite-aac-9.toml").string();
+  EXPECT_EQ(dashpad({"materials", card}).out, dashpad({"materials", "ensolite-aac-9"}).out);
+}
+
+TEST_F(GuidanceTest, MaterialsNamesTheCardsThatThereAre) {
+  const Outcome outcome = dashpad({"materials", "unobtainium"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("ensolite-aac-9"));
+}
+
+TEST_F(GuidanceTest, ABadCardDoesNotHideTheOthers) {
+  fs::create_directory(file("cards"));
+  write_file(file("cards/good.toml"),
+             "title = \"Good\"\nsource = \"a test\"\nlaw = \"elastic\"\n"
+             "[parameters]\nmodulus = \"1 MPa\"\n");
+  write_file(file("cards/bad.toml"), "title = 3\n");
+  const Outcome outcome = dashpad({"materials", "--materials", file("cards")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.out, HasSubstr("good"));
+  EXPECT_THAT(outcome.err, HasSubstr("bad.toml"));
+}
+
+TEST_F(GuidanceTest, HelpTeaches) {
+  for (const char* subcommand : {"run", "check", "materials"}) {
+    const Outcome outcome = dashpad({subcommand, "--help"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("Examples:\n"), HasSubstr("Exit codes:"))) << subcommand;
+    EXPECT_EQ(outcome.err, "");
+  }
+  EXPECT_THAT(dashpad({"--help"}).out, AllOf(HasSubstr("Exit codes:"), HasSubstr("dashboard-20mph.toml")));
+  EXPECT_THAT(dashpad({"run", "--help"}).out, HasSubstr("Units:"));
+}
+
+/// Every line of a help text that starts with "  dashpad" is a command that works, run from the source tree.
+TEST_F(GuidanceTest, TheExamplesOfTheHelpWork) {
+  for (const char* subcommand : {"run", "check"}) {
+    std::istringstream help(dashpad({subcommand, "--help"}).out);
+    for (std::string line; std::getline(help, line);) {
+      if (!line.starts_with("  dashpad ")) continue;
+      std::string command = line.substr(0, line.find(" | "));
+      command = with(command, "dashpad ", "$DASHPAD ");
+      for (const char* name : {"result.json", "history.csv"})
+        if (command.find(name) != std::string::npos) command = with(command, name, file(name));
+      const Outcome outcome = shell("cd '" DASHPAD_SOURCE_DIR "' && " + command);
+      EXPECT_EQ(outcome.exit_code, 0) << line << "\n" << outcome.err;
+    }
+  }
+}
+
+TEST_F(GuidanceTest, VersionStatesTheBuild) {
+  const Outcome outcome = dashpad({"--version"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("dashpad "), HasSubstr("commit"), HasSubstr("compiler"),
+                                 HasSubstr("build type"), HasSubstr("CLI11")));
+}
+
+}  // namespace
+}  // namespace dashpad::test

@@ -1,0 +1,161 @@
+// The summary for people: every figure in the right unit, every warning in plain sight.
+
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dashpad/io/case_text.hpp"
+#include "dashpad/io/summary_text.hpp"
+#include "example_result.hpp"
+#include "io/text.hpp"
+
+namespace dashpad {
+namespace {
+
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+std::string shown(const Summary& summary, const char* units = "si") {
+  return summary_text(test::example_case(), summary, unit_system(units));
+}
+
+TEST(Numbers, HaveFiveSignificantDigits) {
+  EXPECT_EQ(significant(8.9408), "8.9408");
+  EXPECT_EQ(significant(1.0), "1.0000");
+  EXPECT_EQ(significant(9.999999), "10.000");
+  EXPECT_EQ(significant(12345.4), "12345");
+  EXPECT_EQ(significant(123456.7), "123457");
+  EXPECT_EQ(significant(-0.0123456), "-0.012346");
+  EXPECT_EQ(significant(0.0), "0");
+  EXPECT_EQ(significant(std::numeric_limits<double>::infinity()), "none");
+  EXPECT_EQ(brief(25.4), "25.4");
+  EXPECT_EQ(brief(250000), "250000");
+  EXPECT_EQ(percentage(3.14159e-5), "0.0031 %");
+  EXPECT_EQ(percentage(std::numeric_limits<double>::quiet_NaN()), "unknown");
+}
+
+TEST(SummaryText, SaysFirstWhatStrikesWhat) {
+  EXPECT_THAT(shown(test::example_summary()),
+              StartsWith("Head on a dashboard\n"
+                         "A sphere of 4.5 kg and radius 76.2 mm strikes at 8.9408 m/s\n"
+                         "a pad of 25.4 mm soft-foam (linear-viscoelastic law) on a support of 105 N/mm.\n"
+                         "\n"
+                         "The impactor rebounded and left the pad.\n"));
+}
+
+TEST(SummaryText, HasEachControlledFigureWithItsError) {
+  EXPECT_THAT(shown(test::example_summary()),
+              AllOf(ContainsRegex("Peak force +5768.8 N +± 0.003 %"),
+                    ContainsRegex("Peak acceleration +130.00 g +± 0.003 %"),
+                    ContainsRegex("Time to peak force +13.023 ms +± 0.002 %"),
+                    ContainsRegex("Peak penetration +20.320 mm +± 0.0003 % +80.000 % of the pad"),
+                    ContainsRegex("Peak motion +79.965 mm +± 0.0001 %"),
+                    ContainsRegex("Rebound speed +8.6031 m/s +± 0.001 % +restitution 0.96223"),
+                    ContainsRegex("Time of release +24.200 ms +± 0.004 %"),
+                    ContainsRegex("Energy absorbed +7.4147 % +± 0.002 % +of the 180 J"),
+                    ContainsRegex("to a tolerance of 0.01 %: 240 steps, 80 stations, 3 runs, 0.8 ms; "
+                                  "energy residual 0.005 %")));
+}
+
+TEST(SummaryText, SpeaksTheUnitsOfTheReport) {
+  EXPECT_THAT(shown(test::example_summary(), "us"),
+              AllOf(HasSubstr("of 9.9208 lb and radius 3 in strikes at 20 mph"), HasSubstr("a pad of 1 in"),
+                    ContainsRegex("Peak force +1296.9 lbf"), ContainsRegex("Peak penetration +0.80000 in"),
+                    ContainsRegex("Rebound speed +19.245 mph"), HasSubstr("1593.1 in·lbf")));
+}
+
+TEST(SummaryText, SpeaksTheUnitsOfCrashLaboratories) {
+  EXPECT_THAT(shown(test::example_summary(), "engineering-metric"),
+              AllOf(HasSubstr("strikes at 32.187 km/h"), ContainsRegex("Peak force +5.7688 kN"),
+                    ContainsRegex("Rebound speed +30.971 km/h"), HasSubstr("0.105 kN/mm")));
+}
+
+TEST(SummaryText, SaysThatThePadBottomedOut) {
+  EXPECT_THAT(
+      shown(test::bottomed_out_summary()),
+      AllOf(HasSubstr("bottomed out"),
+            HasSubstr("BOTTOMED at 5.9307 ms, the impactor still moving at 5.05 m/s"),
+            ContainsRegex("Peak force +none"), Not(HasSubstr("Rebound speed")), Not(HasSubstr("nan"))));
+}
+
+TEST(SummaryText, TellsNearlyBottomedFromBottomed) {
+  Summary summary = test::example_summary();
+  summary.peak_penetration = 0.0254 * (1 - 2e-9);
+  EXPECT_THAT(shown(summary), AllOf(HasSubstr("all but 2e-07 % of the pad"), Not(HasSubstr("BOTTOMED"))));
+}
+
+TEST(SummaryText, SaysWhyAResultIsExtrapolated) {
+  Summary summary = test::example_summary();
+  EXPECT_THAT(shown(summary), Not(HasSubstr("EXTRAPOLATED")));
+  summary.extrapolated = true;
+  summary.extrapolations = {"strain 0.98 is above 0.9", "rate 312 1/s is above 100 1/s"};
+  EXPECT_THAT(shown(summary), AllOf(HasSubstr("EXTRAPOLATED: strain 0.98 is above 0.9\n"),
+                                    HasSubstr("EXTRAPOLATED: rate 312 1/s is above 100 1/s\n")));
+  summary.extrapolations.clear();
+  EXPECT_THAT(shown(summary), HasSubstr("EXTRAPOLATED: "));
+}
+
+TEST(SummaryText, WarnsOfFiguresThatCannotBeTrusted) {
+  Summary summary = test::example_summary();
+  summary.status = Status::tolerance_not_met;
+  summary.errors.peak_force = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(shown(summary), AllOf(HasSubstr("TOLERANCE NOT MET"), HasSubstr("± unknown"),
+                                    HasSubstr("without meeting the tolerance of 0.01 %")));
+}
+
+TEST(SummaryText, WarnsOfTheTimeLimit) {
+  Summary summary = test::example_summary();
+  summary.status = Status::time_limit;
+  summary.release.reset();
+  summary.rebound_speed.reset();
+  EXPECT_THAT(shown(summary), HasSubstr("TIME LIMIT"));
+}
+
+TEST(SummaryText, ShowsNoFiguresOfARunThatNeverWas) {
+  EXPECT_THAT(shown(Summary{}), AllOf(HasSubstr("Nothing was computed."), Not(HasSubstr("Peak"))));
+}
+
+TEST(SummaryText, KeepsControlCharactersOfATitleFromTheTerminal) {
+  ImpactCase impact = test::example_case();
+  impact.title = "a\x1b[2Jb\nc";
+  EXPECT_THAT(summary_text(impact, test::example_summary(), unit_system("si")), StartsWith("a [2Jb c\n"));
+}
+
+TEST(CaseText, NamesTheSupport) {
+  ImpactCase impact = test::example_case();
+  impact.support = Support::rigid();
+  EXPECT_THAT(case_text(impact, unit_system("si")), HasSubstr("on a rigid support."));
+  impact.support = Support::through({{0.001, 100}, {0.002, 900}});
+  EXPECT_THAT(case_text(impact, unit_system("si")),
+              HasSubstr("a support through 2 points, the last 900 N at 2 mm."));
+}
+
+TEST(CaseText, EchoesEveryValueInSI) {
+  EXPECT_THAT(case_in_si(test::example_case(), Options{}),
+              AllOf(HasSubstr("impactor.speed = 8.9408 m/s\n"),
+                    HasSubstr("pad.parameters.initial_modulus = 200000 Pa\n"),
+                    HasSubstr("pad.parameters.relaxation_time = 0.0003333333333333333 s\n"),
+                    HasSubstr("support = linear, 105000 N/m\n"), HasSubstr("solver.tolerance = 0.0001\n")));
+}
+
+TEST(MaterialText, ShowsParametersSourceAndRange) {
+  EXPECT_THAT(material_text(test::example_case().pad.material, unit_system("us")),
+              AllOf(HasSubstr("made up for a test"), ContainsRegex("initial_modulus +E_0 +29.008 psi"),
+                    HasSubstr("up to a strain of 0.9 and at strain rates from 1 to 100 1/s")));
+}
+
+TEST(UnitSystem, RefusesAnUnknownNameAndSaysWhichThereAre) {
+  try {
+    unit_system("imperial");
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("imperial"), HasSubstr("si, us, engineering-metric")));
+  }
+}
+
+}  // namespace
+}  // namespace dashpad
