@@ -49,6 +49,7 @@ class March {
     phase_ = Phase::loading;
     record(track);
     double step = first_step();
+    int stuck = 0;
     while (phase_ != Phase::over) {
       if (now_.time >= options_.time_limit || track.size() > options_.most_steps) {
         figures_.ending =
@@ -57,7 +58,10 @@ class March {
       }
       const double before = now_.time;
       const bool smooth = advance(step);
-      if (now_.time > before) record(track);
+      if (now_.time > before)
+        record(track), stuck = 0;
+      else if (++stuck > most_idle_events)
+        break;
       if (!smooth && phase_ != Phase::over && track.phase_starts.back() != track.size() - 1)
         track.phase_starts.push_back(track.size() - 1);
       // After an event, where the strain rate may jump, steps grow from small ones.
@@ -79,6 +83,9 @@ class March {
  private:
   static constexpr bool closed_form = requires(const Contact contact) { contact.energy(0.0); };
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  /// Phases may change at one moment, but not for ever.
+  static constexpr int most_idle_events = 16;
 
   enum class Phase { loading, unloading, held, over };
   /// Why a step must end where it ends, in the order in which they count when they coincide.
@@ -182,7 +189,12 @@ class March {
       search.slope = slope;
       search.stride = std::abs(now_.velocity) * step + search.resolution;
       root = find_root(at, search);
-      if (root.place == RootPlace::at_or_above_high) result.obstacle = Event::reloading;
+      if (root.place == RootPlace::at_or_above_high) {
+        // The pad, by the error of the contact integral, carries less than the support asks for: it is held
+        // until the support has come down to it.
+        if (now_.drive < 0 && !support_.is_rigid()) return attempt_held(step);
+        result.obstacle = Event::reloading;
+      }
     }
     result.end.drive = drive(result.end);
     return result;
@@ -342,7 +354,8 @@ class March {
       }
     }
     // A step that has a solution: just before the event where its far side has none.
-    const bool far_side = o.event == Event::release || o.event == Event::lock || o.event == Event::corner;
+    const bool far_side = o.event == Event::release || o.event == Event::lock || o.event == Event::unlock ||
+                          o.event == Event::corner;
     return far_side || low == 0 ? high : low;
   }
 

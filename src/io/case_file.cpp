@@ -1,7 +1,6 @@
 #include "dashpad/io/case_file.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "io/law_table.hpp"

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include "io/text.hpp"
@@ -13,8 +15,10 @@ constexpr std::size_t most_lines = 200;
 
 std::string message(const std::vector<Fault>& faults) {
   std::string lines;
-  for (std::size_t i = 0; i < faults.size() && i < most_lines; ++i)
-    lines += (i > 0 ? "\n" : "") + to_string(faults[i]);
+  for (const Fault& fault : std::span(faults).first(std::min(faults.size(), most_lines))) {
+    if (!lines.empty()) lines += '\n';
+    lines += to_string(fault);
+  }
   if (faults.size() > most_lines) lines += fmt::format("\nand {} more faults", faults.size() - most_lines);
   return lines;
 }

@@ -125,6 +125,7 @@ double to_si(std::string_view text, const std::string& si_unit) {
 }
 
 double from_si(double value, const std::string& si_unit, const std::string& unit) {
+  if (unit == si_unit) return value;
   return value / factor_of(tidy_unit(unit), dimension_of(si_unit));
 }
 

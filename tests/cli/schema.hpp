@@ -1,40 +1,32 @@
 #pragma once
-/// JSON texts against schema/summary.schema.json.
+/// JSON texts against schema/summary.schema.json, by python3-jsonschema.
 
 #include <string>
 
 #include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validation_results.hpp>
-#include <valijson/validator.hpp>
 
 #include "command.hpp"
 
 namespace dashpad::test {
 
-inline nlohmann::json summary_schema() {
-  return nlohmann::json::parse(read_file(fs::path{DASHPAD_SOURCE_DIR} / "schema/summary.schema.json"));
-}
+inline std::string schema_file() { return DASHPAD_SOURCE_DIR "/schema/summary.schema.json"; }
+
+inline nlohmann::json summary_schema() { return nlohmann::json::parse(read_file(schema_file())); }
 
 /// What is wrong with a document, one line a fault; empty if it is as the schema says.
 inline std::string schema_faults(const nlohmann::json& document) {
-  const nlohmann::json text = summary_schema();
-  valijson::Schema schema;
-  valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
-  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema);
-
-  valijson::Validator validator;
-  valijson::ValidationResults results;
-  validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(document), &results);
-  std::string faults;
-  valijson::ValidationResults::Error error;
-  while (results.popError(error)) {
-    for (const std::string& part : error.context) faults += part;
-    faults += ": " + error.description + "\n";
-  }
-  return faults;
+  static constexpr const char* validate = R"(
+import json, sys, jsonschema
+schema, document = (json.load(open(name)) for name in sys.argv[1:3])
+jsonschema.Draft7Validator.check_schema(schema)
+for fault in jsonschema.Draft7Validator(schema).iter_errors(document):
+    print("/".join(map(str, fault.absolute_path)) + ": " + fault.message)
+)";
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "document.json").string();
+  write_file(file, document.dump());
+  const Outcome outcome = run_program({"/usr/bin/env", "python3", "-c", validate, schema_file(), file});
+  return outcome.exit_code == 0 ? outcome.out : "could not validate:\n" + outcome.err;
 }
 
 }  // namespace dashpad::test

@@ -25,12 +25,12 @@
 namespace dashpad::oracle {
 
 struct CvodeOptions {
-  int loading_columns = 40;     ///< Chebyshev points, >= 8
-  int unloading_columns = 160;  ///< >= 8
-  double rtol = 1e-8;           ///< relative error a step
+  int loading_columns = 48;     ///< Chebyshev points, >= 8
+  int unloading_columns = 320;  ///< >= 8
+  double rtol = 1e-9;           ///< relative error a step
   double atol = 1e-2;           ///< absolute error a step over rtol, in units of the natural scale of an unknown
   double axis_grading = 0.02;   ///< share of the depth that is resolved on its own near the axis
-  double edge_power = 4;        ///< how strongly the columns cluster towards the edge on loading
+  double edge_power = 5;        ///< how strongly the columns cluster towards the edge on loading
   double gravity = standard_gravity;  ///< m/s2, of the "weight" event
 };
 

@@ -90,7 +90,7 @@ class LoadingPhase final : public OdeSystem {
     for (std::size_t i = 0; i < inner_; ++i) {
       const double* row = &grid_.differentiate[i * (inner_ + 1)];
       double gradient = 0;
-      for (std::size_t j = 0; j <= inner_; ++j) gradient += row[j] * ratio_[j];
+      for (std::size_t j = 0; j < inner_; ++j) gradient += row[j] * (ratio_[j] - edge);  // less rounding
       slope[first_column + i] = (edge - ratio_[i]) * point_[i].log_slope * rate.rate +
                                 law_.regular(point_[i], column_[i], rate, ratio_[i], relaxation_[i]) +
                                 gradient * grid_.points[i].share * growth;

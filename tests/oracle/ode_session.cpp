@@ -44,6 +44,8 @@ struct OdeSession::Impl {
 
 namespace {
 
+constexpr int most_fresh_starts = 3;  ///< for one step
+
 void require(int flag) {
   if (flag < 0) throw std::runtime_error("CVODE could not be set up");
 }
@@ -103,11 +105,15 @@ OdeSession::OdeSession(OdeSystem& system, Method method, double time, const std:
 OdeSession::~OdeSession() = default;
 
 bool OdeSession::step() {
-  const int flag = CVode(impl_->memory, impl_->farthest, impl_->state, &impl_->time, CV_ONE_STEP);
+  int flag = CVode(impl_->memory, impl_->farthest, impl_->state, &impl_->time, CV_ONE_STEP);
+  for (int k = 0; flag < 0 && k < most_fresh_starts; ++k) {
+    // Its past can be of no use near a kink of the equations (a speed that dies out): start afresh from here.
+    restart();
+    flag = CVode(impl_->memory, impl_->farthest, impl_->state, &impl_->time, CV_ONE_STEP);
+  }
   impl_->event = flag == CV_ROOT_RETURN;
   std::fill(impl_->crossings.begin(), impl_->crossings.end(), 0);
   if (impl_->event) CVodeGetRootInfo(impl_->memory, impl_->crossings.data());
-  if (flag < 0) __builtin_printf("flag %d t %.9g\n", flag, impl_->time);
   return flag >= 0;
 }
 

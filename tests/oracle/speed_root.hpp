@@ -25,13 +25,14 @@ class SpeedRoot {
     double x = std::max(x_, log_of_no_speed);
     double fx = f(x);
     double stride = 1e-3;
+    bool local = true;  // whether the slope is that of a short chord; a long one can feign convergence
     for (int k = 0; k < 200 && fx != 0; ++k) {
       (fx < 0 ? low : high) = x;
       if (fx > 0 && x <= log_of_no_speed) break;
       double next = x - (slope_ > 0 ? fx / slope_ : std::copysign(stride, fx));
-      const double reach = std::max(64 * stride, 0.0);
-      next = std::clamp(next, x - reach, x + reach);
-      if (!(next > low && next < high)) {
+      next = std::clamp(next, x - 64 * stride, x + 64 * stride);
+      const bool settled = std::fabs(next - x) <= tolerance;
+      if (!(next > low && next < high) || (settled && !local) || (high - low < 1e300 && high - low > widest)) {
         if (high - low < std::numeric_limits<double>::infinity()) {
           next = (low + high) / 2;
         } else {
@@ -44,7 +45,8 @@ class SpeedRoot {
         break;
       }
       const double f_next = f(next);
-      slope_ = (f_next - fx) / (next - x);
+      slope_ = std::isfinite(f_next - fx) ? (f_next - fx) / (next - x) : 0;
+      local = std::fabs(next - x) < 0.1;
       x = next, fx = f_next;
       stride *= 4;
     }
@@ -52,6 +54,7 @@ class SpeedRoot {
   }
 
   static constexpr double tolerance = 2e-13;
+  static constexpr double widest = 8;  ///< a wider bracket is halved
 
  private:
   double x_ = 0;

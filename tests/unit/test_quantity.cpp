@@ -97,6 +97,8 @@ TEST(quantity, the_speed_of_the_example_is_exact) { EXPECT_EQ(to_si("20 mph", "m
 TEST(quantity, goes_back_to_its_unit) {
   EXPECT_DOUBLE_EQ(from_si(8.9408, "m/s", "mph"), 20);
   EXPECT_DOUBLE_EQ(from_si(4.4482216152605, "N", "lbf"), 1);
+  EXPECT_EQ(from_si(0.95, "1", "1"), 0.95);
+  EXPECT_DOUBLE_EQ(from_si(0.95, "1", "%"), 95);
   EXPECT_THROW(from_si(1, "N", "lb"), UnitError);
   EXPECT_THROW(from_si(1, "N", "furlng"), UnitError);
 }

@@ -1,0 +1,92 @@
+#include "random_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace dashpad::test {
+namespace {
+
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : generator_(seed) {}
+  double uniform(double low, double high) {
+    // 53 bits of the generator: the same on every platform, unlike the distributions of the standard library.
+    return low + (high - low) * static_cast<double>(generator_() >> 11) * 0x1p-53;
+  }
+  double decades(double low, double high) { return std::pow(10, uniform(std::log10(low), std::log10(high))); }
+  int choice(int count) { return static_cast<int>(generator_() % static_cast<std::uint64_t>(count)); }
+
+ private:
+  std::mt19937_64 generator_;
+};
+
+PadLaw random_law(Draw& draw) {
+  switch (draw.choice(5)) {
+    case 0:
+      return Elastic{draw.decades(1e3, 1e8)};
+    case 1: {
+      const double lasting = draw.decades(1e3, 1e7);
+      return LinearViscoelastic{lasting, lasting * draw.decades(1, 1e3), draw.decades(1e-5, 1)};
+    }
+    case 2: {
+      const double stress = draw.decades(1e3, 1e7);
+      const double strain = draw.uniform(0.05, 0.9);
+      return RigidFoam{stress, strain, stress * draw.decades(1, 20), draw.uniform(strain + 0.01, 0.99)};
+    }
+    case 3:
+      return NineParameter{draw.decades(1e3, 1e7),  draw.uniform(0.2, 2),     draw.uniform(0, 3),
+                           draw.decades(1e-5, 1),   draw.decades(1e2, 1e7),   draw.uniform(0.02, 1),
+                           draw.decades(1e-7, 1e-3), draw.uniform(0.02, 0.8)};
+    default: {
+      const double m = draw.uniform(0.2, 1.5);
+      return TwentyOneParameter{draw.decades(1e3, 1e7), m,
+                                draw.uniform(0, 3),     draw.uniform(0.05, 1),
+                                draw.decades(0.01, 10), draw.decades(0.3, 30),
+                                draw.decades(1e2, 1e6), draw.uniform(0.02, 0.6),
+                                draw.uniform(1, 5),     draw.decades(0.1, 5),
+                                draw.uniform(1, 4),     draw.decades(0.2, 2),
+                                draw.uniform(m, 4),     draw.decades(1e-3, 1),
+                                draw.decades(1e-7, 1e-3), draw.uniform(0.02, 0.8)};
+    }
+  }
+}
+
+Support random_support(Draw& draw) {
+  switch (draw.choice(4)) {
+    case 0:
+      return Support::rigid();
+    case 1:
+      return Support::linear(draw.decades(1e3, 1e9));
+    default: {
+      std::vector<Support::Point> points;
+      double deflection = 0;
+      double force = 0;
+      const int count = 1 + draw.choice(5);
+      for (int i = 0; i < count; ++i) {
+        deflection += draw.decades(1e-5, 1e-2);
+        force += draw.decades(1, 1e5);
+        points.push_back({deflection, force});
+      }
+      return Support::through(points);
+    }
+  }
+}
+
+}  // namespace
+
+ImpactCase random_case(std::uint64_t seed) {
+  Draw draw(seed);
+  ImpactCase impact;
+  impact.title = "random case " + std::to_string(seed);
+  impact.impactor = {draw.decades(0.01, 100), draw.decades(1e-3, 1), draw.decades(0.1, 50)};
+  impact.pad.thickness = draw.decades(1e-3, 0.5);
+  impact.pad.material.name = "in line";
+  impact.pad.material.law = random_law(draw);
+  impact.support = random_support(draw);
+  return impact;
+}
+
+}  // namespace dashpad::test

@@ -1,0 +1,286 @@
+/// Case files: what is said about each kind of bad one.
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "dashpad/io/case_file.hpp"
+#include "dashpad/io/fault.hpp"
+#include "sample_case.hpp"
+#include "temporary_folder.hpp"
+
+namespace dashpad {
+namespace {
+
+using testing::edited;
+using testing::good_case;
+using testing::in_line_material;
+using testing::materials;
+using testing::read;
+
+std::vector<Fault> faults_in(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.faults();
+  }
+  return {};
+}
+
+std::string all(const std::vector<Fault>& faults) {
+  std::string text;
+  for (const Fault& fault : faults) text += to_string(fault) + "\n";
+  return text;
+}
+
+/// A fault that is expected: its line, key, and part of its rule.
+struct Expected {
+  int line;
+  std::string key;
+  std::string rule;
+};
+
+void expect_faults(const std::vector<Fault>& faults, const std::vector<Expected>& expected) {
+  ASSERT_EQ(faults.size(), expected.size()) << all(faults);
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    EXPECT_EQ(faults[i].line, expected[i].line) << all(faults);
+    EXPECT_EQ(faults[i].key, expected[i].key) << all(faults);
+    EXPECT_NE(faults[i].rule.find(expected[i].rule), std::string::npos) << all(faults);
+  }
+}
+
+struct Edit {
+  std::string from;
+  std::string to;
+  std::vector<Expected> faults;
+};
+
+const std::string curve_of = "type = \"curve\"\npoints = ";
+const std::string linear_support = "type = \"linear\"\nstiffness = \"600 lbf/in\"";
+const std::string named_material = "material = \"ensolite-aac-9\"";
+const std::string law_of = "law = \"elastic\"\n[pad.parameters]\nmodulus = ";
+
+const std::vector<Edit> edits{
+    // Quantities.
+    {"\"20 mph\"", "\"20\"", {{5, "impactor.speed", "a speed needs a unit, such as \"20 m/s\""}}},
+    {"\"20 mph\"", "20", {{5, "impactor.speed", "a speed needs a unit, such as \"20 m/s\""}}},
+    {"\"20 mph\"", "\"3 in\"", {{5, "impactor.speed", "but \"in\" gives a length"}}},
+    {"\"20 mph\"", "\"\"", {{5, "impactor.speed", "a speed starts with a number"}}},
+    {"\"20 mph\"", "\"nan mph\"", {{5, "impactor.speed", "finite"}}},
+    {"\"20 mph\"", "nan", {{5, "impactor.speed", "finite"}}},
+    {"\"20 mph\"", "inf", {{5, "impactor.speed", "finite"}}},
+    {"\"20 mph\"", "\"1e400 mph\"", {{5, "impactor.speed", "too large"}}},
+    {"\"20 mph\"", "true", {{5, "impactor.speed", "a speed starts with a number"}}},
+    {"\"20 mph\"", "2024-06-07", {{5, "impactor.speed", "a speed starts with a number"}}},
+    {"\"20 mph\"", "[\"20 mph\"]", {{5, "impactor.speed", "a speed starts with a number"}}},
+    {"\"20 mph\"", "\"0 mph\"", {{5, "impactor.speed", "must be more than 0"}}},
+    {"\"20 mph\"", "\"-20 mph\"", {{5, "impactor.speed", "must be more than 0"}}},
+    {"\"20 mph\"", "\"20 km/s\"", {{5, "impactor.speed", "and 1000 m/s"}}},
+    {"\"3 in\"", "\"3 km\"", {{3, "impactor.radius", "between 1e-05 m and 100 m"}}},
+    {"\"1 in\"", "\"1e-9 in\"", {{7, "pad.thickness", "between"}}},
+    // Mass or weight.
+    {"weight = \"10 lbf\"", "weight = \"10 lb\"", {{4, "impactor.weight", "lb and kg are masses"}}},
+    {"weight = \"10 lbf\"", "weight = \"-10 lbf\"", {{4, "impactor.weight", "the mass must be more than 0"}}},
+    {"weight = \"10 lbf\"", "mass = \"0 kg\"", {{4, "impactor.mass", "must be more than 0"}}},
+    {"weight = \"10 lbf\"", "mass = \"10 lbf\"", {{4, "impactor.mass", "a mass is needed"}}},
+    {"weight = \"10 lbf\"",
+     "",
+     {{2, "impactor.mass", "is missing; give a mass, such as \"4.5 kg\", or a weight"}}},
+    {"weight = \"10 lbf\"", "weight = \"10 lbf\"\nmass = \"1 kg\"", {{4, "impactor.weight", "not both"}}},
+    // Keys.
+    {"radius",
+     "radus",
+     {{2, "impactor.radius", "is missing"}, {3, "impactor.radus", "unknown key; did you mean \"radius\"?"}}},
+    {"[solver]", "[solvers]", {{12, "solvers", "unknown key; did you mean \"solver\"?"}}},
+    {"speed = ",
+     "colour = \"red\"\nspeed = ",
+     {{5, "impactor.colour", "known here are mass, weight, radius, speed"}}},
+    {"speed = \"20 mph\"\n", "", {{2, "impactor.speed", "is missing"}}},
+    {"[impactor]", "[sphere]", {{0, "impactor", "is missing"}, {2, "sphere", "unknown key"}}},
+    {"title = \"A case\"", "title = 3", {{1, "title", "text in quotes"}}},
+    {"[solver]", "[solver.deep]", {{12, "solver.deep", "unknown key"}}},
+    {"[solver]", "[[solver]]", {{12, "solver", "must be a table: [solver]"}}},
+    {"[support]\n" + linear_support, "", {{0, "support", "is missing"}}},
+    // Materials.
+    {named_material, "", {{6, "pad.material", "is missing"}}},
+    {named_material, named_material + "\nlaw = \"elastic\"", {{8, "pad.material", "not both"}}},
+    {"ensolite-aac-9", "ensolite-acc-9", {{8, "pad.material", "did you mean \"ensolite-aac-9\"?"}}},
+    {"ensolite-aac-9", "../materials/ensolite-aac-9", {{8, "pad.material", "must be the name of a card"}}},
+    {"ensolite-aac-9", "a\\u0000.toml", {{8, "pad.material", "control character"}}},
+    {"ensolite-aac-9", "none.toml", {{8, "pad.material", "no such file"}}},
+    {named_material, "material = 9", {{8, "pad.material", "text in quotes"}}},
+    {named_material, "law = \"elastik\"\n[pad.parameters]", {{8, "pad.law", "did you mean \"elastic\"?"}}},
+    {named_material, "law = \"elastic\"", {{6, "pad.parameters", "is missing"}}},
+    {named_material, "[pad.parameters]\nmodulus = \"1 psi\"", {{6, "pad.law", "is missing"}}},
+    {named_material,
+     law_of + "40",
+     {{10, "pad.parameters.modulus", "a stress needs a unit, such as \"40 Pa\""}}},
+    {named_material, law_of + "\"0 psi\"", {{10, "pad.parameters.modulus", "must be more than 0 Pa"}}},
+    {named_material, law_of + "\"1e30 psi\"", {{10, "pad.parameters.modulus", "magnitude"}}},
+    {named_material,
+     law_of + "\"1 psi\"\nmodulos = 1",
+     {{11, "pad.parameters.modulos", "did you mean \"modulus\"?"}}},
+    // Supports.
+    {"\"linear\"",
+     "\"linea\"",
+     {{10, "support.type", "must be one of rigid, linear, curve; did you mean \"linear\"?"}}},
+    {"\"linear\"", "\"rigid\"", {{11, "support.stiffness", "unknown key"}}},
+    {"\"600 lbf/in\"", "\"-600 lbf/in\"", {{11, "support.stiffness", "must be more than 0"}}},
+    {"\"600 lbf/in\"", "\"1e300 lbf/in\"", {{11, "support.stiffness", "between"}}},
+    {"\"600 lbf/in\"", "\"600 lb/in\"", {{11, "support.stiffness", "the forces are lbf"}}},
+    {linear_support, curve_of + "[]", {{11, "support.points", "between 1 and 10000 points"}}},
+    {linear_support, curve_of + "3", {{11, "support.points", "an array"}}},
+    {linear_support, curve_of + "[[\"1 in\"]]", {{11, "support.points[1]", "a deflection and a force"}}},
+    {linear_support,
+     curve_of + "[[\"1 lbf\", \"1 in\"]]",
+     {{11, "support.points[1]", "a length is needed"}, {11, "support.points[1]", "a force is needed"}}},
+    {linear_support,
+     curve_of + "[[\"0 in\", \"0 lbf\"],\n[\"1 in\", \"1 lbf\"]]",
+     {{11, "support.points[1]", "the deflection must be more than 0"},
+      {11, "support.points[1]", "the force must be more than 0"}}},
+    {linear_support,
+     curve_of + "[[\"1 in\", \"9 lbf\"],\n[\"2 in\", \"8 lbf\"],\n[\"2 in\", \"9 lbf\"]]",
+     {{12, "support.points[2]", "the force must be more than that of the point before"},
+      {13, "support.points[3]", "the deflection must be more than that of the point before"}}},
+    {linear_support,
+     curve_of + "[[\"1 in\", \"1 lbf\"],\n[\"2 in\", \"1e200 lbf\"]]",
+     {{12, "support.points[2]", "the stiffness"}}},
+    // Solver.
+    {"1e-5", "\"1e-5\"", {{13, "solver.tolerance", "a plain number"}}},
+    {"1e-5", "inf", {{13, "solver.tolerance", "a finite number"}}},
+    {"1e-5", "0.5", {{13, "solver.tolerance", "at most 1e-2"}}},
+    {"1e-5", "-1", {{13, "solver.tolerance", "at least 1e-8"}}},
+    {"\"200 ms\"", "\"0 s\"", {{14, "solver.time_limit", "must be more than 0"}}},
+    // TOML.
+    {"radius = ", "radius ", {{3, "", "is not TOML"}}},
+    {"[pad]", "[impactor]", {{6, "", "is not TOML"}}},
+    {"speed = \"20 mph\"", "weight = \"1 lbf\"", {{5, "", "is not TOML"}}},
+    {"[pad]", "[", {{6, "", "is not TOML"}}},
+    {"[pad]", "[[[pad]]]", {{6, "", "is not TOML"}}},
+    {"radius", "\u00a7radius", {{3, "", "is not TOML"}}},
+    {"\"A case\"", "\"\"\"\\\n\u00a7\"\"\"\nradius = 3", {{3, "radius", "unknown key"}}},
+    {"1e-5", "1e400", {{13, "", "is not TOML"}}},
+    {"1e-5", "99999999999999999999", {{13, "", "is not TOML"}}},
+    {"1e-5", std::string(100'000, '['), {{13, "", "is not TOML"}}},
+    {"A case", "\xc3\x28", {{1, "", "is not TOML"}}},
+    {"A case", std::string("\0", 1), {{1, "", "is not text"}}},
+    {"title", "\xff\xfet", {{1, "", "is UTF-16"}}},
+};
+
+TEST(case_faults, each_fault_is_named_with_line_key_and_rule) {
+  for (const auto& [from, to, expected] : edits) {
+    SCOPED_TRACE(from + " -> " + to.substr(0, 60));
+    const std::string text = edited(good_case, from, to);
+    expect_faults(faults_in([&] { read(text); }), expected);
+  }
+}
+
+TEST(case_faults, rules_between_parameters_are_checked) {
+  const std::string text = edited(good_case, named_material, in_line_material);
+  expect_faults(
+      faults_in([&] { read(edited(edited(text, "90 psi", "30 psi"), "\"50 1/s\"", "\"0.5 1/s\"")); }),
+      {{11, "pad.parameters.initial_modulus", "must not be below asymptotic_modulus"},
+       {16, "pad.fitted.highest_rate", "must be more than lowest_rate"}});
+}
+
+TEST(case_faults, all_faults_come_at_once_in_the_order_of_lines) {
+  std::string text = edited(good_case, "\"3 in\"", "\"-3 in\"");
+  text = edited(text, "\"20 mph\"", "20");
+  text = edited(text, "thickness", "thicknes");
+  text = edited(text, "ensolite-aac-9", "ensolite");
+  text = edited(text, "600 lbf/in", "600 lbf");
+  text = edited(text, "1e-5", "1");
+  const auto faults = faults_in([&] { read(text); });
+  expect_faults(faults, {{3, "impactor.radius", "must be more than 0"},
+                         {5, "impactor.speed", "needs a unit"},
+                         {6, "pad.thickness", "is missing"},
+                         {7, "pad.thicknes", "did you mean"},
+                         {8, "pad.material", "no such card"},
+                         {11, "support.stiffness", "a stiffness is needed"},
+                         {13, "solver.tolerance", "at most"}});
+  EXPECT_EQ(faults[0].value, "\"-3 in\"");
+  EXPECT_EQ(faults[1].value, "20");
+}
+
+TEST(case_faults, faults_of_a_card_name_the_card) {
+  const testing::TemporaryFolder folder;
+  const auto card =
+      folder.write("mine.toml",
+                   "title = \"Mine\"\nlaw = \"elastic\"\n[parameters]\nmodulus = \"-1 psi\"\n"
+                   "[fitted]\nhighest_strain = 2\nlowest_rate = \"1 1/s\"\nhighest_rate = \"9 1/s\"\n");
+  const auto file =
+      folder.write("case.toml", edited(edited(good_case, "ensolite-aac-9", "mine"), "\"20 mph\"", "20"));
+  const auto faults = faults_in([&] { read_case(file, folder.path()); });
+  expect_faults(faults, {{5, "impactor.speed", "needs a unit"},
+                         {0, "source", "is missing"},
+                         {4, "parameters.modulus", "must be more than 0"},
+                         {6, "fitted.highest_strain", "must be more than 0 and at most 1"}});
+  EXPECT_EQ(faults[0].file, file.string());
+  EXPECT_EQ(faults[1].file, card.string());
+  EXPECT_EQ(faults[3].file, card.string());
+}
+
+TEST(case_faults, too_many_points_are_refused) {
+  std::string points = "[";
+  for (int i = 0; i < 10'001; ++i)
+    points += "[\"" + std::to_string(i + 1) + " m\", \"" + std::to_string(i + 1) + " N\"],";
+  expect_faults(faults_in([&] { read(edited(good_case, linear_support, curve_of + points + "]")); }),
+                {{11, "support.points", "between 1 and 10000 points"}});
+}
+
+TEST(case_faults, deep_nesting_is_refused) {
+  std::string deep = "a";
+  for (int i = 0; i < 200'000; ++i) deep += ".a";
+  expect_faults(faults_in([&] { read(good_case + deep + " = 1\n"); }), {{15, "", "more than 64 dots"}});
+  std::string tables = "1";
+  for (int i = 0; i < 1000; ++i) tables = "{a.a.a.a.a.a.a.a=" + tables + "}";
+  expect_faults(faults_in([&] { read(good_case + "x = " + tables + "\n"); }), {{15, "", "is not TOML"}});
+}
+
+TEST(case_faults, only_regular_files_of_moderate_size_are_read) {
+  const testing::TemporaryFolder folder;
+  const auto large = folder.write("large.toml", "");
+  std::filesystem::resize_file(large, 1'000'000'000);  // takes no space: it is a hole
+  const auto pipe = folder.path() / "pipe.toml";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const auto locked = folder.write("locked.toml", good_case);
+  std::filesystem::permissions(locked, std::filesystem::perms::none);
+  struct Row {
+    std::filesystem::path file;
+    std::string rule;
+  };
+  std::vector<Row> rows{{folder.path() / "none.toml", "no such file"},
+                        {folder.path(), "is a folder"},
+                        {large, "is larger than 1 MiB"},
+                        {pipe, "is not a regular file"},
+                        {"/dev/zero", "is not a regular file"},
+                        {"", "no such file"}};
+  if (::geteuid() != 0) rows.push_back({locked, "cannot be read"});  // root may read everything
+  for (const auto& [file, rule] : rows) {
+    SCOPED_TRACE(file);
+    expect_faults(faults_in([&] { read_case(file, materials); }), {{0, "", rule}});
+    expect_faults(faults_in([&] { read_material(file); }), {{0, "", rule}});
+  }
+}
+
+TEST(fault, is_one_line_whatever_the_file_holds) {
+  EXPECT_EQ(to_string(Fault{"case.toml", 12, "impactor.speed", "20", "needs a unit"}),
+            "case.toml:12: impactor.speed = 20: needs a unit");
+  EXPECT_EQ(to_string(Fault{"case.toml", 0, "", "", "no such file"}), "case.toml: no such file");
+  EXPECT_EQ(to_string(Fault{"case.toml", 3, "a\nb", "\x1b[2J", "rule"}), "case.toml:3: a b =  [2J: rule");
+}
+
+TEST(fault, message_holds_all_faults_but_is_not_endless) {
+  const std::string two = InputError({Fault{"a", 1, "", "", "x"}, Fault{"a", 2, "", "", "y"}}).what();
+  EXPECT_EQ(two, "a:1: x\na:2: y");
+  const std::string many = InputError(std::vector<Fault>(1000, Fault{"a", 1, "", "", "x"})).what();
+  EXPECT_TRUE(many.ends_with("\nand 800 more faults"));
+}
+
+}  // namespace
+}  // namespace dashpad
