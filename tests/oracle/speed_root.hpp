@@ -32,8 +32,9 @@ class SpeedRoot {
       double next = x - (slope_ > 0 ? fx / slope_ : std::copysign(stride, fx));
       next = std::clamp(next, x - 64 * stride, x + 64 * stride);
       const bool settled = std::fabs(next - x) <= tolerance;
-      if (!(next > low && next < high) || (settled && !local) || (high - low < 1e300 && high - low > widest)) {
-        if (high - low < std::numeric_limits<double>::infinity()) {
+      const bool bracketed = high - low < std::numeric_limits<double>::infinity();
+      if (!(next > low && next < high) || (settled && !local) || (bracketed && high - low > widest)) {
+        if (bracketed) {
           next = (low + high) / 2;
         } else {
           next = fx > 0 ? x - stride : x + stride;

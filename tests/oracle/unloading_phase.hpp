@@ -68,7 +68,8 @@ class UnloadingPhase final : public OdeSystem {
         break;
       }
       if (!run_.support.rigid() &&
-          run_.support.stiffness() * (state[velocity] - rounding * run_.speed) > pad_force_rate(law_.at_rate(0))) {
+          run_.support.stiffness() * (state[velocity] - rounding * run_.speed) >
+              pad_force_rate(law_.at_rate(0))) {
         run_.result.ending = Ending::reloading;
         break;
       }
@@ -99,7 +100,8 @@ class UnloadingPhase final : public OdeSystem {
     allowance[penetration] = rtol * gap + 1e-12 * run_.thickness;
     for (std::size_t i = 0; i < count_; ++i) {
       const double stress = state[first_column + i];
-      allowance[first_column + i] = holding_[i] && stress > 0 ? rtol * stress + atol * stress_scale_ * 0.1 : no_limit;
+      allowance[first_column + i] =
+          holding_[i] && stress > 0 ? rtol * stress + atol * stress_scale_ * 0.1 : no_limit;
     }
   }
 
