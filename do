@@ -13,7 +13,9 @@ Usage: ./do TASK [arguments]
   run [CASE] [arguments]   build the command and solve CASE (default: examples/dashboard-20mph.toml)
   test [PRESET] [ctest arguments]
                            build and run the tests (default: release; also dev, asan-ubsan, coverage)
-  bench [arguments]        build and run the benchmarks
+  bench [--record]         build and run the benchmarks; raw results go to build/bench, or to bench/results
+  bench PROGRAM [arguments]
+                           only impact or against-cvode, with arguments of its own
   format                   lay out the C++ code with clang-format
   lint                     check layout, clang-tidy, cppcheck and shellcheck; changes nothing
   coverage                 run the tests and report the lines they reach
@@ -139,12 +141,30 @@ task_test() {
   ctest --preset "$preset" --parallel "$jobs" --no-label-summary "$@" </dev/null 2>&1 | summary_last
 }
 
+# Runs the programs of bench/ one after the other and keeps what they measure: not the names of this machine.
 task_bench() {
   need_packages run bench
   say "Building the benchmarks ..."
   configure release -DDASHPAD_BUILD_BENCH=ON
   build release dashpad-bench
-  exec "$root/build/release/bench/dashpad-bench" "$@"
+  local programs="$root/build/release/bench" results="$root/build/bench"
+  case "${1:-all}" in
+    impact | against-cvode)
+      local program="bench_${1//-/_}"
+      shift
+      exec "$programs/$program" "$@"
+      ;;
+    --record) results="$root/bench/results" ;;
+    all) ;;
+    *) fail "no benchmark '$1': impact or against-cvode" ;;
+  esac
+  mkdir -p "$results"
+  "$programs/bench_impact" --benchmark_repetitions=9 --benchmark_min_time=0.2 \
+    --benchmark_enable_random_interleaving=true --benchmark_display_aggregates_only=true \
+    --benchmark_out="$results/impact.json" --benchmark_out_format=json
+  sed -i -e '/"host_name":/d' -e '/"executable":/d' "$results/impact.json"
+  "$programs/bench_against_cvode" --csv "$results/against-cvode.csv"
+  say "Raw results: ${results#"$root"/}"
 }
 
 # Paths of the C++ files, relative to the root.

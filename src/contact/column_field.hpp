@@ -37,12 +37,15 @@ class ColumnField {
   /// The pad locks when this gap is not enough to carry the force (design limit: 1e-9 of the thickness).
   [[nodiscard]] double lock_penetration() const { return thickness_ * (1 - 1e-9); }
   [[nodiscard]] std::size_t stations() const { return depth_.size(); }
+  /// Columns updated in all trials since the start: the cost of the run.
+  [[nodiscard]] std::size_t updates() const { return updates_; }
 
   /// `resolution` is the relative spacing of stations aimed at.
   void start(double resolution) {
     resolution_ = resolution;
     penetration_ = largest_penetration_ = 0;
     live_ = 0;
+    updates_ = 0;
     depth_.assign(1, 0.0);
     for (auto* columns : {&now_, &next_}) columns->resize(1);
     now_.set(0, 0, law_.strain_part({}, {}), {});
@@ -57,6 +60,7 @@ class ColumnField {
     const auto time_part = law_.time_part(from, from + step);
     trial_ = penetration;
     trial_live_ = depth_.size();
+    updates_ += trial_live_;
     for (std::size_t j = 0; j < depth_.size(); ++j) {
       const Strain strain = strain_at(penetration, depth_[j]);
       if (strain.value <= 0) {
@@ -168,26 +172,40 @@ class ColumnField {
     return top * top / (top - std::min(g, h)) / 2 * width;
   }
 
+  /// Eq. 23 over the first `live` columns and on to the contact edge, where g is `edge`.
   [[nodiscard]] double integrate(const Columns& columns, const std::vector<double>& value, std::size_t live,
                                  double penetration, double edge) const {
     if (live == 0) return 0;
+    const bool unloading = edge == unknown_edge;
     double sum = 0;
     double inner = ratio(columns, value, 0);
     double before = inner;
     for (std::size_t j = 1; j < live; ++j) {
       before = inner;
       inner = ratio(columns, value, j);
-      sum += positive_part(before, inner, columns.measure[j - 1] - columns.measure[j]);
+      const double cell = positive_part(before, inner, columns.measure[j - 1] - columns.measure[j]);
+      sum += unloading && j + 1 == live ? bounded(cell, value, j - 1, j, depth_[j]) : cell;
     }
     const double width = columns.measure[live - 1] - edge_measure(penetration);
-    if (edge == unknown_edge) {
-      // On unloading the stress at the edge is not known: g goes on as between the last two columns.
+    if (unloading) {
+      // The stress at the edge is not known: g goes on as between the last two columns, within bounds, since
+      // these may lie close together.
       edge = inner;
       if (live > 1) edge += (inner - before) * width / (columns.measure[live - 2] - columns.measure[live - 1]);
-      if (penetration > radius_) edge = 0;
+      edge = penetration > radius_ ? 0 : std::min(edge, 2 * std::max(inner, 0.0));
+      sum += bounded(positive_part(inner, edge, width), value, live - 1, live - 1, penetration);
+    } else {
+      sum += positive_part(inner, edge, width);
     }
-    sum += positive_part(inner, edge, width);
     return 2 * std::numbers::pi * thickness_ * sum;
+  }
+
+  /// On unloading a column may still push as its strain vanishes: stress over A then has no bound, but the cell's
+  /// force has one, its width times its stress.
+  [[nodiscard]] double bounded(double cell, const std::vector<double>& stress, std::size_t a,
+                               std::size_t b, double outer_depth) const {
+    const double top = std::max({stress[a] * (radius_ - depth_[a]), stress[b] * (radius_ - depth_[b]), 0.0});
+    return std::min(cell, 1.5 * top * (std::min(outer_depth, radius_) - depth_[a]) / thickness_);
   }
 
   /// A new station at the contact edge when it has moved on far enough.
@@ -245,6 +263,7 @@ class ColumnField {
   typename Law::RatePart rate_part_{};  ///< of the last trial
   std::size_t live_ = 0;        ///< columns under strain in the accepted state
   std::size_t trial_live_ = 0;  ///< and in the trial
+  std::size_t updates_ = 0;
   std::vector<double> depth_;   ///< s, increasing
   Columns now_;
   Columns next_;

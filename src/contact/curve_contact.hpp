@@ -24,6 +24,7 @@ class CurveContact {
   [[nodiscard]] bool recovers() const { return recovers_; }
   [[nodiscard]] double lock_penetration() const { return thickness_; }
   [[nodiscard]] std::size_t stations() const { return 0; }
+  [[nodiscard]] std::size_t updates() const { return 0; }
 
   void start(double) { penetration_ = 0; }
 

@@ -25,6 +25,7 @@ struct Figures {
   double support_energy = 0;  ///< J, at the end
   double pad_work = 0;        ///< J, integral of F dY
   std::size_t stations = 0;
+  std::size_t updates = 0;  ///< of columns, in all trials
 };
 
 /// Peak force and motion between the entries of a track: parabolas and cubics within each smooth stretch.

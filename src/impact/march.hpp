@@ -40,6 +40,7 @@ class March {
   Figures run(double resolution, Track& track) {
     resolution_ = resolution;
     figures_ = {};
+    reloadings_ = 0;
     track.clear();
     contact_.start(resolution);
     now_ = {};
@@ -49,27 +50,32 @@ class March {
     phase_ = Phase::loading;
     record(track);
     double step = first_step();
-    int stuck = 0;
+    double longest = longest_step();
+    int idle = 0;
     while (phase_ != Phase::over) {
-      if (now_.time >= options_.time_limit || track.size() > options_.most_steps) {
-        figures_.ending =
-            now_.time >= options_.time_limit ? Ending::time_limit : Ending::too_many_steps;
+      if (now_.time >= options_.time_limit) {
+        figures_.ending = Ending::time_limit;
         break;
       }
+      if (track.size() > options_.most_steps || contact_.updates() > most_updates) break;
       const double before = now_.time;
       const bool smooth = advance(step);
       if (now_.time > before)
-        record(track), stuck = 0;
-      else if (++stuck > most_idle_events)
+        idle = 0;
+      else if (++idle > most_idle_events)
         break;
+      else if (idle > 1)
+        hold_for(0.1 * resolution_ * resolution_ * longest);
+      if (now_.time > before) record(track);
       if (!smooth && phase_ != Phase::over && track.phase_starts.back() != track.size() - 1)
         track.phase_starts.push_back(track.size() - 1);
       // After an event, where the strain rate may jump, steps grow from small ones.
-      const double longest = longest_step();
+      longest = std::min(longest_step(), 1.5 * longest);
       step = std::min({1.5 * std::max(last_step_, resolution_ * longest), approach(longest),
                        options_.time_limit - now_.time});
     }
     figures_.stations = contact_.stations();
+    figures_.updates = contact_.updates();
     figures_.final_velocity = now_.velocity;
     figures_.support_energy = support_.is_rigid() ? 0 : support_.energy(now_.force);
     read_peaks(track, figures_);
@@ -84,8 +90,13 @@ class March {
   static constexpr bool closed_form = requires(const Contact contact) { contact.energy(0.0); };
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
+  /// Column updates of one run, some seconds' worth; a run that asks for more is given up.
+  static constexpr std::size_t most_updates = 50'000'000;
   /// Phases may change at one moment, but not for ever.
   static constexpr int most_idle_events = 16;
+  /// Where unloading brings the drive back above zero at once, the rule of Eq. 20 alternates without end: after
+  /// this many reloadings the unloading branch is followed as far as it exists.
+  static constexpr int most_reloadings = 4;
 
   enum class Phase { loading, unloading, held, over };
   /// Why a step must end where it ends, in the order in which they count when they coincide.
@@ -165,7 +176,7 @@ class March {
       const double distance = advanced - advanced_before;
       if (tried && std::abs(distance) > 1e-6 * std::abs(advanced) &&
           std::abs(force - force_before) > 1e-9 * std::abs(force))
-        result.pad_stiffness = std::max((force - force_before) / distance, 0.0);
+        result.pad_stiffness = std::max((force - force_before) / distance, force / thickness_);
       tried = true, advanced_before = advanced, force_before = force;
       return residual(now_.penetration + advanced, force, step, result.end);
     };
@@ -187,9 +198,10 @@ class March {
       search.high_is_positive = true;
       search.guess = advance;
       search.slope = slope;
-      search.stride = std::abs(now_.velocity) * step + search.resolution;
+      // Short strides: of several roots, the one next to where the pad is belongs to the branch.
+      search.stride = 0.2 * std::abs(advance) + search.resolution;
       root = find_root(at, search);
-      if (root.place == RootPlace::at_or_above_high) {
+      if (result.advance >= 0) {
         // The pad, by the error of the contact integral, carries less than the support asks for: it is held
         // until the support has come down to it.
         if (now_.drive < 0 && !support_.is_rigid()) return attempt_held(step);
@@ -253,7 +265,8 @@ class March {
         return phase_ == Phase::loading && value <= 0 && (now_.drive > 0 || a.obstacle == Event::turning);
       case Event::reloading:
         value = a.obstacle == Event::reloading ? -infinity : -a.end.drive;
-        return phase_ == Phase::unloading && value < 0 && (now_.drive < 0 || a.obstacle == Event::reloading);
+        return phase_ == Phase::unloading && value < 0 &&
+               ((now_.drive < 0 && reloadings_ < most_reloadings) || a.obstacle == Event::reloading);
       case Event::corner:
         value = (a.end.force - corner) * (now_.force < corner ? -1 : 1);
         return std::abs(now_.force - corner) > 1e-9 * corner && value < 0;
@@ -290,7 +303,7 @@ class March {
     const double shortest = 64 * std::numeric_limits<double>::epsilon() * std::max(now_.time, step);
     // Far too long for what it found, or into several events at once: a shorter step tells more.
     for (int i = 0; i < 60 && step > shortest; ++i) {
-      const bool too_long = o.event == Event::none && step > 2 * longest_step(a) && step > 1e-6 * now_.time;
+      const bool too_long = o.event == Event::none && step > 2 * longest_step(a);
       if (!too_long && o.count <= 1) break;
       step /= 2;
       a = attempt(step);
@@ -314,6 +327,21 @@ class March {
     now_ = a.end;
     if (o.event == Event::none) return true;
     return change_phase(o.event);
+  }
+
+  /// Neither phase has a solution from here, as at a corner of the support from which loading and unloading both
+  /// lead back: the pad is held for a moment.
+  void hold_for(double step) {
+    if (support_.is_rigid()) return;
+    const Attempt a = attempt_held(step);
+    contact_.accept();
+    now_ = a.end;
+    pad_rate_ = pad_acceleration_ = 0;
+    last_step_ = step;
+    if (now_.force <= 0)
+      finish(Ending::released);
+    else
+      phase_ = now_.drive > 0 ? Phase::loading : Phase::unloading;
   }
 
   /// The longest step that does not pass the event.
@@ -388,13 +416,13 @@ class March {
           pad_rate_ = std::min(now_.velocity, 0.0);
         } else if (support_.is_rigid()) {
           now_.velocity = 0;
-          now_.force = 0;
           finish(Ending::released);
         } else {
           phase_ = Phase::held;
         }
         break;
       case Event::reloading:
+        ++reloadings_;
         phase_ = Phase::loading;
         pad_rate_ = std::max(now_.velocity, 0.0);
         break;
@@ -458,7 +486,7 @@ class March {
     double step = resolution_ * std::sqrt(mass_ / stiffness);
     if (phase_ != Phase::held && pad_rate != 0) {
       const double gap = contact_.lock_penetration() - state.penetration;
-      step = std::min(step, resolution_ * std::min(thickness_, radius_) / std::abs(pad_rate));
+      step = std::min(step, resolution_ * std::min(thickness_, radius_ + state.penetration) / std::abs(pad_rate));
       step = std::min(step, (std::min(0.5, 4 * resolution_) * gap + 1e-2 * resolution_ * resolution_ * thickness_) / std::abs(pad_rate));
     }
     return step;
@@ -515,6 +543,7 @@ class March {
   double force_rate_ = 0;
   double pad_acceleration_ = 0;
   double last_step_ = 0;
+  int reloadings_ = 0;
   Figures figures_;
 };
 

@@ -92,7 +92,10 @@ Root find_root(F&& f, RootSearch s) {
   }
   if (!have_high) {
     f_high = f(s.high);
-    if (f_high <= 0) return root.x = s.high, root.place = RootPlace::at_or_above_high, root;
+    if (f_high <= 0) {
+      if (!s.high_is_positive) root.place = RootPlace::at_or_above_high;
+      return root.x = s.high, root;
+    }
   }
   if (f_low < 0 && f_high > 0) {
     std::uintmax_t most = 200;

@@ -30,14 +30,19 @@ void check(const ImpactCase& impact, const Options& options) {
   throw std::invalid_argument(message);
 }
 
+/// Column updates of a run after which one more run is the last that is worth its time (about a second).
+constexpr std::size_t most_updates_before_last = 6'000'000;
+
 /// Runs the impact at finer and finer resolution until the figures settle.
 template <class Contact>
 Refinement refine(const ImpactCase& impact, Contact contact, const Options& options, Track& track) {
   Refinement refinement(impact.impactor, options.tolerance);
   March<Contact> march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
   for (double resolution = 0.2; !refinement.settled() && refinement.runs() < Refinement::most_runs; resolution /= 2) {
-    refinement.add(march.run(resolution, track));
-    if (track.size() > options.most_steps) break;
+    const Figures run = march.run(resolution, track);
+    refinement.add(run);
+    // The next run would cost four times as much.
+    if (run.ending == Ending::too_many_steps || run.updates > most_updates_before_last) break;
   }
   return refinement;
 }

@@ -1,4 +1,4 @@
-#include "random_case.hpp"
+#include "property/random_case.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,11 @@ class Draw {
   std::mt19937_64 generator_;
 };
 
-PadLaw random_law(Draw& draw) {
+/// tau* such that the unloading law is defined at the rates of the impact: tau* |rate| < 1.
+double residual_strain_time(Draw& draw, double rate) { return std::min(draw.decades(1e-7, 1e-3), 0.3 / rate); }
+
+/// `rate` is the strain rate at first contact, 1/s.
+PadLaw random_law(Draw& draw, double rate) {
   switch (draw.choice(5)) {
     case 0:
       return Elastic{draw.decades(1e3, 1e8)};
@@ -37,11 +41,11 @@ PadLaw random_law(Draw& draw) {
       return RigidFoam{stress, strain, stress * draw.decades(1, 20), draw.uniform(strain + 0.01, 0.99)};
     }
     case 3:
-      return NineParameter{draw.decades(1e3, 1e7),  draw.uniform(0.2, 2),     draw.uniform(0, 3),
+      return NineParameter{draw.decades(1e3, 1e7),  draw.uniform(0.2, 1),     draw.uniform(0, 3),
                            draw.decades(1e-5, 1),   draw.decades(1e2, 1e7),   draw.uniform(0.02, 1),
-                           draw.decades(1e-7, 1e-3), draw.uniform(0.02, 0.8)};
+                           residual_strain_time(draw, rate), draw.uniform(0.02, 0.8)};
     default: {
-      const double m = draw.uniform(0.2, 1.5);
+      const double m = draw.uniform(0.2, 1);
       return TwentyOneParameter{draw.decades(1e3, 1e7), m,
                                 draw.uniform(0, 3),     draw.uniform(0.05, 1),
                                 draw.decades(0.01, 10), draw.decades(0.3, 30),
@@ -49,7 +53,7 @@ PadLaw random_law(Draw& draw) {
                                 draw.uniform(1, 5),     draw.decades(0.1, 5),
                                 draw.uniform(1, 4),     draw.decades(0.2, 2),
                                 draw.uniform(m, 4),     draw.decades(1e-3, 1),
-                                draw.decades(1e-7, 1e-3), draw.uniform(0.02, 0.8)};
+                                residual_strain_time(draw, rate), draw.uniform(0.02, 0.8)};
     }
   }
 }
@@ -84,7 +88,7 @@ ImpactCase random_case(std::uint64_t seed) {
   impact.impactor = {draw.decades(0.01, 100), draw.decades(1e-3, 1), draw.decades(0.1, 50)};
   impact.pad.thickness = draw.decades(1e-3, 0.5);
   impact.pad.material.name = "in line";
-  impact.pad.material.law = random_law(draw);
+  impact.pad.material.law = random_law(draw, impact.impactor.speed / impact.pad.thickness);
   impact.support = random_support(draw);
   return impact;
 }

@@ -20,7 +20,7 @@ namespace dashpad {
 
 struct NineParameter {
   double asymptotic_modulus = 0;     ///< E_inf, Pa, > 0
-  double contact_exponent = 0;       ///< m, in (0, 4]
+  double contact_exponent = 0;       ///< m, in (0, 1]
   double compaction_exponent = 0;    ///< n, in [0, 4]
   double relaxation_time = 0;        ///< tau, s, > 0
   double rate_modulus = 0;           ///< E_r, Pa at 1/s, >= 0
@@ -71,7 +71,7 @@ inline constexpr std::array<Parameter<NineParameter>, 8> NineParameter::paramete
     {"asymptotic_modulus", "E_inf", "Pa", &NineParameter::asymptotic_modulus, positive,
      "modulus of the lasting stress"},
     {"contact_exponent", "m", "1", &NineParameter::contact_exponent,
-     Bounds{.lowest = 0, .highest = 4, .highest_admitted = true}, "exponent of the strain"},
+     Bounds{.lowest = 0, .highest = 1, .highest_admitted = true}, "exponent of the strain"},
     {"compaction_exponent", "n", "1", &NineParameter::compaction_exponent,
      Bounds{.lowest = 0, .highest = 4, .lowest_admitted = true, .highest_admitted = true},
      "exponent of one minus the strain"},

@@ -20,7 +20,7 @@ namespace dashpad {
 
 struct TwentyOneParameter {
   double asymptotic_modulus = 0;        ///< E_inf, Pa, > 0
-  double contact_exponent = 0;          ///< m, in (0, 4]
+  double contact_exponent = 0;          ///< m, in (0, 1]
   double compaction_exponent = 0;       ///< n, in [0, 4]
   double relaxation_exponent = 0;       ///< a, in (0, 1]
   double relaxation_scale = 0;          ///< b, s^a, > 0
@@ -105,7 +105,7 @@ inline constexpr std::array<Parameter<TwentyOneParameter>, 16> TwentyOneParamete
     {"asymptotic_modulus", "E_inf", "Pa", &TwentyOneParameter::asymptotic_modulus, positive,
      "modulus of the lasting stress"},
     {"contact_exponent", "m", "1", &TwentyOneParameter::contact_exponent,
-     Bounds{.lowest = 0, .highest = 4, .highest_admitted = true}, "exponent of the strain"},
+     Bounds{.lowest = 0, .highest = 1, .highest_admitted = true}, "exponent of the strain"},
     {"compaction_exponent", "n", "1", &TwentyOneParameter::compaction_exponent,
      Bounds{.lowest = 0, .highest = 4, .lowest_admitted = true, .highest_admitted = true},
      "exponent of one minus the strain"},

@@ -1,0 +1,216 @@
+/// What every law must keep, whatever its parameters: a table of properties over all laws, each with sample
+/// parameters and with every card in materials/ that has this law. A new law or card inherits all of it.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "shared/samples.hpp"
+
+namespace dashpad::test {
+namespace {
+
+template <class Law>
+struct Row {
+  std::string name;
+  Law law;
+};
+
+template <class Law>
+std::vector<Row<Law>> rows() {
+  std::vector<Row<Law>> result{{std::string(Law::name) + " sample", sample_law<Law>()}};
+  for (const auto& card : list_materials(material_folder)) {
+    const Material material = read_material(card);
+    if (const Law* law = std::get_if<Law>(&material.law)) result.push_back({material.name, *law});
+  }
+  return result;
+}
+
+const std::vector<double> strains{1e-9, 1e-6, 1e-3, 0.05, 0.2, 0.4, 0.55, 0.6, 0.7, 0.8, 0.9, 0.97, 0.999, 1 - 1e-9};
+const std::vector<double> rates{1e-6, 1e-2, 1.0, 10.0, 60.0, 300.0, 2000.0};
+
+/// G at a signed rate.
+template <class Law>
+double envelope(const Law& law, double strain, double rate, double largest_strain) {
+  const Strain at = strain_of(strain);
+  const auto part = law.strain_part(at, PowerShape(law.exponents()).at(at));
+  return law.envelope(part, law.rate_part(rate), strain, largest_strain);
+}
+
+template <class Law>
+class LawTable : public testing::Test {
+ protected:
+  template <class Check>
+  static void for_each_row(Check&& check) {
+    for (const Row<Law>& row : rows<Law>()) {
+      SCOPED_TRACE(row.name);
+      check(row.law);
+    }
+  }
+};
+using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter>;
+TYPED_TEST_SUITE(LawTable, Laws);
+
+TEST(LawTableOfCards, HasEveryCard) {
+  const std::size_t samples = 5;
+  const std::size_t in_table = rows<Elastic>().size() + rows<LinearViscoelastic>().size() +
+                               rows<RigidFoam>().size() + rows<NineParameter>().size() +
+                               rows<TwentyOneParameter>().size();
+  EXPECT_EQ(in_table, samples + list_materials(material_folder).size());
+}
+
+TYPED_TEST(LawTable, HasNoStressWithoutStrain) {
+  this->for_each_row([](const auto& law) {
+    EXPECT_EQ(envelope(law, 0, 0, 0), 0);
+    // A column that has just been touched: its stress comes from strain alone, but for the crush stress of a foam.
+    if constexpr (!std::is_same_v<TypeParam, RigidFoam>) {
+      for (const double rate : rates) {
+        Column<TypeParam> column(law, 1e-3);
+        column.go(1e-12, 1e-3 + 1e-12 / rate);
+        const double touched = column.stress();
+        column.go(0.5, 1e-3 + 0.5 / rate);
+        EXPECT_GE(touched, 0);
+        EXPECT_LT(touched, 1e-7 * column.stress()) << "rate " << rate;
+      }
+    }
+  });
+}
+
+TYPED_TEST(LawTable, GrowsWithStrainOnLoading) {
+  this->for_each_row([](const auto& law) {
+    for (const double rate : rates)
+      for (std::size_t i = 1; i < strains.size(); ++i)
+        EXPECT_GE(envelope(law, strains[i], rate, strains[i]), envelope(law, strains[i - 1], rate, strains[i - 1]))
+            << "rate " << rate << ", strain " << strains[i];
+  });
+}
+
+TYPED_TEST(LawTable, GrowsWithTheStrainRateOnLoading) {
+  this->for_each_row([](const auto& law) {
+    for (const double strain : strains) {
+      double before = envelope(law, strain, 0, strain);
+      for (const double rate : rates) {
+        const double now = envelope(law, strain, rate, strain);
+        EXPECT_GE(now, before) << "rate " << rate << ", strain " << strain;
+        before = now;
+      }
+    }
+  });
+}
+
+TYPED_TEST(LawTable, IsNotStifferOnUnloading) {
+  this->for_each_row([](const auto& law) {
+    for (const double rate : rates)
+      for (const double strain : strains)
+        for (const double largest : strains)
+          if (strain <= largest) {
+            EXPECT_LE(envelope(law, strain, -rate, largest), envelope(law, strain, rate, largest) * (1 + 1e-12))
+                << "rate " << rate << ", strain " << strain << " of " << largest;
+          }
+  });
+}
+
+TYPED_TEST(LawTable, UnloadsFromWhereItHasLoaded) {
+  if constexpr (requires(TypeParam law) { law.residual_strain_time; }) {
+    this->for_each_row([](const auto& law) {
+      for (const double rate : rates)
+        for (const double largest : strains) {
+          const double top = envelope(law, largest, rate, largest);
+          expect_relative(envelope(law, largest, -rate, largest), top, 1e-9, "E = 1 at the largest strain");
+          const double ratio = residual_ratio(std::log(rate), law.residual_strain_time, law.residual_strain_exponent);
+          EXPECT_NEAR(envelope(law, largest * ratio, -rate, largest), 0, 1e-6 * top) << "E = 0 at the residual one";
+        }
+    });
+  } else {
+    GTEST_SKIP() << TypeParam::name << " has no unloading factor";
+  }
+}
+
+TYPED_TEST(LawTable, OnlyEverForgets) {
+  this->for_each_row([](const auto& law) {
+    for (const double start : {0.0, 1e-9, 1e-3, 0.5})
+      for (const double step : {1e-12, 1e-6, 1e-3, 0.1, 100.0})
+        for (const double from : {0.0, 0.3, 0.9})
+          for (const double to : {0.0, 0.31, 0.999}) {
+            const double decay = law.decay(law.time_part(start, start + step), from, to);
+            EXPECT_GE(decay, 0);
+            EXPECT_LE(decay, 1) << start << " + " << step << ": " << from << " to " << to;
+          }
+  });
+}
+
+/// Two steps at one rate are one step. Where the relaxation depends on the strain, which a step takes at one
+/// place, that holds as the steps shrink.
+TYPED_TEST(LawTable, TakesAConstantRateInAnyNumberOfSteps) {
+  this->for_each_row([](auto law) {
+    constexpr double time = 4e-3;
+    const auto difference = [&](double strain_step) {
+      const double step = strain_step / 50;
+      Column<TypeParam> once(law, time, 0.3, 5e4);
+      Column<TypeParam> twice(law, time, 0.3, 5e4);
+      once.go(0.3 + strain_step, time + step);
+      twice.go(0.3 + 0.4 * strain_step, time + 0.4 * step);
+      twice.go(0.3 + strain_step, time + step);
+      return relative_error(twice.stress(), once.stress());
+    };
+    if constexpr (requires { law.relaxation_strain_base; }) {
+      EXPECT_LT(difference(0.1), 1e-3);
+      EXPECT_LT(difference(0.01), 1e-5);
+      law.relaxation_strain_base = 1;
+    }
+    EXPECT_LT(difference(0.1), 1e-13);
+  });
+}
+
+/// A cycle of strain takes energy out of the impact, not in. A column carries no tension.
+/// Not asked of unloading slower than loading: the published laws 4 and 5 do not keep it there. Law 4 with the
+/// Ensolite card, loaded at 300 per second to a strain of 0.95 and unloaded at 30, gives back 7 % more than it took.
+TYPED_TEST(LawTable, LosesEnergyInAClosedCycle) {
+  this->for_each_row([](const auto& law) {
+    constexpr int steps = 2000;
+    for (const double up : rates)
+      for (const double down : {up, 3 * up, 10 * up})
+        for (const double largest : {0.1, 0.5, 0.95}) {
+          Column<TypeParam> column(law);
+          double work = 0;
+          double most = 0;
+          double time = 0;
+          double before = 0;
+          for (int i = 1; i <= 2 * steps; ++i) {
+            const double share = i <= steps ? i : 2 * steps - i;
+            time += largest / steps / (i <= steps ? up : down);
+            column.go(largest * share / steps, time);
+            const double stress = std::max(column.stress(), 0.0);
+            work += (i <= steps ? 1 : -1) * (before + stress) / 2 * largest / steps;
+            most = std::max(most, work);
+            before = stress;
+          }
+          EXPECT_GE(work, -1e-6 * most) << "up at " << up << " to " << largest << ", down at " << down;
+        }
+  });
+}
+
+TYPED_TEST(LawTable, DescribesItsParameters) {
+  std::set<std::string> keys;
+  for (const auto& parameter : TypeParam::parameters) {
+    EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key << " twice";
+    EXPECT_NE(std::string(parameter.symbol), "") << parameter.key;
+    EXPECT_NE(std::string(parameter.unit), "") << parameter.key;
+    EXPECT_NE(std::string(parameter.meaning), "") << parameter.key;
+    EXPECT_LT(parameter.bounds.lowest, parameter.bounds.highest) << parameter.key;
+  }
+  this->for_each_row([](const auto& law) {
+    for (const auto& parameter : TypeParam::parameters)
+      EXPECT_TRUE(parameter.bounds.contain(law.*parameter.member)) << parameter.key;
+    EXPECT_TRUE(violations(PadLaw(law)).empty());
+  });
+}
+
+/// Every member is in the table: a parameter that is not could be neither read nor checked.
+TYPED_TEST(LawTable, DescribesAllOfItsParameters) {
+  EXPECT_EQ(sizeof(TypeParam), TypeParam::parameters.size() * sizeof(double));
+}
+
+}  // namespace
+}  // namespace dashpad::test

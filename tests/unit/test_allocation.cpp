@@ -1,0 +1,67 @@
+/// The time loop takes no memory. This test program counts every allocation, by its own operator new.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "shared/samples.hpp"
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+void* counted(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace dashpad::test {
+namespace {
+
+TEST(allocation, is_counted) {
+  const std::size_t before = allocations;
+  const std::vector<double> some(1000);
+  EXPECT_EQ(allocations, before + 1) << some.size();
+}
+
+template <class Law>
+class AllocationOf : public testing::Test {};
+using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter>;
+TYPED_TEST_SUITE(AllocationOf, Laws);
+
+/// Deep impacts included: stations are added as the pad bottoms, and it locks on the support.
+TYPED_TEST(AllocationOf, TheTimeLoopIsNone) {
+  const Options options;
+  for (const Support& support : {Support::rigid(), Support::linear(2e5), Support::through({{0.004, 300}, {0.01, 9000}})})
+    for (const double speed : {1.0, 6.0}) {
+      ImpactCase impact = impact_on(sample_law<TypeParam>(), support);
+      impact.impactor.speed = speed;
+      Track track;
+      track.reserve(options.most_steps + 2);
+      with_contact(impact, [&](auto contact) {
+        March march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
+        for (const double resolution : {0.1, 0.02}) {
+          const std::size_t before = allocations;
+          const Figures figures = march.run(resolution, track);
+          const std::size_t after = allocations;
+          EXPECT_EQ(after, before) << "speed " << speed << ", " << track.size() << " steps, peak "
+                                   << figures.peak_force;
+        }
+      });
+    }
+}
+
+}  // namespace
+}  // namespace dashpad::test

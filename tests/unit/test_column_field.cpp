@@ -1,0 +1,139 @@
+/// The field of columns under a sphere that moves as told, against quadrature of the columns' stress.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <numbers>
+
+#include "shared/samples.hpp"
+
+namespace dashpad::test {
+namespace {
+
+constexpr double thickness = 0.03;
+constexpr double speed = 2;  // of the penetration, m/s
+
+/// Drives a field to a depth at constant speed, in even steps; returns the force and the time.
+template <class Law>
+double drive(ColumnField<Law>& field, double depth, double resolution) {
+  field.start(resolution);
+  // From small steps on, so that stations follow the edge from the start.
+  double at = 0;
+  double force = 0;
+  while (at < depth) {
+    double step = std::max(0.05 * resolution * at, 1e-4 * resolution * thickness);
+    step = std::min({step, 0.25 * resolution * (thickness - at), depth - at});
+    force = field.trial(step, at / speed, step / speed);
+    field.accept();
+    at = depth - at - step < 1e-14 ? depth : at + step;
+  }
+  return force;
+}
+
+/// Stress of a column after loading from rest at the constant rate of the test.
+double stress(const NineParameter& law, double strain, double) {
+  const auto power = PowerShape(law.exponents()).at(strain_of(strain));
+  return law.envelope(law.strain_part(strain_of(strain), power), law.rate_part(speed / thickness), strain, strain);
+}
+double stress(const LinearViscoelastic& law, double strain, double) {
+  const double time = strain * thickness / speed;
+  return law.asymptotic_modulus * strain - (law.initial_modulus - law.asymptotic_modulus) * law.relaxation_time *
+                                               speed / thickness * std::expm1(-time / law.relaxation_time);
+}
+
+/// 2 pi times the integral of `value(strain)` (R - s) over the contact.
+template <class Value>
+double contact_integral(double depth, double radius, const Value& value) {
+  boost::math::quadrature::tanh_sinh<double> quadrature;
+  const double edge = std::min(depth, radius);
+  const auto f = [&](double s, double to_end) {
+    // Near the edge, from there: without cancellation.
+    const double above = to_end < 0 ? -to_end + (depth - edge) : depth - s;
+    return above > 0 ? value(above / thickness) * (radius - s) : 0;
+  };
+  return 2 * std::numbers::pi * quadrature.integrate(f, 0.0, edge);
+}
+
+template <class Law>
+void expect_force(const Law& law, double radius) {
+  for (const double share : {0.1, 0.6, 0.95}) {
+    const double depth = share * thickness;
+    const double expected = contact_integral(depth, radius, [&](double e) { return stress(law, e, 0); });
+    double error[2];
+    for (const int fine : {0, 1}) {
+      ColumnField<Law> field(law, thickness, radius);
+      error[fine] = relative_error(drive(field, depth, fine == 1 ? 0.02 : 0.08), expected);
+    }
+    fmt::print("{} R {} Y/L {}: {:.1e} {:.1e}\n", Law::name, radius, share, error[0], error[1]);
+    EXPECT_LT(error[0], 2e-3);
+    EXPECT_LT(error[1], std::max(error[0] / 8, 1e-7)) << "not of second order at Y/L = " << share;
+  }
+}
+
+TEST(column_field, integrates_the_stress_of_a_constant_rate) {
+  expect_force(sample_law<LinearViscoelastic>(), 0.08);
+  expect_force(sample_law<NineParameter>(), 0.08);
+}
+
+TEST(column_field, integrates_it_beyond_the_radius_too) {
+  expect_force(sample_law<LinearViscoelastic>(), 0.01);
+  expect_force(sample_law<NineParameter>(), 0.01);
+}
+
+/// The rate at which the force falls if the penetration is held, against holding it for a moment. What a sudden
+/// stop does to the envelope is no matter of time and is left out by taking two moments.
+template <class Law>
+void expect_held_rate(const Law& law, double radius) {
+  const double depth = 0.7 * thickness;
+  ColumnField<Law> field(law, thickness, radius);
+  drive(field, depth, 0.02);
+  const double time = depth / speed;
+  constexpr double moment = 1e-7;  // s
+  field.trial(0, time, moment);
+  field.accept();
+  const double first = field.trial(0, time + moment, moment);
+  field.accept();
+  const double rate = field.force_rate_when_held(time + 2 * moment);
+  const double second = field.trial(0, time + 2 * moment, moment);
+  EXPECT_LT(rate, 0);
+  expect_relative(rate, (second - first) / moment, 2e-3, fmt::format("{}, R {}", Law::name, radius));
+}
+
+TEST(column_field, knows_how_fast_its_force_falls_when_held) {
+  for (const double radius : {0.08, 0.01}) {
+    expect_held_rate(sample_law<LinearViscoelastic>(), radius);
+    expect_held_rate(sample_law<NineParameter>(), radius);
+    expect_held_rate(sample_law<TwentyOneParameter>(), radius);
+  }
+}
+
+TEST(column_field, tries_without_changing_its_state) {
+  const auto law = sample_law<TwentyOneParameter>();
+  ColumnField<TwentyOneParameter> field(law, thickness, 0.08);
+  drive(field, 0.4 * thickness, 0.05);
+  const double time = 0.4 * thickness / speed;
+  const double forth = field.trial(1e-3, time, 5e-4);
+  const double back = field.trial(-1e-3, time, 5e-4);
+  EXPECT_LT(back, forth);
+  EXPECT_EQ(field.trial(1e-3, time, 5e-4), forth);
+  EXPECT_EQ(field.trial(-1e-3, time, 5e-4), back);
+}
+
+TEST(column_field, starts_anew) {
+  ColumnField<NineParameter> field(sample_law<NineParameter>(), thickness, 0.08);
+  const double once = drive(field, 0.4 * thickness, 0.05);
+  const std::size_t stations = field.stations();
+  EXPECT_EQ(drive(field, 0.4 * thickness, 0.05), once);
+  EXPECT_EQ(field.stations(), stations);
+}
+
+TEST(column_field, touches_as_far_as_the_sphere_reaches) {
+  ColumnField<LinearViscoelastic> field(sample_law<LinearViscoelastic>(), thickness, 0.08);
+  const double depth = 0.5 * thickness;
+  drive(field, depth, 0.02);
+  expect_relative(field.contact_radius(), std::sqrt(depth * (2 * 0.08 - depth)), 1e-12, "contact radius");
+}
+
+}  // namespace
+}  // namespace dashpad::test

@@ -1,0 +1,137 @@
+/// Comparison of runs at halved resolution, on made-up sequences whose limit is known.
+
+#include "impact/refinement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace dashpad {
+namespace {
+
+const Impactor impactor{.mass = 2, .radius = 0.1, .speed = 3};
+constexpr double impact_energy = 9;  // J
+constexpr double rebound = 2;        // m/s
+
+/// Figures whose relative errors are `error`, with different factors.
+Figures figures_with(double error) {
+  const auto off = [error](double x, double factor) { return x * (1 + factor * error); };
+  Figures f;
+  f.ending = Ending::released;
+  f.peak_force = off(500, 1);
+  f.time_of_peak_force = off(0.01, -2);
+  f.peak_motion = off(0.05, 0.5);
+  f.peak_penetration = off(0.02, 0.3);
+  f.peak_pad_rate = off(3, 0.1);
+  f.weight = Moment{off(0.02, 1), off(-1.9, 0.4)};
+  f.release = Moment{off(0.021, -1), off(-rebound, 0.7)};
+  f.final_velocity = f.release->velocity;
+  f.pad_work = off(impact_energy - impactor.mass * rebound * rebound / 2, 1.5);
+  return f;
+}
+
+/// Adds runs, coarse to fine, until they settle; error(k) is that of run k. The number of runs, 0 if it never does.
+int settles(Refinement& refinement, const std::function<double(int)>& error) {
+  for (int k = 0; k < Refinement::most_runs; ++k) {
+    refinement.add(figures_with(error(k)));
+    if (refinement.settled()) return k + 1;
+  }
+  return 0;
+}
+
+double second_order(int k) { return 0.01 * std::pow(0.25, k); }
+
+TEST(refinement, extrapolates_a_second_order_sequence_to_its_limit) {
+  Refinement refinement(impactor, 1e-4);
+  EXPECT_EQ(settles(refinement, second_order), refinement.runs());
+  const Figures& f = refinement.figures();
+  EXPECT_NEAR(f.peak_force, 500, 1e-10);
+  EXPECT_NEAR(f.release->time, 0.021, 1e-14);
+  EXPECT_NEAR(f.release->velocity, -rebound, 1e-12);
+  EXPECT_NEAR(f.peak_motion, 0.05, 1e-14);
+}
+
+TEST(refinement, takes_at_least_three_runs) {
+  Refinement refinement(impactor, 1e-2);
+  EXPECT_EQ(settles(refinement, [](int) { return 0.0; }), 3);
+  EXPECT_EQ(refinement.errors().peak_force, 0);
+}
+
+TEST(refinement, knows_nothing_after_one_or_two_runs) {
+  Refinement refinement(impactor, 1e-2);
+  for (int k = 0; k < 2; ++k) {
+    refinement.add(figures_with(0));
+    EXPECT_FALSE(refinement.settled());
+    EXPECT_TRUE(std::isinf(refinement.errors().peak_force));
+  }
+}
+
+TEST(refinement, takes_more_runs_for_a_closer_tolerance) {
+  int before = 0;
+  for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+    Refinement refinement(impactor, tolerance);
+    const int runs = settles(refinement, second_order);
+    EXPECT_GT(runs, before);
+    before = runs;
+  }
+}
+
+TEST(refinement, estimates_no_less_than_the_true_error) {
+  // Second order, with a part of the third order that the extrapolation does not see.
+  const auto error = [](int k) { return second_order(k) + 0.05 * std::pow(0.125, k); };
+  for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5}) {
+    Refinement refinement(impactor, tolerance);
+    ASSERT_NE(settles(refinement, error), 0);
+    const double true_error = std::abs(refinement.figures().peak_force / 500 - 1);
+    EXPECT_LE(true_error, refinement.errors().peak_force);
+    EXPECT_LE(refinement.errors().peak_force, tolerance);
+  }
+}
+
+TEST(refinement, does_not_settle_on_an_irregular_sequence) {
+  constexpr double tolerance = 1e-4;
+  const std::vector<std::function<double(int)>> irregular{
+      [](int k) { return k % 2 == 0 ? 1e-3 : -1e-3; },                 // to and fro
+      [](int k) { return 1e-3 * std::sin(5.3 * k * k + 1); },          // noise
+      [](int k) { return 0.1 / (k + 1); },                             // creeping
+      [](int k) { return 1e-3 * k; },                                  // drifting
+  };
+  for (std::size_t i = 0; i < irregular.size(); ++i) {
+    Refinement refinement(impactor, tolerance);
+    EXPECT_EQ(settles(refinement, irregular[i]), 0) << "sequence " << i;
+  }
+}
+
+TEST(refinement, does_not_take_a_chance_agreement_for_accuracy) {
+  // Extrapolations of run 2 and run 1 agree at 0 by chance, but the run itself is 1 % off.
+  Refinement refinement(impactor, 1e-4);
+  for (const double error : {0.16, 0.04, 0.01}) refinement.add(figures_with(error));
+  EXPECT_FALSE(refinement.settled());
+  EXPECT_GT(refinement.errors().peak_force, 1e-4);
+}
+
+TEST(refinement, does_not_compare_runs_that_end_differently) {
+  Refinement refinement(impactor, 1e-2);
+  for (int k = 0; k < Refinement::most_runs; ++k) {
+    Figures run = figures_with(0);
+    if (k % 2 == 0) {
+      run.bottomed = Moment{0.01, 1};
+    }
+    refinement.add(run);
+    EXPECT_FALSE(refinement.settled()) << k;
+  }
+}
+
+TEST(refinement, does_not_settle_while_energy_is_missing) {
+  Refinement refinement(impactor, 1e-3);
+  for (int k = 0; k < Refinement::most_runs; ++k) {
+    Figures run = figures_with(0);
+    run.pad_work -= 0.01 * impact_energy;
+    refinement.add(run);
+    EXPECT_FALSE(refinement.settled()) << k;
+  }
+}
+
+}  // namespace
+}  // namespace dashpad
