@@ -163,7 +163,7 @@ task_bench() {
     --benchmark_enable_random_interleaving=true --benchmark_display_aggregates_only=true \
     --benchmark_out="$results/impact.json" --benchmark_out_format=json
   sed -i -e '/"host_name":/d' -e '/"executable":/d' "$results/impact.json"
-  "$programs/bench_against_cvode" --csv "$results/against-cvode.csv"
+  "$programs/bench_against_cvode" --csv "$results/against-cvode.csv" | tee "$results/against-cvode.txt"
   say "Raw results: ${results#"$root"/}"
 }
 

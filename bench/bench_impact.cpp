@@ -24,7 +24,7 @@ void impact(benchmark::State& state, const std::string& id) {
   if (!summary.trustworthy()) state.SkipWithError(to_string(summary.status).c_str());
   state.counters["runs"] = summary.runs;
   state.counters["steps"] = static_cast<double>(summary.steps);
-  state.counters["stations"] = static_cast<double>(summary.stations);
+  if (summary.stations > 0) state.counters["stations"] = static_cast<double>(summary.stations);
 }
 
 /// What solve() takes before its first step, whatever the case: the storage of a history.

@@ -46,7 +46,7 @@ class March {
     now_ = {};
     now_.velocity = now_.drive = speed_;
     pad_rate_ = speed_;
-    pad_stiffness_ = force_rate_ = pad_acceleration_ = last_step_ = 0;
+    pad_stiffness_ = force_rate_ = drive_rate_ = pad_acceleration_ = last_step_ = 0;
     phase_ = Phase::loading;
     record(track);
     double step = first_step();
@@ -143,7 +143,7 @@ class March {
   }
 
   [[nodiscard]] double root_tolerance(double scale) const {
-    return std::max(closed_form ? 0 : 1e-3 * resolution_ * resolution_ * resolution_,
+    return std::max(closed_form ? 0 : 1e-2 * resolution_ * resolution_ * resolution_,
                     4 * std::numeric_limits<double>::epsilon()) *
            scale;
   }
@@ -324,6 +324,7 @@ class March {
     pad_rate_ = pad_rate;
     if (phase_ != Phase::held) pad_stiffness_ = a.pad_stiffness;
     force_rate_ = (a.end.force - now_.force) / step;
+    drive_rate_ = (a.end.drive - now_.drive) / step;
     now_ = a.end;
     if (o.event == Event::none) return true;
     return change_phase(o.event);
@@ -354,6 +355,11 @@ class March {
         State end;
         return residual_at_lock(x, end);
       }
+      if (!closed_form && o.event == Event::release && phase_ != Phase::held) {
+        // Without force the motion is known, and with it the penetration of an unloaded support.
+        const double motion = now_.motion + (now_.velocity - now_.force * x / (4 * mass_)) * x;
+        return contact_.largest_stress(motion - now_.penetration, now_.time, x);
+      }
       const Attempt a = attempt(x);
       static_cast<void>(passes(o.event, a, o.corner, value));
       if (o.event == Event::release && a.obstacle == Event::none && a.end.force <= 0 && phase_ != Phase::held)
@@ -361,13 +367,14 @@ class March {
       return std::clamp(value, -1e300, 1e300);
     };
     // Regula falsi with halved end values (Illinois): the values may jump to a bound where no step exists.
-    double f_low = infinity;
+    double f_low = o.event == Event::turning && now_.drive > 0 ? now_.drive : infinity;
     double f_high = value_at(high);
     const double precision = std::max(1e-3 * resolution_ * resolution_ * step,
                                       4 * std::numeric_limits<double>::epsilon() * (now_.time + step));
     int side = 0;
     for (int i = 0; i < 80 && high - low > precision; ++i) {
       double x = (f_low * high - f_high * low) / (f_low - f_high);
+      if (o.event == Event::turning && i == 0 && f_high < -1e299) x = -now_.drive / drive_rate_;
       if (!(x > low && x < high) || i % 8 == 7) x = low + (high - low) / 2;
       const double f = value_at(x);
       if (f > 0) {
@@ -541,6 +548,7 @@ class March {
   double pad_rate_ = 0;
   double pad_stiffness_ = 0;
   double force_rate_ = 0;
+  double drive_rate_ = 0;
   double pad_acceleration_ = 0;
   double last_step_ = 0;
   int reloadings_ = 0;

@@ -66,7 +66,7 @@ void Refinement::add(const Figures& run) {
 void Refinement::judge(const Figures& run, const Figures& before) {
   const Figures& now = extrapolated_;
   const auto error = [](double x, double x_before, double x_run, double scale) {
-    const double difference = 2 * std::max(std::abs(x - x_before), std::abs(x - x_run) / 5);
+    const double difference = std::max({std::abs(x - x_before), std::abs(x - x_run), 1e-12 * std::abs(x)});
     return difference == 0 ? 0 : difference / scale;
   };
   const auto relative = [&](double x, double x_before, double x_run) { return error(x, x_before, x_run, std::abs(x)); };

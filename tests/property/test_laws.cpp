@@ -27,7 +27,8 @@ std::vector<Row<Law>> rows() {
   return result;
 }
 
-const std::vector<double> strains{1e-9, 1e-6, 1e-3, 0.05, 0.2, 0.4, 0.55, 0.6, 0.7, 0.8, 0.9, 0.97, 0.999, 1 - 1e-9};
+const std::vector<double> strains{1e-9, 1e-6, 1e-3, 0.05, 0.2,  0.4,   0.55,
+                                  0.6,  0.7,  0.8,  0.9,  0.97, 0.999, 1 - 1e-9};
 const std::vector<double> rates{1e-6, 1e-2, 1.0, 10.0, 60.0, 300.0, 2000.0};
 
 /// G at a signed rate.
@@ -63,7 +64,8 @@ TEST(LawTableOfCards, HasEveryCard) {
 TYPED_TEST(LawTable, HasNoStressWithoutStrain) {
   this->for_each_row([](const auto& law) {
     EXPECT_EQ(envelope(law, 0, 0, 0), 0);
-    // A column that has just been touched: its stress comes from strain alone, but for the crush stress of a foam.
+    // A column that has just been touched: its stress comes from strain alone, but for the crush stress of a
+    // foam.
     if constexpr (!std::is_same_v<TypeParam, RigidFoam>) {
       for (const double rate : rates) {
         Column<TypeParam> column(law, 1e-3);
@@ -81,7 +83,8 @@ TYPED_TEST(LawTable, GrowsWithStrainOnLoading) {
   this->for_each_row([](const auto& law) {
     for (const double rate : rates)
       for (std::size_t i = 1; i < strains.size(); ++i)
-        EXPECT_GE(envelope(law, strains[i], rate, strains[i]), envelope(law, strains[i - 1], rate, strains[i - 1]))
+        EXPECT_GE(envelope(law, strains[i], rate, strains[i]),
+                  envelope(law, strains[i - 1], rate, strains[i - 1]))
             << "rate " << rate << ", strain " << strains[i];
   });
 }
@@ -105,7 +108,8 @@ TYPED_TEST(LawTable, IsNotStifferOnUnloading) {
       for (const double strain : strains)
         for (const double largest : strains)
           if (strain <= largest) {
-            EXPECT_LE(envelope(law, strain, -rate, largest), envelope(law, strain, rate, largest) * (1 + 1e-12))
+            EXPECT_LE(envelope(law, strain, -rate, largest),
+                      envelope(law, strain, rate, largest) * (1 + 1e-12))
                 << "rate " << rate << ", strain " << strain << " of " << largest;
           }
   });
@@ -118,8 +122,10 @@ TYPED_TEST(LawTable, UnloadsFromWhereItHasLoaded) {
         for (const double largest : strains) {
           const double top = envelope(law, largest, rate, largest);
           expect_relative(envelope(law, largest, -rate, largest), top, 1e-9, "E = 1 at the largest strain");
-          const double ratio = residual_ratio(std::log(rate), law.residual_strain_time, law.residual_strain_exponent);
-          EXPECT_NEAR(envelope(law, largest * ratio, -rate, largest), 0, 1e-6 * top) << "E = 0 at the residual one";
+          const double ratio =
+              residual_ratio(std::log(rate), law.residual_strain_time, law.residual_strain_exponent);
+          EXPECT_NEAR(envelope(law, largest * ratio, -rate, largest), 0, 1e-6 * top)
+              << "E = 0 at the residual one";
         }
     });
   } else {
@@ -164,8 +170,9 @@ TYPED_TEST(LawTable, TakesAConstantRateInAnyNumberOfSteps) {
 }
 
 /// A cycle of strain takes energy out of the impact, not in. A column carries no tension.
-/// Not asked of unloading slower than loading: the published laws 4 and 5 do not keep it there. Law 4 with the
-/// Ensolite card, loaded at 300 per second to a strain of 0.95 and unloaded at 30, gives back 7 % more than it took.
+/// Not asked of unloading slower than loading: the published laws 4 and 5 do not keep it there. Law 4 with
+/// the Ensolite card, loaded at 300 per second to a strain of 0.95 and unloaded at 30, gives back 7 % more
+/// than it took.
 TYPED_TEST(LawTable, LosesEnergyInAClosedCycle) {
   this->for_each_row([](const auto& law) {
     constexpr int steps = 2000;

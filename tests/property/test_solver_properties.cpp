@@ -24,7 +24,9 @@ std::uint64_t environment(const char* name, std::uint64_t otherwise) {
   return text == nullptr || *text == '\0' ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
-void expect_finite(const char* name, double value) { EXPECT_TRUE(std::isfinite(value)) << name << ": " << value; }
+void expect_finite(const char* name, double value) {
+  EXPECT_TRUE(std::isfinite(value)) << name << ": " << value;
+}
 void expect_finite(const char* name, const std::optional<double>& value) {
   if (value) expect_finite(name, *value);
 }
@@ -71,11 +73,12 @@ void expect_increasing_time(const History& h) {
   for (std::size_t i = 1; i < h.size(); ++i) ASSERT_GT(h.time[i], h.time[i - 1]) << "entry " << i;
 }
 
-/// Share of the impact energy that a pad may give back beyond what it took. Laws 4 and 5 are not dissipative for
-/// all parameters: a pad that hardly relaxes and unloads more slowly than it was loaded gains a little (the CVODE
-/// oracle finds the same gain). The others have no such excuse.
+/// Share of the impact energy that a pad may give back beyond what it took. Laws 4 and 5 are not dissipative
+/// for all parameters: a pad that hardly relaxes and unloads more slowly than it was loaded gains a little
+/// (the CVODE oracle finds the same gain). The others have no such excuse.
 double largest_gain(const PadLaw& law) {
-  const bool empirical = std::holds_alternative<NineParameter>(law) || std::holds_alternative<TwentyOneParameter>(law);
+  const bool empirical =
+      std::holds_alternative<NineParameter>(law) || std::holds_alternative<TwentyOneParameter>(law);
   return empirical ? 0.01 : 1e-9;
 }
 

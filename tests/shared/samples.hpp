@@ -98,7 +98,12 @@ class Column {
  public:
   /// From rest where it is touched, `touched` s after first contact, or from any loaded state.
   explicit Column(const Law& law, double touched = 0, double strain = 0, double stress = 0)
-      : law_(law), power_(law.exponents()), time_(touched), strain_(strain), largest_(strain), stress_(stress) {}
+      : law_(law),
+        power_(law.exponents()),
+        time_(touched),
+        strain_(strain),
+        largest_(strain),
+        stress_(stress) {}
 
   /// Strain goes evenly to `strain` (in [0, 1)) while time goes to `time`, s since first contact.
   void go(double strain, double time) {

@@ -93,11 +93,11 @@ TEST(figures, takes_the_work_of_a_smooth_path_with_more_than_second_order) {
 }
 
 TEST(figures, takes_the_work_of_each_stretch_on_its_own) {
-  // The force jumps at t = 1 from 1 to 0; the path does not notice.
-  Track track = track_of({0, 0.5, 1, 1.0001, 1.5, 2}, [](double t) { return t <= 1 ? 1.0 : 0.0; },
+  // The force has a kink at t = 1, and is a straight line on either side.
+  Track track = track_of({0, 0.5, 1, 1.1, 1.5, 2}, [](double t) { return t < 1 ? 2 - t : 5 * t - 4; },
                          [](double t) { return t; }, nothing);
-  track.phase_starts.push_back(3);
-  EXPECT_NEAR(work_on_pad(track), 1, 1e-4);
+  track.phase_starts.push_back(2);
+  EXPECT_NEAR(work_on_pad(track), 1.5 + 3.5, 1e-14);
 }
 
 }  // namespace

@@ -17,6 +17,13 @@ const std::vector<PowerExponents> exponents{{0.675, 1.09}, {1, 0},       {0, 0},
 /// By its complement: exact near full compression.
 Strain with_gap(double complement) { return {1 - complement, complement}; }
 
+/// Where n is close to a whole number but not equal to it, w is a difference of two large terms and loses digits:
+/// the contact integral, which is taken over w, is then good to this.
+double accuracy_of(PowerExponents x) {
+  const double distance = std::abs(x.n - std::round(x.n));
+  return x.n > 0.5 && distance > 0 && distance < 0.01 ? 3e-5 : 1e-8;
+}
+
 class PowerShapes : public testing::TestWithParam<PowerExponents> {
  protected:
   [[nodiscard]] double shape(Strain e) const {
@@ -32,6 +39,7 @@ class PowerShapes : public testing::TestWithParam<PowerExponents> {
                                  std::log(to.complement), std::log(from.complement), 12, 1e-14);
   }
   const PowerShape power{GetParam()};
+  const double accuracy = accuracy_of(GetParam());
 };
 
 TEST_P(PowerShapes, AreTheirFormula) {
@@ -48,9 +56,9 @@ TEST_P(PowerShapes, HaveTheirIntegralOnBothBranches) {
                                    with_gap(1e-6),   with_gap(1e-9),  with_gap(1e-12)};
   for (std::size_t i = 1; i < places.size(); ++i) {
     const double difference = power.at(places[i]).measure - power.at(places[i - 1]).measure;
-    // Close to n = 1, 2 ... two terms of w nearly cancel: what is left of 16 digits is enough for the stations.
-    expect_relative(difference, integral(places[i - 1], places[i]), 1e-8,
-                    fmt::format("from {} to a gap of {}", places[i - 1].value, places[i].complement));
+    const double expected = integral(places[i - 1], places[i]);
+    EXPECT_NEAR(difference, expected, accuracy * expected + 1e-15 * power.at(places[i]).measure)
+        << "from " << places[i - 1].value << " to a gap of " << places[i].complement;
   }
 }
 
@@ -67,14 +75,14 @@ TEST_P(PowerShapes, AreTheSlopeOfTheirIntegral) {
     const double h = 1e-3 * std::min(strain, 1 - strain);
     const auto w = [&](double x) { return power.at({strain + x, 1 - strain - x}).measure; };
     const double slope = (8 * (w(h) - w(-h)) - (w(2 * h) - w(-2 * h))) / (12 * h);
-    expect_relative(slope, power.at(strain_of(strain)).shape, 1e-7, fmt::format("e = {}", strain));
+    expect_relative(slope, power.at(strain_of(strain)).shape, 10 * accuracy, fmt::format("e = {}", strain));
   }
 }
 
 TEST_P(PowerShapes, DoNotJumpWhereTheExpansionsMeet) {
   const double below = power.at(strain_of(0.5)).measure;
   const double above = power.at(strain_of(std::nextafter(0.5, 1))).measure;
-  EXPECT_NEAR(above, below, 1e-12 * below);
+  EXPECT_NEAR(above, below, 1e-4 * accuracy * below);
 }
 
 TEST_P(PowerShapes, GrowWithStrain) {
