@@ -6,7 +6,8 @@
 ///   0 = Y1 + Xs(F(Y1)) - X1(F(Y1))        the unknown is the penetration           (theory.md, Eq. 19)
 ///
 /// The run goes through phases: loading, unloading, held (a rigid foam off its crush curve, or a fully
-/// compressed pad on a yielding support). They end at events, which are located within the step.
+/// compressed pad on a yielding support: Eq. 26; a pad is also held for a moment where the contact integral's
+/// error leaves neither of the other two). They end at events, which are located within the step.
 
 #include <algorithm>
 #include <array>

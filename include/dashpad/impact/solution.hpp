@@ -33,13 +33,13 @@ struct Moment {
   double velocity = 0;  ///< m/s
 };
 
-/// Estimated errors, relative to the figure (times: to the figure; speeds and lengths: likewise).
+/// Estimated errors, relative to the figure unless it is said otherwise.
 struct ErrorEstimates {
   double peak_force = 0;
-  double time_of_peak_force = 0;
+  double time_of_peak_force = 0;  ///< relative to the release time; not held to the tolerance: a peak may be flat
   double peak_motion = 0;
   double peak_penetration = 0;
-  double rebound_speed = 0;
+  double rebound_speed = 0;  ///< relative to the rebound speed, or to 1e-3 of the impact speed where that is more
   double release_time = 0;
   double energy_absorbed = 0;  ///< of the absorbed fraction, relative to the impact energy
 };

@@ -29,9 +29,9 @@ struct TwentyOneParameter {
   double rate_exponent = 0;             ///< R, in (0, 1]
   double rate_strain_exponent = 0;      ///< U, in (0, 10]
   double rate_strain_scale = 0;         ///< V, > 0
-  double growth_strain_exponent = 0;    ///< W, in (0, 10]
+  double growth_strain_exponent = 0;    ///< W, in (m, 10]: no steeper than A at first contact
   double growth_strain_scale = 0;       ///< X, >= 0.01
-  double onset_strain_exponent = 0;     ///< Y, in [m, 10]: the onset is no steeper than A at first contact
+  double onset_strain_exponent = 0;     ///< Y, in (m, 10]: likewise
   double onset_strain_scale = 0;        ///< Z, > 0
   double residual_strain_time = 0;      ///< tau*, s, > 0
   double residual_strain_exponent = 0;  ///< p, in (0, 1]
@@ -54,6 +54,7 @@ struct TwentyOneParameter {
   struct TimePart {
     double scale = 0;   ///< (t1^a - t0^a) / b
     double centre = 0;  ///< where in the step h has its centre of gravity, 0 to 1
+    double log_base = 0;  ///< ln c
   };
 
   [[nodiscard]] PowerExponents exponents() const { return {contact_exponent, compaction_exponent}; }
@@ -63,7 +64,7 @@ struct TwentyOneParameter {
     const double w = std::exp(growth_strain_exponent * power.log_strain);
     const double y = std::exp(onset_strain_exponent * power.log_strain);
     return {asymptotic_modulus * power.shape,
-            rate_stress * (std::expm1(w / growth_strain_scale) - std::expm1(-y / onset_strain_scale)),
+            rate_stress * (std::exp(w / growth_strain_scale) - std::exp(-y / onset_strain_scale)),
             rate_exponent * std::exp(-u / rate_strain_scale)};
   }
   [[nodiscard]] RatePart rate_part(double rate) const {
@@ -88,11 +89,11 @@ struct TwentyOneParameter {
     // First moment of t^(a-1) about the start of the step; a small step is as good as its middle.
     double centre = 0.5;
     if (step > 1e-4 * to) centre = ((late * to - early * from) * a / ((a + 1) * (late - early)) - from) / step;
-    return {(late - early) / relaxation_scale, centre};
+    return {(late - early) / relaxation_scale, centre, std::log(relaxation_strain_base)};
   }
   [[nodiscard]] double decay(TimePart time, double strain_from, double strain_to) const {
     const double strain = strain_from + time.centre * (strain_to - strain_from);
-    return std::exp(-time.scale * std::exp(-std::log(relaxation_strain_base) * strain));
+    return std::exp(-time.scale * std::exp(-time.log_base * strain));
   }
   [[nodiscard]] double relaxation_rate(double time, double strain) const {
     return relaxation_exponent * std::pow(time, relaxation_exponent - 1) /
