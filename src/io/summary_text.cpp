@@ -27,10 +27,13 @@ class Table {
   void add_shown(const std::string& label, const std::string& value, const std::string& unit,
                  std::optional<double> error, const std::string& remark = "") {
     std::string line = fmt::format("  {:<19}{:>11} {:<7} {:<12} {}", label, value, unit,
-                                   error ? "± " + percentage(*error) : "", remark);
+                                   error ? "± " + shown_error(*error) : "", remark);
     line.erase(line.find_last_not_of(' ') + 1);
     text_ += line + "\n";
   }
+
+  /// Below a millionth of the figure nobody looks for digits.
+  static std::string shown_error(double error) { return error < 1e-6 ? "< 0.0001 %" : percentage(error); }
 
   [[nodiscard]] const std::string& text() const { return text_; }
 

@@ -41,13 +41,13 @@ Law sample_law() {
 }
 
 /// A head-sized sphere on 3 cm of foam.
-inline ImpactCase impact_on(PadLaw law, Support support = Support::rigid()) {
+inline ImpactCase impact_on(const PadLaw& law, Support support = Support::rigid()) {
   ImpactCase impact;
   impact.title = name_of(law);
   impact.impactor = {.mass = 4, .radius = 0.08, .speed = 3};
   impact.pad.thickness = 0.03;
   impact.pad.material.name = "in line";
-  impact.pad.material.law = std::move(law);
+  impact.pad.material.law = law;
   impact.support = std::move(support);
   return impact;
 }

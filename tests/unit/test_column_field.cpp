@@ -34,12 +34,14 @@ double drive(ColumnField<Law>& field, double depth, double resolution) {
 /// Stress of a column after loading from rest at the constant rate of the test.
 double stress(const NineParameter& law, double strain) {
   const auto power = PowerShape(law.exponents()).at(strain_of(strain));
-  return law.envelope(law.strain_part(strain_of(strain), power), law.rate_part(speed / thickness), strain, strain);
+  return law.envelope(law.strain_part(strain_of(strain), power), law.rate_part(speed / thickness), strain,
+                      strain);
 }
 double stress(const LinearViscoelastic& law, double strain) {
   const double time = strain * thickness / speed;
-  return law.asymptotic_modulus * strain - (law.initial_modulus - law.asymptotic_modulus) * law.relaxation_time *
-                                               speed / thickness * std::expm1(-time / law.relaxation_time);
+  return law.asymptotic_modulus * strain - (law.initial_modulus - law.asymptotic_modulus) *
+                                               law.relaxation_time * speed / thickness *
+                                               std::expm1(-time / law.relaxation_time);
 }
 
 /// 2 pi times the integral of `value(strain)` (R - s) over the contact.
@@ -81,8 +83,8 @@ TEST(column_field, integrates_it_beyond_the_radius_too) {
   expect_force(sample_law<NineParameter>(), 0.01);
 }
 
-/// The rate at which the force falls if the penetration is held, against holding it for a moment. What a sudden
-/// stop does to the envelope is no matter of time and is left out by taking two moments.
+/// The rate at which the force falls if the penetration is held, against holding it for a moment. What a
+/// sudden stop does to the envelope is no matter of time and is left out by taking two moments.
 template <class Law>
 void expect_held_rate(const Law& law, double radius) {
   const double depth = 0.7 * thickness;

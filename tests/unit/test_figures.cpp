@@ -14,7 +14,8 @@ namespace {
 using Path = std::function<double(double)>;
 
 /// Entries at the given times.
-Track track_of(const std::vector<double>& times, const Path& force, const Path& motion, const Path& velocity) {
+Track track_of(const std::vector<double>& times, const Path& force, const Path& motion,
+               const Path& velocity) {
   Track track;
   track.clear();
   for (const double t : times) {
@@ -64,7 +65,9 @@ TEST(figures, reads_the_largest_motion_where_the_velocity_is_zero) {
 
 TEST(figures, of_a_rigid_stop_are_those_of_its_last_entry) {
   Figures figures;
-  read_peaks(track_of({0, 1, 2}, [](double t) { return t; }, [](double t) { return 2 * t; }, nothing), figures);
+  read_peaks(track_of(
+                 {0, 1, 2}, [](double t) { return t; }, [](double t) { return 2 * t; }, nothing),
+             figures);
   EXPECT_EQ(figures.peak_force, 2);
   EXPECT_EQ(figures.time_of_peak_force, 2);
   EXPECT_EQ(figures.peak_penetration, 4);
@@ -94,8 +97,9 @@ TEST(figures, takes_the_work_of_a_smooth_path_with_more_than_second_order) {
 
 TEST(figures, takes_the_work_of_each_stretch_on_its_own) {
   // The force has a kink at t = 1, and is a straight line on either side.
-  Track track = track_of({0, 0.5, 1, 1.1, 1.5, 2}, [](double t) { return t < 1 ? 2 - t : 5 * t - 4; },
-                         [](double t) { return t; }, nothing);
+  Track track = track_of(
+      {0, 0.5, 1, 1.1, 1.5, 2}, [](double t) { return t < 1 ? 2 - t : 5 * t - 4; },
+      [](double t) { return t; }, nothing);
   track.phase_starts.push_back(2);
   EXPECT_NEAR(work_on_pad(track), 1.5 + 3.5, 1e-14);
 }

@@ -10,15 +10,15 @@
 namespace dashpad::test {
 namespace {
 
-const std::vector<PowerExponents> exponents{{0.675, 1.09}, {1, 0},       {0, 0},        {0.2, 0.5},     {0.5, 1},
-                                            {0.5, 2},      {1, 3},       {1, 4},        {0.7, 1 + 1e-9}, {0.7, 1 + 1e-5},
-                                            {0.7, 1 - 1e-4}, {0.7, 2.001}, {0.3, 1.999}, {0.05, 2.7}};
+const std::vector<PowerExponents> exponents{
+    {0.675, 1.09},   {1, 0},          {0, 0},          {0.2, 0.5},   {0.5, 1},     {0.5, 2},   {1, 3}, {1, 4},
+    {0.7, 1 + 1e-9}, {0.7, 1 + 1e-5}, {0.7, 1 - 1e-4}, {0.7, 2.001}, {0.3, 1.999}, {0.05, 2.7}};
 
 /// By its complement: exact near full compression.
 Strain with_gap(double complement) { return {1 - complement, complement}; }
 
-/// Where n is close to a whole number but not equal to it, w is a difference of two large terms and loses digits:
-/// the contact integral, which is taken over w, is then good to this.
+/// Where n is close to a whole number but not equal to it, w is a difference of two large terms and loses
+/// digits: the contact integral, which is taken over w, is then good to this.
 double accuracy_of(PowerExponents x) {
   const double distance = std::abs(x.n - std::round(x.n));
   return x.n > 0.5 && distance > 0 && distance < 0.01 ? 3e-5 : 1e-8;
@@ -51,9 +51,10 @@ TEST_P(PowerShapes, AreTheirFormula) {
 }
 
 TEST_P(PowerShapes, HaveTheirIntegralOnBothBranches) {
-  const std::vector<Strain> places{strain_of(1e-12), strain_of(1e-6), strain_of(1e-2), strain_of(0.2), strain_of(0.45),
-                                   strain_of(0.5),   with_gap(0.45),  with_gap(0.2),   with_gap(1e-2), with_gap(1e-4),
-                                   with_gap(1e-6),   with_gap(1e-9),  with_gap(1e-12)};
+  const std::vector<Strain> places{strain_of(1e-12), strain_of(1e-6), strain_of(1e-2), strain_of(0.2),
+                                   strain_of(0.45),  strain_of(0.5),  with_gap(0.45),  with_gap(0.2),
+                                   with_gap(1e-2),   with_gap(1e-4),  with_gap(1e-6),  with_gap(1e-9),
+                                   with_gap(1e-12)};
   for (std::size_t i = 1; i < places.size(); ++i) {
     const double difference = power.at(places[i]).measure - power.at(places[i - 1]).measure;
     const double expected = integral(places[i - 1], places[i]);
@@ -66,7 +67,8 @@ TEST_P(PowerShapes, StartAtZeroAsAPowerOfTheStrain) {
   EXPECT_EQ(power.at({}).shape, 0);
   EXPECT_EQ(power.at({}).measure, 0);
   const double e = 1e-9;
-  expect_relative(power.at(strain_of(e)).measure, std::pow(e, GetParam().m + 1) / (GetParam().m + 1), 1e-8, "w");
+  expect_relative(power.at(strain_of(e)).measure, std::pow(e, GetParam().m + 1) / (GetParam().m + 1), 1e-8,
+                  "w");
 }
 
 /// dw/de = A; the step of the difference scales with the distance to the nearer end.

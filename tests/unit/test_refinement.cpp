@@ -31,7 +31,8 @@ Figures figures_with(double error) {
   return f;
 }
 
-/// Adds runs, coarse to fine, until they settle; error(k) is that of run k. The number of runs, 0 if it never does.
+/// Adds runs, coarse to fine, until they settle; error(k) is that of run k. The number of runs, 0 if it never
+/// does.
 int settles(Refinement& refinement, const std::function<double(int)>& error) {
   for (int k = 0; k < Refinement::most_runs; ++k) {
     refinement.add(figures_with(error(k)));
@@ -92,10 +93,10 @@ TEST(refinement, estimates_no_less_than_the_true_error) {
 TEST(refinement, does_not_settle_on_an_irregular_sequence) {
   constexpr double tolerance = 1e-4;
   const std::vector<std::function<double(int)>> irregular{
-      [](int k) { return k % 2 == 0 ? 1e-3 : -1e-3; },                 // to and fro
-      [](int k) { return 1e-3 * std::sin(5.3 * k * k + 1); },          // noise
-      [](int k) { return 0.1 / (k + 1); },                             // creeping
-      [](int k) { return 1e-3 * k; },                                  // drifting
+      [](int k) { return k % 2 == 0 ? 1e-3 : -1e-3; },         // to and fro
+      [](int k) { return 1e-3 * std::sin(5.3 * k * k + 1); },  // noise
+      [](int k) { return 0.1 / (k + 1); },                     // creeping
+      [](int k) { return 1e-3 * k; },                          // drifting
   };
   for (std::size_t i = 0; i < irregular.size(); ++i) {
     Refinement refinement(impactor, tolerance);

@@ -58,7 +58,8 @@ TEST_P(Roots, AreFoundFromAnyGuessWithAnySlope) {
       const std::string where = "guess " + std::to_string(guess) + ", slope " + std::to_string(slope);
       EXPECT_EQ(root.place, RootPlace::inside) << where;
       // A flat root is as good as its value.
-      EXPECT_TRUE(std::abs(root.x - nasty.root) < 1e-11 || std::abs(nasty.f(root.x)) < 1e-60) << where << ": " << root.x;
+      EXPECT_TRUE(std::abs(root.x - nasty.root) < 1e-11 || std::abs(nasty.f(root.x)) < 1e-60)
+          << where << ": " << root.x;
       EXPECT_EQ(last, root.x) << "the last call is at the root, " << where;
       EXPECT_LT(calls, 220) << where;
     }

@@ -40,7 +40,8 @@ TEST(solve, refuses_options_out_of_range) {
     EXPECT_NE(refusal(sound, {.tolerance = tolerance}).find("tolerance"), std::string::npos) << tolerance;
   for (const double limit : {0.0, -1.0, nan, infinity})
     EXPECT_NE(refusal(sound, {.time_limit = limit}).find("time_limit"), std::string::npos) << limit;
-  for (const double tolerance : {1e-8, 1e-2}) EXPECT_EQ(refusal(sound, {.tolerance = tolerance}), "") << tolerance;
+  for (const double tolerance : {1e-8, 1e-2})
+    EXPECT_EQ(refusal(sound, {.tolerance = tolerance}), "") << tolerance;
 }
 
 TEST(solve, gives_an_impact_up_at_the_time_limit) {

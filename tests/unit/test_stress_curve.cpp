@@ -43,7 +43,8 @@ class CurveContacts : public testing::TestWithParam<double> {
   /// 2 pi times the integral of the stress over the contact, cut at the curve's kinks.
   [[nodiscard]] double force(const StressCurve& curve, double y) const {
     std::vector<double> cuts{0, std::min(y, radius)};
-    for (const auto& kink : curve) cuts.push_back(std::clamp(y - kink.strain * thickness, 0.0, std::min(y, radius)));
+    for (const auto& kink : curve)
+      cuts.push_back(std::clamp(y - kink.strain * thickness, 0.0, std::min(y, radius)));
     std::sort(cuts.begin(), cuts.end());
     double sum = 0;
     for (std::size_t i = 1; i < cuts.size(); ++i)

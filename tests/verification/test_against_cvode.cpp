@@ -12,8 +12,8 @@
 namespace dashpad::test {
 namespace {
 
-/// What the two may differ by, relative. Both aim at 1e-5 or better; the release of a pad with memory is decided
-/// by a last, tiny ring of contact, where the oracle's own columns are coarse.
+/// What the two may differ by, relative. Both aim at 1e-5 or better; the release of a pad with memory is
+/// decided by a last, tiny ring of contact, where the oracle's own columns are coarse.
 struct Limits {
   double figure = 2e-5;
   double time_of_peak = 1e-4;  ///< a flat peak
@@ -35,7 +35,8 @@ void expect_agreement(const Summary& summary, const oracle::CvodeImpact& other, 
   if (other.weight) {  // not where the force stays below the weight throughout
     const double speed = std::abs(other.release.value().velocity);
     ASSERT_TRUE(summary.weight);
-    EXPECT_NEAR(summary.weight->velocity, other.weight->velocity, 2 * limits.figure * speed) << "weight velocity";
+    EXPECT_NEAR(summary.weight->velocity, other.weight->velocity, 2 * limits.figure * speed)
+        << "weight velocity";
     small(d.weight_time, limits.release_time, "weight time");
   }
   small(d.release_velocity, limits.figure, "release velocity");
@@ -92,7 +93,8 @@ TEST(AgainstCvodeAtRandom, AgreesWhereTheOracleIsSure) {
     const auto other = oracle::solve_with_cvode(impact);
     if (other.ending != oracle::Ending::released || other.drift > largest_drift) continue;
     SCOPED_TRACE(fmt::format("seed {}", seed));
-    fmt::print("{:4} {:22} {}\n", seed, name_of(impact.pad.material.law), oracle::compare(summary, other).text());
+    fmt::print("{:4} {:22} {}\n", seed, name_of(impact.pad.material.law),
+               oracle::compare(summary, other).text());
     expect_agreement(summary, other, {2e-4, 1e-3, 1e-3});
     ++compared;
   }

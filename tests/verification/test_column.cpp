@@ -61,18 +61,20 @@ TEST(ColumnStep, OfTheNineParameterLawIsExactAtConstantRateHoweverLong) {
     for (const int steps : {1, 7, 100}) {
       const double time = 0.9 / rate;
       expect_relative(driven(law, ramp(rate), time, steps),
-                      oracle::nine_column_at_constant_rate(law, {}, rate, time), 1e-12, fmt::format("{}", rate));
+                      oracle::nine_column_at_constant_rate(law, {}, rate, time), 1e-12,
+                      fmt::format("{}", rate));
     }
 }
 
-/// Its relaxation depends on the strain, which the step takes at one place: exact from rest all the same, and of
-/// second order after a jolt.
+/// Its relaxation depends on the strain, which the step takes at one place: exact from rest all the same, and
+/// of second order after a jolt.
 TEST(ColumnStep, OfTheTwentyOneParameterLawIsExactFromRestAndOtherwiseConverges) {
   const auto law = sample_law<TwentyOneParameter>();
   for (const double touched : {0.0, 2e-3})
     for (const double rate : {30.0, 300.0}) {
       const double time = 0.9 / rate;
-      const double exact = oracle::twenty_one_column_at_constant_rate(law, {0, 0, touched}, rate, touched + time);
+      const double exact =
+          oracle::twenty_one_column_at_constant_rate(law, {0, 0, touched}, rate, touched + time);
       for (const int steps : {1, 10, 160})
         expect_relative(driven(law, ramp(rate, touched), time, steps), exact, 1e-10, fmt::format("{}", rate));
       const oracle::ColumnStart jolt{1e5, 0.3, touched + 1e-6};
@@ -99,7 +101,8 @@ TEST(ColumnStep, TendsToTheEnvelopeAtConstantRate) {
   expect_relative(column.stress(), envelope, 2e-5, "stress");
 }
 
-// --- Unloading -------------------------------------------------------------------------------------------------
+// --- Unloading
+// -------------------------------------------------------------------------------------------------
 
 /// The laws are exact on either side of the turning point, so few steps do if one of them ends there.
 template <class Law>
@@ -108,7 +111,8 @@ void expect_tent(const Law& law, double up, double down, double tolerance, int s
   const StrainHistory history = tent(up, down, largest);
   for (const double left : {0.65, 0.4, 0.2}) {
     Column<Law> column(law);
-    for (int i = 1; i <= steps_a_side; ++i) column.go(largest * i / steps_a_side, history.turning * i / steps_a_side);
+    for (int i = 1; i <= steps_a_side; ++i)
+      column.go(largest * i / steps_a_side, history.turning * i / steps_a_side);
     const double time = history.turning + (largest - left) / down;
     for (int i = 1; i <= steps_a_side; ++i) {
       const double t = history.turning + (time - history.turning) * i / steps_a_side;
@@ -127,7 +131,8 @@ TEST(ColumnStep, FollowsAColumnThatIsUnloadedAtAnotherRate) {
   }
 }
 
-// --- A smooth history ------------------------------------------------------------------------------------------
+// --- A smooth history
+// ------------------------------------------------------------------------------------------
 
 template <class Law>
 class SmoothHistory : public testing::Test {};

@@ -50,7 +50,8 @@ TEST(Conservation, AnElasticPadThatLocksOnAYieldingSupportLosesNothing) {
   }
 }
 
-// --- All laws -------------------------------------------------------------------------------------------------
+// --- All laws
+// -------------------------------------------------------------------------------------------------
 
 template <class Law>
 class ConservationOf : public testing::Test {};

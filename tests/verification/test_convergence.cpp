@@ -19,16 +19,19 @@ struct Figure {
 
 const std::vector<Figure> figures_read{
     {"peak force", [](const Figures& f) { return f.peak_force; }, 1.6, 2.5},
-    {"time of peak force", [](const Figures& f) { return f.time_of_peak_force; }, 1.3, 2.8},  // of a flat peak
+    {"time of peak force", [](const Figures& f) { return f.time_of_peak_force; }, 1.3,
+     2.8},  // of a flat peak
     {"peak motion", [](const Figures& f) { return f.peak_motion; }, 1.6, 2.5},
-    {"release time", [](const Figures& f) { return f.release.value().time; }, 1.6, 3.2},  // errors cancel in law 5
+    {"release time", [](const Figures& f) { return f.release.value().time; }, 1.6,
+     3.2},  // errors cancel in law 5
 };
 
 constexpr double coarsest = 0.1;  // radians of the momentary oscillation
 constexpr int runs = 5;           // compared
 constexpr double exact = 1e-11;   // a pad without memory gets its peaks from the energy: no order to observe
 
-/// Slope of log2(error) over the halvings, by least squares: single steps depend on where in them the events fall.
+/// Slope of log2(error) over the halvings, by least squares: single steps depend on where in them the events
+/// fall.
 double observed_order(const std::vector<double>& error) {
   const double middle = static_cast<double>(error.size() - 1) / 2;
   double above = 0;

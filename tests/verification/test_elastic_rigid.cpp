@@ -31,7 +31,8 @@ class ElasticOnRigid : public testing::TestWithParam<Geometry> {};
 
 TEST_P(ElasticOnRigid, FollowsTheEnergyIntegral) {
   const Geometry& g = GetParam();
-  const oracle::ElasticBounce bounce(g.impactor.mass, g.impactor.radius, g.impactor.speed, g.modulus, g.thickness);
+  const oracle::ElasticBounce bounce(g.impactor.mass, g.impactor.radius, g.impactor.speed, g.modulus,
+                                     g.thickness);
   ASSERT_LT(bounce.peak_penetration(), g.thickness);
   ImpactCase impact = impact_on(Elastic{g.modulus});
   impact.impactor = g.impactor;
@@ -50,12 +51,13 @@ TEST_P(ElasticOnRigid, FollowsTheEnergyIntegral) {
   expect_relative(s.rebound_speed.value(), g.impactor.speed, 1e-9, "rebound");
 }
 
-INSTANTIATE_TEST_SUITE_P(Geometries, ElasticOnRigid, testing::ValuesIn(geometries), [](const auto& parameter) {
-  std::string name = parameter.param.what;
-  for (char& c : name)
-    if (c == ' ') c = '_';
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Geometries, ElasticOnRigid, testing::ValuesIn(geometries),
+                         [](const auto& parameter) {
+                           std::string name = parameter.param.what;
+                           for (char& c : name)
+                             if (c == ' ') c = '_';
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace dashpad::test

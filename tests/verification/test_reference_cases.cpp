@@ -1,4 +1,5 @@
-/// Whole impacts against the converged solutions of data/reference-cases.csv, which two other solvers agree on.
+/// Whole impacts against the converged solutions of data/reference-cases.csv, which two other solvers agree
+/// on.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -19,8 +20,9 @@ struct Comparison {
 };
 
 /// The reference takes the sphere's weight in lbf as the force of the "weight" event, Dashpad mass times
-/// 9.80665 m/s2; with masses from g = 386.4 in/s2 the two forces differ by 0.08 %. Near release the force falls
-/// so fast that this hardly matters; c7, whose force fades like the square of the time left, shifts by 2.9e-5.
+/// 9.80665 m/s2; with masses from g = 386.4 in/s2 the two forces differ by 0.08 %. Near release the force
+/// falls so fast that this hardly matters; c7, whose force fades like the square of the time left, shifts
+/// by 2.9e-5.
 double weight_allowance(const ReferenceCase& reference) { return reference.id == "c7" ? 3e-5 : 0; }
 
 std::vector<Comparison> compare(const Summary& s, const ReferenceCase& reference) {
@@ -42,7 +44,8 @@ std::vector<Comparison> compare(const Summary& s, const ReferenceCase& reference
 Summary expect_reference(const ReferenceCase& reference, double tolerance, double limit) {
   const Summary summary = solve(reference.impact, {.tolerance = tolerance}).summary;
   EXPECT_EQ(summary.status, Status::released) << to_string(summary.status);
-  fmt::print("{} at tolerance {:.0e}, {} runs, {} steps\n", reference.id, tolerance, summary.runs, summary.steps);
+  fmt::print("{} at tolerance {:.0e}, {} runs, {} steps\n", reference.id, tolerance, summary.runs,
+             summary.steps);
   for (const Comparison& c : compare(summary, reference)) {
     fmt::print("  {:20} {:9.1e}\n", c.name, c.error);
     EXPECT_LE(c.error, limit + c.allowance) << c.name;
@@ -58,8 +61,8 @@ void expect_estimate(const char* name, double estimate, double error, double dig
 
 void expect_honest_estimates(const Summary& s, const ReferenceCase& reference) {
   constexpr double digits = 5e-7;
-  expect_estimate("peak force", s.errors.peak_force, relative_error(s.peak_force.value(), reference.peak_force),
-                  digits);
+  expect_estimate("peak force", s.errors.peak_force,
+                  relative_error(s.peak_force.value(), reference.peak_force), digits);
   expect_estimate("rebound speed", s.errors.rebound_speed,
                   relative_error(s.rebound_speed.value(), -reference.release.velocity), digits);
   expect_estimate("release time", s.errors.release_time,
