@@ -76,7 +76,8 @@ class ColumnField {
                                 law_.decay(time_part, before, strain.value);
       next_.set(j, stress, part, power);
     }
-    const double edge = rate >= 0 ? law_.edge_ratio(rate_part_) * std::max(radius_ - penetration, 0.0) : unknown_edge;
+    const double edge =
+        rate >= 0 ? law_.edge_ratio(rate_part_) * std::max(radius_ - penetration, 0.0) : unknown_edge;
     return integrate(next_, next_.stress, trial_live_, penetration, edge);
   }
 
@@ -91,8 +92,9 @@ class ColumnField {
       if (next_.stress[j] > 0) {
         const double strain = (trial_ - depth_[j]) / thickness_;
         const double largest = (largest_penetration - depth_[j]) / thickness_;
-        g = law_.relaxation_rate(time, strain) * (law_.envelope(next_.part[j], still, strain, largest) - next_.stress[j]) /
-            next_.shape[j] * (radius_ - depth_[j]);
+        g = law_.relaxation_rate(time, strain) *
+            (law_.envelope(next_.part[j], still, strain, largest) - next_.stress[j]) / next_.shape[j] *
+            (radius_ - depth_[j]);
       }
       if (j > 0) sum += (before + g) / 2 * (next_.measure[j - 1] - next_.measure[j]);
       before = g;
@@ -105,7 +107,8 @@ class ColumnField {
   double largest_stress(double advance, double from, double step) {
     trial(advance, from, step);
     if (trial_live_ == 0) return -std::numeric_limits<double>::min();
-    return *std::max_element(next_.stress.begin(), next_.stress.begin() + static_cast<std::ptrdiff_t>(trial_live_));
+    return *std::max_element(next_.stress.begin(),
+                             next_.stress.begin() + static_cast<std::ptrdiff_t>(trial_live_));
   }
 
   /// Accepts the last trial step.
@@ -143,12 +146,8 @@ class ColumnField {
     std::vector<typename Law::StrainPart> part;
     std::vector<double> shape;    ///< A
     std::vector<double> measure;  ///< w
-    void reserve(std::size_t n) {
-      stress.reserve(n), part.reserve(n), shape.reserve(n), measure.reserve(n);
-    }
-    void resize(std::size_t n) {
-      stress.resize(n), part.resize(n), shape.resize(n), measure.resize(n);
-    }
+    void reserve(std::size_t n) { stress.reserve(n), part.reserve(n), shape.reserve(n), measure.reserve(n); }
+    void resize(std::size_t n) { stress.resize(n), part.resize(n), shape.resize(n), measure.resize(n); }
     void set(std::size_t j, double s, const typename Law::StrainPart& p, const PowerShape::Value& power) {
       stress[j] = s, part[j] = p, shape[j] = power.shape, measure[j] = power.measure;
     }
@@ -191,7 +190,8 @@ class ColumnField {
       // The stress at the edge is not known: g goes on as between the last two columns, within bounds, since
       // these may lie close together.
       edge = inner;
-      if (live > 1) edge += (inner - before) * width / (columns.measure[live - 2] - columns.measure[live - 1]);
+      if (live > 1)
+        edge += (inner - before) * width / (columns.measure[live - 2] - columns.measure[live - 1]);
       edge = penetration > radius_ ? 0 : std::min(edge, 2 * std::max(inner, 0.0));
       sum += bounded(positive_part(inner, edge, width), value, live - 1, live - 1, penetration);
     } else {
@@ -200,10 +200,10 @@ class ColumnField {
     return 2 * std::numbers::pi * thickness_ * sum;
   }
 
-  /// On unloading a column may still push as its strain vanishes: stress over A then has no bound, but the cell's
-  /// force has one, its width times its stress.
-  [[nodiscard]] double bounded(double cell, const std::vector<double>& stress, std::size_t a,
-                               std::size_t b, double outer_depth) const {
+  /// On unloading a column may still push as its strain vanishes: stress over A then has no bound, but the
+  /// cell's force has one, its width times its stress.
+  [[nodiscard]] double bounded(double cell, const std::vector<double>& stress, std::size_t a, std::size_t b,
+                               double outer_depth) const {
     const double top = std::max({stress[a] * (radius_ - depth_[a]), stress[b] * (radius_ - depth_[b]), 0.0});
     return std::min(cell, 1.5 * top * (std::min(outer_depth, radius_) - depth_[a]) / thickness_);
   }
@@ -227,8 +227,8 @@ class ColumnField {
         insert_after(j, std::sqrt((gap + depth_[j]) * (gap + depth_[j + 1])) - gap);
   }
 
-  /// The new column's stress over its envelope lies on the line between its neighbours': both are smooth there,
-  /// whatever the envelope's shape.
+  /// The new column's stress over its envelope lies on the line between its neighbours': both are smooth
+  /// there, whatever the envelope's shape.
   void insert_after(std::size_t j, double depth) {
     const Strain strain = strain_at(penetration_, depth);
     const auto power = power_.at(strain);
@@ -238,7 +238,8 @@ class ColumnField {
                                         (now_.measure[j] - now_.measure[j + 1]);
     const auto at = static_cast<std::ptrdiff_t>(j + 1);
     depth_.insert(depth_.begin() + at, depth);
-    now_.stress.insert(now_.stress.begin() + at, relative * law_.envelope(part, rate_part_, strain.value, strain.value));
+    now_.stress.insert(now_.stress.begin() + at,
+                       relative * law_.envelope(part, rate_part_, strain.value, strain.value));
     now_.part.insert(now_.part.begin() + at, part);
     now_.shape.insert(now_.shape.begin() + at, power.shape);
     now_.measure.insert(now_.measure.begin() + at, power.measure);
@@ -261,10 +262,10 @@ class ColumnField {
   double largest_penetration_ = 0;
   double trial_ = 0;
   typename Law::RatePart rate_part_{};  ///< of the last trial
-  std::size_t live_ = 0;        ///< columns under strain in the accepted state
-  std::size_t trial_live_ = 0;  ///< and in the trial
+  std::size_t live_ = 0;                ///< columns under strain in the accepted state
+  std::size_t trial_live_ = 0;          ///< and in the trial
   std::size_t updates_ = 0;
-  std::vector<double> depth_;   ///< s, increasing
+  std::vector<double> depth_;  ///< s, increasing
   Columns now_;
   Columns next_;
 };

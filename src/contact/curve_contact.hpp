@@ -50,13 +50,15 @@ class CurveContact {
 
   [[nodiscard]] double force(double y) const {
     double sum = curve_.initial_stress * area(y);
-    for (const auto& kink : curve_) sum += kink.slope_change / thickness_ * area_1(y - kink.strain * thickness_);
+    for (const auto& kink : curve_)
+      sum += kink.slope_change / thickness_ * area_1(y - kink.strain * thickness_);
     return sum;
   }
   /// Work done on the pad from first contact, J.
   [[nodiscard]] double energy(double y) const {
     double sum = curve_.initial_stress * area_1(y);
-    for (const auto& kink : curve_) sum += kink.slope_change / thickness_ * area_2(y - kink.strain * thickness_);
+    for (const auto& kink : curve_)
+      sum += kink.slope_change / thickness_ * area_2(y - kink.strain * thickness_);
     return sum;
   }
 

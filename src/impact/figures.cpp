@@ -10,7 +10,8 @@ namespace {
 struct Parabola {
   std::array<double, 3> t{}, y{};
   Parabola(const std::vector<double>& time, const std::vector<double>& value, std::size_t first)
-      : t{time[first], time[first + 1], time[first + 2]}, y{value[first], value[first + 1], value[first + 2]} {}
+      : t{time[first], time[first + 1], time[first + 2]},
+        y{value[first], value[first + 1], value[first + 2]} {}
   [[nodiscard]] double first_difference() const { return (y[1] - y[0]) / (t[1] - t[0]); }
   [[nodiscard]] double curvature() const {
     return ((y[2] - y[1]) / (t[2] - t[1]) - first_difference()) / (t[2] - t[0]);
@@ -18,7 +19,9 @@ struct Parabola {
   [[nodiscard]] double at(double x) const {
     return y[0] + (x - t[0]) * (first_difference() + curvature() * (x - t[1]));
   }
-  [[nodiscard]] double slope(double x) const { return first_difference() + curvature() * (2 * x - t[0] - t[1]); }
+  [[nodiscard]] double slope(double x) const {
+    return first_difference() + curvature() * (2 * x - t[0] - t[1]);
+  }
 };
 
 /// Integral of F dY over [from, to]; Simpson's rule is exact for the product of a parabola and a slope.

@@ -95,8 +95,8 @@ class March {
   static constexpr std::size_t most_updates = 50'000'000;
   /// Phases may change at one moment, but not for ever.
   static constexpr int most_idle_events = 16;
-  /// Where unloading brings the drive back above zero at once, the rule of Eq. 20 alternates without end: after
-  /// this many reloadings the unloading branch is followed as far as it exists.
+  /// Where unloading brings the drive back above zero at once, the rule of Eq. 20 alternates without end:
+  /// after this many reloadings the unloading branch is followed as far as it exists.
   static constexpr int most_reloadings = 4;
 
   enum class Phase { loading, unloading, held, over };
@@ -110,10 +110,10 @@ class March {
   };
   struct Attempt {
     State end;
-    double advance = 0;             ///< of the penetration
-    double pad_stiffness = 0;       ///< dF/dY over the step
-    Event obstacle = Event::none;   ///< no equilibrium in this phase at this step
-    double held_force = 0;          ///< held: what the pad itself carries
+    double advance = 0;            ///< of the penetration
+    double pad_stiffness = 0;      ///< dF/dY over the step
+    Event obstacle = Event::none;  ///< no equilibrium in this phase at this step
+    double held_force = 0;         ///< held: what the pad itself carries
   };
 
   // ------------------------------------------------------------------ the step
@@ -149,8 +149,8 @@ class March {
            scale;
   }
 
-  /// Loading, the unknown is the fourth root of the pad's advance: at the end of loading the force has a power
-  /// of the strain rate with a small exponent, and an infinite slope in the advance itself.
+  /// Loading, the unknown is the fourth root of the pad's advance: at the end of loading the force has a
+  /// power of the strain rate with a small exponent, and an infinite slope in the advance itself.
   Attempt attempt_moving(double step) {
     Attempt result;
     const bool loading = phase_ == Phase::loading;
@@ -255,9 +255,7 @@ class March {
       case Event::release:
         value = a.end.force;
         return (moving ? phase_ == Phase::unloading : true) && a.end.force <= 0;
-      case Event::lock:
-        value = a.obstacle == Event::lock ? -1 : 1;
-        return a.obstacle == Event::lock;
+      case Event::lock: value = a.obstacle == Event::lock ? -1 : 1; return a.obstacle == Event::lock;
       case Event::unlock:
         value = a.end.force - a.held_force;
         return !moving && contact_.recovers() && value < 0;
@@ -271,8 +269,7 @@ class March {
       case Event::corner:
         value = (a.end.force - corner) * (now_.force < corner ? -1 : 1);
         return std::abs(now_.force - corner) > 1e-9 * corner && value < 0;
-      default:
-        return false;
+      default: return false;
     }
   }
 
@@ -289,7 +286,8 @@ class March {
       if (found.count++ == 0) found.event = event, found.corner = corner;
     };
     if (a.obstacle == Event::none) {
-      for (const Event event : {Event::release, Event::unlock, Event::turning, Event::reloading}) add(event, 0);
+      for (const Event event : {Event::release, Event::unlock, Event::turning, Event::reloading})
+        add(event, 0);
       for (const double corner : support_.corners()) add(Event::corner, corner);
     } else {
       add(a.obstacle, 0);
@@ -312,6 +310,10 @@ class March {
     }
     if (o.event != Event::none) {
       step = locate(o, step);
+      // At once: the phase changes where it stands. What ends or locks the run is still gone up to.
+      const bool goes_on = o.event != Event::release && o.event != Event::lock;
+      if (goes_on && step < shortest) return change_phase(o.event);
+      step = std::max(step, shortest);
       a = attempt(step);
       if (a.obstacle != Event::none && a.obstacle != Event::lock) return change_phase(o.event);
     }
@@ -320,7 +322,8 @@ class March {
     if (o.event == Event::release) a.end.force = 0;
     contact_.accept();
     const double pad_rate = a.advance / step;
-    pad_acceleration_ = o.event == Event::none && last_step_ > 0 ? (pad_rate - pad_rate_) * 2 / (last_step_ + step) : 0;
+    pad_acceleration_ =
+        o.event == Event::none && last_step_ > 0 ? (pad_rate - pad_rate_) * 2 / (last_step_ + step) : 0;
     last_step_ = step;
     pad_rate_ = pad_rate;
     if (phase_ != Phase::held) pad_stiffness_ = a.pad_stiffness;
@@ -331,8 +334,8 @@ class March {
     return change_phase(o.event);
   }
 
-  /// Neither phase has a solution from here, as at a corner of the support from which loading and unloading both
-  /// lead back: the pad is held for a moment.
+  /// Neither phase has a solution from here, as at a corner of the support from which loading and unloading
+  /// both lead back: the pad is held for a moment.
   void hold_for(double step) {
     if (support_.is_rigid()) return;
     const Attempt a = attempt_held(step);
@@ -375,7 +378,8 @@ class March {
     int side = 0;
     for (int i = 0; i < 80 && high - low > precision; ++i) {
       double x = (f_low * high - f_high * low) / (f_low - f_high);
-      if (o.event == Event::turning && i == 0 && f_high < -1e299) x = -now_.drive / drive_rate_;
+      // No solution at the far end is no number to interpolate with: first the drive's own trend, then halves.
+      if (f_high < -1e250) x = o.event == Event::turning && i == 0 ? -now_.drive / drive_rate_ : infinity;
       if (!(x > low && x < high) || i % 8 == 7) x = low + (high - low) / 2;
       const double f = value_at(x);
       if (f > 0) {
@@ -409,9 +413,7 @@ class March {
 
   bool change_phase(Event event) {
     switch (event) {
-      case Event::release:
-        finish(Ending::released);
-        break;
+      case Event::release: finish(Ending::released); break;
       case Event::lock:
         if (support_.is_rigid())
           finish(Ending::bottomed_out);
@@ -438,8 +440,7 @@ class March {
         phase_ = now_.drive > 0 ? Phase::loading : Phase::unloading;
         pad_rate_ = now_.velocity;
         break;
-      default:
-        break;
+      default: break;
     }
     return false;
   }
@@ -494,8 +495,11 @@ class March {
     double step = resolution_ * std::sqrt(mass_ / stiffness);
     if (phase_ != Phase::held && pad_rate != 0) {
       const double gap = contact_.lock_penetration() - state.penetration;
-      step = std::min(step, resolution_ * std::min(thickness_, radius_ + state.penetration) / std::abs(pad_rate));
-      step = std::min(step, (std::min(0.5, 4 * resolution_) * gap + 1e-2 * resolution_ * resolution_ * thickness_) / std::abs(pad_rate));
+      step = std::min(step,
+                      resolution_ * std::min(thickness_, radius_ + state.penetration) / std::abs(pad_rate));
+      step = std::min(step,
+                      (std::min(0.5, 4 * resolution_) * gap + 1e-2 * resolution_ * resolution_ * thickness_) /
+                          std::abs(pad_rate));
     }
     return step;
   }

@@ -37,7 +37,8 @@ bool same_kind(const Figures& a, const Figures& b) {
 
 Figures extrapolate(const Figures& fine, const Figures& coarse) {
   Figures result = fine;
-  for_each_number([](double& x, const double& f, const double& c) { x = f + (f - c) / 3; }, result, fine, coarse);
+  for_each_number([](double& x, const double& f, const double& c) { x = f + (f - c) / 3; }, result, fine,
+                  coarse);
   return result;
 }
 
@@ -47,9 +48,9 @@ Refinement::Refinement(const Impactor& impactor, double tolerance)
     : speed_(impactor.speed),
       energy_(impactor.mass * impactor.speed * impactor.speed / 2),
       tolerance_(tolerance) {
-  for (double* error : {&errors_.peak_force, &errors_.time_of_peak_force, &errors_.peak_motion,
-                        &errors_.peak_penetration, &errors_.rebound_speed, &errors_.release_time,
-                        &errors_.energy_absorbed})
+  for (double* error :
+       {&errors_.peak_force, &errors_.time_of_peak_force, &errors_.peak_motion, &errors_.peak_penetration,
+        &errors_.rebound_speed, &errors_.release_time, &errors_.weight, &errors_.bottomed, &errors_.energy_absorbed})
     *error = unknown;
 }
 
@@ -69,7 +70,9 @@ void Refinement::judge(const Figures& run, const Figures& before) {
     const double difference = std::max({std::abs(x - x_before), std::abs(x - x_run), 1e-12 * std::abs(x)});
     return difference == 0 ? 0 : difference / scale;
   };
-  const auto relative = [&](double x, double x_before, double x_run) { return error(x, x_before, x_run, std::abs(x)); };
+  const auto relative = [&](double x, double x_before, double x_run) {
+    return error(x, x_before, x_run, std::abs(x));
+  };
   errors_ = {};
   // On a rigid support a bottomed pad has no peak force; what matters is when and how fast it bottoms.
   const bool ended_in_lock = now.ending == Ending::bottomed_out;
@@ -82,8 +85,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   errors_.peak_motion = relative(now.peak_motion, before.peak_motion, run.peak_motion);
   errors_.peak_penetration = relative(now.peak_penetration, before.peak_penetration, run.peak_penetration);
   // The moment of a flat peak is poorly determined, whatever the step: its estimate is given, not held.
-  double worst = std::max({errors_.peak_force, errors_.peak_motion,
-                           errors_.peak_penetration});
+  double worst = std::max({errors_.peak_force, errors_.peak_motion, errors_.peak_penetration});
   const auto moment = [&](const std::optional<Moment>& m, const std::optional<Moment>& m_before,
                           const std::optional<Moment>& m_run, double& of_time, double& of_speed) {
     if (!m) return;
@@ -92,10 +94,13 @@ void Refinement::judge(const Figures& run, const Figures& before) {
                      std::max(std::abs(m->velocity), 1e-3 * speed_));
     worst = std::max({worst, of_time, of_speed});
   };
-  double unused = 0;
   moment(now.release, before.release, run.release, errors_.release_time, errors_.rebound_speed);
-  moment(now.weight, before.weight, run.weight, unused, unused);
-  moment(now.bottomed, before.bottomed, run.bottomed, unused, unused);
+  double of_time = 0;
+  moment(now.weight, before.weight, run.weight, of_time, errors_.weight);
+  errors_.weight = std::max(errors_.weight, of_time);
+  of_time = 0;
+  moment(now.bottomed, before.bottomed, run.bottomed, of_time, errors_.bottomed);
+  errors_.bottomed = std::max(errors_.bottomed, of_time);
   const auto absorbed = [&](const Figures& f) {
     const double v = f.final_velocity / speed_;
     return 1 - v * v - f.support_energy / energy_;

@@ -5,8 +5,8 @@
 ///
 ///   x_k* = x_k + (x_k - x_(k-1)) / 3,     error estimate of x_k*:  max(|x_k* - x_(k-1)*|, |x_k* - x_k|)
 ///
-/// The second term, the last correction itself, keeps a chance agreement of two extrapolations from passing for
-/// accuracy. It is an estimate, on the safe side where the order is 2, and no bound.
+/// The second term, the last correction itself, keeps a chance agreement of two extrapolations from passing
+/// for accuracy. It is an estimate, on the safe side where the order is 2, and no bound.
 
 #include <array>
 #include <cstddef>
@@ -25,8 +25,8 @@ class Refinement {
 
   void add(const Figures& run);
   [[nodiscard]] int runs() const { return runs_; }
-  /// Whether the error estimates and the energy residual are within the tolerance. Not held to it: the time of
-  /// the peak force; and the absorbed share is held to ten times the tolerance, relative to itself.
+  /// Whether the error estimates and the energy residual are within the tolerance. Not held to it: the time
+  /// of the peak force; and the absorbed share is held to ten times the tolerance, relative to itself.
   [[nodiscard]] bool settled() const { return settled_; }
   /// The extrapolated figures.
   [[nodiscard]] const Figures& figures() const { return extrapolated_; }

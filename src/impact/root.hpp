@@ -10,8 +10,8 @@
 namespace dashpad {
 
 struct RootSearch {
-  double low = 0;   ///< the root is sought above; may be minus infinity
-  double high = 0;  ///< and below
+  double low = 0;                 ///< the root is sought above; may be minus infinity
+  double high = 0;                ///< and below
   bool low_is_negative = false;   ///< whether f(low) <= 0 is known beforehand
   bool high_is_positive = false;  ///< whether f(high) >= 0 is
   double guess = 0;
@@ -29,7 +29,8 @@ struct Root {
   RootPlace place = RootPlace::inside;
 };
 
-/// f increasing on [low, high] (where it is not, some root is found). The last call of f is at the returned x.
+/// f increasing on [low, high] (where it is not, some root is found). The last call of f is at the returned
+/// x.
 template <class F>
 Root find_root(F&& f, RootSearch s) {
   constexpr int most_secants = 10;

@@ -38,7 +38,8 @@ template <class Contact>
 Refinement refine(const ImpactCase& impact, Contact contact, const Options& options, Track& track) {
   Refinement refinement(impact.impactor, options.tolerance);
   March<Contact> march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
-  for (double resolution = 0.2; !refinement.settled() && refinement.runs() < Refinement::most_runs; resolution /= 2) {
+  for (double resolution = 0.2; !refinement.settled() && refinement.runs() < Refinement::most_runs;
+       resolution /= 2) {
     const Figures run = march.run(resolution, track);
     refinement.add(run);
     // The next run would cost four times as much.
@@ -65,19 +66,21 @@ std::vector<std::string> extrapolations(const Pad& pad, const Summary& summary) 
   std::vector<std::string> reasons;
   if (const auto& fitted = pad.material.fitted) {
     if (summary.peak_strain > fitted->highest_strain)
-      reasons.push_back(fmt::format("strain reaches {:.3f}; the law was fitted up to {:.3g}", summary.peak_strain,
-                                    fitted->highest_strain));
+      reasons.push_back(fmt::format("strain reaches {:.3f}; the law was fitted up to {:.3g}",
+                                    summary.peak_strain, fitted->highest_strain));
     if (summary.peak_strain_rate > fitted->highest_rate || summary.peak_strain_rate < fitted->lowest_rate)
-      reasons.push_back(fmt::format("strain rate reaches {:.3g} per second; the law was fitted from {:.3g} to {:.3g}",
-                                    summary.peak_strain_rate, fitted->lowest_rate, fitted->highest_rate));
+      reasons.push_back(
+          fmt::format("strain rate reaches {:.3g} per second; the law was fitted from {:.3g} to {:.3g}",
+                      summary.peak_strain_rate, fitted->lowest_rate, fitted->highest_rate));
   }
   std::visit(
       [&](const auto& law) {
         if constexpr (requires { law.residual_strain_time; })
           if (law.residual_strain_time * summary.peak_strain_rate >= 1)
-            reasons.push_back(fmt::format(
-                "strain rate reaches {:.3g} per second; the law's residual strain is defined below {:.3g} per second",
-                summary.peak_strain_rate, 1 / law.residual_strain_time));
+            reasons.push_back(
+                fmt::format("strain rate reaches {:.3g} per second; the law's residual strain is defined "
+                            "below {:.3g} per second",
+                            summary.peak_strain_rate, 1 / law.residual_strain_time));
       },
       pad.material.law);
   return reasons;
@@ -86,14 +89,10 @@ std::vector<std::string> extrapolations(const Pad& pad, const Summary& summary) 
 Status status_of(const Refinement& refinement) {
   if (!refinement.settled()) return Status::tolerance_not_met;
   switch (refinement.figures().ending) {
-    case Ending::released:
-      return Status::released;
-    case Ending::bottomed_out:
-      return Status::bottomed_out;
-    case Ending::time_limit:
-      return Status::time_limit;
-    default:
-      return Status::tolerance_not_met;
+    case Ending::released: return Status::released;
+    case Ending::bottomed_out: return Status::bottomed_out;
+    case Ending::time_limit: return Status::time_limit;
+    default: return Status::tolerance_not_met;
   }
 }
 
@@ -142,16 +141,11 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement) {
 
 std::string to_string(Status status) {
   switch (status) {
-    case Status::released:
-      return "released";
-    case Status::bottomed_out:
-      return "bottomed out";
-    case Status::time_limit:
-      return "time limit";
-    case Status::tolerance_not_met:
-      return "tolerance not met";
-    case Status::not_run:
-      break;
+    case Status::released: return "released";
+    case Status::bottomed_out: return "bottomed out";
+    case Status::time_limit: return "time limit";
+    case Status::tolerance_not_met: return "tolerance not met";
+    case Status::not_run: break;
   }
   return "not run";
 }
@@ -167,7 +161,8 @@ Solution solve(const ImpactCase& impact, const Options& options) {
   solution.summary.tolerance = options.tolerance;
   solution.summary.steps = track.size() - 1;
   solution.history = std::move(track.history);
-  solution.summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  solution.summary.wall_time =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return solution;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// What a run leaves behind: the history, and where in it the phases change.
 
-#include <cmath>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -24,10 +24,11 @@ struct Track {
   [[nodiscard]] std::size_t size() const { return history.time.size(); }
 
  private:
-  std::vector<std::vector<double>*> columns() {
+  std::array<std::vector<double>*, 9> columns() {
     History& h = history;
-    return {&h.time,        &h.force,              &h.acceleration,   &h.velocity,       &h.motion,
-            &h.penetration, &h.support_deflection, &h.contact_radius, &h.largest_strain};
+    return {&h.time,          &h.force,       &h.acceleration,       &h.velocity,
+            &h.motion,        &h.penetration, &h.support_deflection, &h.contact_radius,
+            &h.largest_strain};
   }
 };
 

@@ -46,6 +46,8 @@ Json errors(const Summary& summary) {
           {"peak_penetration", number(of.peak_penetration)},
           {"rebound_speed", error(summary.rebound_speed.has_value(), of.rebound_speed)},
           {"release_time", error(summary.release.has_value(), of.release_time)},
+          {"weight", error(summary.weight.has_value(), of.weight)},
+          {"bottomed", error(summary.bottomed.has_value(), of.bottomed)},
           {"energy_absorbed", number(of.energy_absorbed)}};
 }
 

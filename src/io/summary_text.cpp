@@ -122,7 +122,7 @@ void add_details(Table& table, const Summary& summary, const UnitSystem& units) 
   table.add("Peak strain", summary.peak_strain, "1", {}, "on the axis");
   table.add("Peak strain rate", summary.peak_strain_rate, "1/s", {});
   if (summary.weight)
-    table.add("Force below weight", summary.weight->time, "s", {},
+    table.add("Force below weight", summary.weight->time, "s", summary.errors.weight,
               "rebounding at " + brief_quantity(-summary.weight->velocity, "m/s", units));
 }
 

@@ -62,9 +62,11 @@ void check_rules(const NineParameter&, std::vector<Violation>&) {}
 void check_rules(const TwentyOneParameter& law, std::vector<Violation>& broken) {
   // Otherwise the rate stress would be steeper at first contact than A, on which the contact integral rests.
   if (law.onset_strain_exponent <= law.contact_exponent)
-    broken.push_back({"onset_strain_exponent", law.onset_strain_exponent, "must be more than contact_exponent"});
+    broken.push_back(
+        {"onset_strain_exponent", law.onset_strain_exponent, "must be more than contact_exponent"});
   if (law.growth_strain_exponent <= law.contact_exponent)
-    broken.push_back({"growth_strain_exponent", law.growth_strain_exponent, "must be more than contact_exponent"});
+    broken.push_back(
+        {"growth_strain_exponent", law.growth_strain_exponent, "must be more than contact_exponent"});
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ std::array<double, N> interpolate(F&& f) {
   for (std::size_t j = 0; j < N; ++j) {
     double c = 0;
     for (std::size_t k = 0; k < N; ++k)
-      c += value[k] * std::cos(std::numbers::pi * static_cast<double>(j) * (static_cast<double>(k) + 0.5) / N);
+      c +=
+          value[k] * std::cos(std::numbers::pi * static_cast<double>(j) * (static_cast<double>(k) + 0.5) / N);
     c *= (j == 0 ? 1.0 : 2.0) / N;
     for (std::size_t i = 0; i < N; ++i) coefficient[i] += c * now[i];
     std::array<double, N> next{};
@@ -59,7 +60,7 @@ PowerShape::PowerShape(PowerExponents exponents) : exponents_(exponents) {
   // The power q^(k+1-n) integrates to a logarithm where n = k + 1.
   near_bottom_ = interpolate<terms>([this, m, n](double q) {
     double sum = 0;
-    double c = 1;  // of (1 - q)^m, times q^k
+    double c = 1;   // of (1 - q)^m, times q^k
     double c0 = 1;  // the same without q^k
     for (int k = 0; k < series_terms; ++k) {
       if (std::abs(k + 1 - n) < 1e-8)

@@ -24,15 +24,13 @@ double energy_shape(double radius, double y) {
 
 double nine_envelope(const NineParameter& law, double strain, double rate) {
   if (strain == 0) return 0;
-  const double shape =
-      std::pow(strain, law.contact_exponent) / std::pow(1 - strain, law.compaction_exponent);
+  const double shape = std::pow(strain, law.contact_exponent) / std::pow(1 - strain, law.compaction_exponent);
   return shape * (law.asymptotic_modulus + law.rate_modulus * std::pow(rate, law.rate_exponent));
 }
 
 double twenty_one_envelope(const TwentyOneParameter& law, double strain, double rate) {
   if (strain == 0) return 0;
-  const double shape =
-      std::pow(strain, law.contact_exponent) / std::pow(1 - strain, law.compaction_exponent);
+  const double shape = std::pow(strain, law.contact_exponent) / std::pow(1 - strain, law.compaction_exponent);
   const double power =
       law.rate_exponent * std::exp(-std::pow(strain, law.rate_strain_exponent) / law.rate_strain_scale);
   const double growth = std::exp(std::pow(strain, law.growth_strain_exponent) / law.growth_strain_scale);
@@ -89,8 +87,8 @@ double linear_column_at_constant_rate(const LinearViscoelastic& law, double rate
 }
 
 double linear_column_after_step(const LinearViscoelastic& law, double strain, double time) {
-  return strain * (law.asymptotic_modulus + (law.initial_modulus - law.asymptotic_modulus) *
-                                                std::exp(-time / law.relaxation_time));
+  return strain * (law.asymptotic_modulus +
+                   (law.initial_modulus - law.asymptotic_modulus) * std::exp(-time / law.relaxation_time));
 }
 
 double nine_column_at_constant_rate(const NineParameter& law, ColumnStart start, double rate, double time) {

@@ -17,7 +17,7 @@ namespace dashpad::oracle {
 struct StrainHistory {
   std::function<double(double)> strain;
   std::function<double(double)> rate;  ///< its derivative, 1/s
-  double turning = 0;  ///< s; the largest strain is reached there
+  double turning = 0;                  ///< s; the largest strain is reached there
   double touched = 0;  ///< s, from the impact's first contact to the column's (law 5 counts from the former)
 };
 

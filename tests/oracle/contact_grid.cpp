@@ -96,12 +96,9 @@ Stencil stencil_of(const Run& run, int interval) {
 /// Lagrange's basis polynomials of the nodes 0, 1, .. size - 1.
 std::array<double, 4> basis(int size, double x) {
   switch (size) {
-    case 1:
-      return {1, 0, 0, 0};
-    case 2:
-      return {1 - x, x, 0, 0};
-    case 3:
-      return {(x - 1) * (x - 2) / 2, x * (2 - x), x * (x - 1) / 2, 0};
+    case 1: return {1, 0, 0, 0};
+    case 2: return {1 - x, x, 0, 0};
+    case 3: return {(x - 1) * (x - 2) / 2, x * (2 - x), x * (x - 1) / 2, 0};
     default:
       return {-(x - 1) * (x - 2) * (x - 3) / 6, x * (x - 2) * (x - 3) / 2, -x * (x - 1) * (x - 3) / 2,
               x * (x - 1) * (x - 2) / 6};
@@ -115,7 +112,8 @@ double reach(const Run& run, const double* values, int inside, int way) {
   const auto at = [&](double beyond) {
     const auto share = basis(stencil.size, inside - stencil.start + way * beyond);
     double sum = 0;
-    for (int k = 0; k < stencil.size; ++k) sum += share[static_cast<std::size_t>(k)] * values[stencil.start + k];
+    for (int k = 0; k < stencil.size; ++k)
+      sum += share[static_cast<std::size_t>(k)] * values[stencil.start + k];
     return sum;
   };
   double positive = 0, negative = 1;

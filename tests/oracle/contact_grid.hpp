@@ -30,9 +30,9 @@ struct ChebyshevGrid {
   ChebyshevGrid(int count, Grading grading);
 
   Grading grading;
-  std::vector<double> z;              ///< increasing, 0 to 1
+  std::vector<double> z;  ///< increasing, 0 to 1
   std::vector<GridPoint> points;
-  std::vector<double> weights;        ///< of the integral over x (Clenshaw-Curtis times dx/dz)
+  std::vector<double> weights;  ///< of the integral over x (Clenshaw-Curtis times dx/dz)
   std::vector<double> barycentric;
   std::vector<double> differentiate;  ///< d/dx, row by row; the last row (dx/dz = 0) is left at 0
 
@@ -40,11 +40,11 @@ struct ChebyshevGrid {
   [[nodiscard]] double interpolate(const std::vector<double>& values, double z_wanted) const;
 };
 
-/// Weights of the integral, over a uniform row of nodes with unit spacing, of a quantity f where another one g
-/// is positive. g may be positive in several places: a contact can be a ring, or a ring around a disc. Each run
-/// of positive nodes reaches, beyond its ends, to the root of the cubic through its own outermost four nodes,
-/// by at most one node; a column that has let go is not asked, its law has no meaning much longer. Inside a
-/// run the integral is cubic in each interval (order 4).
+/// Weights of the integral, over a uniform row of nodes with unit spacing, of a quantity f where another one
+/// g is positive. g may be positive in several places: a contact can be a ring, or a ring around a disc. Each
+/// run of positive nodes reaches, beyond its ends, to the root of the cubic through its own outermost four
+/// nodes, by at most one node; a column that has let go is not asked, its law has no meaning much longer.
+/// Inside a run the integral is cubic in each interval (order 4).
 class PositiveParts {
  public:
   explicit PositiveParts(int count) : weights_(static_cast<std::size_t>(count)) {}

@@ -36,8 +36,12 @@ void solve_law(ImpactRun& run, const TwentyOneParameter& law) { solve_columns(ru
 
 CvodeImpact solve_with_cvode(const ImpactCase& impact, const CvodeOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  ImpactRun run{impact.impactor.mass,  impact.impactor.radius,       impact.impactor.speed,
-                impact.pad.thickness, SupportLine(impact.support), options,
+  ImpactRun run{impact.impactor.mass,
+                impact.impactor.radius,
+                impact.impactor.speed,
+                impact.pad.thickness,
+                SupportLine(impact.support),
+                options,
                 {}};
   std::visit([&](const auto& law) { solve_law(run, law); }, impact.pad.material.law);
   run.result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -1,6 +1,6 @@
 #pragma once
-/// A second solver of the impact, for verification: the semi-discretised equations in rate form, integrated by
-/// SUNDIALS CVODE. It shares nothing with the library's solver but the parameters of the case.
+/// A second solver of the impact, for verification: the semi-discretised equations in rate form, integrated
+/// by SUNDIALS CVODE. It shares nothing with the library's solver but the parameters of the case.
 ///
 ///   dX/dt = V,  M dV/dt = -F,  dY/dt = v,  and the stress of every column by its law in rate form,
 ///   F = Fs(X - Y);  v from d(pad force)/dt = Ks (V - v), one scalar equation a call.
@@ -28,9 +28,9 @@ struct CvodeOptions {
   int loading_columns = 48;     ///< Chebyshev points, >= 8
   int unloading_columns = 320;  ///< >= 8
   double rtol = 1e-9;           ///< relative error a step
-  double atol = 1e-2;           ///< absolute error a step over rtol, in units of the natural scale of an unknown
-  double axis_grading = 0.02;   ///< share of the depth that is resolved on its own near the axis
-  double edge_power = 5;        ///< how strongly the columns cluster towards the edge on loading
+  double atol = 1e-2;  ///< absolute error a step over rtol, in units of the natural scale of an unknown
+  double axis_grading = 0.02;         ///< share of the depth that is resolved on its own near the axis
+  double edge_power = 5;              ///< how strongly the columns cluster towards the edge on loading
   double gravity = standard_gravity;  ///< m/s2, of the "weight" event
 };
 
@@ -52,19 +52,20 @@ struct CvodeImpact {
   std::optional<Moment> weight;   ///< force below the weight on rebound
   std::optional<Moment> release;
   std::optional<Moment> bottomed;
-  double energy_absorbed = 0;     ///< 1 - (release speed / impact speed)^2
+  double energy_absorbed = 0;  ///< 1 - (release speed / impact speed)^2
   /// Pad force minus support force over the peak force: the drift of the rate form, largest magnitude at the
   /// turning point and at release.
   double drift = 0;
   long derivative_calls = 0;
   long steps = 0;
-  double wall_time = 0;           ///< s
+  double wall_time = 0;  ///< s
 };
 
 /// Throws std::invalid_argument for a law that it does not know or a pad thicker than the sphere's radius.
 CvodeImpact solve_with_cvode(const ImpactCase& impact, const CvodeOptions& options = {});
 
-/// Relative differences (a over b, minus 1) of a Summary from the oracle; absent where one has no such figure.
+/// Relative differences (a over b, minus 1) of a Summary from the oracle; absent where one has no such
+/// figure.
 struct Differences {
   std::optional<double> peak_force, time_of_peak_force, peak_motion, peak_penetration;
   std::optional<double> weight_time, weight_velocity, release_time, release_velocity;

@@ -76,9 +76,7 @@ class ElasticPhase final : public OdeSystem {
   }
 
  private:
-  enum : std::size_t {
-    event_turning, event_weight, event_release, event_bottom, event_above, event_below
-  };
+  enum : std::size_t { event_turning, event_weight, event_release, event_bottom, event_above, event_below };
 
   /// 2 pi (E/L) integral of (Y - s)(R - s) ds over the contact; deeper than R, over the whole nose.
   [[nodiscard]] double pad_force(double deep) const {

@@ -2,7 +2,8 @@
 /// The laws with memory, written anew for the oracles: nothing here comes from dashpad's own formulas, only
 /// the parameters do.
 ///
-/// A column obeys, with e its strain, r = de/dt its rate and e* its largest strain (all compression positive),
+/// A column obeys, with e its strain, r = de/dt its rate and e* its largest strain (all compression
+/// positive),
 ///
 ///   d(stress)/dt = dG/de(e, r, e*) r + h(t, e) (G(e, r, e*) - stress)
 ///
@@ -10,8 +11,8 @@
 ///
 ///   d(stress)/dt = c(r) A'(e) r + A g,    dq/dt = (c - q) (A'/A) r + g
 ///
-/// with c the limit of q where the column has just been touched, and g free of the singularity of A' at e = 0.
-/// Stresses in Pa, times in s, rates in 1/s.
+/// with c the limit of q where the column has just been touched, and g free of the singularity of A' at e =
+/// 0. Stresses in Pa, times in s, rates in 1/s.
 
 #include <cmath>
 
@@ -26,7 +27,7 @@ struct StrainPoint {
   double strain = 0;
   double complement = 1;  ///< 1 - strain, without cancellation
   double log_strain = 0;
-  double shape = 0;     ///< A
+  double shape = 0;      ///< A
   double log_slope = 0;  ///< A'/A
 };
 
@@ -83,7 +84,9 @@ class LinearFormulas {
     return {law_.asymptotic_modulus * point.strain + viscous * rate.rate, law_.asymptotic_modulus};
   }
   /// Part of d(stress)/dt that is not h (G - stress).
-  [[nodiscard]] double envelope_rate(Envelope envelope, Rate rate) const { return envelope.slope * rate.rate; }
+  [[nodiscard]] double envelope_rate(Envelope envelope, Rate rate) const {
+    return envelope.slope * rate.rate;
+  }
   /// stress/A of a column that was loaded at a constant rate from the start.
   [[nodiscard]] double started(const StrainPoint& point, Column, Rate rate) const {
     const double since = point.strain / (rate.rate * law_.relaxation_time);
@@ -130,7 +133,9 @@ class NineFormulas {
     const Envelope loading{value, value * point.log_slope};
     return rate.rate < 0 ? unloaded(loading, point.strain, largest, rate.ratio) : loading;
   }
-  [[nodiscard]] double envelope_rate(Envelope envelope, Rate rate) const { return envelope.slope * rate.rate; }
+  [[nodiscard]] double envelope_rate(Envelope envelope, Rate rate) const {
+    return envelope.slope * rate.rate;
+  }
   [[nodiscard]] double started(const StrainPoint&, Column, Rate rate) const { return rate.modulus; }
 
  private:
@@ -172,10 +177,10 @@ class TwentyOneFormulas {
     const double onset = std::expm1(-y);
     Column column;
     column.sensitive = law_.rate_stress * (growth - onset);
-    column.sensitive_slope = law_.rate_stress *
-                             (law_.growth_strain_exponent * w * (growth + 1) +
-                              law_.onset_strain_exponent * y * (onset + 1)) /
-                             point.strain;
+    column.sensitive_slope =
+        law_.rate_stress *
+        (law_.growth_strain_exponent * w * (growth + 1) + law_.onset_strain_exponent * y * (onset + 1)) /
+        point.strain;
     column.power = law_.rate_exponent * std::exp(-u);
     column.power_slope = -column.power * law_.rate_strain_exponent * u / point.strain;
     return column;
@@ -198,7 +203,9 @@ class TwentyOneFormulas {
     const Envelope loading{lasting + sensitive.value, lasting * point.log_slope + sensitive.slope};
     return rate.rate < 0 ? unloaded(loading, point.strain, largest, rate.ratio) : loading;
   }
-  [[nodiscard]] double envelope_rate(Envelope envelope, Rate rate) const { return envelope.slope * rate.rate; }
+  [[nodiscard]] double envelope_rate(Envelope envelope, Rate rate) const {
+    return envelope.slope * rate.rate;
+  }
   [[nodiscard]] double started(const StrainPoint& point, const Column& column, Rate rate) const {
     return law_.asymptotic_modulus + rate_sensitive(column, rate).value / point.shape;
   }

@@ -1,5 +1,6 @@
 #pragma once
-/// Loading in the CVODE oracle: from first contact to the turning point, or to the bottom. See cvode_impact.hpp.
+/// Loading in the CVODE oracle: from first contact to the turning point, or to the bottom. See
+/// cvode_impact.hpp.
 
 #include <numbers>
 #include <vector>
@@ -81,8 +82,8 @@ class LoadingPhase final : public OdeSystem {
     const auto rate = rate_at(speed, log_speed);
     const double edge = law_.edge(rate);
     ratio_[inner_] = edge;
-    const double force = run_.support.rigid() ? pad_force()
-                                              : run_.support.force(state[motion] - state[penetration]);
+    const double force =
+        run_.support.rigid() ? pad_force() : run_.support.force(state[motion] - state[penetration]);
     slope[motion] = state[velocity];
     slope[velocity] = -force / run_.mass;
     slope[penetration] = speed;
@@ -178,8 +179,7 @@ class LoadingPhase final : public OdeSystem {
   }
   /// ln v; log_of_no_speed where the margin is spent.
   [[nodiscard]] double speed_of_penetration(const double* state) {
-    if (run_.support.rigid())
-      return state[velocity] > 0 ? std::log(state[velocity]) : log_of_no_speed;
+    if (run_.support.rigid()) return state[velocity] > 0 ? std::log(state[velocity]) : log_of_no_speed;
     if (holding_margin(state) <= 0) return log_of_no_speed;
     const double stiffness = run_.support.stiffness();
     return root_.find([&](double log_speed) {

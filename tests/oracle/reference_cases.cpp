@@ -8,10 +8,10 @@ namespace dashpad::oracle {
 
 namespace {
 
-constexpr double inch = 0.0254;                         // m
-constexpr double pound_force = 4.4482216152605;         // N
-constexpr double psi = pound_force / (inch * inch);     // Pa
-constexpr double mile_per_hour = 17.64 * inch;          // m/s, as the report rounds it
+constexpr double inch = 0.0254;                      // m
+constexpr double pound_force = 4.4482216152605;      // N
+constexpr double psi = pound_force / (inch * inch);  // Pa
+constexpr double mile_per_hour = 17.64 * inch;       // m/s, as the report rounds it
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
@@ -102,7 +102,8 @@ std::vector<ReferenceCase> read_reference_cases(const std::filesystem::path& fil
   if (!stream) throw std::runtime_error("reference cases: cannot read " + file.string());
   std::vector<ReferenceCase> cases;
   for (std::string line; std::getline(stream, line);)
-    if (!line.empty() && line[0] != '#' && !line.starts_with("id,")) cases.push_back(case_of(split(line, ',')));
+    if (!line.empty() && line[0] != '#' && !line.starts_with("id,"))
+      cases.push_back(case_of(split(line, ',')));
   return cases;
 }
 

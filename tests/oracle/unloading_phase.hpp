@@ -37,8 +37,8 @@ class UnloadingPhase final : public OdeSystem {
     for (std::size_t i = 0; i < count_; ++i) {
       const GridPoint& place = places_[i] = grid_point(static_cast<double>(i) / intervals, grading);
       largest_[i] = deepest_ * place.rest / run.thickness;
-      element_[i] = 2 * std::numbers::pi * deepest_ * place.slope / intervals *
-                    (run.radius - deepest_ * place.share);
+      element_[i] =
+          2 * std::numbers::pi * deepest_ * place.slope / intervals * (run.radius - deepest_ * place.share);
       if (place.rest == 0) continue;  // the edge itself carries nothing
       const double complement = (run.thickness - deepest_ + deepest_ * place.share) / run.thickness;
       const StrainPoint point = strain_point(largest_[i], complement, law.m(), law.n());
@@ -67,9 +67,8 @@ class UnloadingPhase final : public OdeSystem {
         released(session);
         break;
       }
-      if (!run_.support.rigid() &&
-          run_.support.stiffness() * (state[velocity] - rounding * run_.speed) >
-              pad_force_rate(law_.at_rate(0))) {
+      if (!run_.support.rigid() && run_.support.stiffness() * (state[velocity] - rounding * run_.speed) >
+                                       pad_force_rate(law_.at_rate(0))) {
         run_.result.ending = Ending::reloading;
         break;
       }
@@ -130,8 +129,8 @@ class UnloadingPhase final : public OdeSystem {
       const double strain = largest_[i] - back / run_.thickness;
       usable_[i] = holding_[i] && strain > 0;
       if (!usable_[i]) continue;
-      const double complement = (run_.thickness - state[penetration] + deepest_ * places_[i].share) /
-                                run_.thickness;
+      const double complement =
+          (run_.thickness - state[penetration] + deepest_ * places_[i].share) / run_.thickness;
       point_[i] = strain_point(strain, complement, law_.m(), law_.n());
       column_[i] = law_.at_strain(point_[i]);
       relaxation_[i] = law_.relaxation(time, strain);
@@ -142,8 +141,7 @@ class UnloadingPhase final : public OdeSystem {
 
   [[nodiscard]] double stress_rate(std::size_t k, const Rate& rate, const double* state) const {
     const Envelope envelope = law_.envelope(point_[k], column_[k], rate, largest_[k]);
-    return law_.envelope_rate(envelope, rate) +
-           relaxation_[k] * (envelope.value - state[first_column + k]);
+    return law_.envelope_rate(envelope, rate) + relaxation_[k] * (envelope.value - state[first_column + k]);
   }
   [[nodiscard]] double pad_force_rate(const Rate& rate) const {
     const std::vector<double>& weight = parts_.weights();

@@ -24,13 +24,14 @@ class Draw {
 };
 
 /// tau* such that the unloading law is defined at the rates of the impact: tau* |rate| < 1.
-double residual_strain_time(Draw& draw, double rate) { return std::min(draw.decades(1e-7, 1e-3), 0.3 / rate); }
+double residual_strain_time(Draw& draw, double rate) {
+  return std::min(draw.decades(1e-7, 1e-3), 0.3 / rate);
+}
 
 /// `rate` is the strain rate at first contact, 1/s.
 PadLaw random_law(Draw& draw, double rate) {
   switch (draw.choice(5)) {
-    case 0:
-      return Elastic{draw.decades(1e3, 1e8)};
+    case 0: return Elastic{draw.decades(1e3, 1e8)};
     case 1: {
       const double lasting = draw.decades(1e3, 1e7);
       return LinearViscoelastic{lasting, lasting * draw.decades(1, 1e3), draw.decades(1e-5, 1)};
@@ -41,29 +42,40 @@ PadLaw random_law(Draw& draw, double rate) {
       return RigidFoam{stress, strain, stress * draw.decades(1, 20), draw.uniform(strain + 0.01, 0.99)};
     }
     case 3:
-      return NineParameter{draw.decades(1e3, 1e7),  draw.uniform(0.2, 1),     draw.uniform(0, 3),
-                           draw.decades(1e-5, 1),   draw.decades(1e2, 1e7),   draw.uniform(0.02, 1),
-                           residual_strain_time(draw, rate), draw.uniform(0.02, 0.8)};
+      return NineParameter{draw.decades(1e3, 1e7),
+                           draw.uniform(0.2, 1),
+                           draw.uniform(0, 3),
+                           draw.decades(1e-5, 1),
+                           draw.decades(1e2, 1e7),
+                           draw.uniform(0.02, 1),
+                           residual_strain_time(draw, rate),
+                           draw.uniform(0.02, 0.8)};
     default: {
       const double m = draw.uniform(0.2, 1);
-      return TwentyOneParameter{draw.decades(1e3, 1e7), m,
-                                draw.uniform(0, 3),     draw.uniform(0.05, 1),
-                                draw.decades(0.01, 10), draw.decades(0.3, 30),
-                                draw.decades(1e2, 1e6), draw.uniform(0.02, 0.6),
-                                draw.uniform(1, 5),     draw.decades(0.1, 5),
-                                draw.uniform(1, 4),     draw.decades(0.2, 2),
-                                draw.uniform(m, 4),     draw.decades(1e-3, 1),
-                                residual_strain_time(draw, rate), draw.uniform(0.02, 0.8)};
+      return TwentyOneParameter{draw.decades(1e3, 1e7),
+                                m,
+                                draw.uniform(0, 3),
+                                draw.uniform(0.05, 1),
+                                draw.decades(0.01, 10),
+                                draw.decades(0.3, 30),
+                                draw.decades(1e2, 1e6),
+                                draw.uniform(0.02, 0.6),
+                                draw.uniform(1, 5),
+                                draw.decades(0.1, 5),
+                                draw.uniform(1, 4),
+                                draw.decades(0.2, 2),
+                                draw.uniform(m, 4),
+                                draw.decades(1e-3, 1),
+                                residual_strain_time(draw, rate),
+                                draw.uniform(0.02, 0.8)};
     }
   }
 }
 
 Support random_support(Draw& draw) {
   switch (draw.choice(4)) {
-    case 0:
-      return Support::rigid();
-    case 1:
-      return Support::linear(draw.decades(1e3, 1e9));
+    case 0: return Support::rigid();
+    case 1: return Support::linear(draw.decades(1e3, 1e9));
     default: {
       std::vector<Support::Point> points;
       double deflection = 0;

@@ -1,6 +1,6 @@
 #pragma once
-/// Random valid impact cases: every law, every kind of support, extreme ratios. One seed, one case: a case that
-/// fails is repeated from its seed alone.
+/// Random valid impact cases: every law, every kind of support, extreme ratios. One seed, one case: a case
+/// that fails is repeated from its seed alone.
 
 #include <cstdint>
 

@@ -75,7 +75,7 @@ void expect_increasing_time(const History& h) {
 
 /// Share of the impact energy that a pad may give back beyond what it took. Laws 4 and 5 are not dissipative
 /// for all parameters: a pad that hardly relaxes and unloads more slowly than it was loaded gains a little
-/// (the CVODE oracle finds the same gain). The others have no such excuse.
+/// (seed 148: 0.065 %; the CVODE oracle finds 0.066 %). The others have no such excuse.
 double largest_gain(const PadLaw& law) {
   const bool empirical =
       std::holds_alternative<NineParameter>(law) || std::holds_alternative<TwentyOneParameter>(law);

@@ -43,6 +43,8 @@ inline Summary example_summary() {
                     .peak_penetration = 3e-6,
                     .rebound_speed = 1e-5,
                     .release_time = 4e-5,
+                    .weight = 5e-5,
+                    .bottomed = 0,
                     .energy_absorbed = 2e-5};
   summary.steps = 240;
   summary.stations = 80;

@@ -65,9 +65,15 @@ ImpactCase scaled(ImpactCase impact, const Scale& s) {
 ErrorEstimates sum_of(const ErrorEstimates& a, const ErrorEstimates& b) {
   const auto sum = [&](double ErrorEstimates::*e) { return 2 * (a.*e + b.*e) + 1e-12; };
   using E = ErrorEstimates;
-  return {sum(&E::peak_force),       sum(&E::time_of_peak_force), sum(&E::peak_motion),
-          sum(&E::peak_penetration), sum(&E::rebound_speed),      sum(&E::release_time),
-          sum(&E::energy_absorbed)};
+  return {.peak_force = sum(&E::peak_force),
+          .time_of_peak_force = sum(&E::time_of_peak_force),
+          .peak_motion = sum(&E::peak_motion),
+          .peak_penetration = sum(&E::peak_penetration),
+          .rebound_speed = sum(&E::rebound_speed),
+          .release_time = sum(&E::release_time),
+          .weight = sum(&E::weight),
+          .bottomed = sum(&E::bottomed),
+          .energy_absorbed = sum(&E::energy_absorbed)};
 }
 
 void expect_same(const Summary& a, const Summary& b, const Scale& s) {

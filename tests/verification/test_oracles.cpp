@@ -1,5 +1,5 @@
-/// The oracles themselves, before anything is compared with them: at the start, in motion, by substitution into
-/// their equations, and against the reference solutions of data/reference-cases.csv.
+/// The oracles themselves, before anything is compared with them: at the start, in motion, by substitution
+/// into their equations, and against the reference solutions of data/reference-cases.csv.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,8 @@
 namespace dashpad::oracle {
 namespace {
 
-const std::filesystem::path reference_file = std::filesystem::path(DASHPAD_SOURCE_DIR) / "data/reference-cases.csv";
+const std::filesystem::path reference_file =
+    std::filesystem::path(DASHPAD_SOURCE_DIR) / "data/reference-cases.csv";
 
 const LinearViscoelastic zener{140e3, 420e3, 5e-3};
 
@@ -36,7 +37,8 @@ void expect_relative(double value, double expected, double tolerance, const std:
   EXPECT_NEAR(value, expected, tolerance * std::fabs(expected)) << what;
 }
 
-// --- The law formulas of the oracles, against the library's laws (two independent writings) -------------------
+// --- The law formulas of the oracles, against the library's laws (two independent writings)
+// -------------------
 
 template <class Formulas, class Law>
 void compare_envelopes(const Law& law) {
@@ -51,8 +53,8 @@ void compare_envelopes(const Law& law) {
         const auto terms = formulas.at_rate(rate);
         const Envelope ours = formulas.envelope(point, column, terms, largest);
         const PowerShape::Value power{point.shape, 0, std::log(strain), std::log1p(-strain)};
-        const double library = law.envelope(law.strain_part(strain_of(strain), power), law.rate_part(rate),
-                                            strain, largest);
+        const double library =
+            law.envelope(law.strain_part(strain_of(strain), power), law.rate_part(rate), strain, largest);
         const std::string where = " e " + std::to_string(strain) + " rate " + std::to_string(rate);
         EXPECT_NEAR(ours.value, library, 1e-11 * (std::fabs(library) + point.shape * 1e5)) << where;
         const auto value_at = [&](double e) {
@@ -96,7 +98,8 @@ TEST(OracleFormulas, SplitTheirStressRateIntoSingularAndRegularPart) {
   compare_splitting<TwentyOneFormulas>(ensolite_twenty_one());
 }
 
-// --- Closed forms -------------------------------------------------------------------------------------------
+// --- Closed forms
+// -------------------------------------------------------------------------------------------
 
 TEST(ElasticBounce, ForceIsItsContactIntegralAndEnergyItsWork) {
   const double radius = 0.05, modulus = 3e5, thickness = 0.2;
@@ -106,7 +109,8 @@ TEST(ElasticBounce, ForceIsItsContactIntegralAndEnergyItsWork) {
     const double stress_sum = Quadrature::integrate(
         [&](double s) { return (deep - s) / thickness * (radius - s); }, 0.0, std::fmin(deep, radius));
     expect_relative(bounce.force(deep), 2 * std::numbers::pi * modulus * stress_sum, 1e-13, "force");
-    expect_relative(slope_of([&](double y) { return bounce.energy(y); }, deep), bounce.force(deep), 1e-8, "work");
+    expect_relative(slope_of([&](double y) { return bounce.energy(y); }, deep), bounce.force(deep), 1e-8,
+                    "work");
   }
   EXPECT_EQ(bounce.force(0), 0);
   EXPECT_EQ(bounce.energy(0), 0);
@@ -128,9 +132,10 @@ TEST(LinearColumn, StartsAtRestAndSolvesItsEquation) {
   const double h = 1 / zener.relaxation_time;
   for (const double time : {1e-4, 3e-3, 2e-2}) {
     const auto stress = [&](double t) { return linear_column_at_constant_rate(zener, rate, t); };
-    expect_relative(slope_of(stress, time),
-                    zener.initial_modulus * rate + h * (zener.asymptotic_modulus * rate * time - stress(time)), 1e-9,
-                    "constant rate");
+    expect_relative(
+        slope_of(stress, time),
+        zener.initial_modulus * rate + h * (zener.asymptotic_modulus * rate * time - stress(time)), 1e-9,
+        "constant rate");
     const auto step = [&](double t) { return linear_column_after_step(zener, 0.2, t); };
     EXPECT_NEAR(slope_of(step, time), h * (0.2 * zener.asymptotic_modulus - step(time)), 1e-8 * h * step(0))
         << "step";
@@ -152,8 +157,8 @@ TEST(NineColumn, FromRestIsItsEnvelopeAndOtherwiseRelaxesTowardsIt) {
   for (const double time : {3.5e-3, 8e-3, 12e-3}) {
     const auto stress = [&](double t) { return nine_column_at_constant_rate(law, start, rate, t); };
     const Envelope g = envelope(start.strain + rate * (time - start.time));
-    expect_relative(slope_of(stress, time), g.slope * rate + (g.value - stress(time)) / law.relaxation_time, 1e-7,
-                    "substituted");
+    expect_relative(slope_of(stress, time), g.slope * rate + (g.value - stress(time)) / law.relaxation_time,
+                    1e-7, "substituted");
   }
 }
 
@@ -180,12 +185,13 @@ TEST(ColumnHistory, AgreesWithTheClosedFormsAtConstantRate) {
   const double rate = 60;
   const StrainHistory ramp{[&](double t) { return rate * t; }, [&](double) { return rate; }, 1, 2e-3};
   const double time = 9e-3;
-  expect_relative(column_stress(zener, ramp, time), linear_column_at_constant_rate(zener, rate, time), 1e-11, "2");
+  expect_relative(column_stress(zener, ramp, time), linear_column_at_constant_rate(zener, rate, time), 1e-11,
+                  "2");
   expect_relative(column_stress(ensolite_nine(), ramp, time),
                   nine_column_at_constant_rate(ensolite_nine(), {}, rate, time), 1e-11, "4");
   expect_relative(column_stress(ensolite_twenty_one(), ramp, time),
-                  twenty_one_column_at_constant_rate(ensolite_twenty_one(), {0, 0, 2e-3}, rate, time + 2e-3), 1e-10,
-                  "5");
+                  twenty_one_column_at_constant_rate(ensolite_twenty_one(), {0, 0, 2e-3}, rate, time + 2e-3),
+                  1e-10, "5");
 }
 
 template <class Formulas, class Law>
@@ -194,7 +200,8 @@ void substitute_history(const Law& law) {
   const double frequency = 200, largest = 0.8;
   const double turning = std::numbers::pi / (2 * frequency);
   const StrainHistory wave{[=](double t) { return largest * std::sin(frequency * t); },
-                           [=](double t) { return largest * frequency * std::cos(frequency * t); }, turning, 1e-3};
+                           [=](double t) { return largest * frequency * std::cos(frequency * t); }, turning,
+                           1e-3};
   for (const double time : {1e-4, 3e-3, 6e-3, 9e-3, 1.1e-2}) {  // loading and, from 7.85 ms, unloading
     const auto stress = [&](double t) { return column_stress(law, wave, t); };
     const StrainPoint point =
@@ -213,7 +220,8 @@ TEST(ColumnHistory, SolvesTheLawsEquationOnLoadingAndUnloading) {
   substitute_history<TwentyOneFormulas>(ensolite_twenty_one());
 }
 
-// --- The parts of the CVODE oracle ------------------------------------------------------------------------------
+// --- The parts of the CVODE oracle
+// ------------------------------------------------------------------------------
 
 TEST(ChebyshevGrid, IntegratesAndDifferentiatesWhatAContactNeeds) {
   const ChebyshevGrid grid(40, {0.02, 4});
@@ -229,11 +237,13 @@ TEST(ChebyshevGrid, IntegratesAndDifferentiatesWhatAContactNeeds) {
   expect_relative(edge, 1 / 1.675, 1e-9, "(1 - x)^0.675");
   for (const std::size_t i : {0U, 10U, 30U}) {
     double slope = 0;
-    for (std::size_t j = 0; j < values.size(); ++j) slope += grid.differentiate[i * values.size() + j] * values[j];
+    for (std::size_t j = 0; j < values.size(); ++j)
+      slope += grid.differentiate[i * values.size() + j] * values[j];
     expect_relative(slope, values[i], 1e-8, "d/dx exp(x)");
   }
   for (const double rest : {0.9, 0.5, 1e-3})
-    expect_relative(grid.interpolate(values, grid_coordinate(rest, grid.grading)), std::exp(1 - rest), 1e-9, "exp");
+    expect_relative(grid.interpolate(values, grid_coordinate(rest, grid.grading)), std::exp(1 - rest), 1e-9,
+                    "exp");
 }
 
 /// Integral of max(g, 0) over [0, 1] with a disc and a ring, g = cos(3 pi x) + 0.3 - x/2.
@@ -270,7 +280,8 @@ TEST(SpeedRoot, FollowsARootOverManyDecadesAndSaysWhenThereIsNone) {
   EXPECT_LE(root.find([](double x) { return std::exp(x) + 1e-3; }), log_of_no_speed);
 }
 
-// --- The CVODE oracle -------------------------------------------------------------------------------------------
+// --- The CVODE oracle
+// -------------------------------------------------------------------------------------------
 
 struct Tolerances {
   double figure;        ///< forces, lengths, speeds
@@ -284,10 +295,13 @@ void expect_reference(const CvodeImpact& oracle, const ReferenceCase& reference,
   expect_relative(oracle.time_of_peak_force, reference.time_of_peak_force, tolerances.time, "its time");
   expect_relative(oracle.peak_motion, reference.peak_motion, tolerances.figure, "peak motion");
   expect_relative(oracle.peak_penetration, reference.peak_penetration, tolerances.figure, "peak penetration");
-  expect_relative(oracle.weight.value().velocity, reference.weight.velocity, tolerances.figure, "weight speed");
+  expect_relative(oracle.weight.value().velocity, reference.weight.velocity, tolerances.figure,
+                  "weight speed");
   expect_relative(oracle.weight.value().time, reference.weight.time, tolerances.time, "weight time");
-  expect_relative(oracle.release.value().velocity, reference.release.velocity, tolerances.figure, "release speed");
-  expect_relative(oracle.release.value().time, reference.release.time, tolerances.release_time, "release time");
+  expect_relative(oracle.release.value().velocity, reference.release.velocity, tolerances.figure,
+                  "release speed");
+  expect_relative(oracle.release.value().time, reference.release.time, tolerances.release_time,
+                  "release time");
   EXPECT_NEAR(oracle.energy_absorbed, reference.energy_loss, 2 * tolerances.figure) << "energy loss";
 }
 
@@ -363,13 +377,14 @@ TEST(CvodeOracle, OfALinearPadThatHardlyRelaxesIsThatOfAnElasticOne) {
 TEST(CvodeOracle, IsNotChangedByASupportCornerWithoutChangeOfSlope) {
   ReferenceCase reference = reference_case(reference_file, "c1");
   const CvodeImpact straight = solve_with_cvode(reference.impact);
-  const double stiffness = reference.impact.support.points().front().force /
-                           reference.impact.support.points().front().deflection;
+  const double stiffness =
+      reference.impact.support.points().front().force / reference.impact.support.points().front().deflection;
   reference.impact.support = Support::through({{0.02, 0.02 * stiffness}, {0.05, 0.05 * stiffness}});
   const CvodeImpact cornered = solve_with_cvode(reference.impact);
   ASSERT_EQ(cornered.ending, Ending::released);
   expect_relative(cornered.peak_force, straight.peak_force, 1e-7, "peak force");
-  expect_relative(cornered.release.value().velocity, straight.release.value().velocity, 1e-6, "release speed");
+  expect_relative(cornered.release.value().velocity, straight.release.value().velocity, 1e-6,
+                  "release speed");
 }
 
 TEST(CvodeOracle, KeepsPadAndSupportInEquilibrium) {

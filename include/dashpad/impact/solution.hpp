@@ -1,6 +1,6 @@
 #pragma once
-/// What is asked of the solver and what it answers. SI throughout; forces, penetration and strains are positive
-/// in compression, velocities positive towards the pad.
+/// What is asked of the solver and what it answers. SI throughout; forces, penetration and strains are
+/// positive in compression, velocities positive towards the pad.
 
 #include <cstddef>
 #include <optional>
@@ -13,8 +13,8 @@ namespace dashpad {
 inline constexpr double standard_gravity = 9.80665;
 
 struct Options {
-  double tolerance = 1e-4;  ///< relative error asked for, in [1e-8, 1e-2]
-  double time_limit = 10;   ///< s after first contact at which an impact is given up, > 0
+  double tolerance = 1e-4;           ///< relative error asked for, in [1e-8, 1e-2]
+  double time_limit = 10;            ///< s after first contact at which an impact is given up, > 0
   std::size_t most_steps = 100'000;  ///< of one run; more means that the tolerance cannot be met
 };
 
@@ -36,11 +36,15 @@ struct Moment {
 /// Estimated errors, relative to the figure unless it is said otherwise.
 struct ErrorEstimates {
   double peak_force = 0;
-  double time_of_peak_force = 0;  ///< relative to the release time; not held to the tolerance: a peak may be flat
+  double time_of_peak_force =
+      0;  ///< relative to the release time; not held to the tolerance: a peak may be flat
   double peak_motion = 0;
   double peak_penetration = 0;
-  double rebound_speed = 0;  ///< relative to the rebound speed, or to 1e-3 of the impact speed where that is more
+  double rebound_speed =
+      0;  ///< relative to the rebound speed, or to 1e-3 of the impact speed where that is more
   double release_time = 0;
+  double weight = 0;    ///< of time and velocity when the force falls below the weight, the larger
+  double bottomed = 0;  ///< of time and velocity at bottoming, the larger
   double energy_absorbed = 0;  ///< of the absorbed fraction, relative to the impact energy
 };
 
@@ -56,31 +60,31 @@ struct EnergyLedger {
 struct Summary {
   Status status = Status::not_run;
   /// Absent when the pad bottomed out on a rigid support: the model has no finite force there.
-  std::optional<double> peak_force;           ///< N
-  std::optional<double> time_of_peak_force;   ///< s
-  double peak_motion = 0;                     ///< of the impactor since first contact, m
-  double peak_penetration = 0;                ///< m
-  double peak_strain = 0;                     ///< on the axis
-  double peak_strain_rate = 0;                ///< 1/s, magnitude
-  std::optional<double> peak_acceleration;    ///< m/s2, magnitude
+  std::optional<double> peak_force;          ///< N
+  std::optional<double> time_of_peak_force;  ///< s
+  double peak_motion = 0;                    ///< of the impactor since first contact, m
+  double peak_penetration = 0;               ///< m
+  double peak_strain = 0;                    ///< on the axis
+  double peak_strain_rate = 0;               ///< 1/s, magnitude
+  std::optional<double> peak_acceleration;   ///< m/s2, magnitude
   /// Force below the impactor's weight on rebound (the report's end of the impact).
   std::optional<Moment> weight;
   /// Contact lost.
   std::optional<Moment> release;
   /// Pad fully compressed on the axis for the first time.
   std::optional<Moment> bottomed;
-  std::optional<double> rebound_speed;        ///< at release, m/s
-  std::optional<double> restitution;          ///< rebound speed over impact speed
-  double energy_absorbed_fraction = 0;        ///< of the impact energy, by the pad, until the end of the run
+  std::optional<double> rebound_speed;  ///< at release, m/s
+  std::optional<double> restitution;    ///< rebound speed over impact speed
+  double energy_absorbed_fraction = 0;  ///< of the impact energy, by the pad, until the end of the run
   EnergyLedger energy;
   bool extrapolated = false;
-  std::vector<std::string> extrapolations;    ///< why, in words
+  std::vector<std::string> extrapolations;  ///< why, in words
   ErrorEstimates errors;
   std::size_t steps = 0;     ///< of the finest run
   std::size_t stations = 0;  ///< of the finest run; 0 for laws without memory, whose force is a closed form
   int runs = 0;              ///< resolutions compared
   double tolerance = 0;
-  double wall_time = 0;      ///< s
+  double wall_time = 0;  ///< s
 
   /// Whether the figures may be relied on to the tolerance asked for.
   [[nodiscard]] bool trustworthy() const {

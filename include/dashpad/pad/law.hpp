@@ -53,7 +53,8 @@ concept IsMemoryless = IsPadLaw<L> && L::memoryless && requires(const L law) {
 
 /// A law with memory: the stress of a column depends on its history.
 template <class L>
-concept IsViscous = IsPadLaw<L> && !L::memoryless && requires(const L law, double x, typename L::RatePart rate) {
+concept IsViscous =
+    IsPadLaw<L> && !L::memoryless && requires(const L law, double x, typename L::RatePart rate) {
   { law.relaxation_rate(x, x) } -> std::same_as<double>;
   { law.edge_ratio(rate) } -> std::same_as<double>;
 };

@@ -19,13 +19,13 @@
 namespace dashpad {
 
 struct NineParameter {
-  double asymptotic_modulus = 0;     ///< E_inf, Pa, > 0
-  double contact_exponent = 0;       ///< m, in (0, 1]
-  double compaction_exponent = 0;    ///< n, in [0, 4]
-  double relaxation_time = 0;        ///< tau, s, > 0
-  double rate_modulus = 0;           ///< E_r, Pa at 1/s, >= 0
-  double rate_exponent = 0;          ///< r, in (0, 1]
-  double residual_strain_time = 0;   ///< tau*, s, > 0
+  double asymptotic_modulus = 0;        ///< E_inf, Pa, > 0
+  double contact_exponent = 0;          ///< m, in (0, 1]
+  double compaction_exponent = 0;       ///< n, in [0, 4]
+  double relaxation_time = 0;           ///< tau, s, > 0
+  double rate_modulus = 0;              ///< E_r, Pa at 1/s, >= 0
+  double rate_exponent = 0;             ///< r, in (0, 1]
+  double residual_strain_time = 0;      ///< tau*, s, > 0
   double residual_strain_exponent = 0;  ///< p, in (0, 1]
 
   static constexpr const char* name = "nine-parameter";
@@ -56,8 +56,9 @@ struct NineParameter {
   }
   [[nodiscard]] double envelope(StrainPart part, RatePart rate, double strain, double largest_strain) const {
     const double loading = part.shape * rate.modulus;
-    return rate.unloading && strain > 0 ? loading * unloading_factor(strain, largest_strain, rate.residual_ratio)
-                                        : loading;
+    return rate.unloading && strain > 0
+               ? loading * unloading_factor(strain, largest_strain, rate.residual_ratio)
+               : loading;
   }
   [[nodiscard]] TimePart time_part(double from, double to) const {
     return {std::exp((from - to) / relaxation_time)};

@@ -13,7 +13,7 @@ namespace dashpad {
 class StressCurve {
  public:
   struct Kink {
-    double strain = 0;         ///< where the slope changes, >= 0
+    double strain = 0;        ///< where the slope changes, >= 0
     double slope_change = 0;  ///< Pa
   };
   static constexpr int most_kinks = 4;

@@ -41,9 +41,9 @@ struct TwentyOneParameter {
   static const std::array<Parameter<TwentyOneParameter>, 16> parameters;
 
   struct StrainPart {
-    double lasting = 0;   ///< E_inf A
+    double lasting = 0;    ///< E_inf A
     double sensitive = 0;  ///< S_r (exp(e^W/X) - exp(-e^Y/Z))
-    double exponent = 0;  ///< R exp(-e^U/V)
+    double exponent = 0;   ///< R exp(-e^U/V)
   };
   struct RatePart {
     double log_rate = 0;
@@ -52,8 +52,8 @@ struct TwentyOneParameter {
     bool unloading = false;
   };
   struct TimePart {
-    double scale = 0;   ///< (t1^a - t0^a) / b
-    double centre = 0;  ///< where in the step h has its centre of gravity, 0 to 1
+    double scale = 0;     ///< (t1^a - t0^a) / b
+    double centre = 0;    ///< where in the step h has its centre of gravity, 0 to 1
     double log_base = 0;  ///< ln c
   };
 
@@ -77,8 +77,9 @@ struct TwentyOneParameter {
   [[nodiscard]] double envelope(StrainPart part, RatePart rate, double strain, double largest_strain) const {
     if (rate.still) return part.lasting;
     const double loading = part.lasting + part.sensitive * std::exp(part.exponent * rate.log_rate);
-    return rate.unloading && strain > 0 ? loading * unloading_factor(strain, largest_strain, rate.residual_ratio)
-                                        : loading;
+    return rate.unloading && strain > 0
+               ? loading * unloading_factor(strain, largest_strain, rate.residual_ratio)
+               : loading;
   }
   /// 0 <= from < to.
   [[nodiscard]] TimePart time_part(double from, double to) const {
@@ -88,7 +89,8 @@ struct TwentyOneParameter {
     const double step = to - from;
     // First moment of t^(a-1) about the start of the step; a small step is as good as its middle.
     double centre = 0.5;
-    if (step > 1e-4 * to) centre = ((late * to - early * from) * a / ((a + 1) * (late - early)) - from) / step;
+    if (step > 1e-4 * to)
+      centre = ((late * to - early * from) * a / ((a + 1) * (late - early)) - from) / step;
     return {(late - early) / relaxation_scale, centre, std::log(relaxation_strain_base)};
   }
   [[nodiscard]] double decay(TimePart time, double strain_from, double strain_to) const {
@@ -120,7 +122,8 @@ inline constexpr std::array<Parameter<TwentyOneParameter>, 16> TwentyOneParamete
     {"rate_stress", "S_r", "Pa", &TwentyOneParameter::rate_stress, not_negative,
      "stress that a strain rate of 1/s adds"},
     {"rate_exponent", "R", "1", &TwentyOneParameter::rate_exponent,
-     Bounds{.lowest = 0, .highest = 1, .highest_admitted = true}, "exponent of the strain rate at small strain"},
+     Bounds{.lowest = 0, .highest = 1, .highest_admitted = true},
+     "exponent of the strain rate at small strain"},
     {"rate_strain_exponent", "U", "1", &TwentyOneParameter::rate_strain_exponent,
      Bounds{.lowest = 0, .highest = 10, .highest_admitted = true}, "how the rate exponent falls with strain"},
     {"rate_strain_scale", "V", "1", &TwentyOneParameter::rate_strain_scale, positive, "its scale"},
@@ -129,7 +132,8 @@ inline constexpr std::array<Parameter<TwentyOneParameter>, 16> TwentyOneParamete
     {"growth_strain_scale", "X", "1", &TwentyOneParameter::growth_strain_scale,
      Bounds{.lowest = 0.01, .lowest_admitted = true}, "its scale"},
     {"onset_strain_exponent", "Y", "1", &TwentyOneParameter::onset_strain_exponent,
-     Bounds{.lowest = 0, .highest = 10, .highest_admitted = true}, "how the rate stress sets in at small strain"},
+     Bounds{.lowest = 0, .highest = 10, .highest_admitted = true},
+     "how the rate stress sets in at small strain"},
     {"onset_strain_scale", "Z", "1", &TwentyOneParameter::onset_strain_scale, positive, "its scale"},
     {"residual_strain_time", "tau*", "s", &TwentyOneParameter::residual_strain_time, positive,
      "scale of the strain rate in the residual strain on unloading"},

@@ -24,8 +24,8 @@ class Support {
   static Support rigid() { return {}; }
   /// `stiffness` in N/m, finite and > 0; std::invalid_argument otherwise.
   static Support linear(double stiffness);
-  /// One point or more, both coordinates > 0, finite and strictly increasing; std::invalid_argument otherwise.
-  /// The origin need not be given.
+  /// One point or more, both coordinates > 0, finite and strictly increasing; std::invalid_argument
+  /// otherwise. The origin need not be given.
   static Support through(std::vector<Point> points);
 
   [[nodiscard]] bool is_rigid() const { return points_.empty(); }
