@@ -378,7 +378,8 @@ class March {
     int side = 0;
     for (int i = 0; i < 80 && high - low > precision; ++i) {
       double x = (f_low * high - f_high * low) / (f_low - f_high);
-      // No solution at the far end is no number to interpolate with: first the drive's own trend, then halves.
+      // No solution at the far end is no number to interpolate with: first the drive's own trend, then
+      // halves.
       if (f_high < -1e250) x = o.event == Event::turning && i == 0 ? -now_.drive / drive_rate_ : infinity;
       if (!(x > low && x < high) || i % 8 == 7) x = low + (high - low) / 2;
       const double f = value_at(x);

@@ -48,9 +48,9 @@ Refinement::Refinement(const Impactor& impactor, double tolerance)
     : speed_(impactor.speed),
       energy_(impactor.mass * impactor.speed * impactor.speed / 2),
       tolerance_(tolerance) {
-  for (double* error :
-       {&errors_.peak_force, &errors_.time_of_peak_force, &errors_.peak_motion, &errors_.peak_penetration,
-        &errors_.rebound_speed, &errors_.release_time, &errors_.weight, &errors_.bottomed, &errors_.energy_absorbed})
+  for (double* error : {&errors_.peak_force, &errors_.time_of_peak_force, &errors_.peak_motion,
+                        &errors_.peak_penetration, &errors_.rebound_speed, &errors_.release_time,
+                        &errors_.weight, &errors_.bottomed, &errors_.energy_absorbed})
     *error = unknown;
 }
 

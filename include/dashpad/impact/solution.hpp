@@ -43,8 +43,8 @@ struct ErrorEstimates {
   double rebound_speed =
       0;  ///< relative to the rebound speed, or to 1e-3 of the impact speed where that is more
   double release_time = 0;
-  double weight = 0;    ///< of time and velocity when the force falls below the weight, the larger
-  double bottomed = 0;  ///< of time and velocity at bottoming, the larger
+  double weight = 0;           ///< of time and velocity when the force falls below the weight, the larger
+  double bottomed = 0;         ///< of time and velocity at bottoming, the larger
   double energy_absorbed = 0;  ///< of the absorbed fraction, relative to the impact energy
 };
 
