@@ -532,7 +532,7 @@ class March {
     History& h = track.history;
     h.time.push_back(now_.time);
     h.force.push_back(now_.force);
-    h.acceleration.push_back(-now_.force / mass_);
+    h.acceleration.push_back(0 - now_.force / mass_);
     h.velocity.push_back(now_.velocity);
     h.motion.push_back(now_.motion);
     h.penetration.push_back(now_.penetration);
