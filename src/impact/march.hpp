@@ -10,11 +10,9 @@
 /// error leaves neither of the other two). They end at events, which are located within the step.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
@@ -78,7 +76,7 @@ class March {
     figures_.stations = contact_.stations();
     figures_.updates = contact_.updates();
     figures_.final_velocity = now_.velocity;
-    figures_.support_energy = support_.is_rigid() ? 0 : support_.energy(now_.force);
+    figures_.support_energy = support_.energy(now_.force);
     read_peaks(track, figures_);
     if constexpr (closed_form)
       figures_.pad_work = contact_.energy(now_.penetration);
@@ -101,7 +99,7 @@ class March {
 
   enum class Phase { loading, unloading, held, over };
   /// Why a step must end where it ends, in the order in which they count when they coincide.
-  enum class Event { none, release, lock, unlock, turning, reloading, corner, impossible };
+  enum class Event { none, release, lock, unlock, turning, reloading, corner };
 
   struct State {
     double time = 0, motion = 0, velocity = 0, penetration = 0, force = 0;

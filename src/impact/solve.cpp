@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <type_traits>
 
