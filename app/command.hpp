@@ -26,6 +26,8 @@ using Action = std::function<int()>;
 void add_run(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_check(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_materials(CLI::App& app, Action& action, const std::filesystem::path& executable);
+void add_spit1984(CLI::App& app, Action& action, const std::filesystem::path& executable);
+void add_compare(CLI::App& app, Action& action, const std::filesystem::path& executable);
 
 /// Adds --units; the help names the systems on offer.
 void add_units(CLI::App& app, std::string& units);

@@ -24,6 +24,8 @@ constexpr const char* footer = R"(Start here:
   dashpad run examples/dashboard-20mph.toml      the impact, on the screen
   dashpad materials                              which foams there are
   dashpad run --help                             files, units, tolerance
+  dashpad spit1984 --help                        the program of the 1986 report, digit for digit
+  dashpad compare examples/dashboard-20mph.toml  the solver and the program of 1984 side by side
 
 Exit codes:
   0  done; also when the pad bottomed out or the time was up: these are results
@@ -75,6 +77,8 @@ int command(int argument_count, char** arguments) {
   add_run(app, action, executable);
   add_check(app, action, executable);
   add_materials(app, action, executable);
+  add_spit1984(app, action, executable);
+  add_compare(app, action, executable);
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {

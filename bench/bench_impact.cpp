@@ -9,7 +9,6 @@
 #include "contact/column_field.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "impact/track.hpp"
-#include "machine.hpp"
 
 namespace dashpad::bench {
 namespace {
@@ -73,11 +72,3 @@ BENCHMARK_CAPTURE(try_step, twenty_one_parameter_unloading, oracle::ensolite_twe
 
 }  // namespace
 }  // namespace dashpad::bench
-
-int main(int count, char** arguments) {
-  for (const auto& [key, value] : dashpad::bench::machine_facts()) benchmark::AddCustomContext(key, value);
-  benchmark::Initialize(&count, arguments);
-  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-}

@@ -8,9 +8,10 @@
 
 namespace dashpad::bench {
 
-inline ImpactCase impact_of(const std::string& id) {
-  return oracle::reference_case(std::filesystem::path(DASHPAD_SOURCE_DIR) / "data/reference-cases.csv", id)
-      .impact;
+inline oracle::ReferenceCase reference_of(const std::string& id) {
+  return oracle::reference_case(std::filesystem::path(DASHPAD_SOURCE_DIR) / "data/reference-cases.csv", id);
 }
+
+inline ImpactCase impact_of(const std::string& id) { return reference_of(id).impact; }
 
 }  // namespace dashpad::bench

@@ -1,0 +1,118 @@
+// dashpad compare: the accurate solver and the program of 1984 on one case, in a table and a picture.
+
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/io/case_file.hpp"
+#include "dashpad/report/comparison.hpp"
+#include "dashpad/spit1984/deck.hpp"
+#include "output.hpp"
+#include "streams.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr const char* footer = R"(Examples:
+  dashpad compare examples/dashboard-20mph.toml --units us
+  dashpad compare examples/dashboard-20mph.toml --picture comparison.svg
+  dashpad compare examples/dashboard-20mph.toml --time-step 0.05 --json -
+
+Rows: the accurate solver (exact units, and with the constants of 1984), the program of 1984 in the arithmetic
+of its machine, in single and in double precision, and with its defects mended. docs/spit1984.md explains what
+to believe. --picture draws force and penetration over time; the ending of FILE says what it becomes: .svg,
+.png or .pdf. Drawing needs gnuplot (Debian package gnuplot-nox).
+
+Exit codes: 0 done (whatever became of the runs of 1984), 1 a result could not be written, 2 refused and
+nothing was run, 3 the accurate solver missed the tolerance.)";
+
+struct Request {
+  std::string case_file;
+  std::optional<std::string> picture;
+  std::optional<std::string> json;
+  std::string units;
+  double time_step_ms = 0.1;
+  std::string materials;
+  bool force = false;
+};
+
+std::vector<Target> targets(const Request& request) {
+  std::vector<Target> wanted;
+  if (request.picture) wanted.push_back({"--picture", *request.picture});
+  if (request.json) wanted.push_back({"--json", *request.json});
+  return wanted;
+}
+
+CaseFile read_and_check(const Request& request, const std::filesystem::path& materials) {
+  std::vector<std::string> wrong = complaints(targets(request), request.case_file, request.force);
+  if (request.picture && !picture_format(*request.picture))
+    wrong.push_back(fmt::format("--picture {}: must end in .svg, .png or .pdf", *request.picture));
+  CaseFile input;
+  try {
+    input = read_case(request.case_file, materials);
+    for (const Violation& violation : spit1984::what_a_deck_cannot_say(input.impact))
+      wrong.push_back(fmt::format("{}: {}: {}", request.case_file, violation.key, violation.rule));
+  } catch (const InputError& error) {
+    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+  }
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  return input;
+}
+
+int run_comparison(const Request& request, const std::filesystem::path& materials) {
+  const CaseFile input = read_and_check(request, materials);
+  const UnitSystem& units = unit_system(request.units);
+  const Comparison comparison = compare(input.impact, input.options, 1e-3 * request.time_step_ms);
+
+  std::vector<PendingFile> files;
+  const std::string table = comparison_text(comparison, input.impact, units);
+  std::string output;
+  for (const Target& target : targets(request)) {
+    std::string text = target.option == "--json" ? comparison_json(comparison)
+                                                 : picture(comparison_plot(comparison, input.impact, units),
+                                                           *picture_format(target.file));
+    if (target.is_standard_output())
+      output = std::move(text);
+    else
+      files.emplace_back(target, text, request.force);
+  }
+  for (PendingFile& file : files) file.publish();
+  if (output.empty()) {
+    write_output(table);
+  } else {
+    write_error(table);
+    write_output(output);
+  }
+  return comparison.runs.front().trustworthy && comparison.runs[Comparison::reference].trustworthy
+             ? exit_done
+             : exit_not_trusted;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+  CLI::App* sub = app.add_subcommand("compare", "The accurate solver and the program of 1984 side by side");
+  const auto request = std::make_shared<Request>();
+  sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
+  sub->add_option("--picture", request->picture, "Draw force and penetration over time (.svg, .png, .pdf)")
+      ->type_name("FILE");
+  sub->add_option("--json", request->json, "Write the table as JSON, SI (- for standard output)")
+      ->type_name("FILE");
+  add_units(*sub, request->units);
+  sub->add_option("--time-step", request->time_step_ms, "Of the 1984 program, ms (default 0.1)")
+      ->check(CLI::Range(1e-6, 1e3))
+      ->type_name("MS");
+  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  add_material_folder(*sub, request->materials);
+  sub->footer(footer);
+  sub->callback([request, &action, executable] {
+    action = [request, executable] {
+      return run_comparison(*request, chosen_folder(request->materials, executable));
+    };
+  });
+}
+
+}  // namespace dashpad

@@ -1,0 +1,212 @@
+// dashpad spit1984: runs a case through the program of 1984.
+
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/io/case_file.hpp"
+#include "dashpad/spit1984/ensol.hpp"
+#include "dashpad/spit1984/listing.hpp"
+#include "dashpad/spit1984/run_files.hpp"
+#include "output.hpp"
+#include "streams.hpp"
+
+namespace dashpad {
+
+namespace {
+
+using namespace spit1984;
+
+constexpr const char* footer = R"(Examples:
+  dashpad spit1984 examples/dashboard-20mph-21-parameter.toml
+  dashpad spit1984 examples/dashboard-20mph.toml --arithmetic binary32
+  dashpad spit1984 examples/dashboard-20mph.toml --repair all --arithmetic binary64
+  dashpad spit1984 --interactive --listing for21.txt
+
+Runs subroutines SPIT and PAD Version 2 (December 1984) and prints what they printed: the terminal's report,
+or with --listing the line printer's, in 132 columns. Lengths are in inches, forces in lbf, the impact speed
+in mph; forces are negative in compression. Believe it with docs/spit1984.md at hand: the scheme is 1 to 6 %
+off in peak force for the published example, and the numbers depend on the arithmetic.
+
+Arithmetics: pdp10 (default) is the 36-bit machine that printed the report; binary32 and binary64 are the
+single and double precision of today.
+
+Defects of the listing, which --repair mends (may be repeated; "all" for all of them):
+  stale-contact   a rejected trial restores the contact of an earlier one, not that of the step's start
+  idle-segments   only the first slope of a piecewise-linear support ever acts
+  edge-residue    the strain on the contact edge is rounding error instead of zero
+  tension         the rim of the contact pulls on the sphere during rebound (laws 4 and 5)
+
+--interactive is the main program ENSOL of 1984: it asks for everything at the terminal.
+
+Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was run, 3 the run ended in an
+ABEND: what is printed holds up to there.)";
+
+struct Request {
+  std::string case_file;
+  bool interactive = false;
+  std::string arithmetic = "pdp10";
+  std::vector<std::string> repair;
+  std::optional<std::string> listing;
+  std::optional<std::string> json;
+  std::optional<std::string> csv;
+  double time_step_ms = 0.1;
+  int print_interval = 10;
+  Settings settings;
+  std::string materials;
+  bool force = false;
+};
+
+std::vector<Target> targets(const Request& request) {
+  std::vector<Target> wanted;
+  if (request.listing) wanted.push_back({"--listing", *request.listing});
+  if (request.json) wanted.push_back({"--json", *request.json});
+  if (request.csv) wanted.push_back({"--csv", *request.csv});
+  return wanted;
+}
+
+Settings settings_of(const Request& request) {
+  Settings settings = request.settings;
+  for (const Arithmetic arithmetic : {Arithmetic::binary32, Arithmetic::binary64, Arithmetic::pdp10})
+    if (request.arithmetic == to_string(arithmetic)) settings.arithmetic = arithmetic;
+  for (const std::string& name : request.repair)
+    for (const Defect& defect : defects)
+      if (name == defect.name || name == "all") settings.defects.*defect.present = false;
+  return settings;
+}
+
+/// The deck of the case, or the answers at the terminal. Throws Refused with all that is wrong.
+Deck deck_for(const Request& request, const std::filesystem::path& materials) {
+  std::vector<std::string> wrong = complaints(targets(request), request.case_file, request.force);
+  if (request.interactive == !request.case_file.empty())
+    wrong.emplace_back(request.interactive ? "--interactive: asks for everything itself; leave CASE out"
+                                           : "CASE is missing; --interactive asks at the terminal instead");
+  Deck deck;
+  if (!request.case_file.empty()) {
+    try {
+      const ImpactCase impact = read_case(request.case_file, materials).impact;
+      for (const Violation& violation : what_a_deck_cannot_say(impact))
+        wrong.push_back(fmt::format("{}: {}: {}", request.case_file, violation.key, violation.rule));
+      if (wrong.empty()) deck = deck_of(impact);
+    } catch (const InputError& error) {
+      for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+    }
+  }
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  if (request.interactive) {
+    const std::optional<Deck> answers = ensol(std::cin, std::cout);
+    if (!answers) throw Refused({"the input ended before the last answer"});
+    for (const Violation& violation : violations(*answers))
+      wrong.push_back(fmt::format("{} = {}: {}", violation.key, violation.value, violation.rule));
+    if (!wrong.empty()) throw Refused(std::move(wrong));
+    return *answers;
+  }
+  deck.time_step_ms = request.time_step_ms;
+  deck.print_interval = request.print_interval;
+  return deck;
+}
+
+/// What the listing does not say.
+std::string remarks(const Deck& deck, const Settings& settings, const Run& run) {
+  std::string text = fmt::format("1984 program in {} arithmetic", to_string(settings.arithmetic));
+  for (const Defect& defect : defects)
+    if (!(settings.defects.*defect.present)) text += fmt::format(", {} mended", defect.name);
+  text += "\n";
+  if (const double longest = longest_time_step_ms(deck); deck.time_step_ms > longest)
+    text += fmt::format("TIME STEP of {:.3g} ms: the report advises {:.3g} ms at most for this support\n",
+                        deck.time_step_ms, longest);
+  if (!run.precision_stops.empty())
+    text +=
+        fmt::format("PRECISION LIMIT: {} of {} steps out of equilibrium by more than {:.3g} of the force\n",
+                    run.precision_stops.size(), run.history.size(), settings.equilibrium_tolerance);
+  if (run.abend != Abend::none) {
+    const AbendText abend = text_of(run.abend);
+    text += fmt::format("ABEND {}, {}: {}\n", static_cast<int>(run.abend), abend.message, abend.advice);
+  }
+  return text;
+}
+
+int run_program(const Request& request, const std::filesystem::path& materials) {
+  const Deck deck = deck_for(request, materials);
+  const Settings settings = settings_of(request);
+  const Run result = run(deck, settings);
+
+  std::vector<PendingFile> files;
+  std::string output = listing(deck, result, Device::terminal);
+  for (const Target& target : targets(request)) {
+    std::string text = target.option == "--json"  ? run_json(deck, settings, result)
+                       : target.option == "--csv" ? run_csv(result)
+                                                  : listing(deck, result, Device::printer);
+    if (target.is_standard_output())
+      output = std::move(text);
+    else
+      files.emplace_back(target, text, request.force);
+  }
+  for (PendingFile& file : files) file.publish();
+  write_error(remarks(deck, settings, result));
+  write_output(output);
+  return result.abend == Abend::none ? exit_done : exit_not_trusted;
+}
+
+}  // namespace
+
+void add_spit1984(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+  CLI::App* sub = app.add_subcommand("spit1984", "Run the program of 1984, digit for digit");
+  const auto request = std::make_shared<Request>();
+  std::vector<std::string> repairs{"all"};
+  for (const Defect& defect : defects) repairs.emplace_back(defect.name);
+  sub->add_option("CASE", request->case_file, "Case file (TOML)")->type_name("");
+  sub->add_flag("--interactive", request->interactive, "Ask at the terminal, as ENSOL did")
+      ->disable_flag_override();
+  sub->add_option("--arithmetic", request->arithmetic, "pdp10 (default), binary32 or binary64")
+      ->check(CLI::IsMember({"pdp10", "binary32", "binary64"}))
+      ->type_name("A");
+  sub->add_option("--repair", request->repair, "Mend a defect of the listing, or all of them")
+      ->check(CLI::IsMember(repairs))
+      ->type_name("DEFECT");
+  sub->add_option("--listing", request->listing, "Write the line printer's report (- for standard output)")
+      ->type_name("FILE");
+  sub->add_option("--json", request->json, "Write input and results as JSON (- for standard output)")
+      ->type_name("FILE");
+  sub->add_option("--csv", request->csv, "Write the history as CSV, in, lbf and ms (- for standard output)")
+      ->type_name("FILE");
+  sub->add_option("--time-step", request->time_step_ms, "DELT, ms (default 0.1)")
+      ->check(CLI::Range(1e-6, 1e3))
+      ->type_name("MS");
+  sub->add_option("--print-interval", request->print_interval,
+                  "NDEL, time steps to a printed row (default 10)")
+      ->check(CLI::Range(1, 1'000'000))
+      ->type_name("N");
+  sub->add_option("--equilibrium-tolerance", request->settings.equilibrium_tolerance,
+                  "TOLMAX, of the force (default 0.02)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("X");
+  sub->add_option("--precision-tolerance", request->settings.precision_tolerance,
+                  "TOL, of the penetration (default 1e-5)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("X");
+  sub->add_option("--most-steps", request->settings.most_steps,
+                  "Dimension of the time history (default 1000)")
+      ->check(CLI::Range(4, 1'000'000))
+      ->type_name("N");
+  sub->add_option("--most-stations", request->settings.most_stations,
+                  "Dimension of the contact field (default 1000)")
+      ->check(CLI::Range(2, 1'000'000))
+      ->type_name("N");
+  sub->add_option("--most-iterations", request->settings.most_iterations, "Trials of a step (default 100)")
+      ->check(CLI::Range(1, 100'000))
+      ->type_name("N");
+  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  add_material_folder(*sub, request->materials);
+  sub->footer(footer);
+  sub->callback([request, &action, executable] {
+    action = [request, executable] {
+      return run_program(*request, chosen_folder(request->materials, executable));
+    };
+  });
+}
+
+}  // namespace dashpad

@@ -1,0 +1,70 @@
+#pragma once
+/// Plots for documents: what to draw as plain values, and the bytes of the picture. gnuplot draws; it must be
+/// installed where picture() is called.
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dashpad {
+
+enum class SeriesStyle {
+  line,             ///< in the colour and with the dashes of its turn: told apart in grey, too
+  solid_line,       ///< in the colour of its turn
+  dashed_line,      ///< in the colour of its turn
+  points,           ///< in the colour and shape of its turn
+  band,             ///< the area from y to y2, pale, behind everything else
+  vertical_line,    ///< across the whole panel, at each x
+  horizontal_line,  ///< across the whole panel, at each y
+};
+
+/// A place where x, y or y2 is not finite, or not positive on a logarithmic axis, is a gap.
+struct Series {
+  std::string label = {};  ///< for the legend; empty: not in the legend
+  SeriesStyle style = SeriesStyle::line;
+  std::vector<double> x = {};   ///< as many as y; unused by horizontal lines
+  std::vector<double> y = {};   ///< unused by vertical lines
+  std::vector<double> y2 = {};  ///< bands only: as many as y
+  /// Turn 0 is blue, 1 vermilion, and so on. Give a band, its line and its points the same. By default the
+  /// next one that is free; the same label has the same turn in all panels. Vertical and horizontal lines are
+  /// grey without it.
+  std::optional<std::size_t> turn = {};
+};
+
+struct Axis {
+  std::string label = {};  ///< with the unit: "Force (kN)"
+  bool logarithmic = false;
+  std::optional<double> low = {};   ///< where the axis begins; by default where the data does, or before
+  std::optional<double> high = {};  ///< where the axis ends; by default where the data does, or after
+};
+
+/// One pair of axes. The series are drawn in their order, bands first; those without a point are left out.
+struct Panel {
+  std::string title = {};
+  Axis x;
+  Axis y;
+  std::vector<Series> series = {};
+};
+
+/// Panels one below the other, with one legend for all of them below the last. Texts are shown as they are,
+/// character by character; control characters become spaces, what is not UTF-8 the replacement character, and
+/// what is too long is cut, but for title and source, which go on in the next line.
+struct Plot {
+  std::string title = {};
+  std::vector<Panel> panels = {};
+  std::string source = {};  ///< small print at the bottom: the version, the case
+};
+
+enum class PictureFormat { svg, png, pdf };
+
+/// By the ending of a file's name, in small or capital letters. None for other endings.
+std::optional<PictureFormat> picture_format(const std::filesystem::path& file);
+
+/// The bytes of the picture file. The same plot gives the same SVG on the same system; PDF holds the date.
+/// `program` is gnuplot's name or path. Throws std::invalid_argument if there is nothing to draw, or if
+/// columns or limits do not fit together; std::runtime_error if gnuplot is missing or fails.
+std::string picture(const Plot& plot, PictureFormat format, const std::string& program = "gnuplot");
+
+}  // namespace dashpad

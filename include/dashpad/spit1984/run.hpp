@@ -1,0 +1,92 @@
+#pragma once
+/// The impact as subroutines SPIT and PAD Version 2 (December 1984) computed it.
+
+#include <optional>
+#include <vector>
+
+#include "dashpad/spit1984/deck.hpp"
+#include "dashpad/spit1984/defects.hpp"
+
+namespace dashpad::spit1984 {
+
+/// The numbers that the program computes with.
+enum class Arithmetic {
+  binary32,  ///< IEEE single precision: what a later machine would have made of the listing
+  binary64,  ///< IEEE double precision: what the report's section A.5 advises
+  pdp10,     ///< the 36-bit words of the machine that printed Appendix C (dashpad/spit1984/pdp10.hpp)
+};
+
+/// What the listing has as constants and dimensions.
+struct Settings {
+  Arithmetic arithmetic = Arithmetic::pdp10;
+  Defects defects;
+  int most_steps = 1000;                ///< dimension of the time history; ABEND 902 beyond
+  int most_stations = 1000;             ///< dimension of the contact field; ABEND 904 beyond
+  int most_iterations = 100;            ///< ABEND 900 beyond
+  double equilibrium_tolerance = 0.02;  ///< TOLMAX, of the force; Eq. 21
+  double precision_tolerance = 1e-5;    ///< TOL, of the penetration; Eq. 23
+};
+
+/// Why a run ended before its time; the numbers are the listing's statement numbers.
+enum class Abend {
+  none = 0,
+  too_many_iterations = 900,
+  bisection_failed = 901,
+  too_many_time_steps = 902,
+  rate_sensitive_instability = 903,
+  too_many_contact_divisions = 904,
+};
+
+/// An iteration that stopped at the precision of the penetration, its force out of equilibrium by `error`.
+struct PrecisionStop {
+  int step = 0;         ///< K, the vector index: time is (K - 2) time steps
+  double force_lb = 0;  ///< negative in compression
+  double error = 0;     ///< fraction of the force
+};
+
+/// One time of the history. Signs are the program's: force and acceleration are negative in compression,
+/// speed, motion and penetration positive towards the pad.
+struct Step {
+  double time_ms = 0;
+  double force_lb = 0;
+  double acceleration_g = 0;  ///< 0 in the last step of a run, where the program no longer computes it
+  double speed_in_per_s = 0;
+  double motion_in = 0;
+  double penetration_in = 0;
+};
+
+struct Run {
+  std::vector<Step> history;     ///< from first contact, t = 0 (vector index 2), to the last step (index K)
+  double rebound_speed_mph = 0;  ///< VREB: negative, away from the pad
+  double duration_ms = 0;
+  double time_of_peak_force_ms = 0;
+  double peak_force_lb = 0;                             ///< negative
+  std::array<double, 4> tangent_stiffness_lb_per_in{};  ///< SPAR(9) to SPAR(12)
+  Abend abend = Abend::none;
+  std::optional<double> speed_error;  ///< Eq. 27, with ABEND 903 only; fraction of the last speed
+  std::vector<PrecisionStop> precision_stops;
+  int halvings = 0;       ///< of the time step, at the end
+  int most_stations = 0;  ///< that the contact field held
+  long trials = 0;        ///< penetrations tried, all steps together
+};
+
+/// Short names: "binary32", "binary64", "pdp10".
+const char* to_string(Arithmetic arithmetic);
+
+/// What an ABEND said, "too many iterations" for example, and what to do about it (report, section A.5).
+struct AbendText {
+  const char* message;
+  const char* advice;
+};
+/// Not for Abend::none.
+AbendText text_of(Abend abend);
+
+/// The largest time step with which the report's section A.3 expects the motion to stay stable, ms:
+/// 0.25 sqrt(M/K), with the largest tangent stiffness of the support.
+double longest_time_step_ms(const Deck& deck);
+
+/// Runs the program. Never throws on a deck of finite numbers: what goes wrong is an ABEND. Memory is taken
+/// for the dimensions of `settings` at once.
+Run run(const Deck& deck, const Settings& settings = {});
+
+}  // namespace dashpad::spit1984

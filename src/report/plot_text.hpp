@@ -1,0 +1,26 @@
+#pragma once
+/// Anybody's text on its way into a picture.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dashpad {
+
+/// Valid UTF-8 in one line: control characters become spaces, bytes that are not UTF-8 "�".
+std::string readable(std::string_view text);
+
+/// `text`, readable, and at most `length` characters long. Where it is cut it ends with "…".
+std::string shortened(std::string_view text, std::size_t length);
+
+/// `text`, readable, in lines of at most `length` characters, where possible broken at spaces.
+std::vector<std::string> lines_of(std::string_view text, std::size_t length);
+
+/// Number of characters of valid UTF-8.
+std::size_t character_count(std::string_view text);
+
+/// `text`, readable, as an expression of gnuplot's language in which no character has a meaning.
+std::string literal(std::string_view text);
+
+}  // namespace dashpad

@@ -1,0 +1,137 @@
+#include "dashpad/spit1984/deck.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "dashpad/impact/solution.hpp"
+#include "dashpad/units/quantity.hpp"
+
+namespace dashpad::spit1984 {
+
+namespace {
+
+/// The published values that PAD stores behind those that it uses: the ninth of law 4, the 17th to 21st of
+/// law 5 (Table A-1), as cards name them.
+constexpr std::array stored_only{
+    std::pair{std::string_view{"zero_time_modulus"}, 9},
+    std::pair{std::string_view{"zero_time_stress_factor"}, 17},
+    std::pair{std::string_view{"zero_time_strain_factor_a"}, 18},
+    std::pair{std::string_view{"zero_time_strain_factor_b"}, 19},
+    std::pair{std::string_view{"zero_time_strain_factor_c"}, 20},
+    std::pair{std::string_view{"zero_time_strain_factor_d"}, 21},
+};
+
+/// As a number is typed: nine significant digits.
+double typed(double value) { return std::strtod(fmt::format("{:.8e}", value).c_str(), nullptr); }
+
+double typed(double value, const char* si_unit, const char* unit) {
+  return typed(from_si(value, si_unit, unit));
+}
+
+/// A value of a card's `also_published` table: a number, or a stress with its unit.
+double stored_value(const std::string& text) {
+  try {
+    return typed(to_si(text, "1"));
+  } catch (const UnitError&) {
+    return typed(to_si(text, "Pa"), "Pa", "psi");
+  }
+}
+
+template <class Law>
+void store_parameters(const Law& law, std::array<double, 21>& stored) {
+  std::size_t position = 0;
+  for (const auto& parameter : Law::parameters) {
+    const double value = law.*parameter.member;
+    stored[position++] = std::string_view{parameter.unit} == "Pa" ? typed(value, "Pa", "psi") : typed(value);
+  }
+}
+
+void store_published(const Material& material, PadKey key, std::array<double, 21>& stored) {
+  for (const auto& [name, text] : material.also_published) {
+    const auto* const place = std::find_if(stored_only.begin(), stored_only.end(),
+                                           [&name = name](const auto& entry) { return entry.first == name; });
+    if (place == stored_only.end()) continue;
+    if ((place->second == 9) != (key == PadKey::nine_parameter)) continue;
+    try {
+      stored[static_cast<std::size_t>(place->second) - 1] = stored_value(text);
+    } catch (const UnitError&) {  // free text of a card; nothing computes with it
+    }
+  }
+}
+
+void store_support(const Support& support, Deck& deck) {
+  const auto& points = support.points();
+  deck.support = static_cast<int>(points.size());
+  if (deck.support == 1) {
+    deck.support_parameters[8] = typed(points[0].force / points[0].deflection, "N/m", "lbf/in");
+    return;
+  }
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    deck.support_parameters[2 * j] = typed(points[j].deflection, "m", "in");
+    deck.support_parameters[2 * j + 1] = typed(points[j].force, "N", "lbf");
+  }
+}
+
+}  // namespace
+
+std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
+  const std::size_t points = impact.support.points().size();
+  if (points == 0)
+    return {{"support.type", 0,
+             "the 1984 program has no rigid support: its KEYS = 0 divides zero by zero; "
+             "give a stiff linear one"}};
+  if (points > 4)
+    return {{"support.points", static_cast<double>(points),
+             "the 1984 program takes four points of a support curve at most"}};
+  return {};
+}
+
+Deck deck_of(const ImpactCase& impact) {
+  Deck deck;
+  deck.radius_in = typed(impact.impactor.radius, "m", "in");
+  deck.speed_mph = typed(impact.impactor.speed, "m/s", "mph");
+  deck.weight_lb = typed(impact.impactor.mass, "kg", "lb");
+  deck.thickness_in = typed(impact.pad.thickness, "m", "in");
+  // The laws of PadLaw stand in the order of KEYP.
+  deck.pad = static_cast<PadKey>(impact.pad.material.law.index() + 1);
+  std::visit([&](const auto& law) { store_parameters(law, deck.pad_parameters); }, impact.pad.material.law);
+  store_published(impact.pad.material, deck.pad, deck.pad_parameters);
+  store_support(impact.support, deck);
+  return deck;
+}
+
+std::vector<Violation> violations(const Deck& deck) {
+  std::vector<Violation> broken;
+  const auto check = [&](const std::string& name, double value, const char* meaning) {
+    if (!(value > 0 && value <= 1e9))
+      broken.push_back({name, value, fmt::format("{} must be more than 0, and 1e9 at most", meaning)});
+  };
+  check("RAD", deck.radius_in, "the sphere's radius");
+  check("VIN", deck.speed_mph, "the initial speed");
+  check("WGT", deck.weight_lb, "the weight");
+  check("THK", deck.thickness_in, "the pad's thickness");
+  check("DELT", deck.time_step_ms, "the time step");
+  check("NDEL", deck.print_interval, "the print interval");
+  if (deck.support == 1) check("SPAR(9)", deck.support_parameters[8], "the support's stiffness");
+  if (deck.support > 1)
+    for (std::size_t i = 0; i < 2 * static_cast<std::size_t>(deck.support); ++i) {
+      const double before = i < 2 ? 0 : deck.support_parameters[i - 2];
+      const double value = deck.support_parameters[i];
+      if (!(value > before && value <= 1e9))
+        broken.push_back({fmt::format("SPAR({})", i + 1), value,
+                          "deflections and forces of the support must increase from 0, to 1e9 at most"});
+    }
+  return broken;
+}
+
+ImpactCase with_the_constants_of_1984(ImpactCase impact) {
+  const double inch = to_si("1 in", "m");
+  impact.impactor.speed *= 17.64 * inch / to_si("1 mph", "m/s");
+  impact.impactor.mass *= standard_gravity / (386.4 * inch);
+  return impact;
+}
+
+}  // namespace dashpad::spit1984

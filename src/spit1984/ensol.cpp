@@ -1,0 +1,189 @@
+#include "dashpad/spit1984/ensol.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "spit1984/fortran_format.hpp"
+
+namespace dashpad::spit1984 {
+
+namespace {
+
+// The scan of the report shows capitals and small letters at random in these texts, as it does in the
+// statements around them. FORTRAN on the DECSystem-10 was written in capitals, and so are these.
+
+constexpr std::array<double, 9> nine_parameters{7.96,  0.675,   1.09,   8.81e-03, 5.45,
+                                                0.166, 9.76e-6, 0.0987, 22.127};  // PAR9, Ensolite AAC
+
+constexpr std::array<double, 21> twenty_one_parameters{
+    7.96,  0.675, 1.09,    0.13,    0.156,  3.08, 4.153, 0.19,  3.17, 0.58, 2.57,
+    0.296, 2.23,  1.64e-3, 9.76e-6, 0.0987, 66.0, 10.12, 0.279, 1.94, 0.029};  // PAR21, Ensolite AAC
+
+struct EndOfInput {};
+
+/// Unit 5. What it says in small letters is ours: the run-time system asked again too, in words of its own,
+/// after a line that it could not read; the program itself checked nothing.
+class Terminal {
+ public:
+  Terminal(std::istream& input, std::ostream& output) : input_(input), output_(output) {}
+
+  void write(const PrintedRecords& records) { say(records.printed()); }
+
+  /// The fields that `fields` reads from the next line; from the line after it where they are not numbers.
+  template <typename Fields>
+  auto read(Fields fields, const std::string& complaint) {
+    for (;;) {
+      std::string line;
+      if (!std::getline(input_, line)) throw EndOfInput{};
+      TypedRecord record{line};
+      if (const auto fields_read = std::invoke(fields, record)) return *fields_read;
+      say(complaint);
+    }
+  }
+
+  int whole_number() {  // FORMAT(I)
+    return read(&TypedRecord::i, "That is not a whole number. Please type it again: ");
+  }
+
+  int choice(int largest) {  // FORMAT(I)
+    for (;;) {
+      const int chosen = whole_number();
+      if (chosen >= 1 && chosen <= largest) return chosen;
+      say("Please type a whole number from 1 to " + std::to_string(largest) + ": ");
+    }
+  }
+
+  double number() {  // FORMAT(E10.0)
+    return read([](TypedRecord& record) { return record.e(10); },
+                "That is not a number. Please type it again: ");
+  }
+
+  std::pair<double, double> pair_of_numbers() {  // FORMAT(2F)
+    const auto two = [](TypedRecord& record) -> std::optional<std::pair<double, double>> {
+      const std::optional<double> first = record.f();
+      const std::optional<double> second = record.f();
+      if (!first || !second) return std::nullopt;
+      return std::pair{*first, *second};
+    };
+    return read(two, "Those are not two numbers. Please type them again: ");
+  }
+
+ private:
+  void say(const std::string& text) { output_ << text << std::flush; }
+
+  std::istream& input_;
+  std::ostream& output_;
+};
+
+PrintedRecords prompt(std::string_view text) {
+  PrintedRecords records;
+  records.skip(1).text(text).end_record_on_the_line();
+  return records;
+}
+
+PrintedRecords greeting() {  // 500
+  PrintedRecords records;
+  records.skip(1).text("SPHERE/PAD IMPACT TRACKER VERSION 2-DEC 1984").end_record();
+  return records;
+}
+
+PrintedRecords model_prompt() {  // 510
+  PrintedRecords records;
+  records.skip(1).text("PLEASE CHOOSE MODEL: 1 = ELASTIC").end_record();
+  records.skip(22).text("2 = LINEAR V.E.").end_record();
+  records.skip(22).text("3 = RIGID-FOAM").end_record();
+  records.skip(22).text("4 = 9-PARAMETER").end_record();
+  records.skip(22).text("5 = 21-PARAMETER: ").end_record_on_the_line();
+  return records;
+}
+
+PrintedRecords support_prompt() {  // 520
+  PrintedRecords records;
+  records.end_record();
+  records.skip(1).text("PLEASE ENTER: 1 = LINEAR ELASTIC SUPPORT").end_record();
+  records.skip(15).text("2 = PIECEWISE LINEAR SUPPORT (2 SLOPES)").end_record();
+  records.skip(15).text("3 = PIECEWISE LINEAR SUPPORT (3 SLOPES)").end_record();
+  records.skip(15).text("4 = PIECEWISE LINEAR SUPPORT (4 SLOPES): ").end_record_on_the_line();
+  return records;
+}
+
+PrintedRecords radius_prompt() {  // 530
+  PrintedRecords records;
+  records.end_record().skip(1).text("ENTER SPHERE RADIUS (IN.): ").end_record_on_the_line();
+  return records;
+}
+
+PrintedRecords break_points_heading() {  // 651
+  PrintedRecords records;
+  records.skip(1).text("ENTER BREAK POINTS FOR PIECEWISE LINEAR SUPPORT: ").end_record();
+  return records;
+}
+
+PrintedRecords break_point_prompt(int number) {  // 652
+  PrintedRecords records;
+  records.skip(1).text("DEFLECTION-LOAD PAIR ").i(number, 2).text(":").end_record_on_the_line();
+  return records;
+}
+
+double ask(Terminal& terminal, std::string_view text) {
+  terminal.write(prompt(text));
+  return terminal.number();
+}
+
+void ask_for_support(Terminal& terminal, Deck& deck) {
+  if (deck.support == 1) {
+    deck.support_parameters[8] = ask(terminal, "ENTER SUPPORT STIFFNESS (LB/IN): ");  // 601
+    return;
+  }
+  terminal.write(break_points_heading());
+  for (int point = 1; point <= deck.support; ++point) {
+    terminal.write(break_point_prompt(point));
+    const auto [deflection, load] = terminal.pair_of_numbers();
+    deck.support_parameters[static_cast<std::size_t>(2 * point - 2)] = deflection;
+    deck.support_parameters[static_cast<std::size_t>(2 * point - 1)] = load;
+  }
+}
+
+void take_ensolite(Deck& deck) {
+  if (deck.pad == PadKey::nine_parameter) std::ranges::copy(nine_parameters, deck.pad_parameters.begin());
+  if (deck.pad == PadKey::twenty_one_parameter) deck.pad_parameters = twenty_one_parameters;
+}
+
+Deck asked_deck(Terminal& terminal) {
+  Deck deck;
+  terminal.write(greeting());
+  terminal.write(model_prompt());
+  deck.pad = static_cast<PadKey>(terminal.choice(5));
+  terminal.write(support_prompt());
+  deck.support = terminal.choice(4);
+  terminal.write(radius_prompt());
+  deck.radius_in = terminal.number();
+  deck.speed_mph = ask(terminal, "ENTER INITIAL SPEED (MPH): ");         // 999
+  deck.weight_lb = ask(terminal, "ENTER WEIGHT (LBS): ");                // 531
+  deck.thickness_in = ask(terminal, "ENTER FOAM THICKNESS (IN.): ");     // 535
+  deck.time_step_ms = ask(terminal, "INITIAL TIME STEP SIZE (MSEC): ");  // 998
+  terminal.write(prompt("ENTER PRINT INTERVAL, NDEL: "));                // 996
+  deck.print_interval = terminal.whole_number();
+  ask_for_support(terminal, deck);
+  take_ensolite(deck);
+  return deck;
+}
+
+}  // namespace
+
+std::optional<Deck> ensol(std::istream& input, std::ostream& terminal) {
+  Terminal both{input, terminal};
+  try {
+    return asked_deck(both);
+  } catch (const EndOfInput&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace dashpad::spit1984
