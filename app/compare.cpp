@@ -1,5 +1,6 @@
 // dashpad compare: the accurate solver and the program of 1984 on one case, in a table and a picture.
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -50,6 +51,7 @@ CaseFile read_and_check(const Request& request, const std::filesystem::path& mat
   std::vector<std::string> wrong = complaints(targets(request), request.case_file, request.force);
   if (request.picture && !picture_format(*request.picture))
     wrong.push_back(fmt::format("--picture {}: must end in .svg, .png or .pdf", *request.picture));
+  if (std::isnan(request.time_step_ms)) wrong.emplace_back("--time-step nan: must be a number");
   CaseFile input;
   try {
     input = read_case(request.case_file, materials);

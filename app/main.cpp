@@ -42,7 +42,8 @@ int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
   for (std::size_t i = 0; i < count && i < most_complaints; ++i) text += complaints[i] + "\n";
   if (count > most_complaints) text += "...\n";
   text += std::to_string(count) + (count == 1 ? " fault" : " faults");
-  write_error(text + (app.got_subcommand("run") ? "; nothing was run\n" : "\n"));
+  const bool would_run = !app.got_subcommand("check") && !app.got_subcommand("materials");
+  write_error(text + (would_run ? "; nothing was run\n" : "\n"));
   return exit_refused;
 }
 

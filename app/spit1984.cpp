@@ -1,8 +1,13 @@
 // dashpad spit1984: runs a case through the program of 1984.
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -78,12 +83,29 @@ Settings settings_of(const Request& request) {
   return settings;
 }
 
+/// CLI11 takes "nan" for a number within any range.
+std::vector<std::string> what_is_no_number(const Request& request) {
+  std::vector<std::string> wrong;
+  for (const auto& [option, value] :
+       {std::pair{"--time-step", request.time_step_ms},
+        std::pair{"--equilibrium-tolerance", request.settings.equilibrium_tolerance},
+        std::pair{"--precision-tolerance", request.settings.precision_tolerance}})
+    if (std::isnan(value)) wrong.push_back(fmt::format("{} nan: must be a number", option));
+  return wrong;
+}
+
+/// Where the questions go: standard output, unless that is for a result.
+std::ostream& terminal(const Request& request) {
+  return std::ranges::any_of(targets(request), &Target::is_standard_output) ? std::cerr : std::cout;
+}
+
 /// The deck of the case, or the answers at the terminal. Throws Refused with all that is wrong.
 Deck deck_for(const Request& request, const std::filesystem::path& materials) {
   std::vector<std::string> wrong = complaints(targets(request), request.case_file, request.force);
   if (request.interactive == !request.case_file.empty())
     wrong.emplace_back(request.interactive ? "--interactive: asks for everything itself; leave CASE out"
                                            : "CASE is missing; --interactive asks at the terminal instead");
+  std::ranges::move(what_is_no_number(request), std::back_inserter(wrong));
   Deck deck;
   if (!request.case_file.empty()) {
     try {
@@ -97,8 +119,11 @@ Deck deck_for(const Request& request, const std::filesystem::path& materials) {
   }
   if (!wrong.empty()) throw Refused(std::move(wrong));
   if (request.interactive) {
-    const std::optional<Deck> answers = ensol(std::cin, std::cout);
-    if (!answers) throw Refused({"the input ended before the last answer"});
+    const std::optional<Deck> answers = ensol(std::cin, terminal(request));
+    if (!answers) {
+      terminal(request) << std::endl;  // the last question still stands on the line
+      throw Refused({"the input ended before the last answer"});
+    }
     for (const Violation& violation : violations(*answers))
       wrong.push_back(fmt::format("{} = {}: {}", violation.key, violation.value, violation.rule));
     if (!wrong.empty()) throw Refused(std::move(wrong));
@@ -115,6 +140,8 @@ std::string remarks(const Deck& deck, const Settings& settings, const Run& run) 
   for (const Defect& defect : defects)
     if (!(settings.defects.*defect.present)) text += fmt::format(", {} mended", defect.name);
   text += "\n";
+  if (deck.pad_parameters == std::array<double, 21>{})
+    text += "NO PARAMETERS: ENSOL never asked for those of models 1 to 3; they are zero. Use a case file\n";
   if (const double longest = longest_time_step_ms(deck); deck.time_step_ms > longest)
     text += fmt::format("TIME STEP of {:.3g} ms: the report advises {:.3g} ms at most for this support\n",
                         deck.time_step_ms, longest);
@@ -159,12 +186,14 @@ void add_spit1984(CLI::App& app, Action& action, const std::filesystem::path& ex
   std::vector<std::string> repairs{"all"};
   for (const Defect& defect : defects) repairs.emplace_back(defect.name);
   sub->add_option("CASE", request->case_file, "Case file (TOML)")->type_name("");
-  sub->add_flag("--interactive", request->interactive, "Ask at the terminal, as ENSOL did")
-      ->disable_flag_override();
+  CLI::Option* interactive =
+      sub->add_flag("--interactive", request->interactive, "Ask at the terminal, as ENSOL did")
+          ->disable_flag_override();
   sub->add_option("--arithmetic", request->arithmetic, "pdp10 (default), binary32 or binary64")
       ->check(CLI::IsMember({"pdp10", "binary32", "binary64"}))
       ->type_name("A");
   sub->add_option("--repair", request->repair, "Mend a defect of the listing, or all of them")
+      ->allow_extra_args(false)  // what follows may be CASE
       ->check(CLI::IsMember(repairs))
       ->type_name("DEFECT");
   sub->add_option("--listing", request->listing, "Write the line printer's report (- for standard output)")
@@ -175,10 +204,12 @@ void add_spit1984(CLI::App& app, Action& action, const std::filesystem::path& ex
       ->type_name("FILE");
   sub->add_option("--time-step", request->time_step_ms, "DELT, ms (default 0.1)")
       ->check(CLI::Range(1e-6, 1e3))
+      ->excludes(interactive)
       ->type_name("MS");
   sub->add_option("--print-interval", request->print_interval,
                   "NDEL, time steps to a printed row (default 10)")
       ->check(CLI::Range(1, 1'000'000))
+      ->excludes(interactive)
       ->type_name("N");
   sub->add_option("--equilibrium-tolerance", request->settings.equilibrium_tolerance,
                   "TOLMAX, of the force (default 0.02)")

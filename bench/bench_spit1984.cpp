@@ -40,7 +40,7 @@ void historical(benchmark::State& state, const std::string& id, spit1984::Arithm
   ImpactCase impact = reference.impact;
   impact.impactor.speed *= 17.6 / 17.64;
   impact.impactor.mass *= 386.4 * inch / standard_gravity;
-  const spit1984::Deck deck = deck_of(impact);
+  const spit1984::Deck deck = spit1984::deck_of(impact);
   spit1984::Settings settings;
   settings.arithmetic = arithmetic;
   settings.defects = defects;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <istream>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -75,7 +76,9 @@ class Terminal {
   }
 
  private:
-  void say(const std::string& text) { output_ << text << std::flush; }
+  void say(const std::string& text) {
+    if (!(output_ << text << std::flush)) throw std::runtime_error("the terminal takes no more questions");
+  }
 
   std::istream& input_;
   std::ostream& output_;

@@ -273,13 +273,13 @@ TEST(Pdp10, TakesSquareRootsByTheMethodOfTheLibrary) {
     ASSERT_EQ(to_double(square_root(x)), root_by_the_method(x)) << std::hexfloat << to_double(x);
     ASSERT_EQ(to_double(square_root(std::ldexp(to_double(x), 2 * fours))),
               std::ldexp(root_by_the_method(x), fours));
-    ASSERT_LT(std::abs(error_of_root(x)), 0.572) << std::hexfloat << to_double(x);
+    ASSERT_LT(std::abs(error_of_root(x)), 0.598) << std::hexfloat << to_double(x);
   }
 }
 
 /// The worst of all arguments: the 2^27 of [1/4, 1) were tried in turn.
 TEST(Pdp10, HasSquareRootsWithinAUnitOfTheTrueOnes) {
-  EXPECT_NEAR(error_of_root(0x1.000394p-1), 0.571865, 1e-6);
+  EXPECT_NEAR(error_of_root(0x1.0000e78p-1), 0.597128, 1e-6);
 }
 
 TEST(Pdp10, TakesSquareRootsOfEverySign) {

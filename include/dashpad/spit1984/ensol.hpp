@@ -12,7 +12,7 @@ namespace dashpad::spit1984 {
 /// and 2F did. Absent where the input ends before the last answer.
 ///
 /// Models 4 and 5 get the parameters of Ensolite AAC. ENSOL never asked for those of models 1 to 3: they stay
-/// zero, as they did in 1984.
+/// zero, as they did in 1984. Throws std::runtime_error where `terminal` can no longer be written to.
 std::optional<Deck> ensol(std::istream& input, std::ostream& terminal);
 
 }  // namespace dashpad::spit1984

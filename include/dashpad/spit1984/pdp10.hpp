@@ -111,7 +111,7 @@ class Pdp10 {
 };
 
 /// SQRT by the method of the library: a straight line and two Newton steps, whose quotients are cut off and
-/// not rounded. At most 0.572 units of the last place from the true root (of all arguments). The root of a
+/// not rounded. At most 0.598 units of the last place from the true root (of all arguments). The root of a
 /// negative number is that of its magnitude (assumed: the library went on so after a message).
 Pdp10 square_root(Pdp10 x);
 
