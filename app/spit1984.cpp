@@ -39,16 +39,19 @@ off in peak force for the published example, and the numbers depend on the arith
 Arithmetics: pdp10 (default) is the 36-bit machine that printed the report; binary32 and binary64 are the
 single and double precision of today.
 
-Defects of the listing, which --repair mends (may be repeated; "all" for all of them):
-  stale-contact   a rejected trial restores the contact of an earlier one, not that of the step's start
-  idle-segments   only the first slope of a piecewise-linear support ever acts
-  edge-residue    the strain on the contact edge is rounding error instead of zero
-  tension         the rim of the contact pulls on the sphere during rebound (laws 4 and 5)
-
 --interactive is the main program ENSOL of 1984: it asks for everything at the terminal.
 
 Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was run, 3 the run ended in an
-ABEND: what is printed holds up to there.)";
+ABEND; what is printed may have lost its meaning some time before it.
+
+Defects of the listing, which --repair mends (may be repeated; "all" for all of them):
+)";
+
+std::string footer_with_defects() {
+  std::string text = footer;
+  for (const Defect& defect : defects) text += fmt::format("  {:15} {}\n", defect.name, defect.meaning);
+  return text;
+}
 
 struct Request {
   std::string case_file;
@@ -232,7 +235,7 @@ void add_spit1984(CLI::App& app, Action& action, const std::filesystem::path& ex
       ->type_name("N");
   sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
   add_material_folder(*sub, request->materials);
-  sub->footer(footer);
+  sub->footer(footer_with_defects());
   sub->callback([request, &action, executable] {
     action = [request, executable] {
       return run_program(*request, chosen_folder(request->materials, executable));

@@ -24,11 +24,13 @@ ComparedRun accurate(std::string name, const ImpactCase& impact, const Options& 
   ComparedRun run;
   run.name = std::move(name);
   if (!summary.trustworthy()) run.remark = "TOLERANCE NOT MET: " + to_string(summary.status);
-  if (summary.bottomed) run.remark = "BOTTOMED: the pad was fully compressed for a while";
+  if (summary.bottomed)
+    run.remark +=
+        std::string{run.remark.empty() ? "" : "; "} + "BOTTOMED: the pad was fully compressed for a while";
   run.finished = summary.release.has_value();
   run.trustworthy = summary.trustworthy();
-  run.peak_force = summary.peak_force.value_or(0);
-  run.time_of_peak_force = summary.time_of_peak_force.value_or(0);
+  run.peak_force = summary.peak_force;
+  run.time_of_peak_force = summary.time_of_peak_force;
   run.peak_penetration = summary.peak_penetration;
   run.peak_motion = summary.peak_motion;
   if (run.finished && summary.weight) {
@@ -61,9 +63,13 @@ ComparedRun historical(std::string name, const spit1984::Deck& deck, const spit1
   run.name = std::move(name);
   run.remark = remark_on(program, settings.equilibrium_tolerance);
   run.finished = program.abend == spit1984::Abend::none;
-  run.peak_force = -program.peak_force_lb * pound;
-  run.time_of_peak_force = program.time_of_peak_force_ms * 1e-3;
-  for (const spit1984::Step& step : program.history) {
+  if (std::isfinite(program.peak_force_lb)) {
+    run.peak_force = -program.peak_force_lb * pound;
+    run.time_of_peak_force = program.time_of_peak_force_ms * 1e-3;
+  }
+  const std::size_t accepted = program.history.size() - (program.last_step_accepted ? 0 : 1);
+  for (std::size_t i = 0; i < accepted; ++i) {
+    const spit1984::Step& step = program.history[i];
     run.time.push_back(step.time_ms * 1e-3);
     run.force.push_back(-step.force_lb * pound);
     run.penetration.push_back(step.penetration_in * inch);
@@ -89,18 +95,16 @@ std::string deviation(std::optional<double> value, std::optional<double> referen
   return std::abs(percent) < 1000 ? fmt::format("{:+.2f}", percent) : "far off";
 }
 
-struct Row {
-  std::vector<std::string> cells;
-};
+using Row = std::vector<std::string>;
 
 std::string laid_out(const std::vector<Row>& rows) {
-  std::vector<std::size_t> width(rows.front().cells.size());
+  std::vector<std::size_t> width(rows.front().size());
   for (const Row& row : rows)
-    for (std::size_t i = 0; i < width.size(); ++i) width[i] = std::max(width[i], row.cells[i].size());
+    for (std::size_t i = 0; i < width.size(); ++i) width[i] = std::max(width[i], row[i].size());
   std::string text;
   for (const Row& row : rows) {
-    std::string line = fmt::format("{:<{}}", row.cells[0], width[0]);
-    for (std::size_t i = 1; i < width.size(); ++i) line += fmt::format("  {:>{}}", row.cells[i], width[i]);
+    std::string line = fmt::format("{:<{}}", row[0], width[0]);
+    for (std::size_t i = 1; i < width.size(); ++i) line += fmt::format("  {:>{}}", row[i], width[i]);
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
@@ -134,36 +138,40 @@ Comparison compare(const ImpactCase& impact, const Options& options, double time
   deck.time_step_ms = 1e3 * time_step;
 
   Comparison comparison;
+  comparison.time_step = time_step;
+  comparison.dimension = std::max(1000, static_cast<int>(std::min(0.1 / time_step, 1e6)));
   comparison.runs.push_back(accurate("accurate", impact, options));
   comparison.runs.push_back(
       accurate("accurate, constants of 1984", with_the_constants_of_1984(impact), options));
   for (const Arithmetic arithmetic : {Arithmetic::pdp10, Arithmetic::binary32, Arithmetic::binary64}) {
     Settings faithful;
     faithful.arithmetic = arithmetic;
+    faithful.most_steps = faithful.most_stations = comparison.dimension;
     comparison.runs.push_back(historical(fmt::format("1984, {}", to_string(arithmetic)), deck, faithful));
   }
   Settings mended;
   mended.arithmetic = Arithmetic::binary64;
   mended.defects = all_mended;
+  mended.most_steps = mended.most_stations = comparison.dimension;
   comparison.runs.push_back(historical("1984, mended, binary64", deck, mended));
   return comparison;
 }
 
 std::string comparison_text(const Comparison& comparison, const ImpactCase& impact, const UnitSystem& units) {
   const auto unit = [&](const char* si_unit) { return shown_unit(unit_for(units, si_unit)); };
-  std::vector<Row> rows{{{"", "peak", "", "at", "peak", "peak", "end", "", "end"}},
-                        {{"", "force", "", "time", "penetration", "motion", "speed", "", "time"}},
-                        {{"", unit("N"), "%", unit("s"), unit("m"), unit("m"), unit("m/s"), "%", unit("s")}}};
+  std::vector<Row> rows{{"", "peak", "", "at", "peak", "peak", "end", "", "end"},
+                        {"", "force", "", "time", "penetration", "motion", "speed", "", "time"},
+                        {"", unit("N"), "%", unit("s"), unit("m"), unit("m"), unit("m/s"), "%", unit("s")}};
   const ComparedRun& reference = comparison.runs[Comparison::reference];
   std::string remarks;
   for (const ComparedRun& run : comparison.runs) {
     const bool is_reference = &run == &reference;
-    rows.push_back({{run.name, shown(run.peak_force, "N", units),
-                     is_reference ? "" : deviation(run.peak_force, reference.peak_force),
-                     shown(run.time_of_peak_force, "s", units), shown(run.peak_penetration, "m", units),
-                     shown(run.peak_motion, "m", units), shown(run.end_speed, "m/s", units),
-                     is_reference ? "" : deviation(run.end_speed, reference.end_speed),
-                     shown(run.end_time, "s", units)}});
+    rows.push_back({run.name, shown(run.peak_force, "N", units),
+                    is_reference ? "" : deviation(run.peak_force, reference.peak_force),
+                    shown(run.time_of_peak_force, "s", units), shown(run.peak_penetration, "m", units),
+                    shown(run.peak_motion, "m", units), shown(run.end_speed, "m/s", units),
+                    is_reference ? "" : deviation(run.end_speed, reference.end_speed),
+                    shown(run.end_time, "s", units)});
     if (!run.remark.empty()) remarks += run.name + ": " + run.remark + "\n";
   }
   if (!remarks.empty()) remarks = "\n" + remarks;
@@ -172,7 +180,9 @@ std::string comparison_text(const Comparison& comparison, const ImpactCase& impa
          "\", the solution of the same equations with 17.64 in/s\n"
          "to the mile per hour and 386.4 in/s2, as the program of 1984 counts. The end is when the force "
          "falls\n"
-         "below the sphere's weight on rebound. Figures of a run with an ABEND hold up to it.\n";
+         "below the sphere's weight on rebound. Figures of a run with an ABEND may have lost their meaning "
+         "some time\n"
+         "before it.\n";
 }
 
 std::string comparison_json(const Comparison& comparison) {
@@ -180,6 +190,7 @@ std::string comparison_json(const Comparison& comparison) {
   for (const ComparedRun& run : comparison.runs)
     runs.push_back({{"name", run.name},
                     {"finished", run.finished},
+                    {"trustworthy", run.trustworthy},
                     {"remark", run.remark},
                     {"peak_force_N", number(run.peak_force)},
                     {"time_of_peak_force_s", number(run.time_of_peak_force)},
@@ -190,6 +201,8 @@ std::string comparison_json(const Comparison& comparison) {
   const nlohmann::ordered_json result{
       {"runs", runs},
       {"reference", comparison.runs[Comparison::reference].name},
+      {"time_step_of_1984_s", comparison.time_step},
+      {"dimension_of_1984", comparison.dimension},
       {"program", {{"name", "dashpad"}, {"version", version()}, {"commit", build_facts().git_commit}}}};
   return result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
@@ -206,7 +219,7 @@ Plot comparison_plot(const Comparison& comparison, const ImpactCase& impact, con
   force.y.low = 0;
   for (const ComparedRun& run : comparison.runs) {
     if (&run == &comparison.runs.front()) continue;  // not to be told from the reference at this scale
-    force.series.push_back(series(run, run.force, "N", 2 * reference.peak_force, units));
+    force.series.push_back(series(run, run.force, "N", 2 * reference.peak_force.value_or(0), units));
     penetration.series.push_back(series(run, run.penetration, "m", 2 * reference.peak_penetration, units));
   }
   return {impact.title.empty() ? "The program of 1984 and the accurate solver" : impact.title,

@@ -1,6 +1,7 @@
 #include "dashpad/spit1984/deck.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 
@@ -106,8 +107,8 @@ Deck deck_of(const ImpactCase& impact) {
 std::vector<Violation> violations(const Deck& deck) {
   std::vector<Violation> broken;
   const auto check = [&](const std::string& name, double value, const char* meaning) {
-    if (!(value > 0 && value <= 1e9))
-      broken.push_back({name, value, fmt::format("{} must be more than 0, and 1e9 at most", meaning)});
+    if (!(value > 0 && value <= 1e20))
+      broken.push_back({name, value, fmt::format("{} must be more than 0, and 1e20 at most", meaning)});
   };
   check("RAD", deck.radius_in, "the sphere's radius");
   check("VIN", deck.speed_mph, "the initial speed");
@@ -115,14 +116,22 @@ std::vector<Violation> violations(const Deck& deck) {
   check("THK", deck.thickness_in, "the pad's thickness");
   check("DELT", deck.time_step_ms, "the time step");
   check("NDEL", deck.print_interval, "the print interval");
-  if (deck.support == 1) check("SPAR(9)", deck.support_parameters[8], "the support's stiffness");
-  if (deck.support > 1)
+  const int law = static_cast<int>(deck.pad);
+  if (law < 1 || law > 5) broken.push_back({"KEYP", double(law), "must be 1 to 5"});
+  for (std::size_t i = 0; i < deck.pad_parameters.size(); ++i)
+    if (!std::isfinite(deck.pad_parameters[i]))
+      broken.push_back({fmt::format("PPAR({})", i + 1), deck.pad_parameters[i], "must be a finite number"});
+  if (deck.support < 1 || deck.support > 4)
+    broken.push_back({"KEYS", double(deck.support), "must be 1 to 4"});
+  else if (deck.support == 1)
+    check("SPAR(9)", deck.support_parameters[8], "the support's stiffness");
+  else
     for (std::size_t i = 0; i < 2 * static_cast<std::size_t>(deck.support); ++i) {
       const double before = i < 2 ? 0 : deck.support_parameters[i - 2];
       const double value = deck.support_parameters[i];
-      if (!(value > before && value <= 1e9))
+      if (!(value > before && value <= 1e20))
         broken.push_back({fmt::format("SPAR({})", i + 1), value,
-                          "deflections and forces of the support must increase from 0, to 1e9 at most"});
+                          "deflections and forces of the support must increase from 0, to 1e20 at most"});
     }
   return broken;
 }

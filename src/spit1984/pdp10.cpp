@@ -44,7 +44,7 @@ Pdp10 square_root(Pdp10 x) {
     ++twos;
   }
   const auto f = Pdp10::of_exact(fraction);  // in [1/4, 1)
-  // Published runs admit 0.42050 to 0.42114 for the second intercept; 431/1024 is the one number there that
+  // Published runs admit 0.42050 to 0.42113 for the second intercept; 431/1024 is the one number there that
   // fits an instruction's nine bits, like both slopes. Table of Appendix C: 74 of 132 numbers with
   // 0.42041016.
   const Pdp10 slope = fraction < 0.5 ? 0.828125 : 0.5859375;

@@ -176,7 +176,7 @@ TEST_F(Spit1984Test, AnAbendIsExitCode3AndSaysWhatToDo) {
   const Outcome outcome = dashpad(
       {"spit1984", nine, "--arithmetic", "binary64", "--json", file("r.json"), "--csv", file("h.csv")});
   EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("ABEND 900, too many iterations: "), HasSubstr("time step")));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("ABEND 900, too many iterations: "), HasSubstr("--time-step")));
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("ABEND - TOO MANY ITERATIONS"), HasSubstr("RUN SUMMARY")));
   EXPECT_EQ(json::parse(read_file(file("r.json")))["abend"]["number"], 900);
   EXPECT_GE(lines_of(read_file(file("h.csv"))).size(), 3u);

@@ -128,11 +128,18 @@ TEST(Spit1984Abend, RateSensitiveInstabilityEstimatesTheSpeedError) {
   const spit1984::Run result = run(deck, settings);
   ASSERT_EQ(result.abend, Abend::rate_sensitive_instability);
   ASSERT_TRUE(result.speed_error.has_value());
-  // Equation 27 at the last step, two before the one that failed.
+  // Equation 27 at the last row, two steps before the one that failed. The residual strain is that of the
+  // step between, which is not in the history: its bounds are nothing and all of the largest strain.
   const Step& last = result.history.back();
-  EXPECT_LT(std::abs(*result.speed_error), 0.5);
-  EXPECT_EQ(std::signbit(*result.speed_error),
-            std::signbit(last.acceleration_g * (last.motion_in - deck.thickness_in)));
+  const double half = 0.5 * last.acceleration_g * 386.4 / std::pow(last.speed_in_per_s, 2);
+  double deepest = 0;
+  for (const Step& step : result.history) deepest = std::max(deepest, step.penetration_in);
+  const double without = half * last.motion_in;
+  const double with_all = half * (last.motion_in - deepest);
+  const double low = std::min(without, with_all);
+  const double high = std::max(without, with_all);
+  EXPECT_GE(*result.speed_error, low);
+  EXPECT_LE(*result.speed_error, high);
 }
 
 TEST(Spit1984Abend, EachHasItsAdvice) {
@@ -141,6 +148,51 @@ TEST(Spit1984Abend, EachHasItsAdvice) {
     EXPECT_STRNE(text_of(abend).message, "");
     EXPECT_STRNE(text_of(abend).advice, "");
   }
+  EXPECT_NE(std::string{text_of(Abend::too_many_time_steps).advice}.find("--most-steps"), std::string::npos);
+  EXPECT_NE(std::string{text_of(Abend::too_many_contact_divisions).advice}.find("--most-stations"),
+            std::string::npos);
+}
+
+TEST(Spit1984Abend, TheLastRowIsATrialWhereNoneWasAccepted) {
+  Settings settings;
+  settings.most_iterations = 1;
+  EXPECT_FALSE(run(nine_parameter_deck(), settings).last_step_accepted);
+  EXPECT_TRUE(run(nine_parameter_deck()).last_step_accepted);
+}
+
+// --- What is refused ---
+
+TEST(Spit1984, RefusesADeckThatMakesNoSense) {
+  const auto refused = [](auto spoil) {
+    Deck deck = nine_parameter_deck();
+    spoil(deck);
+    EXPECT_EQ(violations(deck).size(), 1U);
+    EXPECT_THROW(run(deck), std::invalid_argument);
+  };
+  EXPECT_TRUE(violations(nine_parameter_deck()).empty());
+  refused([](Deck& deck) { deck.radius_in = 0; });
+  refused([](Deck& deck) { deck.speed_mph = std::nan(""); });
+  refused([](Deck& deck) { deck.weight_lb = -1; });
+  refused([](Deck& deck) { deck.time_step_ms = 1e300; });
+  refused([](Deck& deck) { deck.print_interval = 0; });
+  refused([](Deck& deck) { deck.support = 5; });
+  refused([](Deck& deck) { deck.support = 0; });
+  refused([](Deck& deck) { deck.pad = static_cast<PadKey>(6); });
+  refused([](Deck& deck) { deck.pad_parameters[3] = std::nan(""); });
+  refused([](Deck& deck) { deck.support_parameters[8] = 0; });
+  refused([](Deck& deck) {
+    deck.support = 2;
+    deck.support_parameters = {0.1, 100, 0.05, 200};
+  });
+}
+
+TEST(Spit1984, RefusesDimensionsWithoutRoom) {
+  Settings settings;
+  settings.most_steps = 2;
+  EXPECT_THROW(run(nine_parameter_deck(), settings), std::invalid_argument);
+  settings = {};
+  settings.most_stations = 1;
+  EXPECT_THROW(run(nine_parameter_deck(), settings), std::invalid_argument);
 }
 
 // --- The support ---
@@ -180,6 +232,10 @@ TYPED_TEST(SupportOf1984, MendedItIsTheSecantOfTheCurve) {
 
 // --- The program against the accurate solver: its own tolerance is 2 % of the force ---
 
+Abend settings_end(const std::string& example) {
+  return example == "dashboard-20mph.toml" ? Abend::none : Abend::too_many_iterations;
+}
+
 class Spit1984Law : public testing::TestWithParam<const char*> {};
 
 TEST_P(Spit1984Law, MendedItComesCloseToTheAccurateSolution) {
@@ -191,11 +247,13 @@ TEST_P(Spit1984Law, MendedItComesCloseToTheAccurateSolution) {
   const Summary accurate = solve(with_the_constants_of_1984(impact)).summary;
   const double pound = 4.4482216152605;
   EXPECT_NEAR(-program.peak_force_lb * pound / *accurate.peak_force, 1, 0.025);
+  // The 21-parameter run cannot find its end (docs/spit1984.md).
+  EXPECT_EQ(program.abend, settings_end(GetParam()));
 }
 INSTANTIATE_TEST_SUITE_P(Examples, Spit1984Law,
                          testing::Values("dashboard-20mph.toml", "dashboard-20mph-21-parameter.toml"));
 
-TEST(Spit1984, ALinearPadConverges) {
+TEST(Spit1984, ALinearPadIsRightToTheAccuracyOfItsStations) {
   ImpactCase impact = example("dashboard-20mph.toml");
   impact.pad.material = {};
   impact.pad.material.law = Elastic{6e5};
@@ -216,7 +274,34 @@ TEST(Spit1984, ALinearPadConverges) {
     errors.push_back(std::abs(-program.peak_force_lb * 4.4482216152605 / *accurate.peak_force - 1));
   }
   // The stations stay R/100 apart, whatever the step: what is left is the trapezoidal rule's.
-  EXPECT_LT(errors.back(), 1e-3) << errors[0] << ' ' << errors[1] << ' ' << errors[2];
+  for (const double error : errors) EXPECT_LT(error, 5e-5);
+}
+
+/// Iterated tightly, the mended scheme goes to the accurate solution at about first order in the speed, until
+/// the stations, which stay R/100 apart, limit it: the table of docs/spit1984.md.
+TEST(Spit1984, MendedAndIteratedTightlyItConverges) {
+  const ImpactCase impact = example("dashboard-20mph.toml");
+  const Summary accurate = solve(with_the_constants_of_1984(impact), {.tolerance = 1e-5}).summary;
+  Deck deck = deck_of(impact);
+  Settings settings;
+  settings.arithmetic = Arithmetic::binary64;
+  settings.defects = all_mended;
+  settings.equilibrium_tolerance = 1e-5;
+  settings.precision_tolerance = 1e-13;
+  settings.most_iterations = 1000;
+  const auto errors = [&](double step_ms) {
+    deck.time_step_ms = step_ms;
+    const spit1984::Run program = run(deck, settings);
+    EXPECT_EQ(program.abend, Abend::none) << step_ms;
+    return std::pair{-program.peak_force_lb * 4.4482216152605 / *accurate.peak_force - 1,
+                     program.history.back().speed_in_per_s * 0.0254 / accurate.weight->velocity - 1};
+  };
+  const auto [force_coarse, speed_coarse] = errors(0.2);
+  const auto [force, speed] = errors(0.1);
+  EXPECT_NEAR(force_coarse, -0.0017, 0.0004);
+  EXPECT_NEAR(force, -0.0013, 0.0004);
+  EXPECT_GT(speed_coarse / speed, 1.6);
+  EXPECT_LT(speed_coarse / speed, 2.6);
 }
 
 TEST(Spit1984, AHistoryBeginsAtFirstContact) {

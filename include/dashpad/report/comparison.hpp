@@ -15,13 +15,13 @@ namespace dashpad {
 /// One way to compute the impact. SI; compression positive, speeds as magnitudes.
 struct ComparedRun {
   std::string name;
-  std::string remark;             ///< why its figures are not to be trusted; empty if nothing is wrong
-  bool finished = false;          ///< came to the end of contact
-  bool trustworthy = false;       ///< the accurate solver's tolerance is met; never of the program of 1984
-  double peak_force = 0;          ///< N; up to the end of an unfinished run
-  double time_of_peak_force = 0;  ///< s
-  double peak_penetration = 0;    ///< m
-  double peak_motion = 0;         ///< m
+  std::string remark;                ///< why its figures are not to be trusted; empty if nothing is wrong
+  bool finished = false;             ///< came to the end of contact
+  bool trustworthy = false;          ///< the accurate solver's tolerance is met; never of the program of 1984
+  std::optional<double> peak_force;  ///< N; of an unfinished run: until its last accepted step
+  std::optional<double> time_of_peak_force;  ///< s
+  double peak_penetration = 0;               ///< m
+  double peak_motion = 0;                    ///< m
   /// When the force falls below the sphere's weight on rebound, the end of the 1984 program. Of finished
   /// runs.
   std::optional<double> end_time;   ///< s
@@ -35,10 +35,13 @@ struct Comparison {
   /// its defects mended, in binary64.
   std::vector<ComparedRun> runs;
   static constexpr std::size_t reference = 1;
+  double time_step = 0;  ///< of the 1984 program, s
+  int dimension = 0;     ///< of its time history and its contact field
 };
 
-/// Runs all of them. `time_step` is that of the 1984 program, s. Throws std::invalid_argument for a case with
-/// violations() or with what_a_deck_cannot_say().
+/// Runs all of them. `time_step` is that of the 1984 program, s; for steps below 0.1 ms its dimensions of
+/// 1000 are enlarged in proportion. Throws std::invalid_argument for a case with violations() or with
+/// what_a_deck_cannot_say().
 Comparison compare(const ImpactCase& impact, const Options& options, double time_step);
 
 /// The table, with remarks below.

@@ -42,8 +42,8 @@ Deck deck_of(const ImpactCase& impact);
 /// Every feature of a case that the 1984 program has no input for; empty where deck_of() says it all.
 std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact);
 
-/// Every number of a deck that makes no sense: not finite, or not positive where it must be. A deck made by
-/// deck_of() from a sound case has none. Keys are the program's names.
+/// Every number of a deck that makes no sense: an unknown key, not finite, or not positive where it must be.
+/// A deck made by deck_of() from a sound case has none. Keys are the program's names.
 std::vector<Violation> violations(const Deck& deck);
 
 /// The case as the 1984 program counts it: 17.64 in/s to the mile per hour (0.23 % faster than exact) and

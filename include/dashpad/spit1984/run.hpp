@@ -63,6 +63,8 @@ struct Run {
   double peak_force_lb = 0;                             ///< negative
   std::array<double, 4> tangent_stiffness_lb_per_in{};  ///< SPAR(9) to SPAR(12)
   Abend abend = Abend::none;
+  /// False after ABENDs 900, 901 and 904: the last row is that of a trial, as printed.
+  bool last_step_accepted = true;
   std::optional<double> speed_error;  ///< Eq. 27, with ABEND 903 only; fraction of the last speed
   std::vector<PrecisionStop> precision_stops;
   int halvings = 0;       ///< of the time step, at the end
@@ -85,8 +87,9 @@ AbendText text_of(Abend abend);
 /// 0.25 sqrt(M/K), with the largest tangent stiffness of the support.
 double longest_time_step_ms(const Deck& deck);
 
-/// Runs the program. Never throws on a deck of finite numbers: what goes wrong is an ABEND. Memory is taken
-/// for the dimensions of `settings` at once.
+/// Runs the program; what goes wrong in a sound deck is an ABEND. Throws std::invalid_argument for
+/// violations() of the deck, fewer than 3 time steps or fewer than 2 stations. Memory is taken for the
+/// dimensions at once.
 Run run(const Deck& deck, const Settings& settings = {});
 
 }  // namespace dashpad::spit1984
