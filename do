@@ -44,8 +44,10 @@ packages_of() {
   ' "$root/packages.txt" | sort -u
 }
 
+# Installed, or provided by an installed package (other builds of nodejs than Debian's bring npm with them).
 is_installed() {
-  [[ "$(dpkg-query -W -f='${Status}' "$1" 2>/dev/null)" == "install ok installed" ]]
+  [[ "$(dpkg-query -W -f='${Status}' "$1" 2>/dev/null)" == "install ok installed" ]] ||
+    dpkg-query -W -f='${db:Status-Status} ${Provides},\n' | grep -E "^installed (.*, )?$1( \(.*\))?," >/dev/null
 }
 
 

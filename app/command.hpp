@@ -18,6 +18,7 @@ enum ExitCode {
   exit_failed = 1,       ///< a result could not be written, or the program is at fault
   exit_refused = 2,      ///< input or command line refused; nothing was run and nothing written
   exit_not_trusted = 3,  ///< results are there, but miss the tolerance
+  exit_not_passed = 4,   ///< a standard's limit is exceeded
 };
 
 /// What a subcommand does once the command line is read; returns the exit code.
@@ -28,6 +29,11 @@ void add_check(CLI::App& app, Action& action, const std::filesystem::path& execu
 void add_materials(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_spit1984(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_compare(CLI::App& app, Action& action, const std::filesystem::path& executable);
+void add_assess(CLI::App& app, Action& action, const std::filesystem::path& executable);
+void add_standards(CLI::App& app, Action& action, const std::filesystem::path& executable);
+void add_pulse(CLI::App& app, Action& action, const std::filesystem::path& executable);
+void add_export(CLI::App& app, Action& action, const std::filesystem::path& executable);
+void add_post_impact(CLI::App& app, Action& action, const std::filesystem::path& executable);
 
 /// Adds --units; the help names the systems on offer.
 void add_units(CLI::App& app, std::string& units);

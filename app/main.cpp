@@ -31,7 +31,8 @@ Exit codes:
   0  done; also when the pad bottomed out or the time was up: these are results
   1  a result could not be written (full disk, ...), or the program failed
   2  input or command line refused; nothing was run, nothing was written
-  3  results are there but miss the tolerance: do not rely on them)";
+  3  results are there but miss the tolerance: do not rely on them
+  4  assess: a limit of the standard is exceeded)";
 
 /// More than that nobody reads, and a file that is no case at all can have thousands.
 constexpr std::size_t most_complaints = 200;
@@ -42,7 +43,8 @@ int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
   for (std::size_t i = 0; i < count && i < most_complaints; ++i) text += complaints[i] + "\n";
   if (count > most_complaints) text += "...\n";
   text += std::to_string(count) + (count == 1 ? " fault" : " faults");
-  const bool would_run = !app.got_subcommand("check") && !app.got_subcommand("materials");
+  const bool would_run =
+      !app.got_subcommand("check") && !app.got_subcommand("materials") && !app.got_subcommand("standards");
   write_error(text + (would_run ? "; nothing was run\n" : "\n"));
   return exit_refused;
 }
@@ -78,8 +80,13 @@ int command(int argument_count, char** arguments) {
   add_run(app, action, executable);
   add_check(app, action, executable);
   add_materials(app, action, executable);
-  add_spit1984(app, action, executable);
+  add_assess(app, action, executable);
+  add_standards(app, action, executable);
+  add_post_impact(app, action, executable);
+  add_pulse(app, action, executable);
+  add_export(app, action, executable);
   add_compare(app, action, executable);
+  add_spit1984(app, action, executable);
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {

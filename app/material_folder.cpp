@@ -7,19 +7,38 @@ namespace dashpad {
 
 namespace fs = std::filesystem;
 
-fs::path material_folder(const fs::path& executable) {
-  if (const char* chosen = std::getenv("DASHPAD_MATERIALS"); chosen != nullptr && *chosen != '\0')
-    return chosen;
+namespace {
+
+struct DataFolder {
+  const char* variable;   ///< of the environment
+  const char* installed;  ///< relative to the folder of the command
+  const char* source;
+};
+
+fs::path find(const DataFolder& folder, const fs::path& executable) {
+  if (const char* chosen = std::getenv(folder.variable); chosen != nullptr && *chosen != '\0') return chosen;
 
   std::error_code ignored;
   const fs::path installed =
-      (fs::absolute(executable, ignored).parent_path() / DASHPAD_INSTALLED_MATERIALS).lexically_normal();
+      (fs::absolute(executable, ignored).parent_path() / folder.installed).lexically_normal();
   if (fs::is_directory(installed, ignored)) return installed;
 
-  const fs::path source{DASHPAD_SOURCE_MATERIALS};
+  const fs::path source{folder.source};
   if (fs::is_directory(source, ignored)) return source;
 
   return installed;
+}
+
+}  // namespace
+
+fs::path material_folder(const fs::path& executable) {
+  return find({"DASHPAD_MATERIALS", DASHPAD_INSTALLED_DATA "/materials", DASHPAD_SOURCE_DATA "/materials"},
+              executable);
+}
+
+fs::path standard_folder(const fs::path& executable) {
+  return find({"DASHPAD_STANDARDS", DASHPAD_INSTALLED_DATA "/standards", DASHPAD_SOURCE_DATA "/standards"},
+              executable);
 }
 
 fs::path running_executable(const char* argument_zero) {

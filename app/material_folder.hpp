@@ -1,5 +1,5 @@
 #pragma once
-/// Where the command finds the material cards that came with it.
+/// Where the command finds the material cards and the standards that came with it.
 
 #include <filesystem>
 
@@ -11,6 +11,9 @@ namespace dashpad {
 ///   3. materials/ of the source tree that the command was built from, if it exists.
 /// If there is none, the second, so that a message can name the place where the cards were expected.
 std::filesystem::path material_folder(const std::filesystem::path& executable);
+
+/// The same for the presets of standards: $DASHPAD_STANDARDS, share/dashpad/standards, standards/.
+std::filesystem::path standard_folder(const std::filesystem::path& executable);
 
 /// The file of the running program; `argument_zero` where the system does not tell.
 std::filesystem::path running_executable(const char* argument_zero);

@@ -10,8 +10,10 @@
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/io/case_file.hpp"
 #include "dashpad/io/history_csv.hpp"
-#include "dashpad/io/result_json.hpp"
 #include "dashpad/io/summary_text.hpp"
+#include "dashpad/report/page.hpp"
+#include "dashpad/report/pulse_text.hpp"
+#include "dashpad/report/result_json.hpp"
 #include "output.hpp"
 #include "streams.hpp"
 
@@ -25,6 +27,7 @@ constexpr const char* footer = R"(Examples:
   dashpad run examples/dashboard-20mph.toml
   dashpad run examples/dashboard-20mph.toml --units us
   dashpad run examples/dashboard-20mph.toml --json result.json --csv history.csv
+  dashpad run examples/dashboard-20mph.toml --report result.html
   dashpad run examples/dashboard-20mph.toml --tolerance 1e-6 --json - | jq .peak_force_N
 
 Units: si shows mm, kg, ms, m/s, N, J; us shows in, lb, ms, mph, lbf, in-lbf; engineering-metric shows
@@ -42,6 +45,7 @@ struct Request {
   std::string case_file;
   std::optional<std::string> json;
   std::optional<std::string> csv;
+  std::optional<std::string> report;
   std::string units;
   std::optional<std::string> tolerance;
   std::string materials;
@@ -52,6 +56,7 @@ std::vector<Target> targets(const Request& request) {
   std::vector<Target> wanted;
   if (request.json) wanted.push_back({"--json", *request.json});
   if (request.csv) wanted.push_back({"--csv", *request.csv});
+  if (request.report) wanted.push_back({"--report", *request.report});
   return wanted;
 }
 
@@ -67,6 +72,7 @@ std::optional<double> parse_tolerance(const std::string& text) {
 /// The case, with the command line's changes. Throws Refused with all that is wrong with both.
 CaseFile read_and_check(const Request& request, const std::filesystem::path& materials) {
   std::vector<std::string> wrong = complaints(targets(request), request.case_file, request.force);
+  if (request.report && !has_page()) wrong.push_back(std::string{"--report: "} + no_page);
   std::optional<double> tolerance;
   if (request.tolerance && !(tolerance = parse_tolerance(*request.tolerance)))
     wrong.push_back(fmt::format("--tolerance {}: must be a number from {} to {}, such as 1e-5",
@@ -82,14 +88,27 @@ CaseFile read_and_check(const Request& request, const std::filesystem::path& mat
   return input;
 }
 
+/// A pulse that ends in bottoming on a rigid support has no figures: its peak is not finite.
+std::optional<InjuryFigures> injury_of(const Solution& solution) {
+  if (!solution.summary.release) return std::nullopt;
+  return injury_figures(solution);
+}
+
+std::string text_for(const Target& target, const CaseFile& input, const Solution& solution,
+                     const UnitSystem& units) {
+  if (target.option == "--json") return result_json(input.impact, solution.summary, injury_of(solution));
+  if (target.option == "--csv") return history_csv(solution.history, units_of_files(units));
+  return page(input.impact, input.options, solution, units,
+              contact_snapshots(input.impact, solution.history));
+}
+
 /// Files first, all of them or none as far as the disk can tell; then what goes to standard output.
-void write_results(const Request& request, const ImpactCase& impact, const Solution& solution) {
+void write_results(const Request& request, const CaseFile& input, const Solution& solution) {
   const UnitSystem& units = unit_system(request.units);
   std::vector<PendingFile> files;
   std::string output;
   for (const Target& target : targets(request)) {
-    std::string text = target.option == "--json" ? result_json(impact, solution.summary)
-                                                 : history_csv(solution.history, units_of_files(units));
+    std::string text = text_for(target, input, solution, units);
     if (target.is_standard_output())
       output = std::move(text);
     else
@@ -97,7 +116,8 @@ void write_results(const Request& request, const ImpactCase& impact, const Solut
   }
   for (PendingFile& file : files) file.publish();
 
-  const std::string summary = summary_text(impact, solution.summary, units);
+  std::string summary = summary_text(input.impact, solution.summary, units);
+  if (const auto injury = injury_of(solution)) summary += "\nThe pulse:\n" + injury_text(*injury, units);
   if (output.empty()) {
     write_output(summary);
   } else {
@@ -109,7 +129,7 @@ void write_results(const Request& request, const ImpactCase& impact, const Solut
 int run(const Request& request, const std::filesystem::path& materials) {
   const CaseFile input = read_and_check(request, materials);
   const Solution solution = solve(input.impact, input.options);
-  write_results(request, input.impact, solution);
+  write_results(request, input, solution);
   return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
 }
 
@@ -122,6 +142,8 @@ void add_run(CLI::App& app, Action& action, const std::filesystem::path& executa
   sub->add_option("--json", request->json, "Write the summary as JSON (- for standard output)")
       ->type_name("FILE");
   sub->add_option("--csv", request->csv, "Write the history as CSV (- for standard output)")
+      ->type_name("FILE");
+  sub->add_option("--report", request->report, "Write a page to look at in a browser, as one HTML file")
       ->type_name("FILE");
   add_units(*sub, request->units);
   sub->add_option("--tolerance", request->tolerance,

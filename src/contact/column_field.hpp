@@ -40,6 +40,17 @@ class ColumnField {
   /// Columns updated in all trials since the start: the cost of the run.
   [[nodiscard]] std::size_t updates() const { return updates_; }
 
+  struct Column {
+    double depth = 0;   ///< s, m
+    double strain = 0;  ///< > 0
+    double stress = 0;  ///< Pa, tension negative
+  };
+  /// Columns under strain in the accepted state, from the axis outwards.
+  [[nodiscard]] std::size_t strained_columns() const { return live_; }
+  [[nodiscard]] Column column(std::size_t j) const {
+    return {depth_[j], (penetration_ - depth_[j]) / thickness_, now_.stress[j]};
+  }
+
   /// `resolution` is the relative spacing of stations aimed at.
   void start(double resolution) {
     resolution_ = resolution;

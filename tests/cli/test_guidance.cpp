@@ -72,18 +72,25 @@ TEST_F(GuidanceTest, HelpTeaches) {
   EXPECT_THAT(dashpad({"run", "--help"}).out, HasSubstr("Units:"));
 }
 
-/// Every line of a help text that starts with "  dashpad" is a command that works, run from the source tree.
+/// Every line of a help text that starts with "  dashpad" is a command that works, in a folder with the
+/// examples.
 TEST_F(GuidanceTest, TheExamplesOfTheHelpWork) {
-  for (const char* subcommand : {"run", "check"}) {
+  fs::create_directory_symlink(fs::path{DASHPAD_SOURCE_DIR} / "examples", file("examples"));
+  for (const char* subcommand :
+       {"run", "check", "materials", "assess", "standards", "post-impact", "export", "compare", "spit1984"}) {
     std::istringstream help(dashpad({subcommand, "--help"}).out);
     for (std::string line; std::getline(help, line);) {
       if (!line.starts_with("  dashpad ")) continue;
-      std::string command = line.substr(0, line.find(" | "));
+      std::string command = line.substr(2, std::min(line.find(" | "), line.find("   ", 2)) - 2);
+      // Asks; goes on in the next line; needs a file of the user's.
+      if (command.find("--interactive") != std::string::npos || command.ends_with("\\") ||
+          command.find("my-") != std::string::npos)
+        continue;
       command = with(command, "dashpad ", "$DASHPAD ");
-      for (const char* name : {"result.json", "history.csv"})
-        if (command.find(name) != std::string::npos) command = with(command, name, file(name));
-      const Outcome outcome = shell("cd '" DASHPAD_SOURCE_DIR "' && " + command);
-      EXPECT_EQ(outcome.exit_code, 0) << line << "\n" << outcome.err;
+      const Outcome outcome =
+          shell("cd '" + fs::path{file("case.toml")}.parent_path().string() + "' && " + command);
+      EXPECT_THAT(outcome.exit_code, testing::AnyOf(0, 4)) << line << "\n"
+                                                           << outcome.err;  // 4: does not pass
     }
   }
 }

@@ -7,8 +7,8 @@
 
 namespace dashpad::spit1984 {
 
-/// The two devices that the listing writes to. The line printer (unit 21) printed Appendix C. Only the terminal
-/// (unit 5) is told of iterations stopped at the precision limit and of ABENDs 903 and 904.
+/// The two devices that the listing writes to. The line printer (unit 21) printed Appendix C. Only the
+/// terminal (unit 5) is told of iterations stopped at the precision limit and of ABENDs 903 and 904.
 enum class Device { printer, terminal };
 
 /// The whole report: FORMAT statements 6000 and 601 to 613. Lines end in '\n'. The first character of each

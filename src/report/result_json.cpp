@@ -1,4 +1,4 @@
-#include "dashpad/io/result_json.hpp"
+#include "dashpad/report/result_json.hpp"
 
 #include <cmath>
 #include <optional>
@@ -102,11 +102,39 @@ Json echo(const ImpactCase& impact) {
           {"support", support(impact.support)}};
 }
 
+Json hic_json(const Hic& of, double error) {
+  return {{"value", number(of.value)},
+          {"begin_s", number(of.begin)},
+          {"end_s", number(of.end)},
+          {"error", number(error)}};
+}
+
+Json clip_json(const Clip& of, double error) {
+  return {{"level_g", number(of.level / standard_gravity)},
+          {"begin_s", number(of.begin)},
+          {"end_s", number(of.end)},
+          {"error", number(error)}};
+}
+
+Json injury_json(const std::optional<InjuryFigures>& figures) {
+  if (!figures) return nullptr;
+  const InjuryFigures::Errors& errors = figures->errors;
+  return {{"hic15", hic_json(figures->hic15, errors.hic15)},
+          {"hic36", hic_json(figures->hic36, errors.hic36)},
+          {"hic_unlimited", hic_json(figures->hic_unlimited, errors.hic_unlimited)},
+          {"hic_d", {{"value", number(figures->hic_d)}, {"error", number(errors.hic_d)}}},
+          {"clip_3ms_contiguous", clip_json(figures->contiguous_3ms, errors.contiguous_3ms)},
+          {"clip_3ms_cumulative", clip_json(figures->cumulative_3ms, errors.cumulative_3ms)},
+          {"severity_index",
+           {{"value", number(figures->severity_index)}, {"error", number(errors.severity_index)}}}};
+}
+
 Json program() { return {{"name", "dashpad"}, {"version", version()}, {"commit", build_facts().git_commit}}; }
 
 }  // namespace
 
-std::string result_json(const ImpactCase& impact, const Summary& summary) {
+std::string result_json(const ImpactCase& impact, const Summary& summary,
+                        const std::optional<InjuryFigures>& injury) {
   Json result;
   result["status"] = to_string(summary.status);
   result["peak_force_N"] = number(summary.peak_force);
@@ -126,6 +154,7 @@ std::string result_json(const ImpactCase& impact, const Summary& summary) {
   result["extrapolated"] = summary.extrapolated;
   result["extrapolations"] = summary.extrapolations;
   result["bottomed"] = summary.bottomed ? moment(*summary.bottomed) : Json(false);
+  result["injury"] = injury_json(injury);
   result["errors"] = errors(summary);
   result["solver"] = solver(summary);
   result["case"] = echo(impact);

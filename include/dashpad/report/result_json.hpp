@@ -1,16 +1,20 @@
 #pragma once
 /// The result of one impact for other programs.
 
+#include <optional>
 #include <string>
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/injury/figures.hpp"
 
 namespace dashpad {
 
 /// JSON text (RFC 8259, UTF-8, ends with a line break) that schema/summary.schema.json describes: the
 /// summary, the case that it belongs to and the program that made it. SI units, which the keys name. Every
 /// number reads back as the very same double; a figure that is absent or not finite is null.
-std::string result_json(const ImpactCase& impact, const Summary& summary);
+/// `injury` is null in the JSON where there are no figures.
+std::string result_json(const ImpactCase& impact, const Summary& summary,
+                        const std::optional<InjuryFigures>& injury = std::nullopt);
 
 }  // namespace dashpad

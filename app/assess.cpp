@@ -1,0 +1,200 @@
+// dashpad assess: solves a case with the impactor of a test standard and compares with its limits.
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/impact/solve.hpp"
+#include "dashpad/injury/standard_file.hpp"
+#include "dashpad/io/case_file.hpp"
+#include "dashpad/report/assessment_text.hpp"
+#include "dashpad/units/quantity.hpp"
+#include "material_folder.hpp"
+#include "output.hpp"
+#include "streams.hpp"
+
+namespace dashpad {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double lowest_tolerance = 1e-8, highest_tolerance = 1e-2;
+
+constexpr const char* footer = R"(Examples:
+  dashpad assess examples/dashboard-20mph.toml --standard fmvss-201-instrument-panel
+  dashpad assess examples/dashboard-20mph.toml --standard fmvss-201-instrument-panel:air-bag --units us
+  dashpad assess examples/dashboard-20mph.toml --standard en-1177 --drop-height "1.5 m"
+  dashpad assess examples/dashboard-20mph.toml --standard fmvss-218:hemispherical:small --json -
+
+The impactor (mass, radius, speed) is that of the standard, or yours where you give one; pad, support and
+solver are those of the case. What was replaced is said. A standard that leaves a value open takes the case's.
+Several variants may follow the name, each after a colon. dashpad standards lists names and variants.
+
+Verdicts: pass where the value with its estimated error is within every limit, fail where a value without its
+error is above one, undecided where a limit lies within the error or the computation ended too early. A pass
+is "with reservations" where the result is EXTRAPOLATED, BOTTOMED, INCOMPLETE or misses its tolerance, where a
+value of the standard is UNVERIFIED, or where you REPLACED one.
+It is a computation with one rigid sphere on a flat pad: no test to the standard, no certification.
+
+Exit codes: 0 pass, also with reservations; 4 fail; 3 undecided, or the result misses the tolerance; 1 a
+result could not be written; 2 input or command line refused and nothing was run.)";
+
+struct Request {
+  std::string case_file;
+  std::string standard;
+  std::optional<std::string> mass, radius, speed, drop_height;
+  std::optional<std::string> json;
+  std::string units;
+  std::optional<double> tolerance;
+  std::string standards;
+  std::string materials;
+  bool force = false;
+};
+
+struct Folders {
+  fs::path materials;
+  fs::path standards;
+};
+
+struct Input {
+  CaseFile given;
+  Standard standard;
+  ImpactCase assessed;
+};
+
+std::vector<Target> targets(const Request& request) {
+  return request.json ? std::vector<Target>{{"--json", *request.json}} : std::vector<Target>{};
+}
+
+using Complaints = std::vector<std::string>;
+
+std::optional<double> read_option(const char* option, const std::optional<std::string>& text,
+                                  const std::string& si_unit, Complaints& wrong) {
+  if (!text) return std::nullopt;
+  try {
+    const double value = to_si(*text, si_unit);
+    if (value > 0) return value;
+    wrong.push_back(fmt::format("{} {}: must be more than 0", option, *text));
+  } catch (const UnitError& error) {
+    wrong.push_back(fmt::format("{} {}: {}", option, *text, error.what()));
+  }
+  return std::nullopt;
+}
+
+UserValues read_user_values(const Request& request, Complaints& wrong) {
+  if (request.speed && request.drop_height)
+    wrong.emplace_back("--drop-height: give --speed or --drop-height, not both");
+  return {.mass = read_option("--mass", request.mass, "kg", wrong),
+          .radius = read_option("--radius", request.radius, "m", wrong),
+          .speed = read_option("--speed", request.speed, "m/s", wrong),
+          .drop_height = read_option("--drop-height", request.drop_height, "m", wrong)};
+}
+
+/// Runs a reader; what it finds wrong is noted and the others go on.
+template <class Reader>
+void noting_faults(Complaints& wrong, Reader read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+  } catch (const std::invalid_argument& error) {
+    wrong.push_back(fmt::format("--standard: {}", error.what()));
+  }
+}
+
+Input read_and_check(const Request& request, const Folders& folders) {
+  Complaints wrong = complaints(targets(request), request.case_file, request.force);
+  const UserValues values = read_user_values(request, wrong);
+  if (request.tolerance && std::isnan(*request.tolerance))
+    wrong.emplace_back("--tolerance nan: must be a number");
+  Input input;
+  noting_faults(wrong, [&] {
+    const StandardChoice choice = standard_choice(request.standard);
+    const Standard standard = read_standard(find_standard(choice.name, folders.standards));
+    input.standard = with_user_values(with_variants(standard, choice.variants), values);
+  });
+  noting_faults(wrong, [&] { input.given = read_case(request.case_file, folders.materials); });
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+
+  if (request.tolerance) input.given.options.tolerance = *request.tolerance;
+  input.assessed = with_impactor_of(input.standard, input.given.impact);
+  for (const Violation& violation : violations(input.assessed))
+    wrong.push_back(fmt::format("{}, with the impactor of {}: {} = {}: {}", request.case_file,
+                                input.standard.name, violation.key, violation.value, violation.rule));
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  return input;
+}
+
+void write_results(const Request& request, const AssessmentReport& report) {
+  std::vector<PendingFile> files;
+  std::string output;
+  for (const Target& target : targets(request)) {
+    std::string text = assessment_json(report);
+    if (target.is_standard_output())
+      output = std::move(text);
+    else
+      files.emplace_back(target, text, request.force);
+  }
+  for (PendingFile& file : files) file.publish();
+
+  const std::string table = assessment_text(report, unit_system(request.units));
+  if (output.empty()) {
+    write_output(table);
+  } else {
+    write_error(table);
+    write_output(output);
+  }
+}
+
+int run_assessment(const Request& request, const Folders& folders) {
+  const Input input = read_and_check(request, folders);
+  const Solution solution = solve(input.assessed, input.given.options);
+  const Assessment assessment = assess(input.standard, solution);
+  write_results(request, {input.standard, input.given.impact, input.assessed, solution, assessment});
+  if (!solution.summary.trustworthy() || assessment.verdict == Verdict::undecided) return exit_not_trusted;
+  return assessment.verdict == Verdict::pass ? int{exit_done} : exit_not_passed;
+}
+
+}  // namespace
+
+void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
+  CLI::App* sub = app.add_subcommand("assess", "Compare a case with the limits of a test standard");
+  const auto request = std::make_shared<Request>();
+  sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
+  sub->add_option("--standard", request->standard,
+                  "Preset, with variants if any (dashpad standards lists them)")
+      ->required()
+      ->type_name("NAME[:VARIANT]");
+  sub->add_option("--speed", request->speed, "Impact speed, such as \"15 mph\"")->type_name("V");
+  sub->add_option("--drop-height", request->drop_height, "Height of a free fall that gives the speed")
+      ->type_name("H");
+  sub->add_option("--mass", request->mass, "Mass of the impactor, such as \"6.8 kg\"")->type_name("M");
+  sub->add_option("--radius", request->radius, "Radius of the sphere, such as \"82.5 mm\"")->type_name("R");
+  sub->add_option("--json", request->json, "Write the assessment as JSON, SI and g (- for standard output)")
+      ->type_name("FILE");
+  add_units(*sub, request->units);
+  sub->add_option("--tolerance", request->tolerance,
+                  "Relative error to keep to, from 1e-8 to 1e-2 (default: the case's, else 1e-4)")
+      ->check(CLI::Range(lowest_tolerance, highest_tolerance))
+      ->type_name("X");
+  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  sub->add_option("--standards", request->standards,
+                  "Folder of presets (default: $DASHPAD_STANDARDS or dashpad's own)")
+      ->type_name("DIR");
+  add_material_folder(*sub, request->materials);
+  sub->footer(footer);
+  sub->callback([request, &action, executable] {
+    action = [request, executable] {
+      const fs::path standards =
+          request->standards.empty() ? standard_folder(executable) : fs::path{request->standards};
+      return run_assessment(*request, {chosen_folder(request->materials, executable), standards});
+    };
+  });
+}
+
+}  // namespace dashpad

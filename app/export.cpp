@@ -1,0 +1,210 @@
+// dashpad export: solves one case and writes its curves for another program's deck.
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/impact/solve.hpp"
+#include "dashpad/io/case_file.hpp"
+#include "dashpad/report/exports.hpp"
+#include "output.hpp"
+#include "streams.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr double lowest_tolerance = 1e-8, highest_tolerance = 1e-2;
+constexpr int most_points = 1'000'000;
+
+constexpr const char* footer = R"(Examples:
+  dashpad export examples/dashboard-20mph.toml --format ls-dyna --out pad.k
+  dashpad export examples/dashboard-20mph.toml --format radioss --system t-mm-s --out pad_0000.inc
+  dashpad export examples/dashboard-20mph.toml --format ls-dyna --curves loading,unloading --first-id 9001 \
+    --points 100 --out contact.k
+  dashpad export examples/dashboard-20mph.toml --format csv --curves force --out -
+
+Formats: ls-dyna is *DEFINE_CURVE keywords for *INCLUDE; radioss is /FUNCT blocks for #include; csv is two
+columns below lines that begin with #, and holds one curve.
+
+Curves (default: all): force, acceleration, velocity, motion and penetration over time; loading and unloading
+are the pad's force over its penetration, up to the largest and back to release. They are numbered in the
+order in which they are named.
+
+Systems: kg-mm-ms (default; kN, GPa, J), kg-m-s (N, Pa, J), t-mm-s (N, MPa, mJ), lbf-s2/in-in-s (lbf, psi).
+Compression is positive; the acceleration is negative while the pad pushes. docs/exports.md says more.
+
+Files: - as FILE is standard output; what is said about the curves then goes to standard error. An existing
+file is kept unless --force is given. A file is written whole or not at all, and carries the flags of the
+result (TOLERANCE NOT MET, TIME LIMIT, BOTTOMED, EXTRAPOLATED) as comments.
+
+Exit codes: 0 done (also when the pad bottomed out or the time was up), 1 the file could not be written or
+none of the curves exists, 2 refused and nothing was run, 3 the file is there but misses the tolerance.)";
+
+/// A new format is a row here.
+struct Format {
+  const char* name;
+  std::string (*text)(const CurveFile&);
+  bool holds_one_curve;
+};
+
+constexpr Format formats[] = {
+    {"ls-dyna", ls_dyna_text, false}, {"radioss", radioss_text, false}, {"csv", curve_csv, true}};
+
+struct Request {
+  std::string case_file;
+  std::string format;
+  std::string out;
+  std::vector<std::string> curves = curve_names();
+  std::string system = consistent_systems().front().units.name;
+  bool in_g = false;
+  int first_id = 1;
+  std::optional<int> points;
+  std::optional<std::string> tolerance;
+  std::string materials;
+  bool force = false;
+};
+
+const Format& format_of(const Request& request) {
+  return *std::ranges::find_if(formats, [&](const Format& format) { return request.format == format.name; });
+}
+
+/// Absent where the text is not a tolerance.
+std::optional<double> parse_tolerance(const std::string& text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return value >= lowest_tolerance && value <= highest_tolerance ? std::optional{value} : std::nullopt;
+}
+
+/// What is wrong with the choice of curves.
+std::vector<std::string> wrong_curves(const Request& request) {
+  std::vector<std::string> wrong;
+  for (auto name = request.curves.begin(); name != request.curves.end(); ++name)
+    if (std::find(request.curves.begin(), name, *name) != name)
+      wrong.push_back(fmt::format("--curves: {} is named twice", *name));
+  if (format_of(request).holds_one_curve && request.curves.size() != 1)
+    wrong.push_back(
+        fmt::format("--format {}: holds one curve; name it, as in --curves force", request.format));
+  const int highest_first = highest_curve_id - static_cast<int>(request.curves.size()) + 1;
+  if (request.first_id > highest_first)
+    wrong.push_back(fmt::format("--first-id {}: must be at most {}, to number all curves up to {}",
+                                request.first_id, highest_first, highest_curve_id));
+  return wrong;
+}
+
+/// The case, with the command line's changes. Throws Refused with all that is wrong with both.
+CaseFile read_and_check(const Request& request, const std::filesystem::path& materials) {
+  std::vector<std::string> wrong = complaints({{"--out", request.out}}, request.case_file, request.force);
+  for (std::string& line : wrong_curves(request)) wrong.push_back(std::move(line));
+  std::optional<double> tolerance;
+  if (request.tolerance && !(tolerance = parse_tolerance(*request.tolerance)))
+    wrong.push_back(fmt::format("--tolerance {}: must be a number from {} to {}, such as 1e-5",
+                                *request.tolerance, lowest_tolerance, highest_tolerance));
+  CaseFile input;
+  try {
+    input = read_case(request.case_file, materials);
+  } catch (const InputError& error) {
+    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+  }
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  if (tolerance) input.options.tolerance = *tolerance;
+  return input;
+}
+
+CurveFile curves_for(const Request& request, const CaseFile& input, const Solution& solution) {
+  std::optional<std::size_t> points;
+  if (request.points) points = static_cast<std::size_t>(*request.points);
+  CurveFile file = curve_file(input.impact, solution, request.curves, points);
+  file.units = consistent_system(request.system);
+  file.acceleration_in_g = request.in_g;
+  file.first_id = request.first_id;
+  if (std::ranges::none_of(file.curves, [](const FileCurve& of) { return of.curve.exists(); }))
+    throw std::runtime_error("nothing was written: " + file.curves.front().curve.name + " is " +
+                             file.curves.front().remark);
+  return file;
+}
+
+/// A line for each curve, then the flags.
+std::string account(const Request& request, const CurveFile& file) {
+  std::string text = fmt::format("{}, {}, units {}\n", request.out == "-" ? "standard output" : request.out,
+                                 request.format, request.system);
+  int id = file.first_id;
+  for (const FileCurve& of : file.curves)
+    text += fmt::format("  {:>8}  {:<13} {}\n", id++, of.curve.name, of.remark);
+  for (const std::string& flag : file.flags) text += flag + "\n";
+  return text;
+}
+
+int export_curves(const Request& request, const std::filesystem::path& materials) {
+  const CaseFile input = read_and_check(request, materials);
+  const Solution solution = solve(input.impact, input.options);
+  const CurveFile file = curves_for(request, input, solution);
+  const Target target{"--out", request.out};
+  const std::string text = format_of(request).text(file);
+  if (target.is_standard_output()) {
+    write_error(account(request, file));
+    write_output(text);
+  } else {
+    PendingFile(target, text, request.force).publish();
+    write_output(account(request, file));
+  }
+  return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
+}
+
+void add_options(CLI::App& sub, Request& request) {
+  std::vector<std::string> format_names, system_names;
+  for (const Format& format : formats) format_names.emplace_back(format.name);
+  for (const ConsistentUnits& system : consistent_systems()) system_names.push_back(system.units.name);
+  sub.add_option("CASE", request.case_file, "Case file (TOML)")->required()->type_name("");
+  sub.add_option("--format", request.format, "ls-dyna, radioss or csv")
+      ->required()
+      ->check(CLI::IsMember(format_names))
+      ->type_name("F");
+  sub.add_option("--out", request.out, "Where the curves go (- for standard output)")
+      ->required()
+      ->type_name("FILE");
+  sub.add_option("--curves", request.curves, "Which, with commas between them (default: all)")
+      ->delimiter(',')
+      ->allow_extra_args(false)  // what follows may be CASE
+      ->check(CLI::IsMember(curve_names()))
+      ->type_name("LIST");
+  sub.add_option("--system", request.system, "Units of the deck (default: kg-mm-ms)")
+      ->check(CLI::IsMember(system_names))
+      ->type_name("SYSTEM");
+  sub.add_flag("--acceleration-in-g", request.in_g, "Accelerations in g, not in the system's length/time^2")
+      ->disable_flag_override();
+  sub.add_option("--first-id", request.first_id, "Number of the first curve (default: 1)")
+      ->check(CLI::Range(1, highest_curve_id))
+      ->type_name("N");
+  sub.add_option("--points", request.points, "Keep at most N points of a curve; says how far off it is then")
+      ->check(CLI::Range(2, most_points))
+      ->type_name("N");
+  sub.add_option("--tolerance", request.tolerance,
+                 "Relative error to keep to, from 1e-8 to 1e-2 (default: the case's, else 1e-4)")
+      ->type_name("X");
+  sub.add_flag("--force", request.force, "Overwrite an existing file")->disable_flag_override();
+  add_material_folder(sub, request.materials);
+  sub.footer(footer);
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+  CLI::App* sub = app.add_subcommand("export", "Write the curves of one case for other programs' decks");
+  const auto request = std::make_shared<Request>();
+  add_options(*sub, *request);
+  sub->callback([request, &action, executable] {
+    action = [request, executable] {
+      return export_curves(*request, chosen_folder(request->materials, executable));
+    };
+  });
+}
+
+}  // namespace dashpad

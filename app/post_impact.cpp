@@ -1,0 +1,137 @@
+// dashpad post-impact: how two bodies move after the impact, and where the energy went.
+
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/impact/solve.hpp"
+#include "dashpad/io/case_file.hpp"
+#include "dashpad/report/post_impact_text.hpp"
+#include "dashpad/units/quantity.hpp"
+#include "output.hpp"
+#include "streams.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr const char* footer = R"(Examples:
+  dashpad post-impact examples/dashboard-20mph.toml
+  dashpad post-impact examples/dashboard-20mph.toml --other-mass "1500 kg" --units us
+  dashpad post-impact examples/dashboard-20mph.toml --other-mass "3000 lb" --other-velocity "-10 mph" --json -
+
+The report's Eqs. 1 to 4: velocities after the impact, for a simulation of what follows. The impactor's mass and
+velocity are the case's; the other body is what carries the pad's support, held in place unless --other-mass says
+otherwise. Velocities count in one direction: the other body moves away with a positive one. The energy that the
+pad absorbs is solved for the motion of the two towards each other.
+
+Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was run, 3 the results miss the
+tolerance or there is no rebound.)";
+
+struct Request {
+  std::string case_file;
+  std::optional<std::string> other_mass, other_velocity, json;
+  std::string units, materials;
+  bool force = false;
+};
+
+std::vector<Target> targets(const Request& request) {
+  return request.json ? std::vector<Target>{{"--json", *request.json}} : std::vector<Target>{};
+}
+
+double quantity(const char* option, const std::optional<std::string>& text, const char* si_unit,
+                double otherwise, std::vector<std::string>& wrong) {
+  if (!text) return otherwise;
+  try {
+    return to_si(*text, si_unit);
+  } catch (const UnitError& error) {
+    wrong.push_back(fmt::format("{} {}: {}", option, *text, error.what()));
+    return otherwise;
+  }
+}
+
+struct Input {
+  CaseFile file;
+  Body first, second;
+};
+
+Input read_and_check(const Request& request, const std::filesystem::path& materials) {
+  std::vector<std::string> wrong = complaints(targets(request), request.case_file, request.force);
+  Input input;
+  constexpr double held = std::numeric_limits<double>::infinity();
+  input.second.mass = quantity("--other-mass", request.other_mass, "kg", held, wrong);
+  input.second.velocity = quantity("--other-velocity", request.other_velocity, "m/s", 0, wrong);
+  if (!(input.second.mass > 0))
+    wrong.push_back(fmt::format("--other-mass {}: must be more than 0", *request.other_mass));
+  try {
+    input.file = read_case(request.case_file, materials);
+    const Impactor& impactor = input.file.impact.impactor;
+    input.first = {impactor.mass, impactor.speed};
+    if (!(impactor.speed > input.second.velocity))
+      wrong.push_back(fmt::format("--other-velocity {}: the bodies must approach; the impactor has {} m/s",
+                                  *request.other_velocity, impactor.speed));
+  } catch (const InputError& error) {
+    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+  }
+  if (wrong.empty()) {
+    input.file.impact = relative_motion(input.file.impact, input.first, input.second);
+    for (const Violation& violation : violations(input.file.impact))
+      wrong.push_back(fmt::format("the motion of the two towards each other: {} = {}: {}", violation.key,
+                                  violation.value, violation.rule));
+  }
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  return input;
+}
+
+int run(const Request& request, const std::filesystem::path& materials) {
+  const Input input = read_and_check(request, materials);
+  const ImpactCase& impact = input.file.impact;
+  const Solution solution = solve(impact, input.file.options);
+  if (!solution.summary.release) {
+    write_error("dashpad: no rebound (" + to_string(solution.summary.status) +
+                "); dashpad run shows what happened\n");
+    return exit_not_trusted;
+  }
+  std::string text =
+      post_impact_text(input.first, input.second, impact, solution, unit_system(request.units));
+  if (request.json) {
+    const Target target = targets(request).front();
+    std::string json = post_impact_json(input.first, input.second, impact, solution);
+    if (target.is_standard_output()) {
+      write_error(text);
+      text = std::move(json);
+    } else {
+      PendingFile file(target, json, request.force);
+      file.publish();
+    }
+  }
+  write_output(text);
+  return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
+}
+
+}  // namespace
+
+void add_post_impact(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+  CLI::App* sub =
+      app.add_subcommand("post-impact", "Velocities of two bodies after the impact, and its energy");
+  const auto request = std::make_shared<Request>();
+  sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
+  sub->add_option("--other-mass", request->other_mass, "Mass of the other body (default: held in place)")
+      ->type_name("MASS");
+  sub->add_option("--other-velocity", request->other_velocity, "Its velocity before (default: 0)")
+      ->type_name("SPEED");
+  sub->add_option("--json", request->json, "Write the result as JSON, SI (- for standard output)")
+      ->type_name("FILE");
+  add_units(*sub, request->units);
+  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  add_material_folder(*sub, request->materials);
+  sub->footer(footer);
+  sub->callback([request, &action, executable] {
+    action = [request, executable] { return run(*request, chosen_folder(request->materials, executable)); };
+  });
+}
+
+}  // namespace dashpad

@@ -1,0 +1,175 @@
+// dashpad pulse: injury figures of a measured acceleration.
+
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/injury/dwell.hpp"
+#include "dashpad/io/iso_mme.hpp"
+#include "dashpad/io/pulse_csv.hpp"
+#include "dashpad/report/pulse_text.hpp"
+#include "output.hpp"
+#include "pulse_request.hpp"
+#include "streams.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr const char* footer = R"(Examples:
+  dashpad pulse drop.csv                                  columns and units from the header
+  dashpad pulse drop.csv --time 1 --acceleration 3 --time-unit ms --acceleration-unit g
+  dashpad pulse head.csv --resultant --filter CFC1000     x, y and z combined, then filtered
+  dashpad pulse test.zip --list                           the channels of a test in ISO-MME
+  dashpad pulse test.zip --channel "11HEAD0000??AC?A" --resultant --picture head.svg
+  dashpad run examples/dashboard-20mph.toml --csv - > run.csv && dashpad pulse run.csv
+
+FILE is a table (CSV: commas, semicolons, tabs or blanks), or a test in ISO-MME: its folder, its .mme file, or
+a zip or tar of it. Units are taken from the file or from you and never guessed; g is standard gravity. What
+had to be repaired is a REMARK; a gap, text, or a time that goes back is refused. docs/pulses.md has the rules.
+
+Figures: the peak; HIC15, HIC36, HIC with any window, and those of --window; HIC(d); the 3 ms clip, in one
+stretch and in all; Gadd's severity index; the time above 80, 150 and 200 g, or the levels of --dwell; the
+change of velocity. They are of the pulse as it is, or as --filter makes it. A filter needs even samples:
+--resample "0.1 ms" makes them so, by straight lines.
+
+Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file
+is kept unless --force is given. A file is written whole or not at all.
+
+Exit codes: 0 done, 1 a result could not be written, 2 input or command line refused and nothing written.)";
+
+std::vector<Target> targets(const PulseRequest& request) {
+  std::vector<Target> wanted;
+  if (request.json) wanted.push_back({"--json", *request.json});
+  if (request.csv) wanted.push_back({"--csv", *request.csv});
+  if (request.picture) wanted.push_back({"--picture", *request.picture});
+  return wanted;
+}
+
+MeasuredPulse read(const PulseRequest& request, bool is_test) {
+  if (is_test)
+    return read_iso_mme(request.file, {request.channel, request.table.acceleration_unit, request.resultant});
+  PulseCsvOptions options = request.table;
+  options.resultant = request.resultant;
+  return read_pulse_csv(request.file, options);
+}
+
+/// Resampled and filtered as asked for.
+Pulse processed(const Pulse& measured, const PulseSettings& settings,
+                const std::optional<PulseFilter>& filter) {
+  try {
+    Pulse pulse = settings.interval ? resampled(measured, *settings.interval) : measured;
+    return filter ? cfc_filtered(pulse, filter->channel_frequency_class, filter->corner, filter->ends)
+                  : pulse;
+  } catch (const std::invalid_argument& error) {
+    const char* advice =
+        filter && !settings.interval ? "; --resample INTERVAL makes samples of another interval" : "";
+    throw Refused({fmt::format("{}: {}{}", filter ? "--filter" : "--resample", error.what(), advice)});
+  }
+}
+
+PulseReport report_on(const PulseRequest& request) {
+  std::vector<std::string> wrong = complaints(targets(request), request.file, request.force);
+  const bool is_test = is_iso_mme(request.file);
+  for (std::string& line : out_of_place(request, is_test)) wrong.push_back(std::move(line));
+  const PulseSettings settings = settings_of(request, wrong);
+  PulseReport report{.file = request.file,
+                     .measured = {},
+                     .resampled_to = settings.interval,
+                     .filter = filter_of(request),
+                     .pulse = {},
+                     .figures = {},
+                     .windows = {},
+                     .dwells = {}};
+  try {
+    report.measured = read(request, is_test);
+  } catch (const InputError& error) {
+    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+  }
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  report.pulse = processed(report.measured.pulse, settings, report.filter);
+  report.figures = injury_figures(report.pulse);
+  for (const double window : settings.windows) report.windows.push_back({window, hic(report.pulse, window)});
+  for (const double level : settings.levels)
+    report.dwells.push_back(
+        {level, cumulative_dwell(report.pulse, level), longest_dwell(report.pulse, level)});
+  return report;
+}
+
+int show_figures(const PulseRequest& request) {
+  const PulseReport report = report_on(request);
+  const UnitSystem& units = unit_system(request.units);
+  std::vector<PendingFile> files;
+  std::string output;
+  for (const Target& target : targets(request)) {
+    std::string text = target.option == "--json" ? pulse_json(report)
+                       : target.option == "--csv"
+                           ? pulse_csv(report, units_of_files(units))
+                           : picture(pulse_plot(report, units), *picture_format(target.file));
+    if (target.is_standard_output())
+      output = std::move(text);
+    else
+      files.emplace_back(target, text, request.force);
+  }
+  for (PendingFile& file : files) file.publish();
+  const std::string text = pulse_text(report, units);
+  if (output.empty()) {
+    write_output(text);
+  } else {
+    write_error(text);
+    write_output(output);
+  }
+  return exit_done;
+}
+
+int show_list(const PulseRequest& request) {
+  std::string text;
+  if (is_iso_mme(request.file)) {
+    for (const IsoMmeChannel& channel : iso_mme_channels(request.file))
+      text += fmt::format("{:>4}  {:<16}  {:<8}  {:>8}  {}{}\n", channel.number, channel.code, channel.unit,
+                          channel.samples, channel.name,
+                          channel.problem.empty() ? "" : " (" + channel.problem + ")");
+    text = fmt::format("{:>4}  {:<16}  {:<8}  {:>8}  {}\n", "No.", "code", "unit", "samples", "name") + text;
+  } else {
+    text = fmt::format("{:>4}  {:<30}  {}\n", "No.", "column", "unit");
+    for (const MeasuredColumn& column : pulse_csv_columns(request.file))
+      text += fmt::format("{:>4}  {:<30}  {}\n", column.number, column.name,
+                          column.unit.empty() ? "not said" : column.unit);
+  }
+  for (char& c : text)
+    if ((static_cast<unsigned char>(c) < ' ' && c != '\n') || c == '\x7f') c = ' ';
+  write_output(text);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_pulse(CLI::App& app, Action& action, const std::filesystem::path&) {
+  CLI::App* sub = app.add_subcommand("pulse", "Injury figures of a measured acceleration (CSV, ISO-MME)");
+  const auto request = std::make_shared<PulseRequest>();
+  sub->add_option("FILE", request->file, "Table, or test in ISO-MME")->required()->type_name("");
+  add_source_options(*sub, *request);
+  CLI::Option* list = sub->add_flag("--list", request->list, "Show the columns or channels, and nothing else")
+                          ->disable_flag_override();
+  add_processing_options(*sub, *request);
+  sub->add_option("--json", request->json, "Write figures and processing as JSON (- for standard output)")
+      ->excludes(list)
+      ->type_name("FILE");
+  sub->add_option("--csv", request->csv, "Write the pulse of the figures as CSV (- for standard output)")
+      ->excludes(list)
+      ->type_name("FILE");
+  sub->add_option("--picture", request->picture, "Draw the pulse (.svg, .png, .pdf)")
+      ->excludes(list)
+      ->type_name("FILE");
+  add_units(*sub, request->units);
+  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  sub->footer(footer);
+  sub->callback([request, &action] {
+    action = [request] { return request->list ? show_list(*request) : show_figures(*request); };
+  });
+}
+
+}  // namespace dashpad

@@ -1,0 +1,125 @@
+// The options of dashpad pulse.
+
+#include "pulse_request.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/units/quantity.hpp"
+
+namespace dashpad {
+
+namespace {
+
+/// "150" and "150 g" are 150 times gravity.
+double level_of(std::string text) {
+  while (text.ends_with(' ')) text.pop_back();
+  const bool ends_in_g = text.ends_with('g') || text.ends_with('G');
+  if (ends_in_g) text.pop_back();
+  if (!ends_in_g && text.find_first_not_of("0123456789.eE+- ") != std::string::npos)
+    return to_si(text, "m/s2");
+  return to_si(text, "1") * standard_gravity;
+}
+
+}  // namespace
+
+std::optional<PulseFilter> filter_of(const PulseRequest& request) {
+  if (!request.filter) return std::nullopt;
+  PulseFilter filter{std::stoi(request.filter->substr(3)),
+                     request.corner == "iso" ? Corner::iso_6487 : Corner::sae_j211, Ends::mirrored};
+  for (const Ends ends : all_ends)
+    if (request.ends == to_string(ends)) filter.ends = ends;
+  return filter;
+}
+
+PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>& wrong) {
+  PulseSettings settings;
+  if (request.resample) {
+    try {
+      settings.interval = to_si(*request.resample, "s");
+      if (!(*settings.interval > 0))
+        wrong.push_back(fmt::format("--resample {}: must be more than 0", *request.resample));
+    } catch (const UnitError& error) {
+      wrong.push_back(fmt::format("--resample {}: {}", *request.resample, error.what()));
+    }
+  }
+  for (const double window : request.windows_ms) {
+    if (!(window > 0) || !std::isfinite(window))
+      wrong.push_back(fmt::format("--window {}: must be more than 0 ms", window));
+    settings.windows.push_back(1e-3 * window);
+  }
+  for (const std::string& text : request.dwells) {
+    try {
+      settings.levels.push_back(level_of(text));
+      if (!(settings.levels.back() >= 0))
+        wrong.push_back(fmt::format("--dwell {}: must not be less than 0", text));
+    } catch (const UnitError& error) {
+      wrong.push_back(fmt::format("--dwell {}: {}; a number alone is in g", text, error.what()));
+    }
+  }
+  if (request.dwells.empty())
+    for (const double level : {80, 150, 200}) settings.levels.push_back(level * standard_gravity);
+  return settings;
+}
+
+std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test) {
+  std::vector<std::string> wrong;
+  const auto say = [&](bool given, const std::string& option, const std::string& rule) {
+    if (given) wrong.push_back(option + ": " + rule);
+  };
+  if (is_test) {
+    const std::string rule = "is for tables; a test in ISO-MME has channels, see --list and --channel";
+    say(!request.table.time.empty(), "--time", rule);
+    say(!request.table.acceleration.empty(), "--acceleration", rule);
+    say(!request.table.time_unit.empty(), "--time-unit", "is for tables; in ISO-MME times are in s");
+  } else {
+    say(!request.channel.empty(), "--channel", "is for ISO-MME; a table has columns, see --acceleration");
+  }
+  say(request.picture && !picture_format(*request.picture), "--picture " + request.picture.value_or(""),
+      "must end in .svg, .png or .pdf");
+  say(request.corner && !request.filter, "--corner", "is for a filter; add --filter");
+  say(request.ends && !request.filter, "--ends", "is for a filter; add --filter");
+  return wrong;
+}
+
+void add_source_options(CLI::App& sub, PulseRequest& request) {
+  sub.add_option("--time", request.table.time, "Column of the times: its name, or its number from 1")
+      ->type_name("COLUMN");
+  sub.add_option("--acceleration", request.table.acceleration,
+                 "Column of the acceleration; up to three with --resultant")
+      ->allow_extra_args(false)
+      ->type_name("COLUMN");
+  sub.add_option("--time-unit", request.table.time_unit, "Unit of the times, such as ms")->type_name("UNIT");
+  sub.add_option("--acceleration-unit", request.table.acceleration_unit,
+                 "Unit of the acceleration, such as g or m/s2")
+      ->type_name("UNIT");
+  sub.add_flag("--resultant", request.resultant, "Combine two or three directions: sqrt(x^2 + y^2 + z^2)")
+      ->disable_flag_override();
+  sub.add_option("--channel", request.channel,
+                 "Channel of an ISO-MME test: its number, or its code with ? for any character")
+      ->type_name("CODE");
+}
+
+void add_processing_options(CLI::App& sub, PulseRequest& request) {
+  sub.add_option("--filter", request.filter, "CFC60, CFC180, CFC600 or CFC1000 (default: none)")
+      ->check(CLI::IsMember({"CFC60", "CFC180", "CFC600", "CFC1000"}))
+      ->type_name("CLASS");
+  sub.add_option("--corner", request.corner, "Of the filter: sae (J211, default) or iso (6487)")
+      ->check(CLI::IsMember({"sae", "iso"}))
+      ->type_name("NAME");
+  sub.add_option("--ends", request.ends,
+                 "Beyond the ends: mirrored (default), held, mirrored-from-mean, negated-before")
+      ->check(CLI::IsMember({"mirrored", "held", "mirrored-from-mean", "negated-before"}))
+      ->type_name("NAME");
+  sub.add_option("--resample", request.resample, "Even samples first, such as \"0.1 ms\"")
+      ->type_name("INTERVAL");
+  sub.add_option("--window", request.windows_ms, "One more HIC, with a window of at most MS")
+      ->allow_extra_args(false)
+      ->type_name("MS");
+  sub.add_option("--dwell", request.dwells, "The time above LEVEL, in g (default: 80, 150 and 200)")
+      ->allow_extra_args(false)
+      ->type_name("LEVEL");
+}
+
+}  // namespace dashpad

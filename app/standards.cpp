@@ -1,0 +1,84 @@
+// dashpad standards: lists the presets of test standards, or shows one.
+
+#include <memory>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/injury/standard_file.hpp"
+#include "dashpad/report/assessment_text.hpp"
+#include "material_folder.hpp"
+#include "streams.hpp"
+
+namespace dashpad {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* footer = R"(Examples:
+  dashpad standards                              all presets, a line each
+  dashpad standards fmvss-201-instrument-panel   one preset: impactor, limits, variants, sources
+  dashpad standards en-1078:kerbstone            with a variant in force
+  dashpad standards ./my-standard.toml           a preset anywhere: a name that ends in .toml is a file
+
+A value marked UNVERIFIED was not read in the standard or in a source that repeats it. dashpad assess uses a
+preset on a case. docs/standards.md says how to write one.
+
+Exit codes: 0 done, 2 no such preset, or a preset with faults (the others are listed all the same).)";
+
+struct Request {
+  std::string name;
+  std::string units;
+  std::string folder;
+};
+
+int show(const Request& request, const fs::path& folder) {
+  const StandardChoice choice = standard_choice(request.name);
+  const Standard standard = read_standard(find_standard(choice.name, folder));
+  try {
+    write_output(standard_text(with_variants(standard, choice.variants), unit_system(request.units)));
+  } catch (const std::invalid_argument& error) {
+    throw Refused({error.what()});
+  }
+  return exit_done;
+}
+
+/// A preset with faults does not hide the others.
+int list(const fs::path& folder) {
+  std::string text = fmt::format("Standards in {}:\n", folder.string());
+  std::vector<std::string> faults;
+  for (const fs::path& file : list_standards(folder)) {
+    try {
+      text += standard_line(read_standard(file));
+    } catch (const InputError& error) {
+      for (std::string& line : lines(error.faults())) faults.push_back(std::move(line));
+    }
+  }
+  write_output(text);
+  if (!faults.empty()) throw Refused(std::move(faults));
+  return exit_done;
+}
+
+}  // namespace
+
+void add_standards(CLI::App& app, Action& action, const fs::path& executable) {
+  CLI::App* sub = app.add_subcommand("standards", "List the presets of test standards, or show one");
+  const auto request = std::make_shared<Request>();
+  sub->add_option("NAME", request->name, "Preset to show in full")->type_name("");
+  add_units(*sub, request->units);
+  sub->add_option("--standards", request->folder,
+                  "Folder of presets (default: $DASHPAD_STANDARDS or dashpad's own)")
+      ->type_name("DIR");
+  sub->footer(footer);
+  sub->callback([request, &action, executable] {
+    action = [request, executable] {
+      const fs::path folder =
+          request->folder.empty() ? standard_folder(executable) : fs::path{request->folder};
+      return request->name.empty() ? list(folder) : show(*request, folder);
+    };
+  });
+}
+
+}  // namespace dashpad

@@ -1,0 +1,32 @@
+#pragma once
+/// The motion of two bodies after an impact of which the absorbed energy is known.
+///
+///   V1' = ((M1 - M2 sqrt(C)) V1 + (1 + sqrt(C)) M2 V2) / (M1 + M2)                          (report, Eq. 1)
+///   V2' = ((1 + sqrt(C)) M1 V1 + (M2 - M1 sqrt(C)) V2) / (M1 + M2)                          (report, Eq. 2)
+///   1 - C = E_absorbed / E_available                                                        (report, Eq. 3)
+///   E_available = M1 M2 (V1 - V2)^2 / (2 (M1 + M2))                                         (report, Eq. 4)
+///
+/// The report calls C the coefficient of restitution, but it multiplies energy: the ratio of speeds, which
+/// others call so, is its square root.
+
+namespace dashpad {
+
+struct Body {
+  double mass = 0;      ///< kg, > 0; infinite for a body that nothing moves
+  double velocity = 0;  ///< m/s
+};
+
+struct PostImpact {
+  double first_velocity = 0;      ///< V1', m/s
+  double second_velocity = 0;     ///< V2', m/s
+  double energy_coefficient = 0;  ///< C
+  double restitution = 0;         ///< sqrt(C): the ratio of the speeds of separation and approach
+  double available_energy = 0;    ///< J
+};
+
+/// `absorbed_fraction` is 1 - C, in [0, 1]. Throws std::invalid_argument for another, for a mass that is not
+/// positive, two masses that are infinite, a velocity that is not finite, or bodies that do not approach
+/// (V1 <= V2).
+PostImpact post_impact(Body first, Body second, double absorbed_fraction);
+
+}  // namespace dashpad

@@ -1,0 +1,20 @@
+#pragma once
+/// The largest magnitude of a pulse, and its velocity change.
+
+#include "dashpad/injury/pulse.hpp"
+
+namespace dashpad {
+
+// Both throw std::invalid_argument for a pulse that check() refuses.
+
+struct Peak {
+  double magnitude = 0;  ///< m/s2
+  double time = 0;       ///< s, of the first sample that has it
+};
+
+Peak peak(const Pulse& pulse);
+
+/// Integral of a over the whole pulse, m/s, with sign.
+double velocity_change(const Pulse& pulse);
+
+}  // namespace dashpad

@@ -1,0 +1,136 @@
+#pragma once
+/// Test standards as plain values, and what a solved impact says about their limits.
+///
+/// An assessment is a computation with one rigid sphere on a flat pad. It is no certification, and no test.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
+
+namespace dashpad {
+
+/// Where a value comes from, and whether it was read there. An unverified value is general knowledge.
+struct Origin {
+  std::string source;
+  bool verified = false;
+  std::string note;  ///< for people; often empty
+};
+
+/// A mass, radius or impact speed of a standard.
+struct StandardValue {
+  std::optional<double> value;        ///< kg, m or m/s; absent where the standard leaves it to the case
+  std::optional<double> drop_height;  ///< m; of a speed that is given so
+  Origin origin;
+  bool chosen_by_user = false;    ///< the value is the user's, not the standard's
+  std::optional<double> instead;  ///< the standard's own value, if the user's took its place
+};
+
+enum class Metric {
+  peak,
+  contiguous_3ms,
+  cumulative_3ms,
+  dwell,  ///< cumulative time above a level
+  hic15,
+  hic36,
+  hic_unlimited,
+  hic_d,
+  severity_index,
+};
+
+/// A metric as files name it, as people read it, and the SI unit of its values: "m/s2", "s" or "1".
+struct MetricFacts {
+  Metric metric = Metric::peak;
+  const char* key = "";
+  const char* title = "";
+  const char* unit = "";
+  bool grows_without_bound = false;  ///< with a force of no finite value, however short
+};
+
+/// One entry for each metric, in the order of the enumeration.
+const std::vector<MetricFacts>& metrics();
+const MetricFacts& facts(Metric metric);
+
+/// A limit: the value of the metric must be at most this.
+struct Criterion {
+  Metric metric = Metric::peak;
+  double level = 0;  ///< m/s2; of dwell only
+  double limit = 0;  ///< in the unit of the metric
+  std::string description;
+  Origin origin;
+};
+
+/// Values that take the place of those of the standard: another anvil, another size of headform.
+struct StandardVariant {
+  std::string name;
+  std::string title;
+  std::optional<StandardValue> mass, radius, speed;
+};
+
+struct Standard {
+  std::string name;  ///< as on the command line
+  std::string title;
+  std::string source;
+  std::string note;
+  StandardValue mass, radius, speed;
+  std::vector<Criterion> criteria;
+  std::vector<StandardVariant> variants;  ///< to choose from
+  std::vector<std::string> chosen;        ///< the variants that are in force
+};
+
+/// The standard with these variants in force. Throws std::invalid_argument that says what is wrong: no such
+/// variant, or two that replace the same value.
+Standard with_variants(const Standard& standard, const std::vector<std::string>& names);
+
+/// What the user puts in the place of the standard's values.
+struct UserValues {
+  std::optional<double> mass;         ///< kg
+  std::optional<double> radius;       ///< m
+  std::optional<double> speed;        ///< m/s; give this or the drop height
+  std::optional<double> drop_height;  ///< m
+};
+Standard with_user_values(const Standard& standard, const UserValues& values);
+
+/// Speed after a free fall in vacuum, m/s.
+double speed_after_fall(double height);
+
+/// The case with the impactor of the standard; what the standard leaves open stays.
+ImpactCase with_impactor_of(const Standard& standard, const ImpactCase& impact);
+
+enum class Verdict { pass, fail, undecided };
+/// "pass", "fail", "undecided".
+std::string to_string(Verdict verdict);
+
+struct CriterionResult {
+  Criterion criterion;
+  std::optional<double> value;  ///< absent where there is no finite one
+  double error = 0;             ///< estimated, absolute, in the unit of the value
+  bool lower_bound = false;     ///< the history ends before the impact does: the value can only grow
+  double margin = 0;            ///< limit - value; - infinity without a finite value
+  double relative_margin = 0;   ///< margin / limit
+  Verdict verdict = Verdict::undecided;
+  std::string reason;  ///< of a verdict that the numbers do not explain
+};
+
+struct Assessment {
+  std::vector<CriterionResult> results;
+  Verdict verdict = Verdict::undecided;
+  /// Why the verdict is not to be taken as it stands: the result misses its tolerance, is extrapolated,
+  /// bottomed out or is incomplete; a limit or value is unverified; a value of the standard was replaced.
+  std::vector<std::string> reservations;
+
+  [[nodiscard]] bool unqualified() const { return reservations.empty(); }
+};
+
+/// "pass", "pass, with reservations", "fail", ...
+std::string to_string(const Assessment& assessment);
+
+/// Passes where every value with its error is within its limit; fails where one without its error is above;
+/// otherwise undecided. After bottoming on a rigid support metrics that follow the force fail, as it has no
+/// finite value; the others are lower bounds. Throws std::invalid_argument for a standard without criteria
+/// and a solution without a history.
+Assessment assess(const Standard& standard, const Solution& solution);
+
+}  // namespace dashpad

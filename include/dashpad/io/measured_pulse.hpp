@@ -1,0 +1,30 @@
+#pragma once
+/// A pulse that was read from a file, with all that is needed to say later where it came from.
+
+#include <string>
+#include <vector>
+
+#include "dashpad/injury/pulse.hpp"
+
+namespace dashpad {
+
+/// A column of a table or a channel of a test, and its unit.
+struct MeasuredColumn {
+  std::string name = {};         ///< as in the file, UTF-8; "column 2" where the file has no name
+  int number = 0;                ///< from 1
+  std::string unit = {};         ///< as given or as in the file; empty if nobody said
+  std::string unit_origin = {};  ///< "given", "header"; "format" where the file format fixes it
+  double factor = 1;             ///< one unit in SI
+};
+
+struct MeasuredPulse {
+  Pulse pulse = {};
+  std::string format = {};  ///< "CSV", "ISO-MME"
+  MeasuredColumn time = {};
+  std::vector<MeasuredColumn> acceleration = {};  ///< one, or the two or three of a resultant
+  bool resultant = false;
+  std::vector<std::string> remarks =
+      {};  ///< repairs and readings that the user should know of, a sentence each
+};
+
+}  // namespace dashpad

@@ -1,0 +1,163 @@
+#include "dashpad/impact/contact_snapshot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <type_traits>
+
+#include "contact/column_field.hpp"
+#include "contact/curve_contact.hpp"
+
+namespace dashpad {
+
+namespace {
+
+/// Relative spacing of the stations, finer than that of most runs.
+constexpr double resolution = 0.02;
+/// Points of a snapshot: more than a picture shows.
+constexpr int most_points = 160;
+/// But none is left out over which the stress changes by more than this share, as on the axis of a pad that
+/// is nearly closed.
+constexpr double largest_jump = 0.05;
+
+double radius_at(double depth, double sphere) { return std::sqrt(depth * (2 * sphere - depth)); }
+
+/// Entries of the history, increasing.
+std::vector<std::size_t> chosen_entries(const History& history) {
+  const auto peak = static_cast<std::size_t>(std::max_element(history.force.begin(), history.force.end()) -
+                                             history.force.begin());
+  const double top = history.time[peak];
+  const double end = history.time.back();
+  std::vector<double> times{top / 4, top / 2, top};
+  if (peak + 1 == history.size())
+    times.insert(times.begin() + 2, 0.75 * top);
+  else
+    times.insert(times.end(), {top + 0.5 * (end - top), top + 0.9 * (end - top)});
+  std::vector<std::size_t> entries;
+  for (const double time : times) {
+    auto after = std::ranges::lower_bound(history.time, time);
+    if (after == history.time.end()) --after;
+    if (after != history.time.begin() && time - *(after - 1) < *after - time) --after;
+    const auto entry = static_cast<std::size_t>(after - history.time.begin());
+    const bool later = entries.empty() ? entry > 0 : entry > entries.back();
+    if (later && history.force[entry] > 0) entries.push_back(entry);
+  }
+  return entries;
+}
+
+ContactSnapshot empty_snapshot(const History& history, std::size_t entry) {
+  ContactSnapshot snapshot;
+  snapshot.time = history.time[entry];
+  snapshot.force = history.force[entry];
+  const auto peak = std::max_element(history.force.begin(), history.force.end()) - history.force.begin();
+  const auto place = static_cast<std::ptrdiff_t>(entry) - peak;
+  snapshot.when = place < 0 ? "loading" : place == 0 ? "peak force" : "unloading";
+  return snapshot;
+}
+
+void add_point(ContactSnapshot& snapshot, double radius, double strain, double stress) {
+  snapshot.radius.push_back(radius);
+  snapshot.strain.push_back(strain);
+  snapshot.stress.push_back(std::max(stress, 0.0));
+}
+
+/// The columns that press, out to where the stress vanishes.
+template <class Law>
+void look_at(const ColumnField<Law>& field, double penetration, double sphere, double thickness,
+             ContactSnapshot& snapshot) {
+  std::size_t pressing = field.strained_columns();
+  while (pressing > 0 && field.column(pressing - 1).stress <= 0) --pressing;
+  if (pressing == 0) return;
+  double edge = std::min(penetration, sphere);
+  if (pressing < field.strained_columns()) {
+    const auto inner = field.column(pressing - 1);
+    const auto outer = field.column(pressing);
+    edge = inner.depth + (outer.depth - inner.depth) * inner.stress / (inner.stress - outer.stress);
+  }
+  const double spacing = radius_at(edge, sphere) / most_points;
+  for (std::size_t j = 0; j < pressing; ++j) {
+    const auto column = field.column(j);
+    const double radius = radius_at(column.depth, sphere);
+    const bool kept =
+        j == 0 || j + 1 == pressing || radius - snapshot.radius.back() >= spacing ||
+        std::abs(column.stress - snapshot.stress.back()) > largest_jump * snapshot.stress.back();
+    if (kept) add_point(snapshot, radius, column.strain, column.stress);
+  }
+  if (radius_at(edge, sphere) > snapshot.radius.back())
+    add_point(snapshot, radius_at(edge, sphere), (penetration - edge) / thickness,
+              edge < sphere ? 0 : field.column(pressing - 1).stress);
+}
+
+template <class Law>
+std::vector<ContactSnapshot> replayed(const Law& law, const ImpactCase& impact, const History& history) {
+  const double thickness = impact.pad.thickness;
+  ColumnField<Law> field(law, thickness, impact.impactor.radius);
+  field.start(resolution);
+  std::vector<ContactSnapshot> snapshots;
+  std::size_t now = 0;
+  for (const std::size_t entry : chosen_entries(history)) {
+    for (; now < entry; ++now) {
+      field.trial(history.penetration[now + 1] - history.penetration[now], history.time[now],
+                  history.time[now + 1] - history.time[now]);
+      field.accept();
+    }
+    ContactSnapshot snapshot = empty_snapshot(history, entry);
+    snapshot.determined = history.penetration[entry] < field.lock_penetration() * (1 - 1e-12);
+    look_at(field, history.penetration[entry], impact.impactor.radius, thickness, snapshot);
+    if (snapshot.radius.size() > 1) snapshots.push_back(std::move(snapshot));
+  }
+  return snapshots;
+}
+
+/// Without memory the stress is the curve's. A foam that does not recover is off its curve once its
+/// penetration has stopped.
+std::vector<ContactSnapshot> from_curve(const StressCurve& curve, const ImpactCase& impact,
+                                        const History& history) {
+  const double sphere = impact.impactor.radius;
+  const double thickness = impact.pad.thickness;
+  const CurveContact contact(curve, true, thickness, sphere);
+  std::vector<ContactSnapshot> snapshots;
+  for (const std::size_t entry : chosen_entries(history)) {
+    const double penetration = history.penetration[entry];
+    const double depth = std::min(penetration, sphere);
+    if (!(depth > 0)) continue;
+    ContactSnapshot snapshot = empty_snapshot(history, entry);
+    const double share = snapshot.force / contact.force(penetration);
+    snapshot.determined = std::abs(share - 1) < 1e-6;
+    for (int k = 0; k <= most_points; ++k) {
+      const double radius = radius_at(depth, sphere) * k / most_points;
+      const double here = sphere - std::sqrt(std::max(sphere * sphere - radius * radius, 0.0));
+      const double strain = std::max((penetration - here) / thickness, 0.0);
+      add_point(snapshot, radius, strain,
+                share * curve.at(std::max(strain, std::numeric_limits<double>::min())));
+    }
+    snapshots.push_back(std::move(snapshot));
+  }
+  return snapshots;
+}
+
+}  // namespace
+
+double ContactSnapshot::force_of_stress() const {
+  double sum = 0;
+  for (std::size_t i = 1; i < radius.size(); ++i)
+    sum += (stress[i - 1] + stress[i]) / 2 * (radius[i] * radius[i] - radius[i - 1] * radius[i - 1]);
+  return std::numbers::pi * sum;
+}
+
+std::vector<ContactSnapshot> contact_snapshots(const ImpactCase& impact, const History& history) {
+  if (history.size() < 2) return {};
+  return std::visit(
+      [&](const auto& law) {
+        using Law = std::decay_t<decltype(law)>;
+        if constexpr (IsMemoryless<Law>)
+          return from_curve(law.curve(), impact, history);
+        else
+          return replayed(law, impact, history);
+      },
+      impact.pad.material.law);
+}
+
+}  // namespace dashpad

@@ -1,0 +1,51 @@
+#include "dashpad/impact/post_impact.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace dashpad {
+namespace {
+
+void check(const Body& body, const char* name) {
+  if (!(body.mass > 0))
+    throw std::invalid_argument(std::string("post impact: the mass of the ") + name +
+                                " body is not positive");
+  if (!std::isfinite(body.velocity))
+    throw std::invalid_argument(std::string("post impact: the velocity of the ") + name +
+                                " body is not finite");
+}
+
+/// M / (M + other), the share of the mass, also for one that is infinite.
+double share(double mass, double other) { return std::isinf(mass) ? 1 : mass / (mass + other); }
+
+}  // namespace
+
+/// Eqs. 1 and 2 as changes of velocity: each body takes (1 + sqrt(C)) of the speed of approach, times the
+/// other's share of the mass.
+PostImpact post_impact(Body first, Body second, double absorbed_fraction) {
+  check(first, "first");
+  check(second, "second");
+  if (std::isinf(first.mass) && std::isinf(second.mass))
+    throw std::invalid_argument("post impact: both masses are infinite");
+  if (!(first.velocity > second.velocity))
+    throw std::invalid_argument("post impact: the bodies do not approach");
+  if (!(absorbed_fraction >= 0 && absorbed_fraction <= 1))
+    throw std::invalid_argument("post impact: the absorbed fraction is not in [0, 1]");
+
+  const double first_share = share(first.mass, second.mass);
+  const double second_share = share(second.mass, first.mass);
+  const double approach = first.velocity - second.velocity;
+  const double reduced_mass =
+      first.mass <= second.mass ? first.mass * second_share : second.mass * first_share;
+
+  PostImpact after;
+  after.energy_coefficient = 1 - absorbed_fraction;
+  after.restitution = std::sqrt(after.energy_coefficient);
+  after.first_velocity = first.velocity - (1 + after.restitution) * second_share * approach;
+  after.second_velocity = second.velocity + (1 + after.restitution) * first_share * approach;
+  after.available_energy = reduced_mass * approach * approach / 2;
+  return after;
+}
+
+}  // namespace dashpad

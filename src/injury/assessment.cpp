@@ -1,0 +1,191 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "dashpad/injury/dwell.hpp"
+#include "dashpad/injury/figures.hpp"
+#include "dashpad/injury/standard.hpp"
+
+namespace dashpad {
+
+namespace {
+
+struct Estimate {
+  double value = 0;
+  double error = 0;  ///< absolute
+};
+
+/// Every second sample, both ends kept.
+Pulse thinned(const Pulse& pulse) {
+  Pulse half;
+  const std::size_t last = pulse.time.size() - 1;
+  for (std::size_t i = 0; i <= last; i += i + 1 == last ? 1 : 2) {
+    half.time.push_back(pulse.time[i]);
+    half.acceleration.push_back(pulse.acceleration[i]);
+  }
+  return half;
+}
+
+/// The time above a level, with what the errors of force and time and the steps of the history make of it. An
+/// error of the force moves the pulse against the level; where the pulse is as flat as that, the time is
+/// open.
+Estimate dwell(const Solution& solution, const InjuryFigures& figures, double level) {
+  const Pulse pulse = pulse_of(solution.history);
+  const double time = cumulative_dwell(pulse, level);
+  const double shift = figures.errors.peak * level;
+  const double shorter = cumulative_dwell(pulse, level + shift);
+  const double longer = cumulative_dwell(pulse, std::max(level - shift, 0.0));
+  const double of_steps = std::abs(cumulative_dwell(thinned(pulse), level) - time);
+  const double of_time = solution.summary.errors.release_time * time;
+  return {time, std::max(time - shorter, longer - time) + of_steps + of_time};
+}
+
+/// `error` is relative.
+Estimate estimate(double value, double error) { return {value, std::abs(value) * error}; }
+
+Estimate estimate(const Criterion& criterion, const Solution& solution, const InjuryFigures& figures) {
+  const InjuryFigures::Errors& errors = figures.errors;
+  switch (criterion.metric) {
+    case Metric::peak:  // the solver's own lies between its steps
+      return estimate(solution.summary.peak_acceleration.value_or(figures.peak.magnitude), errors.peak);
+    case Metric::contiguous_3ms: return estimate(figures.contiguous_3ms.level, errors.contiguous_3ms);
+    case Metric::cumulative_3ms: return estimate(figures.cumulative_3ms.level, errors.cumulative_3ms);
+    case Metric::dwell: return dwell(solution, figures, criterion.level);
+    case Metric::hic15: return estimate(figures.hic15.value, errors.hic15);
+    case Metric::hic36: return estimate(figures.hic36.value, errors.hic36);
+    case Metric::hic_unlimited: return estimate(figures.hic_unlimited.value, errors.hic_unlimited);
+    case Metric::hic_d: return estimate(figures.hic_d, errors.hic_d);
+    case Metric::severity_index: return estimate(figures.severity_index, errors.severity_index);
+  }
+  throw std::invalid_argument("assess: unknown metric");
+}
+
+/// Also where the tolerance was missed on the way there.
+bool has_no_finite_force(const Summary& summary) { return !summary.peak_force.has_value(); }
+
+/// The history goes on until contact is lost, unless something came in between.
+bool is_complete(const Summary& summary) { return summary.release.has_value(); }
+
+CriterionResult failed_without_value(const Criterion& criterion) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {.criterion = criterion,
+          .value = {},
+          .error = 0,
+          .lower_bound = false,
+          .margin = -infinity,
+          .relative_margin = -infinity,
+          .verdict = Verdict::fail,
+          .reason = "the pad bottomed out on a rigid support: no finite value"};
+}
+
+/// A comparison with a number that is not one is false: then nothing is decided.
+Verdict verdict_of(const CriterionResult& result) {
+  if (*result.value - result.error > result.criterion.limit) return Verdict::fail;
+  if (*result.value + result.error <= result.criterion.limit && !result.lower_bound) return Verdict::pass;
+  return Verdict::undecided;
+}
+
+std::string reason_of(const CriterionResult& result) {
+  if (result.verdict != Verdict::undecided) return "";
+  return result.lower_bound ? "the impact was not computed to its end: the value can only grow"
+                            : "the limit lies within the error estimate";
+}
+
+CriterionResult judge(const Criterion& criterion, const Solution& solution, const InjuryFigures& figures) {
+  if (has_no_finite_force(solution.summary) && facts(criterion.metric).grows_without_bound)
+    return failed_without_value(criterion);
+  const Estimate value = estimate(criterion, solution, figures);
+  CriterionResult result;
+  result.criterion = criterion;
+  result.value = value.value;
+  result.error = value.error;
+  if (has_no_finite_force(solution.summary))  // then the moment of bottoming has the only error there is
+    result.error += std::abs(value.value) * solution.summary.errors.bottomed;
+  result.lower_bound = !is_complete(solution.summary);
+  result.margin = criterion.limit - value.value;
+  result.relative_margin = result.margin / criterion.limit;
+  result.verdict = verdict_of(result);
+  result.reason = reason_of(result);
+  return result;
+}
+
+/// One failure decides; one undecided criterion leaves a pass undecided.
+Verdict overall(const std::vector<CriterionResult>& results) {
+  const auto any = [&results](Verdict verdict) {
+    return std::ranges::any_of(results, [verdict](const auto& result) { return result.verdict == verdict; });
+  };
+  if (any(Verdict::fail)) return Verdict::fail;
+  return any(Verdict::undecided) ? Verdict::undecided : Verdict::pass;
+}
+
+void add_reservations_about(const Summary& summary, std::vector<std::string>& reservations) {
+  if (!summary.trustworthy())
+    reservations.emplace_back("TOLERANCE NOT MET: the errors may be larger than estimated");
+  if (summary.bottomed)
+    reservations.emplace_back(
+        has_no_finite_force(summary)
+            ? "BOTTOMED: on its rigid support, so that the force has no finite value"
+            : "BOTTOMED: while the pad was fully compressed, only the support gave way");
+  for (const std::string& reason : summary.extrapolations) reservations.push_back("EXTRAPOLATED: " + reason);
+  if (summary.extrapolated && summary.extrapolations.empty())
+    reservations.emplace_back("EXTRAPOLATED: outside the range in which the material was fitted");
+  if (!is_complete(summary) && !has_no_finite_force(summary))
+    reservations.emplace_back("INCOMPLETE: the computation ended while the impactor was still on the pad");
+}
+
+std::string limit_of(const Criterion& criterion) {
+  std::string text = std::string("limit of ") + facts(criterion.metric).key;
+  if (criterion.metric == Metric::dwell)
+    text += " above " + std::to_string(std::lround(criterion.level / standard_gravity)) + " g";
+  return text;
+}
+
+void add_reservations_about(const Standard& standard, std::vector<std::string>& reservations) {
+  std::string unverified;
+  const auto add = [&unverified](const std::string& what) {
+    unverified += (unverified.empty() ? "" : ", ") + what;
+  };
+  const std::pair<const char*, const StandardValue*> values[]{
+      {"mass", &standard.mass}, {"radius", &standard.radius}, {"speed", &standard.speed}};
+  for (const auto& [name, value] : values) {
+    if (value->instead)
+      reservations.push_back(std::string("REPLACED: the ") + name + " is not that of the standard");
+    if (value->value && !value->origin.verified) add(name);
+  }
+  for (const Criterion& criterion : standard.criteria)
+    if (!criterion.origin.verified) add(limit_of(criterion));
+  if (!unverified.empty())
+    reservations.push_back("UNVERIFIED: not read in the standard or a source that repeats it: " + unverified);
+}
+
+}  // namespace
+
+std::string to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass: return "pass";
+    case Verdict::fail: return "fail";
+    case Verdict::undecided: return "undecided";
+  }
+  return "";
+}
+
+std::string to_string(const Assessment& assessment) {
+  return to_string(assessment.verdict) + (assessment.unqualified() ? "" : ", with reservations");
+}
+
+Assessment assess(const Standard& standard, const Solution& solution) {
+  if (standard.criteria.empty()) throw std::invalid_argument("assess: a standard without criteria");
+  if (solution.summary.status == Status::not_run) throw std::invalid_argument("assess: nothing was computed");
+  const InjuryFigures figures = injury_figures(solution);
+  Assessment assessment;
+  for (const Criterion& criterion : standard.criteria)
+    assessment.results.push_back(judge(criterion, solution, figures));
+  assessment.verdict = overall(assessment.results);
+  add_reservations_about(solution.summary, assessment.reservations);
+  add_reservations_about(standard, assessment.reservations);
+  return assessment;
+}
+
+}  // namespace dashpad

@@ -1,0 +1,76 @@
+#include "dashpad/injury/figures.hpp"
+
+#include <cmath>
+
+#include "dashpad/injury/severity_index.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr double three_milliseconds = 3e-3;
+
+/// Every second sample, both ends kept.
+Pulse thinned(const Pulse& pulse) {
+  Pulse half;
+  const std::size_t last = pulse.time.size() - 1;
+  for (std::size_t i = 0; i <= last; i += i + 1 == last ? 1 : 2) {
+    half.time.push_back(pulse.time[i]);
+    half.acceleration.push_back(pulse.acceleration[i]);
+  }
+  return half;
+}
+
+double deviation(double value, double coarser) {
+  return value == 0 ? std::abs(coarser) : std::abs(coarser / value - 1);
+}
+
+}  // namespace
+
+InjuryFigures injury_figures(const Pulse& pulse) {
+  check(pulse);
+  InjuryFigures figures;
+  figures.peak = peak(pulse);
+  figures.hic15 = hic(pulse, 15e-3);
+  figures.hic36 = hic(pulse, 36e-3);
+  figures.hic_unlimited = hic(pulse, unlimited_window);
+  figures.hic_d = hic_d(figures.hic36.value);
+  figures.contiguous_3ms = contiguous_clip(pulse, three_milliseconds);
+  figures.cumulative_3ms = cumulative_clip(pulse, three_milliseconds);
+  figures.severity_index = severity_index(pulse);
+  figures.velocity_change = velocity_change(pulse);
+  return figures;
+}
+
+Pulse pulse_of(const History& history) { return {history.time, history.acceleration}; }
+
+/// A chord differs from the curve by the square of the step: with half the samples the deviation is four
+/// times as large, and a third of the difference is what the full history misses. All of the difference is
+/// taken, for steps are uneven and the force has kinks. The solver's own error enters as the force's, to the
+/// power that it has in the figure.
+InjuryFigures injury_figures(const Solution& solution) {
+  const Pulse pulse = pulse_of(solution.history);
+  InjuryFigures figures = injury_figures(pulse);
+  // Between two samples of the history, and known to the solver.
+  const Summary& summary = solution.summary;
+  if (summary.peak_acceleration && summary.time_of_peak_force)
+    figures.peak = {*summary.peak_acceleration, *summary.time_of_peak_force};
+  if (pulse.time.size() < 4) return figures;
+  const InjuryFigures coarser = injury_figures(thinned(pulse));
+  const double force = summary.errors.peak_force;
+  const auto error = [force](double value, double coarse, double power) {
+    return deviation(value, coarse) + power * force;
+  };
+  figures.errors.peak = force;
+  figures.errors.hic15 = error(figures.hic15.value, coarser.hic15.value, 2.5);
+  figures.errors.hic36 = error(figures.hic36.value, coarser.hic36.value, 2.5);
+  figures.errors.hic_unlimited = error(figures.hic_unlimited.value, coarser.hic_unlimited.value, 2.5);
+  figures.errors.hic_d = error(figures.hic_d, coarser.hic_d, 2.5);
+  figures.errors.contiguous_3ms = error(figures.contiguous_3ms.level, coarser.contiguous_3ms.level, 1);
+  figures.errors.cumulative_3ms = error(figures.cumulative_3ms.level, coarser.cumulative_3ms.level, 1);
+  figures.errors.severity_index = error(figures.severity_index, coarser.severity_index, 2.5);
+  figures.errors.velocity_change = error(figures.velocity_change, coarser.velocity_change, 1);
+  return figures;
+}
+
+}  // namespace dashpad

@@ -1,0 +1,116 @@
+#include "injury/hic_candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dashpad::hic_search {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// One end of a window, on an interval where the level falls from `high` to `low` as the window grows, or
+/// fixed at the begin or the end of the pulse.
+struct End {
+  double low = -infinity, high = infinity;
+  double spread = 0;  // by how much the window grows as the level falls by 1, s
+};
+
+constexpr End fixed;
+
+End begin_of(const Curve& curve, std::size_t i) {
+  return {curve.level(i), curve.level(i + 1), 1 / curve.slope(i)};
+}
+End end_of(const Curve& curve, std::size_t j) {
+  return {curve.level(j + 1), curve.level(j), -1 / curve.slope(j)};
+}
+
+/// Of the windows from `first` to `last`, both ends moved outwards to one common level c, the one with
+/// c = 0.6 mean. With c = base + d and the window at `base`, c = 0.6 mean reads
+///   0.7 spread d^2 - (duration - 0.4 spread base) d + 0.6 gain - base duration = 0,
+/// and the maximum is at its lower root.
+void offer_stationary(const Curve& curve, std::size_t first, const End& begin, std::size_t last,
+                      const End& end, double longest, Best& best) {
+  const double base = std::max(begin.low, end.low);
+  const double top = std::min(begin.high, end.high);
+  const double spread = begin.spread + end.spread;
+  if (!(spread > 0) || !(base <= top) || !(spread < infinity)) return;
+  const auto window_at = [&](double level) {
+    const auto moved = [&](const End& side) {
+      return side.spread > 0
+                 ? std::clamp((side.high - level) * side.spread, 0.0, (side.high - side.low) * side.spread)
+                 : 0;
+    };
+    return Window{first, last, moved(begin), moved(end)};
+  };
+  const Window widest = window_at(base);
+  const double duration = curve.duration(widest);
+  const double constant = 0.6 * curve.gain(widest) - base * duration;
+  const double falling = duration - 0.4 * spread * base;
+  const double discriminant = falling * falling - 2.8 * spread * constant;
+  // A root that rounding moves out of the range is taken at its end; a window without need does no harm.
+  double d = 0;
+  if (constant > 0)
+    d = falling > 0 && discriminant >= 0 ? 2 * constant / (falling + std::sqrt(discriminant)) : infinity;
+  const Window window = window_at(std::min(base + d, top));
+  if (curve.duration(window) <= longest) best.offer(curve, window);
+}
+
+}  // namespace
+
+void Best::offer(const Curve& curve, const Window& window) {
+  const double duration = curve.duration(window);
+  const double value = criterion(duration, curve.gain(window));
+  if (!(value > 0) || value < highest_ * (1 - rounding)) return;
+  highest_ = std::max(highest_, value);
+  const double begin = std::max(curve.time(window.first) - window.before, curve.time(0));
+  // A window that begins hardly earlier or later is the same one, only better or worse aimed.
+  const double earlier = begin_ - begin;
+  const bool same = std::abs(earlier) <= 1e-6 * duration;
+  if (value > value_ * (1 + rounding) || (same ? value > value_ : earlier > 0)) {
+    value_ = value;
+    begin_ = begin;
+    end_ = std::min(curve.time(window.last) + window.after, curve.time(curve.samples() - 1));
+  }
+}
+
+void offer_longest(const Curve& curve, std::size_t i, std::size_t j, double longest, Best& best) {
+  if (i == j) {
+    // Within one line the mean is highest at one of its ends.
+    if (longest > curve.length(i)) return;
+    best.offer(curve, {i, i, 0, longest});
+    best.offer(curve, {i + 1, i + 1, longest, 0});
+    return;
+  }
+  const double rest = longest - curve.elapsed(i + 1, j);  // before + after
+  const double least = std::max(0.0, rest - curve.length(j));
+  const double most = std::min(curve.length(i), rest);
+  if (!(least <= most)) return;
+  const auto offer = [&](double before) { best.offer(curve, {i + 1, j, before, rest - before}); };
+  // The level at the begin less that at the end is the rate at which an earlier window gains.
+  const double difference = curve.level(i + 1) - curve.level(j) - curve.slope(j) * rest;
+  const double bend = curve.slope(i) - curve.slope(j);
+  if (bend > 0) {
+    offer(std::clamp(difference / bend, least, most));
+  } else {
+    offer(most);
+    offer(least);
+  }
+}
+
+void offer_candidates(const Curve& curve, std::size_t i, std::size_t j, double longest, Best& best) {
+  const std::size_t final_sample = curve.samples() - 1;
+  const bool rises = curve.level(i + 1) > curve.level(i);
+  const bool falls = curve.level(j + 1) < curve.level(j);
+  const bool from_start = i == 0;
+  const bool to_end = j + 1 == final_sample;
+  if (from_start && to_end && curve.elapsed(0, final_sample) <= longest)
+    best.offer(curve, {0, final_sample, 0, 0});
+  if (from_start && falls) offer_stationary(curve, 0, fixed, j, end_of(curve, j), longest, best);
+  if (rises && falls && i < j)
+    offer_stationary(curve, i + 1, begin_of(curve, i), j, end_of(curve, j), longest, best);
+  if (to_end && rises) offer_stationary(curve, i + 1, begin_of(curve, i), final_sample, fixed, longest, best);
+  if (longest < infinity) offer_longest(curve, i, j, longest, best);
+}
+
+}  // namespace dashpad::hic_search

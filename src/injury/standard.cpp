@@ -1,0 +1,105 @@
+#include "dashpad/injury/standard.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace dashpad {
+
+namespace {
+
+/// A member of the standard, and the member of a variant that takes its place.
+struct Replaceable {
+  const char* name;
+  StandardValue Standard::*value;
+  std::optional<StandardValue> StandardVariant::*replacement;
+};
+
+constexpr Replaceable replaceable[]{{"mass", &Standard::mass, &StandardVariant::mass},
+                                    {"radius", &Standard::radius, &StandardVariant::radius},
+                                    {"speed", &Standard::speed, &StandardVariant::speed}};
+
+std::string names_of(const std::vector<StandardVariant>& variants) {
+  std::string names;
+  for (const StandardVariant& variant : variants) names += (names.empty() ? "" : ", ") + variant.name;
+  return names;
+}
+
+const StandardVariant& find_variant(const Standard& standard, const std::string& name) {
+  const auto found = std::ranges::find(standard.variants, name, &StandardVariant::name);
+  if (found != standard.variants.end()) return *found;
+  throw std::invalid_argument(
+      standard.name + " has no variant \"" + name + "\"; " +
+      (standard.variants.empty() ? "it has none" : "it has " + names_of(standard.variants)));
+}
+
+[[noreturn]] void refuse_two(const Standard& standard, const std::pair<std::string, std::string>& variants,
+                             const std::string& what) {
+  throw std::invalid_argument("the variants \"" + variants.first + "\" and \"" + variants.second + "\" of " +
+                              standard.name + " both set the " + what);
+}
+
+void replace(StandardValue& standard, std::optional<double> by_user, std::optional<double> drop_height) {
+  if (!by_user) return;
+  standard = {.value = by_user,
+              .drop_height = drop_height,
+              .origin = {.source = "the user", .verified = true, .note = ""},
+              .chosen_by_user = true,
+              .instead = standard.value};
+}
+
+}  // namespace
+
+const std::vector<MetricFacts>& metrics() {
+  static const std::vector<MetricFacts> all{
+      {Metric::peak, "peak", "Peak acceleration", "m/s2", true},
+      {Metric::contiguous_3ms, "contiguous-3ms", "3 ms clip, uninterrupted", "m/s2", false},
+      {Metric::cumulative_3ms, "cumulative-3ms", "3 ms clip, cumulative", "m/s2", false},
+      {Metric::dwell, "dwell", "Time above", "s", false},
+      {Metric::hic15, "hic15", "HIC15", "1", true},
+      {Metric::hic36, "hic36", "HIC36", "1", true},
+      {Metric::hic_unlimited, "hic", "HIC, any window", "1", true},
+      {Metric::hic_d, "hic-d", "HIC(d)", "1", true},
+      {Metric::severity_index, "severity-index", "Severity index", "1", true},
+  };
+  return all;
+}
+
+const MetricFacts& facts(Metric metric) { return metrics()[static_cast<std::size_t>(metric)]; }
+
+Standard with_variants(const Standard& standard, const std::vector<std::string>& names) {
+  Standard result = standard;
+  for (const std::string& name : names) {
+    const StandardVariant& variant = find_variant(standard, name);
+    for (const auto& [what, value, replacement] : replaceable) {
+      if (!(variant.*replacement)) continue;
+      for (const std::string& other : result.chosen)
+        if (find_variant(standard, other).*replacement) refuse_two(standard, {other, name}, what);
+      result.*value = *(variant.*replacement);
+    }
+    result.chosen.push_back(name);
+  }
+  return result;
+}
+
+Standard with_user_values(const Standard& standard, const UserValues& values) {
+  Standard result = standard;
+  replace(result.mass, values.mass, {});
+  replace(result.radius, values.radius, {});
+  replace(result.speed, values.speed, {});
+  if (values.drop_height) replace(result.speed, speed_after_fall(*values.drop_height), values.drop_height);
+  return result;
+}
+
+double speed_after_fall(double height) { return std::sqrt(2 * standard_gravity * height); }
+
+ImpactCase with_impactor_of(const Standard& standard, const ImpactCase& impact) {
+  ImpactCase result = impact;
+  result.impactor.mass = standard.mass.value.value_or(impact.impactor.mass);
+  result.impactor.radius = standard.radius.value.value_or(impact.impactor.radius);
+  result.impactor.speed = standard.speed.value.value_or(impact.impactor.speed);
+  return result;
+}
+
+}  // namespace dashpad

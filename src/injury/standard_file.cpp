@@ -1,0 +1,223 @@
+#include "dashpad/injury/standard_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <system_error>
+
+#include "dashpad/io/fault.hpp"
+#include "io/spelling.hpp"
+#include "io/table_reader.hpp"
+
+namespace dashpad {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool read_yes_or_no(TableReader& table, const std::string& key) {
+  if (!table.has(key)) {
+    table.fault(key, "is missing; must be true or false");
+    return false;
+  }
+  const TomlNode& node = *table.node().child(key);
+  const bool is_other = node.kind == TomlNode::Kind::other;
+  if (!is_other || (node.text != "true" && node.text != "false")) table.fault(key, "must be true or false");
+  return is_other && node.text == "true";
+}
+
+Origin read_origin(TableReader& table) {
+  return {.source = table.text("source"),
+          .verified = read_yes_or_no(table, "verified"),
+          .note = table.text("note", Presence::optional)};
+}
+
+/// A quantity that must be more than 0; NaN has a fault already.
+double positive(TableReader& table, const std::string& key, double value) {
+  if (value <= 0) table.fault(key, "must be more than 0");
+  return value;
+}
+
+/// Nothing where the standard leaves the value to the case. `drop_height` is known for speeds only.
+std::optional<double> read_number(TableReader& table, const std::string& si_unit,
+                                  std::optional<double>& drop_height) {
+  const bool is_speed = si_unit == "m/s";
+  const bool has_value = table.has("value");
+  const bool has_height = is_speed && table.has("drop_height");
+  const bool from_case = table.has("from_case") && read_yes_or_no(table, "from_case");
+  if (has_value + has_height + from_case != 1)
+    table.fault("value", is_speed ? "give one of value, drop_height and from_case = true"
+                                  : "give one of value and from_case = true");
+  if (has_value) return positive(table, "value", table.quantity("value", si_unit));
+  if (!has_height) return std::nullopt;
+  drop_height = positive(table, "drop_height", table.quantity("drop_height", "m"));
+  return speed_after_fall(*drop_height);
+}
+
+StandardValue read_value(TableReader table, const std::string& si_unit) {
+  StandardValue value;
+  value.value = read_number(table, si_unit, value.drop_height);
+  value.origin = read_origin(table);
+  table.refuse_others();
+  return value;
+}
+
+std::optional<StandardValue> read_value(TableReader& parent, const std::string& key,
+                                        const std::string& si_unit, Presence presence) {
+  const auto table = parent.table(key, presence);
+  return table ? std::optional{read_value(*table, si_unit)} : std::nullopt;
+}
+
+/// Nothing after a fault.
+std::optional<Metric> read_metric(TableReader& table) {
+  std::vector<std::string> keys;
+  for (const MetricFacts& metric : metrics()) keys.emplace_back(metric.key);
+  const std::string chosen = table.choice("metric", keys);
+  const auto found = std::ranges::find(keys, chosen);
+  if (found == keys.end()) return std::nullopt;
+  return metrics()[static_cast<std::size_t>(found - keys.begin())].metric;
+}
+
+/// Accelerations are in g, which no unit of files says: g is a gram.
+double read_acceleration(TableReader& table, const std::string& key) {
+  return standard_gravity * positive(table, key, table.number(key));
+}
+
+double read_limit(TableReader& table, const MetricFacts& metric) {
+  const std::string unit = metric.unit;
+  if (unit == "m/s2") return read_acceleration(table, "limit_g");
+  return positive(table, "limit", unit == "1" ? table.number("limit") : table.quantity("limit", unit));
+}
+
+Criterion read_criterion(TableReader table) {
+  Criterion criterion;
+  if (const auto metric = read_metric(table)) {
+    criterion.metric = *metric;
+    criterion.limit = read_limit(table, facts(*metric));
+    if (*metric == Metric::dwell) criterion.level = read_acceleration(table, "level_g");
+  } else {
+    for (const char* key : {"limit", "limit_g", "level_g"}) table.has(key);  // right or wrong: who knows
+  }
+  criterion.description = table.text("description");
+  criterion.origin = read_origin(table);
+  table.refuse_others();
+  return criterion;
+}
+
+std::vector<Criterion> read_criteria(TableReader& top) {
+  std::vector<Criterion> criteria;
+  const TomlNode* array = top.array("criteria");
+  if (!array) return criteria;
+  if (array->children.empty()) top.fault("criteria", "must hold one criterion at least");
+  for (const TomlNode& entry : array->children) {
+    const std::string key = "criteria" + entry.key;
+    if (entry.kind == TomlNode::Kind::table)
+      criteria.push_back(read_criterion(TableReader(entry, key, top.faults())));
+    else
+      top.faults().add(entry.line, key, entry.written(), "must be a table: [[criteria]]");
+  }
+  return criteria;
+}
+
+/// Letters that need no quotes on a command line, and no colon, which separates variants.
+bool is_variant_name(const std::string& name) {
+  return !name.empty() && std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '.';
+  });
+}
+
+StandardVariant read_variant(TableReader table, const std::string& name) {
+  StandardVariant variant;
+  variant.name = name;
+  variant.title = table.text("title");
+  variant.mass = read_value(table, "mass", "kg", Presence::optional);
+  variant.radius = read_value(table, "radius", "m", Presence::optional);
+  variant.speed = read_value(table, "speed", "m/s", Presence::optional);
+  table.refuse_others();
+  if (!variant.mass && !variant.radius && !variant.speed)
+    table.faults().add(table.node().line, table.full_key("mass"), "",
+                       "a variant must replace mass, radius or speed");
+  return variant;
+}
+
+std::vector<StandardVariant> read_variants(TableReader& top) {
+  std::vector<StandardVariant> variants;
+  auto table = top.table("variants", Presence::optional);
+  if (!table) return variants;
+  for (const TomlNode& entry : table->node().children) {
+    if (!is_variant_name(entry.key))
+      table->fault(entry.key, "the name of a variant has lower-case letters, digits, - and . only");
+    else if (const auto variant = table->table(entry.key))
+      variants.push_back(read_variant(*variant, entry.key));
+  }
+  return variants;
+}
+
+std::vector<std::string> names_of(const std::vector<fs::path>& files) {
+  std::vector<std::string> names;
+  for (const fs::path& file : files) names.push_back(file.stem().string());
+  return names;
+}
+
+}  // namespace
+
+Standard read_standard(const fs::path& file) {
+  const TomlNode root = read_toml(file);
+  FaultList faults(file.string());
+  TableReader top(root, "", faults);
+  Standard standard;
+  standard.name = file.stem().string();
+  standard.title = top.text("title");
+  standard.source = top.text("source");
+  standard.note = top.text("note", Presence::optional);
+  standard.mass = read_value(top, "mass", "kg", Presence::required).value_or(StandardValue{});
+  standard.radius = read_value(top, "radius", "m", Presence::required).value_or(StandardValue{});
+  standard.speed = read_value(top, "speed", "m/s", Presence::required).value_or(StandardValue{});
+  standard.criteria = read_criteria(top);
+  standard.variants = read_variants(top);
+  top.refuse_others();
+  faults.throw_if_any();
+  return standard;
+}
+
+std::vector<fs::path> list_standards(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (entry->path().extension() == ".toml" && entry->is_regular_file()) files.push_back(entry->path());
+  if (error)
+    throw InputError(
+        {Fault{folder.string(), 0, "", "", "is not a readable folder of standards: " + error.message()}});
+  std::ranges::sort(files);
+  return files;
+}
+
+StandardChoice standard_choice(const std::string& text) {
+  const std::string ending = ".toml";
+  const auto file_end = text.find(ending + ":");
+  auto end = file_end != std::string::npos ? file_end + ending.size()
+             : text.ends_with(ending)      ? text.size()
+                                           : std::min(text.find(':'), text.size());
+  StandardChoice choice{text.substr(0, end), {}};
+  while (end < text.size()) {
+    const auto next = std::min(text.find(':', end + 1), text.size());
+    choice.variants.push_back(text.substr(end + 1, next - end - 1));
+    end = next;
+  }
+  return choice;
+}
+
+fs::path find_standard(const std::string& name, const fs::path& folder) {
+  if (name.ends_with(".toml")) return name;
+  const std::vector<fs::path> files = list_standards(folder);
+  const std::vector<std::string> names = names_of(files);
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return files[static_cast<std::size_t>(found - names.begin())];
+  throw InputError({Fault{name, 0, "", "",
+                          "no such standard in " + folder.string() +
+                              (names.empty() ? ", which has none" : ", which has " + listing(names)) +
+                              did_you_mean(name, names)}});
+}
+
+}  // namespace dashpad

@@ -1,0 +1,96 @@
+#include <array>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "dashpad/report/result_json.hpp"
+#include "dashpad/report/assessment_text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+std::string taken_from(const StandardValue& value) {
+  if (value.chosen_by_user) return "user";
+  return value.value ? "standard" : "case";
+}
+
+Json input(const StandardValue& value, double used, double of_case) {
+  return {{"value", number(used)},
+          {"from", taken_from(value)},
+          {"case_value", number(of_case)},
+          {"standard_value", number(value.chosen_by_user ? value.instead : value.value)},
+          {"drop_height_m", number(value.drop_height)},
+          {"source", value.origin.source},
+          {"verified", value.origin.verified},
+          {"note", value.origin.note}};
+}
+
+Json impactor(const AssessmentReport& report) {
+  const Standard& standard = report.standard;
+  const Impactor& used = report.assessed.impactor;
+  const Impactor& of_case = report.given.impactor;
+  return {{"mass_kg", input(standard.mass, used.mass, of_case.mass)},
+          {"radius_m", input(standard.radius, used.radius, of_case.radius)},
+          {"speed_m_per_s", input(standard.speed, used.speed, of_case.speed)}};
+}
+
+/// Accelerations are in g, as in all results.
+double shown(double value, const MetricFacts& metric) {
+  return std::string(metric.unit) == "m/s2" ? value / standard_gravity : value;
+}
+
+std::string shown_unit(const MetricFacts& metric) {
+  return std::string(metric.unit) == "m/s2" ? "g" : metric.unit;
+}
+
+Json criterion(const CriterionResult& result) {
+  const Criterion& of = result.criterion;
+  const MetricFacts& metric = facts(of.metric);
+  Json entry{{"metric", metric.key}};
+  entry["level_g"] = of.metric == Metric::dwell ? number(of.level / standard_gravity) : Json(nullptr);
+  entry["description"] = of.description;
+  entry["unit"] = shown_unit(metric);
+  entry["value"] = result.value ? number(shown(*result.value, metric)) : Json(nullptr);
+  entry["error"] = result.value ? number(shown(result.error, metric)) : Json(nullptr);
+  entry["lower_bound"] = result.lower_bound;
+  entry["limit"] = number(shown(of.limit, metric));
+  entry["margin"] = number(shown(result.margin, metric));
+  entry["margin_fraction"] = number(result.relative_margin);
+  entry["verdict"] = to_string(result.verdict);
+  entry["reason"] = result.reason;
+  entry["source"] = of.origin.source;
+  entry["verified"] = of.origin.verified;
+  entry["note"] = of.origin.note;
+  return entry;
+}
+
+}  // namespace
+
+std::string assessment_json(const AssessmentReport& report) {
+  const Standard& standard = report.standard;
+  Json criteria = Json::array();
+  for (const CriterionResult& result : report.assessment.results) criteria.push_back(criterion(result));
+  Json json;
+  json["verdict"] = to_string(report.assessment.verdict);
+  json["unqualified"] = report.assessment.unqualified();
+  json["reservations"] = report.assessment.reservations;
+  json["caveat"] = assessment_caveat();
+  json["standard"] = {{"name", standard.name},
+                      {"variants", standard.chosen},
+                      {"title", standard.title},
+                      {"source", standard.source},
+                      {"note", standard.note}};
+  json["impactor"] = impactor(report);
+  json["criteria"] = criteria;
+  json["result"] = Json::parse(result_json(report.assessed, report.solution.summary));
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace dashpad

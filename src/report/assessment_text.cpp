@@ -1,0 +1,211 @@
+#include "dashpad/report/assessment_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/io/case_text.hpp"
+#include "io/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+struct NamedValue {
+  const char* name;
+  const char* si_unit;
+  const StandardValue* value;
+};
+
+std::array<NamedValue, 3> values_of(const Standard& standard) {
+  return {
+      {{"mass", "kg", &standard.mass}, {"radius", "m", &standard.radius}, {"speed", "m/s", &standard.speed}}};
+}
+
+/// Accelerations in g, times in the unit of the system, criteria as they are.
+std::string shown(double value, const std::string& si_unit, const UnitSystem& units) {
+  if (si_unit == "m/s2") return brief(value / standard_gravity) + " g";
+  return brief_quantity(value, si_unit, units);
+}
+
+std::string title_of(const Criterion& criterion) {
+  const std::string title = facts(criterion.metric).title;
+  if (criterion.metric != Metric::dwell) return title;
+  return fmt::format("{} {} g", title, brief(criterion.level / standard_gravity));
+}
+
+std::string value_text(const NamedValue& entry, const UnitSystem& units) {
+  if (!entry.value->value) return "the case's";
+  std::string text = brief_quantity(*entry.value->value, entry.si_unit, units);
+  if (entry.value->drop_height)
+    text += fmt::format(" (after a fall of {})", brief_quantity(*entry.value->drop_height, "m", units));
+  return text;
+}
+
+// --- A standard in full ---
+
+std::string origin_text(const Origin& origin) {
+  std::string text =
+      fmt::format("      {}source: {}\n", origin.verified ? "" : "UNVERIFIED; ", one_line(origin.source));
+  if (!origin.note.empty()) text += fmt::format("      {}\n", one_line(origin.note));
+  return text;
+}
+
+std::string entry_text(const NamedValue& entry, const UnitSystem& units) {
+  return fmt::format("    {:<8}{}\n", entry.name, value_text(entry, units)) +
+         origin_text(entry.value->origin);
+}
+
+std::string criterion_text(const Criterion& criterion, const UnitSystem& units) {
+  return fmt::format("    {}: at most {}; {}\n", title_of(criterion),
+                     shown(criterion.limit, facts(criterion.metric).unit, units),
+                     one_line(criterion.description)) +
+         origin_text(criterion.origin);
+}
+
+std::string variant_text(const StandardVariant& variant, const UnitSystem& units) {
+  std::string text = fmt::format("\n  Variant {}: {}\n", variant.name, one_line(variant.title));
+  if (variant.mass) text += entry_text({"mass", "kg", &*variant.mass}, units);
+  if (variant.radius) text += entry_text({"radius", "m", &*variant.radius}, units);
+  if (variant.speed) text += entry_text({"speed", "m/s", &*variant.speed}, units);
+  return text;
+}
+
+bool is_unverified(const std::optional<StandardValue>& value) { return value && !value->origin.verified; }
+
+std::size_t count_unverified(const Standard& standard) {
+  const auto bad_value = [](const NamedValue& entry) { return !entry.value->origin.verified; };
+  const auto bad_limit = [](const Criterion& criterion) { return !criterion.origin.verified; };
+  auto count = static_cast<std::size_t>(std::ranges::count_if(values_of(standard), bad_value) +
+                                        std::ranges::count_if(standard.criteria, bad_limit));
+  for (const StandardVariant& variant : standard.variants)
+    count += static_cast<std::size_t>(is_unverified(variant.mass)) +
+             static_cast<std::size_t>(is_unverified(variant.radius)) +
+             static_cast<std::size_t>(is_unverified(variant.speed));
+  return count;
+}
+
+std::string values_counted(std::size_t count) {
+  return fmt::format("{} value{}", count, count == 1 ? "" : "s");
+}
+
+std::string full_name(const Standard& standard) {
+  std::string name = standard.name;
+  for (const std::string& variant : standard.chosen) name += ":" + variant;
+  return one_line(name);
+}
+
+// --- An assessment ---
+
+std::string giver(const StandardValue& value) {
+  return value.chosen_by_user ? "given by you" : "of the standard";
+}
+
+std::string replaced_text(const AssessmentReport& report, const UnitSystem& units) {
+  const Impactor& before = report.given.impactor;
+  const std::array<double, 3> of_case{before.mass, before.radius, before.speed};
+  std::string replaced, kept;
+  std::size_t i = 0;
+  for (const NamedValue& entry : values_of(report.standard)) {
+    const std::string in_case = brief_quantity(of_case[i++], entry.si_unit, units);
+    if (!entry.value->value) {
+      kept += fmt::format("{} ({}), ", entry.name, in_case);
+      continue;
+    }
+    std::string line = fmt::format("  {:<8}{}, {}; the case has {}", entry.name, value_text(entry, units),
+                                   giver(*entry.value), in_case);
+    if (entry.value->instead)
+      line += fmt::format(", the standard {}", brief_quantity(*entry.value->instead, entry.si_unit, units));
+    replaced += line + "\n";
+  }
+  return (replaced.empty() ? "Nothing of the case was replaced.\n" : "Replaced in the case:\n" + replaced) +
+         fmt::format("Kept from the case: {}pad, support, solver.\n", kept);
+}
+
+/// The sign is there always: a margin of a failed criterion is negative.
+std::string margin_text(const CriterionResult& result, const UnitSystem& units) {
+  if (!result.value) return "none";
+  const std::string margin = shown(result.margin, facts(result.criterion.metric).unit, units);
+  return fmt::format("{} ({:+.1f} %)", margin.starts_with('-') ? margin : "+" + margin,
+                     100 * result.relative_margin);
+}
+
+std::string error_text(const CriterionResult& result, const UnitSystem& units) {
+  if (!result.value) return "";
+  if (!std::isfinite(result.error)) return "± unknown";
+  const std::string unit = facts(result.criterion.metric).unit;
+  if (unit == "m/s2") return fmt::format("± {:.2g} g", result.error / standard_gravity);
+  return fmt::format("± {:.2g} {}", value_in(units, result.error, unit), shown_unit(unit_for(units, unit)));
+}
+
+std::string row(const CriterionResult& result, const UnitSystem& units) {
+  const std::string unit = facts(result.criterion.metric).unit;
+  const std::string value = result.value ? shown(*result.value, unit, units) : "none";
+  std::string line = fmt::format("  {:<26}{:>13} {:<12}{:>9}  {:<24}{}", title_of(result.criterion),
+                                 (result.lower_bound ? "> " : "") + value, error_text(result, units),
+                                 shown(result.criterion.limit, unit, units), margin_text(result, units),
+                                 to_string(result.verdict));
+  if (!result.reason.empty()) line += ": " + result.reason;
+  return line + "\n";
+}
+
+std::string upper_case(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return text;
+}
+
+std::string verdict_text(const Assessment& assessment) {
+  std::string text = upper_case(to_string(assessment.verdict));
+  if (assessment.unqualified()) return text + "\n";
+  text += ", with reservations:\n";
+  for (const std::string& reservation : assessment.reservations)
+    text += "  - " + one_line(reservation) + "\n";
+  return text;
+}
+
+}  // namespace
+
+const std::string& assessment_caveat() {
+  static const std::string caveat =
+      "This is a computation with one rigid sphere on a flat pad. It is no test to the standard and no "
+      "certification.";
+  return caveat;
+}
+
+std::string standard_line(const Standard& standard) {
+  const std::size_t unverified = count_unverified(standard);
+  return fmt::format("  {:<28}{}{}\n", one_line(standard.name), one_line(standard.title),
+                     unverified > 0 ? fmt::format(" ({} unverified)", values_counted(unverified)) : "");
+}
+
+std::string standard_text(const Standard& standard, const UnitSystem& units) {
+  std::string text = fmt::format("{}\n  Name    {}\n  Source  {}\n", one_line(standard.title),
+                                 full_name(standard), one_line(standard.source));
+  if (!standard.note.empty()) text += fmt::format("  Note    {}\n", one_line(standard.note));
+  if (const std::size_t unverified = count_unverified(standard); unverified > 0)
+    text +=
+        fmt::format("  WARNING {} not read in the standard or a source that repeats it: UNVERIFIED below\n",
+                    values_counted(unverified));
+  text += "\n  Impactor\n";
+  for (const NamedValue& entry : values_of(standard)) text += entry_text(entry, units);
+  text += "\n  Criteria\n";
+  for (const Criterion& criterion : standard.criteria) text += criterion_text(criterion, units);
+  for (const StandardVariant& variant : standard.variants) text += variant_text(variant, units);
+  return text + "\n" + assessment_caveat() + "\n";
+}
+
+std::string assessment_text(const AssessmentReport& report, const UnitSystem& units) {
+  const Standard& standard = report.standard;
+  std::string text = fmt::format("{} ({})\n", one_line(standard.title), full_name(standard));
+  if (!standard.note.empty()) text += one_line(standard.note) + "\n";
+  text += "\n" + case_text(report.assessed, units) + "\n" + replaced_text(report, units) + "\n";
+  text += fmt::format("  {:<26}{:>13} {:<12}{:>9}  {:<24}{}\n", "", "value", "error", "limit", "margin", "");
+  for (const CriterionResult& result : report.assessment.results) text += row(result, units);
+  text += "\n" + verdict_text(report.assessment);
+  return text + "\n" + assessment_caveat() + "\n";
+}
+
+}  // namespace dashpad

@@ -1,0 +1,126 @@
+#include "dashpad/report/post_impact_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "dashpad/io/case_text.hpp"
+#include "dashpad/version.hpp"
+#include "io/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+PostImpact motion_after(const Body& first, const Body& second, const Solution& solution) {
+  return post_impact(first, second, std::clamp(solution.summary.energy_absorbed_fraction, 0.0, 1.0));
+}
+
+std::string share(const char* what, double energy, double impact, const UnitSystem& units) {
+  return fmt::format("    {:<30}{:>14}  {:>8.2f} %\n", what, brief_quantity(energy, "J", units),
+                     100 * energy / impact);
+}
+
+nlohmann::ordered_json number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace
+
+ImpactCase relative_motion(ImpactCase impact, const Body& first, const Body& second) {
+  impact.impactor.mass =
+      std::isinf(second.mass) ? first.mass : first.mass * (second.mass / (first.mass + second.mass));
+  impact.impactor.speed = first.velocity - second.velocity;
+  return impact;
+}
+
+EnergySplit energy_split(const ImpactCase& impact, const Solution& solution) {
+  const History& history = solution.history;
+  const EnergyLedger& end = solution.summary.energy;
+  EnergySplit split;
+  split.impact = end.initial;
+  split.rebound = end.kinetic;
+  split.support_at_end = end.support;
+  split.pad = end.pad;
+  const auto peak = std::max_element(history.force.begin(), history.force.end()) - history.force.begin();
+  const auto i = static_cast<std::size_t>(peak);
+  split.kinetic_at_peak = 0.5 * impact.impactor.mass * history.velocity[i] * history.velocity[i];
+  split.support_at_peak = impact.support.energy(history.force[i]);
+  split.pad_at_peak = split.impact - split.kinetic_at_peak - split.support_at_peak;
+  return split;
+}
+
+std::string post_impact_text(const Body& first, const Body& second, const ImpactCase& impact,
+                             const Solution& solution, const UnitSystem& units) {
+  const PostImpact after = motion_after(first, second, solution);
+  const EnergySplit split = energy_split(impact, solution);
+  const auto shown = [&](double value, const char* si_unit) { return brief_quantity(value, si_unit, units); };
+  const std::string other = std::isinf(second.mass) ? "held in place" : shown(second.mass, "kg");
+  std::string text = fmt::format(
+      "Two bodies: the impactor, {} at {}; the other, {}, at {}.\nSolved as one sphere of {} at {}, which is "
+      "their "
+      "motion towards each other.\n\n",
+      shown(first.mass, "kg"), shown(first.velocity, "m/s"), other, shown(second.velocity, "m/s"),
+      shown(impact.impactor.mass, "kg"), shown(impact.impactor.speed, "m/s"));
+  if (!solution.summary.trustworthy()) text += "TOLERANCE NOT MET: do not rely on these figures\n";
+  for (const std::string& reason : solution.summary.extrapolations)
+    text += "EXTRAPOLATED: " + one_line(reason) + "\n";
+  if (solution.summary.bottomed) text += "BOTTOMED: the pad was fully compressed for a while\n";
+  const double error = solution.summary.errors.energy_absorbed;
+  text += fmt::format("  Velocity of the impactor after   {}\n", shown(after.first_velocity, "m/s"));
+  text += fmt::format("  Velocity of the other after      {}\n", shown(after.second_velocity, "m/s"));
+  text += fmt::format("  Ratio of the speeds, sqrt(C)     {}\n", significant(after.restitution));
+  text += fmt::format("  C of the report's Eqs. 1 to 3    {} ± {} of the energy\n",
+                      significant(after.energy_coefficient), percentage(error));
+  text +=
+      "  The report calls C the coefficient of restitution, but it multiplies energy: the ratio of the\n"
+      "  speeds of separation and approach is its square root.\n\n";
+  text += fmt::format("  Energy available                 {}\n", shown(after.available_energy, "J"));
+  text += "  When the force is largest:\n";
+  text += share("motion", split.kinetic_at_peak, split.impact, units);
+  text += share("stored in the support", split.support_at_peak, split.impact, units);
+  text += share("put into the pad", split.pad_at_peak, split.impact, units);
+  text += "  At the end:\n";
+  text += share("rebound", split.rebound, split.impact, units);
+  text += share("left in the support", split.support_at_end, split.impact, units);
+  text += share("absorbed by the pad", split.pad, split.impact, units);
+  return text;
+}
+
+std::string post_impact_json(const Body& first, const Body& second, const ImpactCase& impact,
+                             const Solution& solution) {
+  const PostImpact after = motion_after(first, second, solution);
+  const EnergySplit split = energy_split(impact, solution);
+  const Summary& summary = solution.summary;
+  const nlohmann::ordered_json result{
+      {"status", to_string(summary.status)},
+      {"extrapolated", summary.extrapolated},
+      {"bottomed", summary.bottomed.has_value()},
+      {"bodies",
+       {{{"mass_kg", number(first.mass)},
+         {"velocity_m_per_s", number(first.velocity)},
+         {"velocity_after_m_per_s", number(after.first_velocity)}},
+        {{"mass_kg", number(second.mass)},
+         {"velocity_m_per_s", number(second.velocity)},
+         {"velocity_after_m_per_s", number(after.second_velocity)}}}},
+      {"energy_coefficient_C", number(after.energy_coefficient)},
+      {"restitution_sqrt_C", number(after.restitution)},
+      {"absorbed_fraction_error", number(summary.errors.energy_absorbed)},
+      {"available_energy_J", number(after.available_energy)},
+      {"at_peak_force",
+       {{"kinetic_J", number(split.kinetic_at_peak)},
+        {"support_J", number(split.support_at_peak)},
+        {"pad_J", number(split.pad_at_peak)}}},
+      {"at_the_end",
+       {{"rebound_J", number(split.rebound)},
+        {"support_J", number(split.support_at_end)},
+        {"pad_J", number(split.pad)}}},
+      {"solved_as",
+       {{"mass_kg", number(impact.impactor.mass)}, {"speed_m_per_s", number(impact.impactor.speed)}}},
+      {"program", {{"name", "dashpad"}, {"version", version()}, {"commit", build_facts().git_commit}}}};
+  return result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace dashpad

@@ -1,0 +1,108 @@
+// A pulse for programs: JSON with the figures and how they came about, CSV with the samples.
+
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "dashpad/report/pulse_text.hpp"
+#include "dashpad/version.hpp"
+
+namespace dashpad {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json in_g(double acceleration) { return number(acceleration / standard_gravity); }
+
+Json hic(const Hic& of) {
+  return {{"value", number(of.value)}, {"begin_s", number(of.begin)}, {"end_s", number(of.end)}};
+}
+
+Json clip(const Clip& of) {
+  return {{"level_g", in_g(of.level)}, {"begin_s", number(of.begin)}, {"end_s", number(of.end)}};
+}
+
+Json figures(const PulseReport& report) {
+  const InjuryFigures& of = report.figures;
+  Json windows = Json::array(), dwells = Json::array();
+  for (const WindowedHic& window : report.windows) {
+    windows.push_back(hic(window.hic));
+    windows.back()["longest_window_s"] = number(window.longest_window);
+  }
+  for (const DwellTime& dwell : report.dwells)
+    dwells.push_back({{"level_g", in_g(dwell.level)},
+                      {"cumulative_s", number(dwell.cumulative)},
+                      {"longest_s", number(dwell.longest)}});
+  return {{"peak", {{"acceleration_g", in_g(of.peak.magnitude)}, {"time_s", number(of.peak.time)}}},
+          {"hic15", hic(of.hic15)},
+          {"hic36", hic(of.hic36)},
+          {"hic_unlimited", hic(of.hic_unlimited)},
+          {"hic_windows", windows},
+          {"hic_d", number(of.hic_d)},
+          {"clip_3ms_contiguous", clip(of.contiguous_3ms)},
+          {"clip_3ms_cumulative", clip(of.cumulative_3ms)},
+          {"severity_index", number(of.severity_index)},
+          {"dwell", dwells},
+          {"velocity_change_m_per_s", number(of.velocity_change)}};
+}
+
+Json column(const MeasuredColumn& of) {
+  return {{"name", of.name},
+          {"number", of.number > 0 ? Json(of.number) : Json(nullptr)},
+          {"unit", of.unit},
+          {"unit_origin", of.unit_origin},
+          {"si_factor", number(of.factor)}};
+}
+
+Json filter(const PulseReport& report) {
+  if (!report.filter) return nullptr;
+  return {{"channel_frequency_class", report.filter->channel_frequency_class},
+          {"corner", to_string(report.filter->corner)},
+          {"ends", to_string(report.filter->ends)}};
+}
+
+Json source(const PulseReport& report) {
+  const MeasuredPulse& of = report.measured;
+  Json accelerations = Json::array();
+  for (const MeasuredColumn& each : of.acceleration) accelerations.push_back(column(each));
+  return {{"file", report.file},
+          {"format", of.format},
+          {"time", column(of.time)},
+          {"acceleration", accelerations},
+          {"resultant", of.resultant},
+          {"samples", of.pulse.time.size()},
+          {"begin_s", number(of.pulse.time.front())},
+          {"end_s", number(of.pulse.time.back())},
+          {"remarks", of.remarks}};
+}
+
+}  // namespace
+
+std::string pulse_json(const PulseReport& report) {
+  Json result;
+  result["figures"] = figures(report);
+  result["source"] = source(report);
+  result["processing"] = {
+      {"resampled_to_s", report.resampled_to ? number(*report.resampled_to) : Json(nullptr)},
+      {"filter", filter(report)},
+      {"samples", report.pulse.time.size()}};
+  result["program"] = {{"name", "dashpad"}, {"version", version()}, {"commit", build_facts().git_commit}};
+  // Names of files may be of any bytes; what is not UTF-8 becomes the replacement character.
+  return result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string pulse_csv(const PulseReport& report, const UnitSystem& units) {
+  const double time_factor = value_in(units, 1, "s");
+  fmt::memory_buffer text;
+  fmt::format_to(std::back_inserter(text), "time_{},acceleration_g\n", unit_for(units, "s"));
+  for (std::size_t i = 0; i < report.pulse.time.size(); ++i)
+    fmt::format_to(std::back_inserter(text), "{},{}\n", time_factor * report.pulse.time[i],
+                   report.pulse.acceleration[i] / standard_gravity);
+  return fmt::to_string(text);
+}
+
+}  // namespace dashpad

@@ -1,0 +1,203 @@
+// Standards: dashpad assess and dashpad standards.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+
+namespace dashpad::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::AnyOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string examples = std::string{DASHPAD_SOURCE_DIR} + "/examples/";
+
+/// A standard that limits the peak acceleration and leaves the impactor to the case.
+std::string peak_standard(const std::string& limit_in_g) {
+  const std::string origin = "source = \"a test\"\nverified = true\n";
+  std::string text = "title = \"Peak\"\nsource = \"a test\"\n";
+  for (const char* value : {"mass", "radius", "speed"})
+    text += std::string{"["} + value + "]\nfrom_case = true\n" + origin;
+  return text + "[[criteria]]\nmetric = \"peak\"\nlimit_g = " + limit_in_g +
+         "\ndescription = \"none above\"\n" + origin;
+}
+
+class AssessTest : public CommandTest {
+ protected:
+  /// A standard in a file of its own.
+  std::string standard(const std::string& name, const std::string& text) {
+    write_file(file(name + ".toml"), text);
+    return file(name + ".toml");
+  }
+
+  Outcome assess(std::vector<std::string> arguments) {
+    std::vector<std::string> all{"assess", case_file(), "--standard"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return dashpad(all);
+  }
+
+  Outcome refused(std::vector<std::string> arguments) {
+    const Outcome outcome = assess(std::move(arguments));
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+    EXPECT_EQ(outcome.out, "");
+    return outcome;
+  }
+};
+
+TEST_F(AssessTest, PassesWithExitCode0) {
+  const Outcome outcome = assess({standard("mild", peak_standard("1000"))});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(StartsWith("Peak (mild)\n"), HasSubstr("\nPASS\n"), HasSubstr("no certification"),
+                    HasSubstr("Nothing of the case was replaced")));
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(AssessTest, FailsWithExitCode4) {
+  const Outcome outcome = assess({standard("harsh", peak_standard("1"))});
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\nFAIL\n"));
+}
+
+TEST_F(AssessTest, IsUndecidedWithExitCode3) {
+  const auto first = json::parse(assess({standard("mild", peak_standard("1000")), "--json", "-"}).out);
+  std::ostringstream limit;
+  limit.precision(17);
+  limit << first["criteria"][0]["value"].get<double>();
+  const Outcome outcome = assess({standard("close", peak_standard(limit.str()))});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("\nUNDECIDED\n"), HasSubstr("within the error estimate")));
+}
+
+TEST_F(AssessTest, AMissedToleranceIsExitCode3WhateverTheVerdict) {
+  const Outcome outcome = dashpad({"assess", examples + "dashboard-20mph.toml", "--standard",
+                                   standard("mild", peak_standard("100000")), "--tolerance", "1e-8"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("TOLERANCE NOT MET"));
+}
+
+TEST_F(AssessTest, BottomingOnARigidSupportFailsAPeak) {
+  const Outcome outcome =
+      dashpad({"assess", examples + "rigid-floor-bottoming.toml", "--standard", "fmvss-218:large"});
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(ContainsRegex("Peak acceleration +none.*fail: the pad bottomed out"),
+                                 HasSubstr("- BOTTOMED"), HasSubstr("- UNVERIFIED")));
+}
+
+TEST_F(AssessTest, UsesTheImpactorOfTheStandard) {
+  const Outcome outcome = assess({"fmvss-201-instrument-panel:air-bag", "--units", "engineering-metric"});
+  EXPECT_THAT(outcome.exit_code, AnyOf(0, 4)) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("A sphere of 6.8 kg and radius 82.5 mm strikes at 19 km/h"),
+                                 HasSubstr("speed   19 km/h, of the standard; the case has 10.8 km/h"),
+                                 HasSubstr("Kept from the case: pad, support, solver.")));
+}
+
+TEST_F(AssessTest, TheUserMayReplaceValues) {
+  const Outcome outcome = assess({"fmvss-201-instrument-panel", "--mass", "5 lb", "--radius", "3 in",
+                                  "--drop-height", "1 m", "--json", "-"});
+  EXPECT_THAT(outcome.exit_code, AnyOf(0, 4)) << outcome.err;
+  const auto impactor = json::parse(outcome.out)["impactor"];
+  EXPECT_DOUBLE_EQ(impactor["mass_kg"]["value"].get<double>(), 5 * 0.45359237);
+  EXPECT_DOUBLE_EQ(impactor["radius_m"]["value"].get<double>(), 0.0762);
+  EXPECT_NEAR(impactor["speed_m_per_s"]["value"].get<double>(), 4.42869, 1e-5);
+  EXPECT_EQ(impactor["speed_m_per_s"]["drop_height_m"], 1);
+  EXPECT_EQ(impactor["speed_m_per_s"]["from"], "user");
+  EXPECT_EQ(impactor["mass_kg"]["standard_value"], 6.8);
+  EXPECT_THAT(outcome.err, HasSubstr("REPLACED: the speed"));
+}
+
+TEST_F(AssessTest, WritesJsonOnceAndNotOverAnother) {
+  const std::string mild = standard("mild", peak_standard("1000"));
+  EXPECT_EQ(assess({mild, "--json", file("out.json")}).exit_code, 0);
+  const auto written = json::parse(read_file(file("out.json")));
+  EXPECT_EQ(written["verdict"], "pass");
+  EXPECT_EQ(written["unqualified"], true);
+  EXPECT_EQ(written["result"]["status"], "released");
+  EXPECT_THAT(refused({mild, "--json", file("out.json")}).err, HasSubstr("out.json"));
+  EXPECT_EQ(assess({mild, "--json", file("out.json"), "--force"}).exit_code, 0);
+}
+
+TEST_F(AssessTest, RefusesWhatMakesNoSense) {
+  EXPECT_THAT(refused({"en-1079"}).err, AllOf(HasSubstr("did you mean \"en-1078\"?"), HasSubstr("1 fault")));
+  EXPECT_THAT(refused({"en-1078:curb"}).err, HasSubstr("has no variant \"curb\""));
+  EXPECT_THAT(refused({"en-1078", "--speed", "5"}).err, HasSubstr("--speed 5: "));
+  EXPECT_THAT(refused({"en-1078", "--mass", "-5 kg"}).err, HasSubstr("must be more than 0"));
+  EXPECT_THAT(refused({"en-1078", "--mass", "1e9 kg"}).err, HasSubstr("impactor.mass"));
+  EXPECT_THAT(refused({"en-1078", "--speed", "5 m/s", "--drop-height", "1 m"}).err, HasSubstr("not both"));
+  EXPECT_THAT(refused({"en-1078", "--standards", file("none")}).err, HasSubstr("not a readable folder"));
+  refused({"en-1078", "--tolerance", "1"});
+  refused({"en-1078", "--tolerance", "nan"});
+}
+
+TEST_F(AssessTest, TellsFaultsOfCaseStandardAndCommandLineAtOnce) {
+  write_file(case_file(), with(elastic_case(), "\"5 kg\"", "\"5 s\""));
+  const Outcome outcome = refused({standard("bad", peak_standard("-1")), "--radius", "3"});
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("case.toml:3: impactor.mass"), HasSubstr("bad.toml:17: criteria[1].limit_g"),
+                    HasSubstr("--radius 3"), HasSubstr("3 faults")));
+}
+
+TEST_F(AssessTest, StandardsAreFoundByTheEnvironment) {
+  fs::create_directory(file("mine"));
+  write_file(file("mine/own.toml"), peak_standard("1000"));
+  const Outcome outcome =
+      shell("DASHPAD_STANDARDS='" + file("mine") + "' $DASHPAD assess '" + case_file() + "' --standard own");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(assess({"own", "--standards", file("mine")}).out, outcome.out);
+}
+
+// --- dashpad standards ---
+
+TEST_F(AssessTest, StandardsAreListedWithWarnings) {
+  const Outcome outcome = dashpad({"standards"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(ContainsRegex("fmvss-201-instrument-panel +FMVSS 201 S5.1, instrument panel\n"),
+                    ContainsRegex("fmvss-218 +FMVSS 218, .*values unverified")));
+}
+
+TEST_F(AssessTest, AStandardIsShownWithSources) {
+  const Outcome outcome = dashpad({"standards", "cpsc-1203:hemispherical", "--units", "us"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("cpsc-1203:hemispherical"), HasSubstr("WARNING"),
+                                 HasSubstr("16 CFR 1203"), HasSubstr("radius  1.8898 in"),
+                                 HasSubstr("at most 300 g"), HasSubstr("UNVERIFIED; source: ")));
+  EXPECT_EQ(dashpad({"standards", "none"}).exit_code, 2);
+  EXPECT_EQ(dashpad({"standards", "cpsc-1203:none"}).exit_code, 2);
+}
+
+TEST_F(AssessTest, ABadStandardDoesNotHideTheOthers) {
+  standard("good", peak_standard("3"));
+  fs::remove(case_file());
+  standard("bad", "title = 3\n");
+  const Outcome outcome = dashpad({"standards", "--standards", fs::path{case_file()}.parent_path().string()});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.out, HasSubstr("good"));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("bad.toml:1: title"), HasSubstr("criteria: is missing")));
+}
+
+/// Every line of a help text that starts with "  dashpad" is a command that works, run from the source tree.
+TEST_F(AssessTest, TheExamplesOfTheHelpWork) {
+  for (const char* subcommand : {"assess", "standards"}) {
+    const std::string text = dashpad({subcommand, "--help"}).out;
+    EXPECT_THAT(text, AllOf(HasSubstr("Examples:\n"), HasSubstr("Exit codes: 0")));
+    std::istringstream help(text);
+    for (std::string line; std::getline(help, line);) {
+      if (!line.starts_with("  dashpad ") || line.find("./my-") != std::string::npos) continue;
+      std::string command = with(line, "dashpad ", "$DASHPAD ");
+      command = command.substr(0, command.find("   "));
+      const Outcome outcome = shell("cd '" DASHPAD_SOURCE_DIR "' && " + command);
+      EXPECT_THAT(outcome.exit_code, AnyOf(0, 4)) << line << "\n" << outcome.err;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dashpad::test

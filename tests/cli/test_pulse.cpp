@@ -1,0 +1,192 @@
+// dashpad pulse: figures of measured pulses, their files, and what is refused.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+#include "command.hpp"
+
+namespace dashpad::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+/// A half sine of 100 g and 10 ms, a sample every 0.1 ms.
+std::string half_sine(const std::string& header = "time [ms],acceleration [g]\n") {
+  std::string text = header;
+  for (int i = -50; i <= 150; ++i) {
+    const double time = 0.1 * i;
+    const double value = i < 0 || i > 100 ? 0 : 100 * std::sin(std::acos(-1) * i / 100);
+    text += std::to_string(time) + "," + std::to_string(value) + "\n";
+  }
+  return text;
+}
+
+std::string channel(const std::string& code, const std::string& factor) {
+  std::string text = "Channel code :" + code + "\nUnit :g\nReference channel :implicit\n" +
+                     "Time of first sample :0\nSampling interval :0.0001\nNumber of samples :200\n";
+  for (int i = 0; i < 200; ++i) text += (i < 50 || i > 150 ? "0" : factor) + "\n";
+  return text;
+}
+
+class PulseTest : public CommandTest {
+ protected:
+  void SetUp() override {
+    CommandTest::SetUp();
+    write_file(file("drop.csv"), half_sine());
+    fs::create_directories(file("test/Channel"));
+    write_file(file("test/v1.mme"), "Title :x\n");
+    write_file(file("test/Channel/v1.001"), channel("11HEAD0000H3ACXA", "-30"));
+    write_file(file("test/Channel/v1.002"), channel("11HEAD0000H3ACYA", "40"));
+  }
+  Outcome pulse(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "pulse");
+    return dashpad(arguments);
+  }
+  /// What is said to a command line that is refused; nothing may be written.
+  std::string refused(std::vector<std::string> arguments) {
+    const auto before = other_files();
+    const Outcome outcome = pulse(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(arguments) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(other_files(), before);
+    return outcome.err;
+  }
+};
+
+TEST_F(PulseTest, ShowsFiguresAndHowTheyCameAbout) {
+  const Outcome outcome = pulse({file("drop.csv")});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(
+      outcome.out,
+      AllOf(HasSubstr("drop.csv (CSV)\n"), HasSubstr("time [ms] in ms (from the file), 1 ms = 0.001 s\n"),
+            HasSubstr("acceleration [g] in g (from the file), 1 g = 9.80665 m/s2\n"),
+            HasSubstr("201 samples from -5 to 15 ms\n"), HasSubstr("filter        none\n"),
+            HasSubstr("Peak acceleration       100.00 g       at 5 ms\n")));
+  for (const std::string label :
+       {"HIC15 ", "HIC36 ", "HIC, any window ", "HIC(d) ", "3 ms clip ", "3 ms cumulative ",
+        "Severity index ", "Velocity change ", "Above 80 g ", "Above 150 g ", "Above 200 g "})
+    EXPECT_THAT(outcome.out, HasSubstr("\n  " + label));
+}
+
+/// For a half sine of height A and length T: speed 2 A T / pi, 3 ms clip A cos(pi 1.5 ms / T), time above
+/// A cos(x) is 2 x T / pi.
+TEST_F(PulseTest, FiguresOfAHalfSineAreThoseOfItsFormula) {
+  const Outcome outcome = pulse({file("drop.csv"), "--json", "-", "--dwell", "50", "--window", "4"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("Peak acceleration"));
+  const json figures = json::parse(outcome.out).at("figures");
+  const double pi = std::acos(-1);
+  EXPECT_NEAR(figures.at("peak").at("acceleration_g").get<double>(), 100, 1e-9);
+  EXPECT_NEAR(figures.at("velocity_change_m_per_s").get<double>(), 2 / pi * 9.80665, 1e-3);
+  EXPECT_NEAR(figures.at("clip_3ms_contiguous").at("level_g").get<double>(), 100 * std::cos(0.15 * pi), 0.02);
+  EXPECT_NEAR(figures.at("dwell").at(0).at("cumulative_s").get<double>(), 1e-2 * 2 / 3, 1e-5);
+  const json window = figures.at("hic_windows").at(0);
+  EXPECT_NEAR(window.at("end_s").get<double>() - window.at("begin_s").get<double>(), 4e-3, 1e-9);
+  const double mean = 100 * std::sin(0.2 * pi) / (0.2 * pi);
+  EXPECT_NEAR(window.at("value").get<double>(), 4e-3 * std::pow(mean, 2.5),
+              0.1);  // a polygon of 100 sides: 2e-4 less
+}
+
+TEST_F(PulseTest, JsonSaysHowToGetTheSameAgain) {
+  const Outcome outcome = pulse({file("drop.csv"), "--json", "-", "--acceleration-unit", "m/s2", "--filter",
+                                 "CFC180", "--corner", "iso", "--ends", "held", "--resample", "0.05 ms"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json result = json::parse(outcome.out);
+  EXPECT_EQ(result.at("source").at("format"), "CSV");
+  EXPECT_EQ(result.at("source").at("time").at("unit_origin"), "header");
+  EXPECT_EQ(result.at("source").at("acceleration").at(0).at("unit_origin"), "given");
+  EXPECT_EQ(result.at("source").at("samples"), 201);
+  EXPECT_EQ(result.at("source").at("remarks").size(), 1U);
+  EXPECT_DOUBLE_EQ(result.at("processing").at("resampled_to_s").get<double>(), 5e-5);
+  EXPECT_EQ(result.at("processing").at("samples"), 401);
+  EXPECT_EQ(result.at("processing").at("filter").at("channel_frequency_class"), 180);
+  EXPECT_EQ(result.at("processing").at("filter").at("corner"), "iso");
+  EXPECT_EQ(result.at("processing").at("filter").at("ends"), "held");
+  EXPECT_TRUE(result.contains("program"));
+}
+
+TEST_F(PulseTest, ReadsWhatItWrites) {
+  ASSERT_EQ(pulse({file("drop.csv"), "--csv", file("again.csv")}).exit_code, 0);
+  const Outcome first = pulse({file("drop.csv"), "--json", "-"});
+  const Outcome second = pulse({file("again.csv"), "--json", "-"});
+  ASSERT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_NEAR(json::parse(first.out).at("figures").at("hic15").at("value").get<double>(),
+              json::parse(second.out).at("figures").at("hic15").at("value").get<double>(), 1e-6);
+}
+
+TEST_F(PulseTest, ReadsTheHistoryOfARun) {
+  ASSERT_EQ(dashpad({"run", case_file(), "--csv", file("run.csv")}).exit_code, 0);
+  const Outcome outcome = pulse({file("run.csv")});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("acceleration_g in g (from the file)"));
+}
+
+TEST_F(PulseTest, SaysWhatWasRepaired) {
+  write_file(file("repaired.csv"), "\xef\xbb\xbftime [ms];acc [g]\n0,0;1,5\n\n1,0;2,5\n");
+  EXPECT_THAT(pulse({file("repaired.csv")}).out,
+              AllOf(HasSubstr("REMARK: a byte order mark"), HasSubstr("REMARK: decimal commas"),
+                    HasSubstr("REMARK: 1 line without content left out")));
+}
+
+TEST_F(PulseTest, ListsAndChoosesChannels) {
+  const Outcome list = pulse({file("test"), "--list"});
+  EXPECT_EQ(list.exit_code, 0) << list.err;
+  EXPECT_THAT(list.out, AllOf(StartsWith(" No.  code"), HasSubstr("\n   2  11HEAD0000H3ACYA  g")));
+  EXPECT_THAT(pulse({file("test"), "--channel", "2"}).out, HasSubstr("Peak acceleration       40.000 g"));
+  EXPECT_THAT(pulse({file("test/v1.mme"), "--resultant"}).out,
+              AllOf(HasSubstr("Peak acceleration       50.000 g"), HasSubstr("resultant of 2 directions")));
+  EXPECT_THAT(refused({file("test")}), HasSubstr("several channels may be meant"));
+  EXPECT_THAT(pulse({file("drop.csv"), "--list"}).out,
+              HasSubstr("\n   2  acceleration [g]                g\n"));
+}
+
+TEST_F(PulseTest, DrawsThePulse) {
+  if (shell("command -v gnuplot").exit_code != 0) GTEST_SKIP() << "gnuplot is not installed";
+  const Outcome outcome = pulse({file("drop.csv"), "--filter", "CFC180", "--picture", file("drop.svg")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(read_file(file("drop.svg")),
+              AllOf(HasSubstr("<svg"), HasSubstr("as measured"), HasSubstr("CFC180"), HasSubstr("HIC15 = ")));
+}
+
+TEST_F(PulseTest, RefusesWithAllThatIsWrong) {
+  write_file(file("bad.csv"), "time [ms],acc [g]\n0,1\n1,x\n1,2\n1,3\n");
+  EXPECT_THAT(
+      refused({file("bad.csv"), "--window", "-1", "--resample", "5", "--dwell", "x", "--corner", "iso",
+               "--json", file("none/x.json")}),
+      AllOf(HasSubstr("bad.csv:3: acc [g] = x: must be a number\n"), HasSubstr("bad.csv:5: time [ms] = 1"),
+            HasSubstr("--window -1: must be more than 0 ms\n"), HasSubstr("--resample 5: a time needs"),
+            HasSubstr("--dwell x: "), HasSubstr("--corner: is for a filter"), HasSubstr("there is no folder"),
+            HasSubstr("7 faults")));
+}
+
+TEST_F(PulseTest, RefusesWhatHasNoMeaning) {
+  EXPECT_THAT(refused({file("none.csv")}), HasSubstr("none.csv: no such file"));
+  EXPECT_THAT(refused({file("drop.csv"), "--channel", "1"}), HasSubstr("--channel: is for ISO-MME"));
+  EXPECT_THAT(refused({file("test"), "--time", "1"}), HasSubstr("--time: is for tables"));
+  EXPECT_THAT(refused({file("drop.csv"), "--picture", file("x.bmp")}), HasSubstr("must end in .svg"));
+  EXPECT_THAT(refused({file("drop.csv"), "--filter", "CFC100"}), HasSubstr("CFC60"));
+  EXPECT_THAT(refused({file("drop.csv"), "--list", "--json", "-"}), Not(IsEmpty()));
+  EXPECT_THAT(refused({file("drop.csv"), "--json", file("drop.csv"), "--force"}), HasSubstr("name another"));
+  write_file(file("uneven.csv"), "time [ms],acc [g]\n0,1\n1,2\n3,3\n");
+  EXPECT_THAT(refused({file("uneven.csv"), "--filter", "CFC60"}), HasSubstr("--resample INTERVAL"));
+  EXPECT_EQ(pulse({file("uneven.csv"), "--filter", "CFC60", "--resample", "0.1 ms"}).exit_code, 0);
+}
+
+TEST_F(PulseTest, UnitsAreThoseOfTheUser) {
+  EXPECT_THAT(pulse({file("drop.csv"), "--units", "us"}).out, HasSubstr(" mph"));
+  EXPECT_THAT(pulse({file("drop.csv"), "--units", "us", "--csv", "-"}).out,
+              StartsWith("time_ms,acceleration_g\n"));
+  EXPECT_THAT(pulse({file("drop.csv"), "--csv", "-"}).out, StartsWith("time_s,acceleration_g\n"));
+}
+
+}  // namespace
+}  // namespace dashpad::test

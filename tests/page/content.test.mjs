@@ -1,0 +1,80 @@
+// What is on the page, and that it asks nothing of anyone.
+
+import assert from "node:assert/strict";
+import { statSync } from "node:fs";
+import test from "node:test";
+
+import { example, inked, open, picture, report, write } from "./browser.mjs";
+
+const all = ["force", "acceleration", "force-penetration", "force-motion", "motion", "energy", "stress", "strain"];
+const caseOf = (law, parameters, more = "") => `
+[impactor]
+mass = "4 kg"
+radius = "80 mm"
+speed = "3 m/s"
+[pad]
+thickness = "30 mm"
+law = "${law}"
+parameters = { ${parameters} }
+[support]
+type = "linear"
+stiffness = "100 N/mm"
+${more}`;
+
+async function check(file, plots = all) {
+  assert.ok(statSync(file).size < 300_000, `${statSync(file).size} bytes`);
+  const page = await open(file);
+  assert.deepEqual(page.seen, { complaints: [], requests: [] });
+  const drawn = await inked(page);
+  assert.deepEqual(drawn.map(({ name }) => name), plots);
+  for (const { name, pixels } of drawn) assert.ok(pixels > 300, `${name} has ${pixels} pixels of ink`);
+  return page;
+}
+
+test("the example of the README", async () => {
+  const page = await check(report(example("dashboard-20mph")));
+  assert.equal(await page.title(), "Dashboard at 20 mph (report, section 2.3) - Dashpad");
+  assert.equal(await page.locator("h1").innerText(), "Dashboard at 20 mph (report, section 2.3)");
+  assert.match(await page.locator(".words").innerText(), /A sphere of 4\.5359 kg/);
+  assert.equal(await page.locator(".outcome").innerText(), "The impactor rebounded and left the pad.");
+  const warnings = await page.locator(".warnings li").allInnerTexts();
+  assert.equal(warnings.length, 2);
+  assert.match(warnings[0], /^EXTRAPOLATED: strain reaches 0\.987/);
+  const peak = await page.getByRole("row", { name: /^Peak force/ }).innerText();
+  assert.match(peak, /5756\.8\s+N\s+± 0\.00\d+ %/);
+  assert.match(await page.locator("table").nth(1).innerText(), /HIC15[\s\S]*HIC36[\s\S]*3 ms level/);
+  assert.match(await legend(page), /3 ms level: 126\.\d g/);
+  assert.match(await page.locator("#stress .note").innerText(), /differs from the force by 0\.\d+ %/);
+  assert.match(await page.locator("pre").innerText(), /\[impactor\]\nmass = "4\.5359237 kg"/);
+  assert.match(await page.locator("footer").innerText(), /dashpad \d+\.\d+\.\d+, commit \w+/);
+  await page.screenshot({ path: picture("desktop.png"), fullPage: true });
+});
+const legend = (page) => page.locator("#acceleration .legend").innerText();
+
+test("every law, every example", async () => {
+  await check(report(example("dashboard-20mph-21-parameter")));
+  await check(report(example("load-cell-drop")));
+  await check(report(write("elastic.toml", caseOf("elastic", 'modulus = "300 kPa"'))));
+  await check(report(write("viscous.toml", caseOf("linear-viscoelastic",
+    'asymptotic_modulus = "140 kPa", initial_modulus = "420 kPa", relaxation_time = "5 ms"'))));
+  const page = await check(report(write("rigid.toml", caseOf("rigid-foam",
+    'crush_stress = "200 kPa", crush_strain = 0.6, second_stress = "400 kPa", second_strain = 0.8'))));
+  assert.match(await page.locator("#stress .note").innerText(), /rigid foam is held/);
+});
+
+test("a pad that bottoms out has no peak force and no injury figures", async () => {
+  const page = await check(report(example("rigid-floor-bottoming")));
+  assert.match(await page.locator(".warnings").innerText(), /BOTTOMED at 5\.9/);
+  assert.match(await page.getByRole("row", { name: /^Peak force/ }).innerText(), /none/);
+  assert.equal(await page.locator("table").count(), 1);
+  assert.match(await page.locator("#force .note").innerText(), /leaves the plot/);
+});
+
+test("time limit and missed tolerance are in plain sight", async () => {
+  const elastic = caseOf("elastic", 'modulus = "300 kPa"', '[solver]\ntime_limit = "5 ms"\n');
+  const short = await check(report(write("short.toml", elastic)));
+  assert.match(await short.locator(".warnings").innerText(), /TIME LIMIT/);
+  const missed = await open(report(example("dashboard-20mph"), "--tolerance", "1e-8"));
+  assert.match(await missed.locator(".warnings").innerText(), /TOLERANCE NOT MET/);
+  assert.deepEqual(missed.seen, { complaints: [], requests: [] });
+});

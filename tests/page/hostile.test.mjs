@@ -1,0 +1,57 @@
+// Text of a user is text, whatever it looks like.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import test from "node:test";
+
+import { inked, open, report, write } from "./browser.mjs";
+
+const attacks = [
+  "</script><script>window.pwned=1</script>",
+  "<img src=x onerror=window.pwned=1>",
+  `"'\`--><!--<svg onload=window.pwned=1>`,
+  "\\u003c/script> &lt;b&gt; ${window.pwned=1} {{7*7}} \u2028 \u202e ]]>",
+];
+
+const card = (text) => `title = ${JSON.stringify(text)}
+source = ${JSON.stringify(text)}
+law = "elastic"
+[parameters]
+modulus = "300 kPa"
+`;
+
+const impact = (title, material) => `title = ${JSON.stringify(title)}
+[impactor]
+mass = "5 kg"
+radius = "80 mm"
+speed = "3 m/s"
+[pad]
+thickness = "50 mm"
+material = ${JSON.stringify(material)}
+[support]
+type = "linear"
+stiffness = "100 N/mm"
+`;
+
+for (const [i, attack] of attacks.entries())
+  test(`attack ${i + 1} is shown as it is`, async () => {
+    const name = attack.replaceAll("/", "");
+    write(`${name}.toml`, card(attack));
+    const file = report(write(`hostile-${i}.toml`, impact(attack, `${name}.toml`)));
+    const page = await open(file);
+    assert.equal(await page.evaluate(() => window.pwned), undefined);
+    assert.equal(await page.locator("h1").textContent(), attack);
+    assert.ok((await page.locator(".words").textContent()).includes(name));
+    assert.ok((await page.locator("pre").textContent()).includes(JSON.stringify(attack)));
+    assert.equal(await page.locator("img, svg, iframe").count(), 0);
+    assert.equal(await page.locator("script").count(), 2);
+    assert.deepEqual(page.seen, { complaints: [], requests: [] });
+    for (const { name: plot, pixels } of await inked(page)) assert.ok(pixels > 300, plot);
+  });
+
+test("a script that is not the page's own does not run", async () => {
+  const honest = readFileSync(report(write("honest.toml", impact("Honest", write("plain.toml", card("Plain"))))), "utf8");
+  const page = await open(write("changed.html", honest.replace("<main", "<script>window.pwned=1</script><img src=x onerror=window.pwned=1><main")));
+  assert.equal(await page.evaluate(() => window.pwned), undefined);
+  assert.ok(page.seen.complaints.some((line) => /Content Security Policy/.test(line)));
+});

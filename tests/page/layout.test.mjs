@@ -1,0 +1,91 @@
+// On a phone, in the dark, on paper. Pictures of all of them are kept.
+
+import assert from "node:assert/strict";
+import test from "node:test";
+
+import { example, inked, open, picture, report, settled } from "./browser.mjs";
+
+const file = report(example("dashboard-20mph"));
+const paper = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+
+// Contrast of two colours as WCAG defines it.
+function contrast(...colours) {
+  const light = colours.map((colour) => {
+    const parts = /rgb\((\d+), (\d+), (\d+)\)/.exec(colour).slice(1).map((part) => part / 255);
+    const [red, green, blue] = parts.map((c) => (c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+  });
+  return (Math.max(...light) + 0.05) / (Math.min(...light) + 0.05);
+}
+
+// Every colour of text against the colour behind it.
+const pairs = (page) =>
+  page.evaluate(() => {
+    const behind = (element) => {
+      for (let each = element; each; each = each.parentElement) {
+        const colour = getComputedStyle(each).backgroundColor;
+        if (!colour.endsWith(", 0)")) return colour;
+      }
+      return "rgb(255, 255, 255)";
+    };
+    return [...document.querySelectorAll("main *")]
+      .filter((each) => [...each.childNodes].some((node) => node.nodeType === 3 && node.data.trim()))
+      .map((each) => [each.className || each.localName, getComputedStyle(each).color, behind(each)]);
+  });
+
+test("a phone shows all without scrolling sideways", async () => {
+  const page = await open(file, { viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true, deviceScaleFactor: 2 });
+  for (const units of ["SI", "US", "Engineering metric"]) {
+    await page.getByRole("radio", { name: units }).check();
+    await settled(page);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360, units);
+    const cut = await page.evaluate(() =>
+      [...document.querySelectorAll("main *")].filter((each) => each.getBoundingClientRect().right > 360.5).map((each) => each.outerHTML.slice(0, 80)),
+    );
+    assert.deepEqual(cut, [], units);
+  }
+  await page.screenshot({ path: picture("phone.png"), fullPage: true });
+});
+
+test("light and dark follow the system and can be read", async () => {
+  for (const [scheme, background] of [["light", "rgb(255, 255, 255)"], ["dark", "rgb(20, 24, 29)"]]) {
+    const page = await open(file, { colorScheme: scheme });
+    assert.equal(await paper(page), background);
+    for (const [what, text, behind] of await pairs(page))
+      assert.ok(contrast(text, behind) >= 4.5, `${scheme}: ${what} ${text} on ${behind}`);
+    for (const { name, pixels } of await inked(page)) assert.ok(pixels > 300, name);
+    await page.screenshot({ path: picture(`${scheme}.png`), fullPage: true });
+  }
+});
+
+test("a change of the system's scheme redraws the plots", async () => {
+  const page = await open(file, { colorScheme: "light" });
+  const image = () => page.evaluate(() => document.querySelector("#force canvas").toDataURL());
+  const light = await image();
+  await page.emulateMedia({ colorScheme: "dark" });
+  await settled(page);
+  assert.notEqual(await image(), light);
+});
+
+test("paper is light, two plots wide, and the screen is as before", async () => {
+  const page = await open(file, { colorScheme: "dark" });
+  const width = () => page.evaluate(() => document.querySelector("#force canvas").getBoundingClientRect().width);
+  const before = await width();
+  await page.emulateMedia({ media: "print", colorScheme: "dark" });
+  await page.setViewportSize({ width: 720, height: 1000 });
+  await settled(page);
+  assert.equal(await paper(page), "rgb(255, 255, 255)");
+  assert.equal(await width(), 336);
+  for (const { name, pixels } of await inked(page)) assert.ok(pixels > 300, name);
+  assert.ok(!(await page.locator(".units").isVisible()));
+  await page.screenshot({ path: picture("print.png"), fullPage: true });
+  await page.emulateMedia({ media: "screen", colorScheme: "dark" });
+  await page.setViewportSize({ width: 1200, height: 900 });
+  await settled(page);
+  assert.equal(await width(), before);
+  await page.emulateMedia({ media: null, colorScheme: "dark" });
+  const document = await page.pdf({ path: picture("print.pdf"), format: "A4" });
+  const pages = document.toString("latin1").match(/\/Type\s*\/Page\b/g).length;
+  assert.ok(pages >= 2 && pages <= 4, `${pages} pages`);
+  assert.deepEqual(page.seen, { complaints: [], requests: [] });
+});

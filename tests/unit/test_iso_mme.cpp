@@ -1,0 +1,238 @@
+// ISO-MME: what is written reads back, by a reader of this test and by ours; what is told about bad tests;
+// what cannot be reached.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "dashpad/io/iso_mme.hpp"
+#include "sample_mme.hpp"
+
+namespace dashpad {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+using testing::channel;
+using testing::Files;
+using testing::said;
+using testing::sample_test;
+using testing::with_first;
+using testing::write;
+
+/// A reader by the description of the format and nothing else: labels up to the first line without a colon.
+struct SimpleChannel {
+  std::map<std::string, std::string> labels;
+  std::vector<double> values;
+};
+SimpleChannel simple_reader(const std::string& text) {
+  SimpleChannel channel;
+  std::istringstream stream(text);
+  std::string line;
+  while (std::getline(stream, line)) {
+    EXPECT_TRUE(line.ends_with('\r')) << line;
+    line.pop_back();
+    const auto colon = line.find(':');
+    if (colon == std::string::npos)
+      channel.values.push_back(std::strtod(line.c_str(), nullptr));
+    else
+      channel.labels[line.substr(0, line.find_last_not_of(' ', colon - 1) + 1)] = line.substr(colon + 1);
+  }
+  return channel;
+}
+
+IsoMmeTest test_to_write() {
+  return {.title = "A title:\nin two lines",
+          .comment = "dashpad",
+          .time_of_first_sample = -0.002,
+          .sampling_interval = 1e-4,
+          .histories = {{computed_acceleration_code,
+                         "Head",
+                         "Acceleration",
+                         "m/s2",
+                         {0, -1.0 / 3, 1e-300, -981.123456789012345, 5e-324 * 4, 1e17}},
+                        {computed_force_code, "Head", "Force", "N", {1, 2, 3, 4, 5, 0.1}}}};
+}
+
+TEST(iso_mme, what_is_written_reads_back_elsewhere) {
+  const IsoMmeTest test = test_to_write();
+  const Files files = iso_mme_files(test);
+  ASSERT_THAT(files, SizeIs(4));
+  const SimpleChannel main = simple_reader(files.at("dashpad.mme"));
+  EXPECT_EQ(main.labels.at("Title"), "A title: in two lines");
+  EXPECT_EQ(main.labels.at("Laboratory name"), "NOVALUE");
+  const SimpleChannel list = simple_reader(files.at("Channel/dashpad.chn"));
+  EXPECT_EQ(list.labels.at("Number of channels"), "2");
+  EXPECT_EQ(list.labels.at("Name of channel 001"), "10HEAD000000ACX0 / Head");
+  for (std::size_t i = 0; i < 2; ++i) {
+    const SimpleChannel channel = simple_reader(files.at("Channel/dashpad.00" + std::to_string(i + 1)));
+    EXPECT_EQ(channel.labels.at("Channel code"), test.histories[i].code);
+    EXPECT_EQ(channel.labels.at("Unit"), test.histories[i].unit);
+    EXPECT_EQ(channel.labels.at("Reference channel"), "implicit");
+    EXPECT_EQ(std::strtod(channel.labels.at("Time of first sample").c_str(), nullptr), -0.002);
+    EXPECT_EQ(std::strtod(channel.labels.at("Sampling interval").c_str(), nullptr), 1e-4);
+    EXPECT_EQ(channel.labels.at("Number of samples"), "6");
+    EXPECT_EQ(channel.values, test.histories[i].values);  // the very same doubles
+  }
+}
+
+TEST(iso_mme, what_is_written_reads_back_here) {
+  IsoMmeTest test = test_to_write();
+  test.histories[0].values = {0, -1.0 / 3, 1e-300, -981.123456789012345, 7, 1e17};
+  const testing::TemporaryFolder folder;
+  write(folder.path(), iso_mme_files(test));
+  const MeasuredPulse measured = read_iso_mme(folder.path(), {});
+  EXPECT_EQ(measured.pulse.acceleration, test.histories[0].values);
+  EXPECT_EQ(measured.pulse.time.front(), -0.002);
+  EXPECT_DOUBLE_EQ(measured.pulse.time.back(), -0.0015);
+  EXPECT_THAT(measured.remarks, SizeIs(0));
+}
+
+TEST(iso_mme, bad_tests_are_not_written) {
+  const auto refused = [](auto&& change) {
+    IsoMmeTest test = test_to_write();
+    change(test);
+    EXPECT_THROW(iso_mme_files(test), std::invalid_argument);
+  };
+  for (const std::string name : {"", "../x", "a/b", "a b", "a.b"})
+    refused([&](IsoMmeTest& test) { test.name = name; });
+  for (const std::string code : {"", "11HEAD", "11HEAD0000??ACX0", "11head0000H3ACX0", "10HEAD000000FOX0"})
+    refused([&](IsoMmeTest& test) { test.histories[0].code = code; });
+  refused([](IsoMmeTest& test) { test.sampling_interval = 0; });
+  refused([](IsoMmeTest& test) { test.time_of_first_sample = std::nan(""); });
+  refused([](IsoMmeTest& test) { test.histories.clear(); });
+  refused([](IsoMmeTest& test) { test.histories[0].unit.clear(); });
+  refused([](IsoMmeTest& test) { test.histories[1].values.pop_back(); });
+  refused([](IsoMmeTest& test) { test.histories[1].values[2] = std::numeric_limits<double>::infinity(); });
+}
+
+TEST(iso_mme, text_may_be_latin_1_with_any_line_ends) {
+  Files files = with_first(
+      "Name of the channel :Kopf, Pr\xfc"
+      "fung\r\nChannel code:11HEAD0000H3ACXA\r\n"
+      "Unit\t:m/s\xb2\r\nReference channel :NOVALUE\r\nTime of first sample : 0\r\n"
+      "Sampling interval :1E-3\r\nNumber of samples :NOVALUE\r\n 1.0E+00\r\n2\r\n\r\n\x1a");
+  files["v1.mme"] = "\xef\xbb\xbfTitle :x";
+  const testing::TemporaryFolder folder;
+  write(folder.path(), files);
+  EXPECT_EQ(iso_mme_channels(folder.path()).front().name,
+            "Kopf, Pr\xc3\xbc"
+            "fung");
+  const MeasuredPulse measured = read_iso_mme(folder.path(), {.channel = "1"});
+  EXPECT_THAT(measured.pulse.acceleration, ElementsAre(1, 2));
+  EXPECT_EQ(measured.acceleration.front().unit, "m/s\xc2\xb2");
+}
+
+TEST(iso_mme, remarks) {
+  const testing::TemporaryFolder folder;
+  Files files = with_first(channel("11HEAD0000H3ACXA"));
+  write(folder.path(), files);
+  EXPECT_THAT(read_iso_mme(folder.path(), {.channel = "1", .acceleration_unit = "m/s2"}).remarks,
+              ElementsAre("11HEAD0000H3ACXA: the file says g; m/s2 was given and used"));
+}
+
+TEST(iso_mme, choices_that_are_not_clear_are_told) {
+  const auto rule = [](const IsoMmeOptions& options) { return said(sample_test(), options); };
+  EXPECT_THAT(rule({}), HasSubstr("several channels may be meant: 11HEAD0000H3ACXA (1), "));
+  EXPECT_THAT(rule({.channel = "9"}),
+              HasSubstr("--channel 9: no such channel; there are 11HEAD0000H3ACXA (1)"));
+  EXPECT_THAT(rule({.channel = "HEAD"}), HasSubstr("a number or a code of 16 characters"));
+  EXPECT_THAT(rule({.channel = "11PELV0000H3ACXA"}), HasSubstr("no such channel"));
+  EXPECT_THAT(rule({.channel = "4"}), HasSubstr("Channel/v1.004:4: Unit = kN: an acceleration is needed"));
+  EXPECT_THAT(rule({.channel = "1", .resultant = true}), HasSubstr("needs two or three of the directions"));
+  EXPECT_THAT(rule({.channel = "????????????????", .resultant = true}),
+              HasSubstr("the resultant may be of several"));
+  EXPECT_THAT(rule({.channel = "1", .acceleration_unit = "kg"}), HasSubstr("--acceleration-unit kg"));
+  Files two = sample_test();
+  two["other.mme"] = "Title :x\n";
+  EXPECT_THAT(said(two), HasSubstr("holds several tests: "));
+  Files uneven = sample_test();
+  uneven["Channel/v1.002"] = channel("11HEAD0000H3ACYA", "0\n1\n");
+  EXPECT_THAT(said(uneven, {.resultant = true}), HasSubstr("has other times than 11HEAD0000H3ACXA"));
+}
+
+TEST(iso_mme, each_kind_of_bad_channel_is_told) {
+  const auto of = [](const std::string& samples, const std::string& more = "") {
+    return said(with_first(channel("11HEAD0000H3ACXA", samples, "g", more)));
+  };
+  const auto changed = [](const std::string& from, const std::string& to) {
+    std::string text = channel("11HEAD0000H3ACXA");
+    return said(with_first(text.replace(text.find(from), from.size(), to)));
+  };
+  EXPECT_EQ(of("0\n1\n"), "");
+  EXPECT_THAT(of("0\nNOVALUE\n1\n"),
+              HasSubstr("v1.001:10: sample = NOVALUE: is missing; a pulse cannot have gaps"));
+  EXPECT_THAT(of("0\n\n1\n"), HasSubstr("v1.001:10: sample: is missing; a pulse cannot have gaps"));
+  EXPECT_THAT(of("0\nx\n1\n"), HasSubstr("v1.001:10: sample = x: must be a number"));
+  EXPECT_THAT(of("0\n1,5\n1\n"), HasSubstr("must be a number"));
+  EXPECT_THAT(of("0\nnan\n1\n"), HasSubstr("must be a finite number"));
+  EXPECT_THAT(of("0\n1e999\n1\n"), HasSubstr("too large or too small"));
+  EXPECT_THAT(of("0\n1e308\n1\n"), HasSubstr("too large to compute with"));
+  EXPECT_THAT(of("0\n"), HasSubstr("a pulse needs two samples"));
+  EXPECT_THAT(of(""), HasSubstr("a pulse needs two samples"));
+  EXPECT_THAT(of("0\n1\n", "no label\n"), HasSubstr("v1.001:9: sample = no label: must be a number"));
+  EXPECT_THAT(of(std::string("0\n\0\n", 4)), HasSubstr("is not text"));
+  EXPECT_THAT(changed("samples           :3", "samples           :4"),
+              HasSubstr(":8: Number of samples = 4: is not"));
+  EXPECT_THAT(changed("samples           :3", "samples           :99999999999999999999"),
+              HasSubstr("is not the number"));
+  EXPECT_THAT(changed("samples           :3", "samples           :-1"), HasSubstr("is not the number"));
+  EXPECT_THAT(changed("interval           :0.001", "interval           :0"),
+              HasSubstr("must be more than 0"));
+  EXPECT_THAT(changed("interval           :0.001", "interval           :1e-30"),
+              HasSubstr("times that increase"));
+  EXPECT_THAT(changed("interval           :0.001", "interval           :NOVALUE"), HasSubstr("is missing"));
+  EXPECT_THAT(changed("interval ", "intervall"), HasSubstr("Sampling interval: is missing"));
+  EXPECT_THAT(changed("sample        :-0.001", "sample        :x"), HasSubstr("must be a number"));
+  EXPECT_THAT(changed(":implicit", ":explicit"), HasSubstr("only \"implicit\" times are read"));
+  EXPECT_THAT(changed(":g", ":NOVALUE"), HasSubstr("the acceleration needs a unit"));
+  EXPECT_THAT(changed(":g", ":furlong"), HasSubstr("Unit = furlong"));
+}
+
+TEST(iso_mme, files_that_are_missing_are_told) {
+  Files files = sample_test();
+  files.erase("v1.mme");
+  EXPECT_THAT(said(files), HasSubstr("holds no .mme file"));
+  EXPECT_THAT(said({{"v1.mme", "Title :x\n"}}), HasSubstr("holds no channel: no file Channel/v1.001"));
+  files = sample_test();
+  files.erase("Channel/v1.001");
+  EXPECT_THAT(said(files, {.channel = "11HEAD0000H3ACXA"}), HasSubstr("its file is missing"));
+  files = sample_test();
+  files.erase("Channel/v1.chn");
+  EXPECT_EQ(said(files), "");
+  EXPECT_THAT(said(fs::path("/none"), {}), HasSubstr("no such file"));
+}
+
+TEST(iso_mme, nothing_outside_of_the_folder_is_read) {
+  const testing::TemporaryFolder folder;
+  const fs::path secret = folder.path() / "secret", test = folder.path() / "test";
+  write(secret, sample_test());
+  write(test, {{"v1.mme", "Title :x\n"},
+               {"Channel/v1.chn", "Name of channel 001 :../../secret/Channel/v1.001\n"},
+               {"Channel/v1.002", channel("11HEAD0000H3ACYA")}});
+  fs::create_symlink(secret / "Channel/v1.001", test / "Channel/v1.001");
+  fs::create_hard_link(test / "Channel/v1.002", test / "Channel/v1.003");  // its own: no harm
+  EXPECT_THAT(said(test, {.channel = "1"}), HasSubstr("its file is missing"));
+  EXPECT_EQ(said(test, {.channel = "2"}), "");
+  fs::remove_all(test / "Channel");
+  fs::create_directory_symlink(secret / "Channel", test / "Channel");
+  EXPECT_THAT(said(test, {.channel = "1"}), HasSubstr("holds no channel"));
+  fs::remove(test / "v1.mme");
+  fs::create_symlink(secret / "v1.mme", test / "v1.mme");
+  EXPECT_THAT(said(test, {.channel = "1"}), HasSubstr("holds no .mme file"));
+}
+
+}  // namespace
+}  // namespace dashpad

@@ -1,0 +1,194 @@
+// The page as text: its data parse, no text of a user leaves them, the policy fits the script.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "dashpad/impact/contact_snapshot.hpp"
+#include "dashpad/impact/solve.hpp"
+#include "dashpad/injury/figures.hpp"
+#include "dashpad/report/page.hpp"
+#include "dashpad/units/quantity.hpp"
+#include "report/case_toml.hpp"
+#include "report/page_data.hpp"
+#include "sample_case.hpp"
+
+namespace dashpad::testing {
+
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const CaseFile& dashboard() {
+  static const CaseFile input = read_case(source / "examples/dashboard-20mph.toml", materials);
+  return input;
+}
+
+const Solution& solved() {
+  static const Solution solution = solve(dashboard().impact, dashboard().options);
+  return solution;
+}
+
+std::string data_of(const ImpactCase& impact, const Solution& solution = solved()) {
+  return page_data(impact, {}, solution, unit_systems().front(), contact_snapshots(impact, solution.history));
+}
+
+nlohmann::json parsed(const ImpactCase& impact, const Solution& solution = solved()) {
+  return nlohmann::json::parse(data_of(impact, solution));
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST(page_data, names_units_with_the_factors_of_the_program) {
+  const auto data = parsed(dashboard().impact);
+  EXPECT_EQ(data["shown"], "si");
+  ASSERT_EQ(data["systems"].size(), unit_systems().size());
+  const auto& us = data["systems"][1];
+  EXPECT_EQ(us["name"], "us");
+  EXPECT_EQ(us["factors"]["N"]["unit"], "lbf");
+  EXPECT_DOUBLE_EQ(us["factors"]["N"]["factor"], from_si(1, "N", "lbf"));
+  EXPECT_EQ(us["factors"]["J"]["unit"], "in·lbf");
+  EXPECT_EQ(us["figures"][0]["label"], "Peak force");
+  EXPECT_EQ(us["figures"][0]["unit"], "lbf");
+  EXPECT_THAT(us["words"].get<std::string>(), HasSubstr("20 mph"));
+  EXPECT_EQ(us["warnings"].size(), 2U);
+}
+
+TEST(page_data, holds_the_history_and_its_energies) {
+  const auto history = parsed(dashboard().impact)["history"];
+  const History& of = solved().history;
+  ASSERT_EQ(history["time"].size(), of.size());
+  EXPECT_NEAR(history["force"][60].get<double>(), of.force[60], 1e-6 * of.force[60]);
+  EXPECT_NEAR(history["deceleration"][60].get<double>(), -of.acceleration[60] / standard_gravity, 1e-4);
+  for (std::size_t i = 0; i < of.size(); ++i)
+    EXPECT_NEAR(history["kinetic"][i].get<double>() + history["support"][i].get<double>() +
+                    history["pad"][i].get<double>(),
+                solved().summary.energy.initial, 1e-4 * solved().summary.energy.initial);
+}
+
+TEST(page_data, thins_a_long_history_but_keeps_its_peak_and_end) {
+  Solution solution = solved();
+  History& history = solution.history;
+  const std::size_t size = 100'000;
+  for (auto* column :
+       {&history.time, &history.force, &history.acceleration, &history.velocity, &history.motion,
+        &history.penetration, &history.support_deflection, &history.contact_radius, &history.largest_strain})
+    column->assign(size, 1.0);
+  for (std::size_t i = 0; i < size; ++i) history.time[i] = 1e-6 * static_cast<double>(i + 1);
+  history.force[54'321] = 7777;
+  const auto data = nlohmann::json::parse(page_data(dashboard().impact, {}, solution, plain_si(), {}));
+  EXPECT_LE(data["history"]["time"].size(), 1600U);
+  EXPECT_THAT(data["history"]["force"].get<std::vector<double>>(), ::testing::Contains(7777));
+  EXPECT_DOUBLE_EQ(data["history"]["time"].back(), 0.1);
+}
+
+TEST(page_data, has_injury_figures_of_a_whole_pulse_only) {
+  const auto whole = parsed(dashboard().impact);
+  const InjuryFigures figures = injury_figures(solved());
+  EXPECT_NEAR(whole["injury"]["hic15"]["value"].get<double>(), figures.hic15.value, 1e-3);
+  EXPECT_EQ(whole["systems"][0]["injury"][0]["label"], "HIC15");
+
+  const CaseFile floor = read_case(source / "examples/rigid-floor-bottoming.toml", materials);
+  const auto cut_off = parsed(floor.impact, solve(floor.impact, floor.options));
+  EXPECT_TRUE(cut_off["injury"].is_null());
+  EXPECT_TRUE(cut_off["systems"][0]["injury"].empty());
+}
+
+TEST(page_data, of_a_run_that_never_was) {
+  const auto data = parsed(dashboard().impact, Solution{});
+  EXPECT_TRUE(data["history"]["time"].empty());
+  EXPECT_TRUE(data["snapshots"].empty());
+}
+
+TEST(page_data, keeps_hostile_text_inside) {
+  ImpactCase impact = dashboard().impact;
+  const std::string attack = "</script><script>window.pwned=1</script><!-- \"'\\ \xe2\x80\xa8 &amp; \xff";
+  impact.title = impact.pad.material.name = impact.pad.material.title = impact.pad.material.source = attack;
+  const std::string text = data_of(impact);
+  EXPECT_THAT(text, Not(HasSubstr("<")));
+  EXPECT_THAT(text, Not(HasSubstr("\n")));
+  const auto data = nlohmann::json::parse(text);
+  EXPECT_EQ(data["title"], attack.substr(0, attack.size() - 1) + "\xef\xbf\xbd");
+}
+
+TEST(case_toml, is_read_as_the_same_case) {
+  for (const char* name :
+       {"dashboard-20mph", "dashboard-20mph-21-parameter", "load-cell-drop", "rigid-floor-bottoming"}) {
+    const CaseFile input = read_case(source / "examples" / (std::string{name} + ".toml"), materials);
+    const CaseFile again = read(case_toml(input.impact, {.tolerance = 3e-6, .time_limit = 0.25}));
+    EXPECT_EQ(again.impact.title, input.impact.title);
+    EXPECT_EQ(again.impact.impactor.mass, input.impact.impactor.mass);
+    EXPECT_EQ(again.impact.impactor.radius, input.impact.impactor.radius);
+    EXPECT_EQ(again.impact.impactor.speed, input.impact.impactor.speed);
+    EXPECT_EQ(again.impact.pad.thickness, input.impact.pad.thickness);
+    EXPECT_EQ(again.impact.pad.material.law.index(), input.impact.pad.material.law.index());
+    EXPECT_EQ(again.impact.support.points(), input.impact.support.points()) << name;
+    EXPECT_EQ(again.options.tolerance, 3e-6);
+    EXPECT_EQ(again.options.time_limit, 0.25);
+    EXPECT_EQ(again.impact.pad.material.fitted->highest_rate, input.impact.pad.material.fitted->highest_rate);
+    // The same numbers give the same impact, to the last bit.
+    EXPECT_EQ(solve(again.impact, input.options).summary.peak_motion,
+              solve(input.impact, input.options).summary.peak_motion);
+  }
+}
+
+TEST(case_toml, no_title_breaks_it) {
+  ImpactCase impact = dashboard().impact;
+  const std::string title = "a \"quoted\" \\ title\n[impactor]\nmass = \"1 kg\" \x7f \xff";
+  impact.title = impact.pad.material.name = impact.pad.material.source = title;
+  const CaseFile again = read(case_toml(impact, {}));
+  EXPECT_EQ(again.impact.impactor.mass, impact.impactor.mass);
+  EXPECT_EQ(again.impact.title, "a \"quoted\" \\ title [impactor] mass = \"1 kg\"   \xef\xbf\xbd");
+}
+
+class Page : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_page()) GTEST_SKIP() << no_page;
+    text_ = page(dashboard().impact, dashboard().options, solved(), unit_system("us"),
+                 contact_snapshots(dashboard().impact, solved().history));
+  }
+
+  /// Without a matcher: it would print the whole page.
+  [[nodiscard]] bool has(const std::string& part) const { return text_.find(part) != std::string::npos; }
+
+  std::string text_;
+};
+
+TEST_F(Page, is_one_small_file_that_names_no_other) {
+  EXPECT_TRUE(text_.starts_with("<!DOCTYPE html>"));
+  EXPECT_LT(text_.size(), 300'000U);
+  EXPECT_EQ(count(text_, "<script"), 2U);
+  EXPECT_EQ(count(text_, "</script>"), 2U);
+  EXPECT_EQ(count(text_, "<style"), 1U);
+  for (const char* part : {"src=", "@import", "url(", "innerHTML", "eval(", "<iframe"})
+    EXPECT_FALSE(has(part)) << part;
+  const std::string opening = R"(<script type="application/json" id="data">)";
+  const auto begin = text_.find(opening) + opening.size();
+  const auto data = nlohmann::json::parse(text_.substr(begin, text_.find('<', begin) - begin));
+  EXPECT_EQ(data["shown"], "us");
+}
+
+TEST_F(Page, has_a_policy_that_allows_its_own_script_only) {
+  EXPECT_EQ(count(text_, "Content-Security-Policy"), 1U);
+  EXPECT_TRUE(has("default-src 'none'; script-src 'sha256-"));
+  EXPECT_TRUE(has("; style-src 'sha256-"));
+  EXPECT_FALSE(has("unsafe"));
+}
+
+TEST_F(Page, names_the_license_of_the_plots) { EXPECT_TRUE(has("The MIT License")); }
+
+TEST(page, where_it_was_not_built_says_how_to_get_it) {
+  if (has_page()) GTEST_SKIP() << "it was built";
+  EXPECT_THROW(page(dashboard().impact, {}, solved(), plain_si(), {}), std::runtime_error);
+}
+
+}  // namespace
+
+}  // namespace dashpad::testing

@@ -1,0 +1,272 @@
+// Tables of measured pulses: how each style of file is read, and what is said about each kind of bad one.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dashpad/io/fault.hpp"
+#include "dashpad/io/pulse_csv.hpp"
+#include "temporary_folder.hpp"
+
+namespace dashpad {
+namespace {
+
+using ::testing::DoubleEq;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+using ::testing::Pointwise;
+
+constexpr double g = 9.80665;
+
+MeasuredPulse read(const std::string& text, const PulseCsvOptions& options = {}) {
+  const testing::TemporaryFolder folder;
+  return read_pulse_csv(folder.write("pulse.csv", text), options);
+}
+
+/// What is said, a fault a line; "" if nothing.
+std::string said(const std::string& text, const PulseCsvOptions& options = {}) {
+  try {
+    read(text, options);
+  } catch (const InputError& error) {
+    std::string lines = error.what();
+    for (auto at = lines.find("/pulse.csv"); at != std::string::npos; at = lines.find("/pulse.csv")) {
+      const auto begin = lines.rfind('\n', at);
+      lines.erase(begin == std::string::npos ? 0 : begin + 1,
+                  at + 10 - (begin == std::string::npos ? 0 : begin + 1));
+    }
+    return lines;
+  }
+  return "";
+}
+
+const PulseCsvOptions in_ms_and_g{.time_unit = "ms", .acceleration_unit = "g"};
+
+/// The same two samples in many styles.
+struct Style {
+  std::string text;
+  std::vector<std::string> remarks;
+  PulseCsvOptions options = {};
+};
+
+const std::vector<Style> styles{
+    {"time [ms],acceleration [g]\n0,1\n2,3\n", {}},
+    {"Time (ms),Acc (g)\n0,1\n2,3", {}},
+    {"t_ms,acceleration_g\n0,1\n2,3\n", {}},
+    {"Time / ms;Acceleration / g\n0;1\n2;3\n", {}},
+    {"Time/ms;Acc/g;Speed m/s\n0;1;7\n2;3;7\n", {}},
+    {"Time ms\tAcc g\n0\t1\n2\t3\n", {}},
+    {"t_s,accel[m/s^2]\n0,9.80665\n0.002,29.41995\n", {}},
+    {"time_s,acceleration_m_per_s2\n0,9.80665\n2e-3,2.941995E1\n", {}},
+    {"t [\xc2\xb5s];a [m/s\xc2\xb2]\n0;9.80665\n2000;29.41995\n", {}},
+    {"t [\xb5s];a [m/s\xb2]\n0;9.80665\n2000;29.41995\n",
+     {"the header is not UTF-8; it was read as Latin-1"}},
+    {"Time,Acceleration\nms,g\n0,1\n2,3\n", {}},
+    {"Time,Acceleration\n[ms],[g]\n0,1\n2,3\n", {}},
+    {"Time,Kopf\n(ms),(g)\n0,1\n2,3\n", {}},
+    {"ms,g\n0,1\n2,3\n", {}},
+    {"Company;\nSampling rate;500\nTime [ms];Acc [g]\n0;1\n2;3\n", {}},
+    {"\"Time, of day [ms]\",\"Acc \"\"x\"\" [g]\"\n\"0\",\"1\"\n2,3\n", {}},
+    {"\"Time\n(ms)\",Acc (g)\n0,1\n2,3\n", {}},
+    {"# drop 7\nt_ms,a_g\n0,1\n# tea\n2,3\n", {}},
+    {"  t_ms   a_g\n   0.0   1.0\n +2.0   3.0\n", {}},
+    {"0,1\n2,3\n", {}, {.time = "1", .acceleration = {"2"}, .time_unit = "ms", .acceleration_unit = "g"}},
+    {"a_g,t_ms,note\n1,0,begin\n3,2,end\n", {}},
+    {"time_s,force_N,acceleration_g,velocity_m_per_s\n0,9,1,9\n0.002,9,3,9\n", {}},
+    {"\xef\xbb\xbft_ms,a_g\n0,1\n2,3\n", {"a byte order mark at the beginning was left out"}},
+    {"t_ms,a_g\r\n0,1\r\n2,3\r\n", {}},
+    {"t_ms,a_g\r0,1\r2,3\r", {}},
+    {"t_ms,a_g\n0,1\r\n2,3\r", {"the lines end in different ways"}},
+    {"t_ms;a_g\n0,0;1,0\n2,0;3,0\n", {"decimal commas were read as points"}},
+    {"t_ms\ta_g\n0,0\t1,0\n2,0\t3\n", {"decimal commas were read as points"}},
+    {"t_ms a_g\n0,0 1,0\n2,0 3,0\n", {"decimal commas were read as points"}},
+    {"t_ms,a_g,,\n0,1,,\n2,3,,\n", {"empty columns at the end were left out"}},
+    {"t_ms,a_g\n\n0,1\n,\n2,3\n\n\n", {"2 lines without content left out"}},
+    {"t_ms,a_g\n0,1\n0,1\n0,1\n2,3\n",
+     {"2 samples that repeat the one before were left out, the first in line 3"}},
+    {"# t_ms a_g\n0 1\n2 3\n", {"names of columns were read from the comment in line 1"}},
+    {"0,1\n2,3\n",
+     {"of the two columns the first is taken for the time, the second for the acceleration"},
+     in_ms_and_g},
+    {"t_s,a_g\n0,1\n2,3\n", {"t_s: the file says s; ms was given and used"}, {.time_unit = "ms"}},
+};
+
+TEST(pulse_csv, every_style_gives_the_same_pulse) {
+  for (const Style& style : styles) {
+    SCOPED_TRACE(style.text);
+    ASSERT_NO_THROW(read(style.text, style.options)) << said(style.text, style.options);
+    const MeasuredPulse measured = read(style.text, style.options);
+    EXPECT_THAT(measured.pulse.time, Pointwise(DoubleEq(), {0.0, 0.002}));
+    EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {g, 3 * g}));
+    EXPECT_EQ(measured.remarks, style.remarks);
+    EXPECT_EQ(measured.format, "CSV");
+    EXPECT_EQ(measured.acceleration.size(), 1U);
+    EXPECT_FALSE(measured.time.unit.empty());
+    EXPECT_FALSE(measured.acceleration.front().unit.empty());
+  }
+}
+
+TEST(pulse_csv, says_which_columns_and_units_were_used) {
+  const MeasuredPulse measured =
+      read("note,Time (ms),Acc (g)\nx,0,1\ny,2,3\n", {.acceleration_unit = "m/s2"});
+  EXPECT_EQ(measured.time.name, "Time (ms)");
+  EXPECT_EQ(measured.time.number, 2);
+  EXPECT_EQ(measured.time.unit, "ms");
+  EXPECT_EQ(measured.time.unit_origin, "header");
+  EXPECT_DOUBLE_EQ(measured.time.factor, 1e-3);
+  EXPECT_EQ(measured.acceleration.front().unit, "m/s2");
+  EXPECT_EQ(measured.acceleration.front().unit_origin, "given");
+  EXPECT_THAT(measured.pulse.acceleration, ElementsAre(1, 3));
+}
+
+TEST(pulse_csv, columns_are_named_with_or_without_unit_or_by_number) {
+  const std::string text = "t_ms,Acc x [g],Acc y [g],5\n0,1,7,9\n2,3,8,9\n";
+  for (const std::string name : {"Acc y [g]", "Acc y", "acc Y", "3"}) {
+    SCOPED_TRACE(name);
+    EXPECT_THAT(read(text, {.acceleration = {name}}).pulse.acceleration, ElementsAre(7 * g, 8 * g));
+  }
+}
+
+TEST(pulse_csv, three_columns_come_to_a_resultant_each_with_its_unit) {
+  const std::string text = "t_ms,ax [g],ay [m/s2],az [g]\n0,-3,0,4\n1,0,-9.80665,0\n";
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{}, std::vector<std::string>{"az", "2", "ay"}}) {
+    const MeasuredPulse measured = read(text, {.acceleration = names, .resultant = true});
+    EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {5 * g, g}));
+    EXPECT_EQ(measured.acceleration.size(), 3U);
+    EXPECT_TRUE(measured.resultant);
+  }
+}
+
+TEST(pulse_csv, lists_columns) {
+  const testing::TemporaryFolder folder;
+  const auto columns = pulse_csv_columns(folder.write("a.csv", "Time,Head\nms,g\n0,1\n2,3\n"));
+  ASSERT_EQ(columns.size(), 2U);
+  EXPECT_EQ(columns[0].name, "Time");
+  EXPECT_EQ(columns[0].unit, "ms");
+  EXPECT_EQ(columns[1].name, "Head");
+  EXPECT_EQ(columns[1].number, 2);
+}
+
+struct Bad {
+  std::string text;
+  std::string said;
+  PulseCsvOptions options = {};
+};
+
+const std::vector<Bad> bad_files{
+    // Units.
+    {"time,acc\n0,1\n2,3\n", ":1: time: the time needs a unit; none is in the header: give --time-unit"},
+    {"time,acc\n0,1\n2,3\n", ":1: acc: the acceleration needs a unit; none is in the header"},
+    {"0,1\n2,3\n", ": column 2: the acceleration needs a unit"},
+    {"time [ms],acc [furlong]\n0,1\n2,3\n", "no column is recognized as the acceleration"},
+    {"time [ms],acc [mg]\n0,1\n2,3\n", "no column is recognized as the acceleration"},
+    {"time [ms],acc [mg]\n0,1\n2,3\n", "an acceleration is needed", {.acceleration = {"acc"}}},
+    {"t_ms,a_g\n0,1\n2,3\n",
+     "--acceleration-unit kg: an acceleration is needed",
+     {.acceleration_unit = "kg"}},
+    {"t_ms,a_g\n0,1\n2,3\n", "--time-unit g: a time is needed", {.time_unit = "g"}},
+    // Columns.
+    {"t_ms,a_g,b_g\n0,1,2\n2,3,4\n",
+     "several columns may be the acceleration: a_g (2), b_g (3); choose with"},
+    {"t_ms,t2_ms,a_g\n0,1,2\n2,3,4\n", "several columns may be the time"},
+    {"t_ms,x,y\n0,1,2\n2,3,4\n", "no column is recognized as the acceleration; name it with --acceleration"},
+    {"t_ms,a_g\n0,1\n2,3\n",
+     "--acceleration b: no such column; there are t_ms (1), a_g (2)",
+     {.acceleration = {"b"}}},
+    {"t_ms,a_g\n0,1\n2,3\n", "--time 3: the columns are 1 to 2", {.time = "3"}},
+    {"t_ms,a_g\n0,1\n2,3\n", "--time 0: the columns are 1 to 2", {.time = "0"}},
+    {"t_ms,a_g,a_g\n0,1,1\n2,3,1\n", "several columns have that name", {.acceleration = {"a_g"}}},
+    {"t_ms,a_g\n0,1\n2,3\n", "is both the time and an acceleration", {.acceleration = {"1"}}},
+    {"t_ms,a_g,b_g\n0,1,1\n2,3,1\n", "is named twice", {.acceleration = {"a_g", "2"}, .resultant = true}},
+    {"t_ms,a_g,b_g\n0,1,1\n2,3,1\n", "combine them with --resultant", {.acceleration = {"2", "3"}}},
+    {"t_ms,a_g\n0,1\n2,3\n", "a resultant needs two or three accelerations, not 1", {.resultant = true}},
+    {"t_ms,a_g,b_g,c_g,d_g\n0,1,1,1,1\n2,3,1,1,1\n", "several columns may be", {.resultant = true}},
+    // Numbers.
+    {"t_ms,a_g\n0,1\n1,\n2,3\n", ":3: a_g: is missing; a pulse cannot have gaps"},
+    {"t_ms,a_g\n0,1\n,2\n2,3\n", ":3: t_ms: is missing"},
+    {"t_ms,a_g\n0,1\n1,x\n2,3\n", ":3: a_g = x: must be a number"},
+    {"t_ms,a_g\n0,x\n1,2\n2,3\n", ":2: a_g = x: must be a number"},
+    {"t_ms,a_g\nx,5\n1,2\n2,3\n", ":2: t_ms = x: must be a number"},
+    {"t_ms,a_g\n0,1\n1,nan\n2,3\n", ":3: a_g = nan: must be a finite number"},
+    {"t_ms,a_g\n0,NaN\n1,1\n2,3\n", ":2: a_g = NaN: must be a finite number"},
+    {"t_ms,a_g\n0,1\n1,-inf\n2,3\n", ":3: a_g = -inf: must be a finite number"},
+    {"t_ms,a_g\n0,1\n1,1e400\n2,3\n", ":3: a_g = 1e400: is too large or too small"},
+    {"t_ms,a_g\n0,1\n1,1e308\n2,3\n", ":3: a_g = 1e308: is too large or too small"},
+    {"t_ms,a_g\n0,1\n1,0x10\n2,3\n", ":3: a_g = 0x10: must be a number"},
+    {"t_ms,a_g\n0,1\n1,5 g\n2,3\n", ":3: a_g = 5 g: must be a number"},
+    {"t_ms;a_g\n0;1,5\n1;2.5\n2;3\n", ":3: a_g = 2.5: has a decimal point, but line 2 has a comma"},
+    {"t_ms;a_g\n0.0;1\n1;2,5\n2;3\n", ":3: a_g = 2,5: has a decimal comma, but line 2 has a point"},
+    {"t_ms;a_g\n0;1.000,5\n1;2,5\n2;3\n", ":2: a_g = 1.000,5: must be a number"},
+    {"t_ms,a_g\n0,0,1,0\n1,0,2,5\n", "decimal commas need another separator"},
+    // Times.
+    {"t_ms,a_g\n0,1\n0,2\n2,3\n", ":3: t_ms = 0: repeats the time before, with another value"},
+    {"t_ms,a_g\n0,1\n2,2\n1,3\n", ":4: t_ms = 1: is earlier than the time before"},
+    {"t_ms,a_g\n1,1\n", "has one sample only"},
+    {"t_ms,a_g\n1,1\n1,1\n", "has one sample only"},
+    // Rows.
+    {"t_ms,a_g\n0,1\n1\n2,3\n", ":3: has 1 field where 2 are expected"},
+    {"t_ms,a_g\n0,1\n1,2,3\n2,3\n", ":3: has 3 fields where 2 are expected"},
+    {"t_ms,a_g\n0,1\n\"1,2\n2,3\n", ":3: has a quote that is not closed"},
+    {"t_ms,a_g\n0,1\n\"1\"x,2\n2,3\n", ":3: has text behind a closing quote"},
+    {"", ": is empty"},
+    {"\n\n", "has no row of two numbers"},
+    {"t_ms,a_g\n", "has no row of two numbers"},
+    {"t_ms\n1\n2\n", "has no row of two numbers"},
+    // No text.
+    {std::string("t_ms,a_g\n0,1\n\0,2", 15), ":3: is not text: it holds the byte 0"},
+    {"\xff\xfet", ":1: is UTF-16; save it as UTF-8"},
+    {"\x7f"
+     "ELF\x02\x01\x01",
+     "is not text"},
+};
+
+TEST(pulse_csv, each_kind_of_bad_file_is_told) {
+  for (const Bad& bad : bad_files) {
+    SCOPED_TRACE(bad.text);
+    EXPECT_THAT(said(bad.text, bad.options), HasSubstr(bad.said));
+  }
+}
+
+TEST(pulse_csv, all_faults_are_told_at_once_but_not_without_end) {
+  EXPECT_EQ(said("t_ms,a_g\n0,x\n1,2\n1,3\n4,\n"),
+            ":2: a_g = x: must be a number\n:4: t_ms = 1: repeats the time before, with another value; times "
+            "must increase\n:5: a_g: is missing; a pulse cannot have gaps");
+  std::string text = "t_ms,a_g\n0,1\n";
+  for (int i = 0; i < 100'000; ++i) text += "x,y\n";
+  try {
+    read(text);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.faults().size(), 200U);
+    EXPECT_THAT(error.faults().back().rule, HasSubstr("reading stopped here"));
+  }
+}
+
+TEST(pulse_csv, only_regular_files_of_limited_size_are_read) {
+  const testing::TemporaryFolder folder;
+  const auto large = folder.write("large.csv", "");
+  std::filesystem::resize_file(large, (std::uintmax_t{1} << 30) + 1);  // takes no space: it is a hole
+  const auto pipe = folder.path() / "pipe.csv";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::vector<std::pair<std::filesystem::path, std::string>> rows{
+      {folder.path() / "none.csv", "no such file"}, {folder.path(), "is a folder"},
+      {large, "is larger than 1024 MiB"},           {pipe, "is not a regular file"},
+      {"/dev/zero", "is not a regular file"},       {"", "no such file"}};
+  for (const auto& [file, rule] : rows) {
+    SCOPED_TRACE(file);
+    try {
+      read_pulse_csv(file, {});
+      FAIL();
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(rule));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dashpad

@@ -1,0 +1,337 @@
+/// The presets of standards that Dashpad brings along, and what is said about a bad one.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "dashpad/injury/standard_file.hpp"
+#include "dashpad/io/fault.hpp"
+#include "dashpad/report/assessment_text.hpp"
+#include "sample_case.hpp"
+#include "temporary_folder.hpp"
+
+namespace dashpad {
+namespace {
+
+using testing::edited;
+using ::testing::HasSubstr;
+
+const std::filesystem::path folder = testing::source / "standards";
+constexpr double g = standard_gravity;
+constexpr double kmh = 1 / 3.6;
+
+Standard preset(const std::string& text) {
+  const StandardChoice choice = standard_choice(text);
+  return with_variants(read_standard(find_standard(choice.name, folder)), choice.variants);
+}
+
+std::vector<Standard> all_presets() {
+  std::vector<Standard> presets;
+  for (const auto& file : list_standards(folder)) presets.push_back(read_standard(file));
+  return presets;
+}
+
+std::vector<const StandardValue*> values_of(const Standard& standard) {
+  std::vector<const StandardValue*> values{&standard.mass, &standard.radius, &standard.speed};
+  for (const StandardVariant& variant : standard.variants)
+    for (const auto* value : {&variant.mass, &variant.radius, &variant.speed})
+      if (*value) values.push_back(&**value);
+  return values;
+}
+
+std::vector<const Origin*> origins_of(const Standard& standard) {
+  std::vector<const Origin*> origins;
+  for (const StandardValue* value : values_of(standard)) origins.push_back(&value->origin);
+  for (const Criterion& criterion : standard.criteria) origins.push_back(&criterion.origin);
+  return origins;
+}
+
+TEST(standards, every_preset_names_a_source_for_every_value) {
+  const auto presets = all_presets();
+  EXPECT_GE(presets.size(), 12U);
+  for (const Standard& standard : presets) {
+    SCOPED_TRACE(standard.name);
+    EXPECT_FALSE(standard.title.empty());
+    EXPECT_FALSE(standard.source.empty());
+    EXPECT_FALSE(standard.criteria.empty());
+    for (const Origin* origin : origins_of(standard)) EXPECT_FALSE(origin->source.empty());
+  }
+}
+
+/// A guess must never pass for something that was read.
+TEST(standards, general_knowledge_and_choices_are_unverified) {
+  for (const Standard& standard : all_presets())
+    for (const Origin* origin : origins_of(standard)) {
+      const bool guessed =
+          origin->source.starts_with("general knowledge") || origin->source.starts_with("chosen");
+      EXPECT_FALSE(guessed && origin->verified) << standard.name << ": " << origin->source;
+    }
+}
+
+TEST(standards, unverified_values_warn) {
+  for (const Standard& standard : all_presets()) {
+    SCOPED_TRACE(standard.name);
+    const auto origins = origins_of(standard);
+    const bool doubt = !std::ranges::all_of(origins, &Origin::verified);
+    const std::string text = standard_text(standard, unit_systems().front());
+    EXPECT_EQ(text.find("  WARNING ") != std::string::npos, doubt);
+    EXPECT_EQ(text.find("UNVERIFIED; source:") != std::string::npos, doubt);
+    EXPECT_EQ(standard_line(standard).find("unverified)") != std::string::npos, doubt);
+    EXPECT_THAT(text, HasSubstr("no certification"));
+  }
+}
+
+TEST(standards, every_variant_can_be_chosen) {
+  for (const Standard& standard : all_presets())
+    for (const StandardVariant& variant : standard.variants)
+      EXPECT_NO_THROW(with_variants(standard, {variant.name})) << standard.name << ":" << variant.name;
+}
+
+struct Row {
+  std::string name;
+  double mass, radius, speed;  ///< 0 where the case decides
+  Metric metric;
+  double limit;
+};
+
+/// The figures of the sources, typed a second time.
+TEST(standards, presets_have_the_figures_of_their_sources) {
+  const std::vector<Row> rows{
+      {"fmvss-201-instrument-panel", 6.8, 0.0825, 24 * kmh, Metric::contiguous_3ms, 80 * g},
+      {"fmvss-201-instrument-panel:air-bag", 6.8, 0.0825, 19 * kmh, Metric::contiguous_3ms, 80 * g},
+      {"fmvss-201-seat-back", 6.8, 0.0825, 24 * kmh, Metric::contiguous_3ms, 80 * g},
+      {"fmvss-201u", 4.54, 0.08, 24 * kmh, Metric::hic_d, 1000},
+      {"fmvss-201u:deployed", 4.54, 0.08, 19 * kmh, Metric::hic_d, 1000},
+      {"ece-r21", 6.8, 0.0825, 24.1 * kmh, Metric::contiguous_3ms, 80 * g},
+      {"en-1078", 4.7, 0.091, 5.42, Metric::peak, 250 * g},
+      {"en-1078:kerbstone:a", 3.1, 0.080, 16.5 * kmh, Metric::peak, 250 * g},
+      {"cpsc-1203", 5, 0.091, 6.2, Metric::peak, 300 * g},
+      {"cpsc-1203:hemispherical", 5, 0.048, 4.8, Metric::peak, 300 * g},
+      {"ece-22-05:o", 6.1, 0.099, 7.5, Metric::peak, 275 * g},
+      {"fmvss-218", 5, 0.088, 6, Metric::peak, 400 * g},
+      {"fmvss-218:hemispherical:small", 3.5, 0.048, 5.2, Metric::peak, 400 * g},
+      {"nocsae-football", 4.9, 0.09, std::sqrt(2 * g * 1.524), Metric::severity_index, 1200},
+      {"nocsae-football-1970s", 4.9, 0.09, std::sqrt(2 * g * 1.524), Metric::severity_index, 1500},
+      {"en-1177", 4.6, 0.08, 0, Metric::hic_unlimited, 1000},
+      {"astm-f1292", 4.6, 0.08, 0, Metric::peak, 200 * g},
+      {"fmvss-208-hic15", 0, 0, 0, Metric::hic15, 700},
+      {"fmvss-208-hic36", 0, 0, 0, Metric::hic36, 1000},
+      {"fmvss-202a-hic15", 0, 0, 0, Metric::hic15, 500},
+  };
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.name);
+    const Standard standard = preset(row.name);
+    EXPECT_DOUBLE_EQ(standard.mass.value.value_or(0), row.mass);
+    EXPECT_DOUBLE_EQ(standard.radius.value.value_or(0), row.radius);
+    EXPECT_DOUBLE_EQ(standard.speed.value.value_or(0), row.speed);
+    EXPECT_EQ(standard.criteria.front().metric, row.metric);
+    EXPECT_DOUBLE_EQ(standard.criteria.front().limit, row.limit);
+  }
+}
+
+TEST(standards, fmvss_218_limits_two_dwell_times) {
+  const Standard standard = preset("fmvss-218");
+  ASSERT_EQ(standard.criteria.size(), 3U);
+  EXPECT_DOUBLE_EQ(standard.criteria[1].level, 200 * g);
+  EXPECT_DOUBLE_EQ(standard.criteria[1].limit, 2e-3);
+  EXPECT_DOUBLE_EQ(standard.criteria[2].level, 150 * g);
+  EXPECT_DOUBLE_EQ(standard.criteria[2].limit, 4e-3);
+}
+
+TEST(standards, metrics_are_listed_in_the_order_of_their_enumeration) {
+  for (std::size_t i = 0; i < metrics().size(); ++i)
+    EXPECT_EQ(static_cast<std::size_t>(metrics()[i].metric), i) << metrics()[i].key;
+}
+
+TEST(standards, a_choice_is_a_name_with_variants) {
+  const auto expect = [](const std::string& text, const std::string& name,
+                         const std::vector<std::string>& variants) {
+    const StandardChoice choice = standard_choice(text);
+    EXPECT_EQ(choice.name, name) << text;
+    EXPECT_EQ(choice.variants, variants) << text;
+  };
+  expect("en-1078", "en-1078", {});
+  expect("en-1078:kerbstone:a", "en-1078", {"kerbstone", "a"});
+  expect("./my.toml", "./my.toml", {});
+  expect("./a:b/my.toml:fast", "./a:b/my.toml", {"fast"});
+  expect("./a:b/my.toml", "./a:b/my.toml", {});
+  expect("en-1078:", "en-1078", {""});
+}
+
+std::string message_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(standards, unknown_names_and_variants_are_refused_with_those_there_are) {
+  EXPECT_THAT(message_of([] { preset("en-1079"); }), HasSubstr("did you mean \"en-1078\"?"));
+  EXPECT_THAT(message_of([] { preset("en-1078:curb"); }), HasSubstr("it has kerbstone, a, c, e, m, o"));
+  EXPECT_THAT(message_of([] { preset("fmvss-201-seat-back:any"); }), HasSubstr("it has none"));
+  EXPECT_THAT(message_of([] { preset("en-1078:a:o"); }), HasSubstr("both set the mass"));
+  EXPECT_THAT(message_of([] { preset("en-1078:a:a"); }), HasSubstr("both set the mass"));
+  EXPECT_THROW(list_standards(folder / "none"), InputError);
+}
+
+TEST(standards, the_impactor_takes_the_place_of_that_of_the_case) {
+  const ImpactCase impact = testing::read(testing::good_case).impact;
+  const ImpactCase assessed = with_impactor_of(preset("en-1177"), impact);
+  EXPECT_DOUBLE_EQ(assessed.impactor.mass, 4.6);
+  EXPECT_DOUBLE_EQ(assessed.impactor.radius, 0.08);
+  EXPECT_EQ(assessed.impactor.speed, impact.impactor.speed);
+  EXPECT_EQ(assessed.pad.thickness, impact.pad.thickness);
+}
+
+TEST(standards, what_the_user_gives_takes_the_place_of_the_standard) {
+  const Standard standard = with_user_values(preset("fmvss-201-seat-back"),
+                                             {.mass = 7, .radius = {}, .speed = {}, .drop_height = 2});
+  EXPECT_EQ(standard.mass.value, 7);
+  EXPECT_EQ(standard.mass.instead, 6.8);
+  EXPECT_TRUE(standard.mass.chosen_by_user);
+  EXPECT_FALSE(standard.radius.chosen_by_user);
+  EXPECT_DOUBLE_EQ(*standard.speed.value, std::sqrt(4 * g));
+  EXPECT_EQ(standard.speed.drop_height, 2);
+  EXPECT_DOUBLE_EQ(*standard.speed.instead, 24 * kmh);
+}
+
+// --- Bad presets ---
+
+const std::string good_preset = R"(title = "A standard"
+source = "made up"
+[mass]
+value = "5 kg"
+source = "made up"
+verified = true
+[radius]
+value = "80 mm"
+source = "made up"
+verified = false
+[speed]
+drop_height = "1 m"
+source = "made up"
+verified = true
+[[criteria]]
+metric = "dwell"
+level_g = 150
+limit = "4 ms"
+description = "short"
+source = "made up"
+verified = true
+[variants.light]
+title = "a light one"
+[variants.light.mass]
+value = "4 kg"
+source = "made up"
+verified = true
+)";
+
+std::vector<Fault> faults_of(const std::string& text) {
+  const testing::TemporaryFolder temporary;
+  try {
+    read_standard(temporary.write("made-up.toml", text));
+  } catch (const InputError& error) {
+    return error.faults();
+  }
+  return {};
+}
+
+struct Expected {
+  int line;
+  std::string key;
+  std::string rule;
+};
+
+void expect_faults(const std::string& text, const std::vector<Expected>& expected) {
+  const std::vector<Fault> faults = faults_of(text);
+  const std::string all = faults.empty() ? "no fault" : InputError(faults).what();
+  ASSERT_EQ(faults.size(), expected.size()) << all;
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    EXPECT_EQ(faults[i].line, expected[i].line) << all;
+    EXPECT_EQ(faults[i].key, expected[i].key) << all;
+    EXPECT_THAT(faults[i].rule, HasSubstr(expected[i].rule)) << all;
+  }
+}
+
+TEST(standard_faults, a_good_preset_has_none) {
+  const testing::TemporaryFolder temporary;
+  const Standard standard = read_standard(temporary.write("made-up.toml", good_preset));
+  EXPECT_EQ(standard.name, "made-up");
+  EXPECT_DOUBLE_EQ(*standard.speed.value, std::sqrt(2 * g));
+  EXPECT_EQ(with_variants(standard, {"light"}).mass.value, 4);
+}
+
+TEST(standard_faults, each_fault_is_named_with_line_key_and_rule) {
+  struct Edit {
+    std::string from, to;
+    std::vector<Expected> faults;
+  };
+  const std::vector<Edit> edits{
+      {"source = \"made up\"\n[mass]", "[mass]", {{0, "source", "is missing"}}},
+      {"title =", "titel =", {{0, "title", "is missing"}, {1, "titel", "did you mean"}}},
+      {"5 kg", "5 m", {{4, "mass.value", "a mass is needed"}}},
+      {"5 kg", "0 kg", {{4, "mass.value", "must be more than 0"}}},
+      {"\"5 kg\"", "5", {{4, "mass.value", "needs a unit"}}},
+      {"value = \"5 kg\"\n", "", {{3, "mass.value", "give one of value and from_case"}}},
+      {"value = \"5 kg\"", "from_case = false", {{3, "mass.value", "give one of value and from_case"}}},
+      {"value = \"5 kg\"",
+       "from_case = 1",
+       {{3, "mass.value", "give one of"}, {4, "mass.from_case", "must be true or false"}}},
+      {"value = \"5 kg\"",
+       "drop_height = \"1 m\"",
+       {{3, "mass.value", "give one of"}, {4, "mass.drop_height", "unknown key"}}},
+      {"drop_height =",
+       "value = \"3 m/s\"\ndrop_height =",
+       {{12, "speed.value", "give one of value, drop_height"}}},
+      {"verified = false\n", "", {{7, "radius.verified", "is missing; must be true or false"}}},
+      {"verified = false", "verified = \"no\"", {{10, "radius.verified", "must be true or false"}}},
+      {"metric = \"dwell\"", "metric = \"dwel\"", {{16, "criteria[1].metric", "did you mean \"dwell\"?"}}},
+      {"metric = \"dwell\"",
+       "metric = \"peak\"",
+       {{15, "criteria[1].limit_g", "is missing"},
+        {17, "criteria[1].level_g", "unknown key"},
+        {18, "criteria[1].limit", "unknown key"}}},
+      {"level_g = 150", "level_g = -1", {{17, "criteria[1].level_g", "must be more than 0"}}},
+      {"\"4 ms\"", "4", {{18, "criteria[1].limit", "needs a unit"}}},
+      {"description = \"short\"\n", "", {{15, "criteria[1].description", "is missing"}}},
+      {"title = \"a light one\"\n", "", {{22, "variants.light.title", "is missing"}}},
+      {"[variants.light]",
+       "[variants.\"a:b\"]",
+       {{22, "variants.a:b", "lower-case letters"}, {24, "variants.light.title", "is missing"}}},
+      {"light.mass",
+       "light.weight",
+       {{22, "variants.light.mass", "must replace"}, {24, "variants.light.weight", "unknown key"}}},
+  };
+  for (const auto& [from, to, expected] : edits) {
+    SCOPED_TRACE(from + " -> " + to);
+    expect_faults(edited(good_preset, from, to), expected);
+  }
+}
+
+TEST(standard_faults, criteria_are_needed) {
+  const std::string values = good_preset.substr(0, good_preset.find("[[criteria]]"));
+  expect_faults(values, {{0, "criteria", "is missing"}});
+  expect_faults("criteria = []\n" + values, {{1, "criteria", "one criterion at least"}});
+  expect_faults("criteria = [3]\n" + values, {{1, "criteria[1]", "must be a table"}});
+}
+
+TEST(standard_faults, all_faults_come_at_once_in_the_order_of_lines) {
+  std::string text = edited(good_preset, "5 kg", "5 s");
+  text = edited(text, "80 mm", "-80 mm");
+  text = edited(text, "level_g", "level");
+  expect_faults(text, {{4, "mass.value", "a mass is needed"},
+                       {8, "radius.value", "must be more than 0"},
+                       {15, "criteria[1].level_g", "is missing"},
+                       {17, "criteria[1].level", "did you mean"}});
+}
+
+}  // namespace
+}  // namespace dashpad

@@ -1,0 +1,140 @@
+// Which plots there are.
+
+import { CurveChart } from "./curve_chart.js";
+import { LoopChart } from "./loop_chart.js";
+import { percent } from "./text.js";
+
+const place = (values, best) => values.reduce((top, value, i) => (value !== null && value > (values[top] ?? -Infinity) ? i : top), best);
+
+export function plots(data) {
+  const { history, injury, snapshots, status } = data;
+  const shown = shownForces(history, status);
+  const peak = place(shown, 0);
+  const high = shown[peak];
+  const closing = status === "bottomed out" ? "Without a finite limit at full compression: the curve leaves the plot." : "";
+  const over = (y, series, more) => ({
+    x: { label: "Time", unit: "s" },
+    y,
+    series: series.map((each) => ({ x: history.time, ...each })),
+    overTime: true,
+    rest: peak,
+    ...more,
+  });
+  const loop = (label, values) => ({
+    time: history.time,
+    x: { label, unit: "m", values },
+    y: { label: "Force", unit: "N", values: history.force, high },
+    note: closing,
+    turn: place(values, 0),
+    closed: status === "released" || history.force.at(-1) === 0,
+    rest: peak,
+  });
+  const list = [
+    new CurveChart({
+      name: "force", title: "Force over time", note: closing,
+      ...over({ label: "Force", unit: "N", high }, [{ label: "force", y: history.force, colour: "line-0" }]),
+    }),
+    new CurveChart({ name: "acceleration", title: "Acceleration over time", note: closing, ...acceleration(over, history, injury, peak) }),
+    new LoopChart({
+      name: "force-penetration", title: "Force against penetration",
+      ...loop("Penetration", history.penetration),
+    }),
+    new LoopChart({ name: "force-motion", title: "Force against motion", ...loop("Motion", history.motion) }),
+    new CurveChart({
+      name: "motion", title: "Penetration and motion over time",
+      ...over({ label: "Distance", unit: "m" }, [
+        { label: "motion of the impactor", y: history.motion, colour: "line-0" },
+        { label: "penetration of the pad", y: history.penetration, colour: "line-1", dash: "dashed" },
+        { label: "deflection of the support", y: history.deflection, colour: "line-2", dash: "dotted" },
+      ]),
+    }),
+    energy(over, history, data.energy_residual),
+  ];
+  if (snapshots.length > 0) list.push(...contact(snapshots));
+  return list;
+}
+
+// A pad that bottoms out on a rigid support has no finite force: what it has in the last hundredth of its
+// thickness would hide all the rest.
+function shownForces({ force, penetration }, status) {
+  if (status !== "bottomed out") return force;
+  const end = 0.99 * Math.max(...penetration);
+  return force.map((value, i) => (penetration[i] < end ? value : null));
+}
+
+// The deceleration in g, with the windows of the head injury criterion and the 3 ms level.
+function acceleration(over, history, injury, peak) {
+  const y = { label: "Acceleration", unit: "g", high: history.deceleration[peak] };
+  const series = [{ label: "acceleration, away from the pad", y: history.deceleration, colour: "line-0" }];
+  if (!injury) return over(y, series);
+  const { hic15, hic36, clip } = injury;
+  const span = (name, { value }) => `${name} ${Number(value.toPrecision(4))}`;
+  const level = `3 ms level: ${Number(clip.value.toPrecision(4))} g`;
+  return over(y, series, {
+    bands: [
+      { from: hic36.begin, to: hic36.end, colour: "band", label: span("HIC36", hic36) },
+      { from: hic15.begin, to: hic15.end, colour: "band-2", label: span("HIC15", hic15) },
+    ],
+    lines: [
+      { y: clip.value, label: level, dash: "dashed" },
+      { y: 80, label: "80 g for 3 ms (FMVSS 201)", dash: "dotted" },
+    ],
+  });
+}
+
+const looks = {
+  loading: [{ colour: "line-2", dash: "dotted" }, { colour: "line-0", dash: "dashed" }, { colour: "line-3", dash: "dashed" }],
+  "peak force": [{ colour: "text", dash: "solid" }],
+  unloading: [{ colour: "line-1", dash: "dashed" }, { colour: "line-3", dash: "dotted" }],
+};
+
+// Strain and stress over the radius, a curve a moment.
+function contact(snapshots) {
+  const turns = {};
+  const moments = snapshots.map((snapshot) => {
+    const turn = (turns[snapshot.when] = (turns[snapshot.when] ?? -1) + 1);
+    return { ...snapshot, ...looks[snapshot.when][turn], label: `${Number((1000 * snapshot.time).toPrecision(3))} ms, ${snapshot.when}` };
+  });
+  const known = snapshots.filter((snapshot) => snapshot.determined).map((snapshot) => snapshot.deviation);
+  const notes = [];
+  if (known.length > 0)
+    notes.push(`The integral of these stresses differs from the force by ${percent(Math.max(...known))} at most.`);
+  if (known.length < snapshots.length)
+    notes.push("Where the pad is locked, or rigid foam is held, the law fixes only the force, not how it is shared out.");
+  const high = Math.max(...moments.flatMap(({ stress, strain }) => stress.filter((value, i) => strain[i] < 0.995)));
+  const over = (name, title, label, unit, column) =>
+    new CurveChart({
+      name, title,
+      note: column === "stress" ? notes.join(" ") : "",
+      x: { label: "Radius", unit: "m" },
+      y: column === "stress" ? { label, unit, high } : { label, unit },
+      logarithmic: column === "stress" && isSteep(snapshots, high),
+      series: moments.map((moment) => ({ ...moment, x: moment.radius, y: moment[column] })),
+    });
+  if (moments.some(({ stress }) => Math.max(...stress) > high))
+    notes.push("Within half a hundredth of full compression the stress leaves the plot.");
+  return [
+    over("stress", "Stress over the contact", "Stress", "Pa", "stress"),
+    over("strain", "Strain over the contact", "Strain", "1", "strain"),
+  ];
+}
+
+// Near full compression the stress on the axis dwarfs all others.
+function isSteep(snapshots, high) {
+  return high > 30 * Math.min(...snapshots.map(({ stress }) => Math.max(...stress)));
+}
+
+function energy(over, history, residual) {
+  return new CurveChart({
+    name: "energy", title: "Energy over time",
+    note:
+      `The sum of these curves (work by trapezoids) stays within ${percent(history.energy_residual)} of the impact ` +
+      `energy. By the solver's own audit, of higher order, the residual at the end is ${percent(residual)}.`,
+    ...over({ label: "Energy", unit: "J" }, [
+      { label: "sum", y: history.sum, colour: "text" },
+      { label: "kinetic", y: history.kinetic, colour: "line-0", dash: "dashed" },
+      { label: "in the support", y: history.support, colour: "line-2", dash: "dotted" },
+      { label: "work on the pad", y: history.pad, colour: "line-1" },
+    ]),
+  });
+}

@@ -1,0 +1,29 @@
+// The figures as tables: figure, value with unit, estimated error.
+
+import { element } from "./text.js";
+
+function row({ label, value, unit, error, remark }) {
+  const name = element("th", { text: label, attributes: { scope: "row" } });
+  if (remark) name.append(element("small", { text: remark }));
+  return element(
+    "tr",
+    {},
+    name,
+    element("td", { className: "number", text: value }),
+    element("td", { className: "unit", text: unit }),
+    element("td", { className: "error", text: error ? `± ${error}` : "" }),
+  );
+}
+
+export function table(caption, rows) {
+  const head = element("tr", {});
+  for (const text of ["Figure", "Value", "", "Estimated error"])
+    head.append(text ? element("th", { text, attributes: { scope: "col" } }) : element("td"));
+  return element(
+    "table",
+    {},
+    element("caption", { text: caption }),
+    element("thead", {}, head),
+    element("tbody", {}, ...rows.map(row)),
+  );
+}
