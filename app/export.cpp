@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include <functional>
+
 #include <fmt/format.h>
 
 #include "command.hpp"
@@ -28,9 +30,11 @@ constexpr const char* footer = R"(Examples:
   dashpad export examples/dashboard-20mph.toml --format ls-dyna --curves loading,unloading --first-id 9001 \
     --points 100 --out contact.k
   dashpad export examples/dashboard-20mph.toml --format csv --curves force --out -
+  dashpad export examples/dashboard-20mph.toml --format iso-mme --out test.zip
 
 Formats: ls-dyna is *DEFINE_CURVE keywords for *INCLUDE; radioss is /FUNCT blocks for #include; csv is two
-columns below lines that begin with #, and holds one curve.
+columns below lines that begin with #, and holds one curve; iso-mme is a zip with a test of that format, in SI,
+sampled at 100 kHz, for the curves over time.
 
 Curves (default: all): force, acceleration, velocity, motion and penetration over time; loading and unloading
 are the pad's force over its penetration, up to the largest and back to release. They are numbered in the
@@ -51,17 +55,20 @@ struct Format {
   const char* name;
   std::string (*text)(const CurveFile&);
   bool holds_one_curve;
+  bool over_time_only;
 };
 
-constexpr Format formats[] = {
-    {"ls-dyna", ls_dyna_text, false}, {"radioss", radioss_text, false}, {"csv", curve_csv, true}};
+constexpr Format formats[] = {{"ls-dyna", ls_dyna_text, false, false},
+                              {"radioss", radioss_text, false, false},
+                              {"csv", curve_csv, true, false},
+                              {"iso-mme", iso_mme_zip, false, true}};
 
 struct Request {
   std::string case_file;
   std::string format;
   std::string out;
-  std::vector<std::string> curves = curve_names();
-  std::string system = consistent_systems().front().units.name;
+  std::vector<std::string> curves;  ///< empty: all that the format takes
+  std::string system;               ///< empty: the first
   bool in_g = false;
   int first_id = 1;
   std::optional<int> points;
@@ -83,16 +90,30 @@ std::optional<double> parse_tolerance(const std::string& text) {
   return value >= lowest_tolerance && value <= highest_tolerance ? std::optional{value} : std::nullopt;
 }
 
+std::vector<std::string> curves_of(const Request& request) {
+  if (!request.curves.empty()) return request.curves;
+  std::vector<std::string> names = curve_names();
+  if (format_of(request).over_time_only) std::erase_if(names, std::not_fn(is_over_time));
+  return names;
+}
+
 /// What is wrong with the choice of curves.
 std::vector<std::string> wrong_curves(const Request& request) {
   std::vector<std::string> wrong;
+  if (format_of(request).over_time_only) {
+    for (const std::string& name : request.curves)
+      if (!is_over_time(name))
+        wrong.push_back(fmt::format("--curves {}: {} holds what is over time only", name, request.format));
+    if (!request.system.empty())
+      wrong.push_back(fmt::format("--system {}: {} is in SI", request.system, request.format));
+  }
   for (auto name = request.curves.begin(); name != request.curves.end(); ++name)
     if (std::find(request.curves.begin(), name, *name) != name)
       wrong.push_back(fmt::format("--curves: {} is named twice", *name));
-  if (format_of(request).holds_one_curve && request.curves.size() != 1)
+  if (format_of(request).holds_one_curve && curves_of(request).size() != 1)
     wrong.push_back(
         fmt::format("--format {}: holds one curve; name it, as in --curves force", request.format));
-  const int highest_first = highest_curve_id - static_cast<int>(request.curves.size()) + 1;
+  const int highest_first = highest_curve_id - static_cast<int>(curves_of(request).size()) + 1;
   if (request.first_id > highest_first)
     wrong.push_back(fmt::format("--first-id {}: must be at most {}, to number all curves up to {}",
                                 request.first_id, highest_first, highest_curve_id));
@@ -121,8 +142,8 @@ CaseFile read_and_check(const Request& request, const std::filesystem::path& mat
 CurveFile curves_for(const Request& request, const CaseFile& input, const Solution& solution) {
   std::optional<std::size_t> points;
   if (request.points) points = static_cast<std::size_t>(*request.points);
-  CurveFile file = curve_file(input.impact, solution, request.curves, points);
-  file.units = consistent_system(request.system);
+  CurveFile file = curve_file(input.impact, solution, curves_of(request), points);
+  if (!request.system.empty()) file.units = consistent_system(request.system);
   file.acceleration_in_g = request.in_g;
   file.first_id = request.first_id;
   if (std::ranges::none_of(file.curves, [](const FileCurve& of) { return of.curve.exists(); }))
@@ -133,8 +154,9 @@ CurveFile curves_for(const Request& request, const CaseFile& input, const Soluti
 
 /// A line for each curve, then the flags.
 std::string account(const Request& request, const CurveFile& file) {
-  std::string text = fmt::format("{}, {}, units {}\n", request.out == "-" ? "standard output" : request.out,
-                                 request.format, request.system);
+  std::string text =
+      fmt::format("{}, {}, units {}\n", request.out == "-" ? "standard output" : request.out, request.format,
+                  format_of(request).over_time_only ? "SI" : file.units.units.name);
   int id = file.first_id;
   for (const FileCurve& of : file.curves)
     text += fmt::format("  {:>8}  {:<13} {}\n", id++, of.curve.name, of.remark);
@@ -163,7 +185,7 @@ void add_options(CLI::App& sub, Request& request) {
   for (const Format& format : formats) format_names.emplace_back(format.name);
   for (const ConsistentUnits& system : consistent_systems()) system_names.push_back(system.units.name);
   sub.add_option("CASE", request.case_file, "Case file (TOML)")->required()->type_name("");
-  sub.add_option("--format", request.format, "ls-dyna, radioss or csv")
+  sub.add_option("--format", request.format, "ls-dyna, radioss, csv or iso-mme")
       ->required()
       ->check(CLI::IsMember(format_names))
       ->type_name("F");

@@ -14,6 +14,7 @@
 #include "dashpad/report/page.hpp"
 #include "dashpad/report/pulse_text.hpp"
 #include "dashpad/report/result_json.hpp"
+#include "dashpad/report/result_plot.hpp"
 #include "output.hpp"
 #include "streams.hpp"
 
@@ -27,7 +28,7 @@ constexpr const char* footer = R"(Examples:
   dashpad run examples/dashboard-20mph.toml
   dashpad run examples/dashboard-20mph.toml --units us
   dashpad run examples/dashboard-20mph.toml --json result.json --csv history.csv
-  dashpad run examples/dashboard-20mph.toml --report result.html
+  dashpad run examples/dashboard-20mph.toml --report result.html --png result.png
   dashpad run examples/dashboard-20mph.toml --tolerance 1e-6 --json - | jq .peak_force_N
 
 Units: si shows mm, kg, ms, m/s, N, J; us shows in, lb, ms, mph, lbf, in-lbf; engineering-metric shows
@@ -46,6 +47,7 @@ struct Request {
   std::optional<std::string> json;
   std::optional<std::string> csv;
   std::optional<std::string> report;
+  std::optional<std::string> png;
   std::string units;
   std::optional<std::string> tolerance;
   std::string materials;
@@ -57,6 +59,7 @@ std::vector<Target> targets(const Request& request) {
   if (request.json) wanted.push_back({"--json", *request.json});
   if (request.csv) wanted.push_back({"--csv", *request.csv});
   if (request.report) wanted.push_back({"--report", *request.report});
+  if (request.png) wanted.push_back({"--png", *request.png});
   return wanted;
 }
 
@@ -97,6 +100,8 @@ std::optional<InjuryFigures> injury_of(const Solution& solution) {
 std::string text_for(const Target& target, const CaseFile& input, const Solution& solution,
                      const UnitSystem& units) {
   if (target.option == "--json") return result_json(input.impact, solution.summary, injury_of(solution));
+  if (target.option == "--png")
+    return picture(result_plot(input.impact, solution, injury_of(solution), units), PictureFormat::png);
   if (target.option == "--csv") return history_csv(solution.history, units_of_files(units));
   return page(input.impact, input.options, solution, units,
               contact_snapshots(input.impact, solution.history));
@@ -144,6 +149,8 @@ void add_run(CLI::App& app, Action& action, const std::filesystem::path& executa
   sub->add_option("--csv", request->csv, "Write the history as CSV (- for standard output)")
       ->type_name("FILE");
   sub->add_option("--report", request->report, "Write a page to look at in a browser, as one HTML file")
+      ->type_name("FILE");
+  sub->add_option("--png", request->png, "Draw acceleration and hysteresis as a still; needs gnuplot")
       ->type_name("FILE");
   add_units(*sub, request->units);
   sub->add_option("--tolerance", request->tolerance,

@@ -26,8 +26,7 @@ std::vector<std::size_t> shown_entries(const History& history) {
     entries.push_back(
         static_cast<std::size_t>(std::max_element(column->begin(), column->end()) - column->begin()));
   std::ranges::sort(entries);
-  const auto repeated = std::ranges::unique(entries);
-  entries.erase(repeated.begin(), repeated.end());
+  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
   return entries;
 }
 

@@ -1,6 +1,7 @@
 /// HIC against a search that knows nothing of it: a grid of windows in long double, refined by golden
 /// section.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -195,7 +196,7 @@ TEST(BruteForceHic, AgreesForRandomPulses) {
                   found.value, (1e-9 + clock) * expected);
     }
   }
-  printf("%.3g\n", worst);
+  RecordProperty("worst", fmt::format("{:.1e}", worst));
 }
 
 }  // namespace

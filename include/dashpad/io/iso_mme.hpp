@@ -69,4 +69,8 @@ struct IsoMmeTest {
 /// back as the same double. Throws std::invalid_argument that says what is wrong with `test`.
 std::map<std::string, std::string> iso_mme_files(const IsoMmeTest& test);
 
+/// The bytes of a zip of files, in their order, without dates: the same files give the same bytes. Throws
+/// std::runtime_error with libarchive's reason.
+std::string zip_of(const std::map<std::string, std::string>& files);
+
 }  // namespace dashpad

@@ -53,6 +53,15 @@ std::string radioss_text(const CurveFile& file);
 /// the same double. For a file of one curve.
 std::string curve_csv(const CurveFile& file);
 
+/// The bytes of a zip with a test in ISO-MME: the curves over time, sampled every iso_mme_interval from first
+/// contact to the last whole interval; linear between the points of the history. Accelerations are in m/s2,
+/// or in g. The other units are SI. For a file whose curves are all over time and exist.
+std::string iso_mme_zip(const CurveFile& file);
+inline constexpr double iso_mme_interval = 1e-5;  ///< s: 100 kHz
+
+/// Whether iso_mme_zip() takes a curve of that name: not the branches over penetration.
+bool is_over_time(const std::string& curve_name);
+
 // Each throws std::invalid_argument for curves whose x does not increase strictly or whose numbers are not
 // finite, for numbers of curves beyond 1 to highest_curve_id, and the last for more or less than one curve.
 

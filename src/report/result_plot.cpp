@@ -1,0 +1,88 @@
+#include "dashpad/report/result_plot.hpp"
+
+#include <fmt/format.h>
+
+#include "dashpad/io/case_text.hpp"
+#include "dashpad/version.hpp"
+#include "io/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+Axis axis(const char* meaning, const char* si_unit, const UnitSystem& units) {
+  Axis of;
+  of.label = fmt::format("{} ({})", meaning, shown_unit(unit_for(units, si_unit)));
+  return of;
+}
+
+std::vector<double> in(const UnitSystem& units, std::vector<double> values, const char* si_unit) {
+  const double factor = value_in(units, 1, si_unit);
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+Series line(std::string label, std::vector<double> x, std::vector<double> y) {
+  Series series;
+  series.label = std::move(label);
+  series.style = SeriesStyle::solid_line;
+  series.x = std::move(x);
+  series.y = std::move(y);
+  return series;
+}
+
+/// Acceleration away from the pad in g, the window of HIC15 and the 3 ms level.
+Panel acceleration_panel(const History& history, const std::optional<InjuryFigures>& injury,
+                         const UnitSystem& units) {
+  Panel panel{"Acceleration", axis("Time", "s", units), {}, {}};
+  panel.y.label = "Acceleration away from the pad (g)";
+  panel.y.low = 0;
+  std::vector<double> deceleration;
+  for (const double value : history.acceleration) deceleration.push_back(-value / standard_gravity);
+  if (injury) {
+    Series window;
+    window.label = fmt::format("HIC15 {}", significant(injury->hic15.value));
+    window.style = SeriesStyle::band;
+    window.turn = 0;
+    window.x = in(units, {injury->hic15.begin, injury->hic15.end}, "s");
+    window.y = {0, 0};
+    const double top = injury->peak.magnitude / standard_gravity;
+    window.y2 = {top, top};
+    panel.series.push_back(window);
+    Series level;
+    level.label = fmt::format("3 ms: {} g", significant(injury->contiguous_3ms.level / standard_gravity));
+    level.style = SeriesStyle::horizontal_line;
+    level.y = {injury->contiguous_3ms.level / standard_gravity};
+    panel.series.push_back(level);
+  }
+  panel.series.push_back(line("acceleration", in(units, history.time, "s"), std::move(deceleration)));
+  panel.series.back().turn = 0;
+  return panel;
+}
+
+Panel loop_panel(const History& history, const UnitSystem& units) {
+  Panel panel{
+      "Force over motion and penetration", axis("Distance", "m", units), axis("Force", "N", units), {}};
+  panel.x.low = panel.y.low = 0;
+  panel.series.push_back(
+      line("over the motion of the impactor", in(units, history.motion, "m"), in(units, history.force, "N")));
+  panel.series.push_back(line("over the penetration of the pad", in(units, history.penetration, "m"),
+                              in(units, history.force, "N")));
+  return panel;
+}
+
+}  // namespace
+
+Plot result_plot(const ImpactCase& impact, const Solution& solution,
+                 const std::optional<InjuryFigures>& injury, const UnitSystem& units) {
+  std::string source = fmt::format("dashpad {}", version());
+  for (const std::string& reason : solution.summary.extrapolations)
+    source += "; EXTRAPOLATED: " + one_line(reason);
+  if (solution.summary.bottomed) source += "; BOTTOMED";
+  if (!solution.summary.trustworthy()) source += "; TOLERANCE NOT MET";
+  return {impact.title.empty() ? "Impact" : impact.title,
+          {acceleration_panel(solution.history, injury, units), loop_panel(solution.history, units)},
+          source};
+}
+
+}  // namespace dashpad
