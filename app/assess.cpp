@@ -37,8 +37,8 @@ Several variants may follow the name, each after a colon. dashpad standards list
 
 Verdicts: pass where the value with its estimated error is within every limit, fail where a value without its
 error is above one, undecided where a limit lies within the error or the computation ended too early. A pass
-is "with reservations" where the result is EXTRAPOLATED, BOTTOMED, INCOMPLETE or misses its tolerance, where a
-value of the standard is UNVERIFIED, or where you REPLACED one.
+is "with reservations" where the result is EXTRAPOLATED, BOTTOMED, INCOMPLETE or misses its tolerance, where
+the material has an UNKNOWN RANGE, where a value of the standard is UNVERIFIED, or where you REPLACED one.
 It is a computation with one rigid sphere on a flat pad: no test to the standard, no certification.
 
 Exit codes: 0 pass, also with reservations; 4 fail; 3 undecided, or the result misses the tolerance; 1 a
@@ -154,7 +154,7 @@ void write_results(const Request& request, const AssessmentReport& report) {
 int run_assessment(const Request& request, const Folders& folders) {
   const Input input = read_and_check(request, folders);
   const Solution solution = solve(input.assessed, input.given.options);
-  const Assessment assessment = assess(input.standard, solution);
+  const Assessment assessment = assess(input.standard, input.assessed, solution);
   write_results(request, {input.standard, input.given.impact, input.assessed, solution, assessment});
   if (!solution.summary.trustworthy() || assessment.verdict == Verdict::undecided) return exit_not_trusted;
   return assessment.verdict == Verdict::pass ? int{exit_done} : exit_not_passed;

@@ -22,18 +22,20 @@ namespace {
 constexpr const char* footer = R"(Examples:
   dashpad pulse drop.csv                                  columns and units from the header
   dashpad pulse drop.csv --time 1 --acceleration 3 --time-unit ms --acceleration-unit g
-  dashpad pulse head.csv --resultant --filter CFC1000     x, y and z combined, then filtered
+  dashpad pulse head.csv --resultant --filter CFC1000     x, y and z each filtered, then combined
   dashpad pulse test.zip --list                           the channels of a test in ISO-MME
   dashpad pulse test.zip --channel "11HEAD0000??AC?A" --resultant --picture head.svg
   dashpad run examples/dashboard-20mph.toml --csv - > run.csv && dashpad pulse run.csv
 
 FILE is a table (CSV: commas, semicolons, tabs or blanks), or a test in ISO-MME: its folder, its .mme file, or
 a zip or tar of it. Units are taken from the file or from you and never guessed; g is standard gravity. What
-had to be repaired is a REMARK; a gap, text, or a time that goes back is refused. docs/pulses.md has the rules.
+had to be repaired is a REMARK; a gap, text, or a time that goes back is refused; --bridge-gaps takes straight
+lines where times are missing. docs/pulses.md has the rules.
 
 Figures: the peak; HIC15, HIC36, HIC with any window, and those of --window; HIC(d); the 3 ms clip, in one
 stretch and in all; Gadd's severity index; the time above 80, 150 and 200 g, or the levels of --dwell; the
-change of velocity. They are of the pulse as it is, or as --filter makes it. A filter needs even samples:
+change of velocity. They are of the pulse as it is, or as --filter makes it. The directions of a resultant are
+each filtered, then combined. A filter needs even samples:
 --resample "0.1 ms" makes them so, by straight lines.
 
 Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file
@@ -58,12 +60,10 @@ MeasuredPulse read(const PulseRequest& request, bool is_test) {
 }
 
 /// Resampled and filtered as asked for.
-Pulse processed(const Pulse& measured, const PulseSettings& settings,
+Pulse processed(const MeasuredPulse& measured, const PulseSettings& settings,
                 const std::optional<PulseFilter>& filter) {
   try {
-    Pulse pulse = settings.interval ? resampled(measured, *settings.interval) : measured;
-    return filter ? cfc_filtered(pulse, filter->channel_frequency_class, filter->corner, filter->ends)
-                  : pulse;
+    return processed_pulse(measured, settings.interval, filter);
   } catch (const std::invalid_argument& error) {
     const char* advice =
         filter && !settings.interval ? "; --resample INTERVAL makes samples of another interval" : "";
@@ -90,7 +90,10 @@ PulseReport report_on(const PulseRequest& request) {
     for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
   }
   if (!wrong.empty()) throw Refused(std::move(wrong));
-  report.pulse = processed(report.measured.pulse, settings, report.filter);
+  report.pulse = processed(report.measured, settings, report.filter);
+  if (report.filter)
+    if (auto remark = sampled_too_slowly(report.measured, settings.interval, *report.filter))
+      report.measured.remarks.push_back(std::move(*remark));
   report.figures = injury_figures(report.pulse);
   for (const double window : settings.windows) report.windows.push_back({window, hic(report.pulse, window)});
   for (const double level : settings.levels)

@@ -72,6 +72,7 @@ std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test)
     const std::string rule = "is for tables; a test in ISO-MME has channels, see --list and --channel";
     say(!request.table.time.empty(), "--time", rule);
     say(!request.table.acceleration.empty(), "--acceleration", rule);
+    say(request.table.bridge_gaps, "--bridge-gaps", "is for tables; a test in ISO-MME has even times");
     say(!request.table.time_unit.empty(), "--time-unit", "is for tables; in ISO-MME times are in s");
   } else {
     say(!request.channel.empty(), "--channel", "is for ISO-MME; a table has columns, see --acceleration");
@@ -94,7 +95,11 @@ void add_source_options(CLI::App& sub, PulseRequest& request) {
   sub.add_option("--acceleration-unit", request.table.acceleration_unit,
                  "Unit of the acceleration, such as g or m/s2")
       ->type_name("UNIT");
-  sub.add_flag("--resultant", request.resultant, "Combine two or three directions: sqrt(x^2 + y^2 + z^2)")
+  sub.add_flag("--resultant", request.resultant,
+               "Combine two or three directions, each filtered before: sqrt(x^2 + y^2 + z^2)")
+      ->disable_flag_override();
+  sub.add_flag("--bridge-gaps", request.table.bridge_gaps,
+               "Take a straight line where the times tell that samples are missing")
       ->disable_flag_override();
   sub.add_option("--channel", request.channel,
                  "Channel of an ISO-MME test: its number, or its code with ? for any character")

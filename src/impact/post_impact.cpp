@@ -1,5 +1,6 @@
 #include "dashpad/impact/post_impact.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -23,7 +24,7 @@ double share(double mass, double other) { return std::isinf(mass) ? 1 : mass / (
 
 /// Eqs. 1 and 2 as changes of velocity: each body takes (1 + sqrt(C)) of the speed of approach, times the
 /// other's share of the mass.
-PostImpact post_impact(Body first, Body second, double absorbed_fraction) {
+PostImpact post_impact(Body first, Body second, double absorbed_fraction, double error) {
   check(first, "first");
   check(second, "second");
   if (std::isinf(first.mass) && std::isinf(second.mass))
@@ -32,6 +33,7 @@ PostImpact post_impact(Body first, Body second, double absorbed_fraction) {
     throw std::invalid_argument("post impact: the bodies do not approach");
   if (!(absorbed_fraction >= 0 && absorbed_fraction <= 1))
     throw std::invalid_argument("post impact: the absorbed fraction is not in [0, 1]");
+  if (!(error >= 0)) throw std::invalid_argument("post impact: the error is negative");
 
   const double first_share = share(first.mass, second.mass);
   const double second_share = share(second.mass, first.mass);
@@ -45,6 +47,14 @@ PostImpact post_impact(Body first, Body second, double absorbed_fraction) {
   after.first_velocity = first.velocity - (1 + after.restitution) * second_share * approach;
   after.second_velocity = second.velocity + (1 + after.restitution) * first_share * approach;
   after.available_energy = reduced_mass * approach * approach / 2;
+
+  // sqrt is steepest below C.
+  after.errors.restitution = after.restitution - std::sqrt(std::max(0.0, after.energy_coefficient - error));
+  if (after.energy_coefficient < error)
+    after.errors.restitution =
+        std::max(after.restitution, std::sqrt(after.energy_coefficient + error) - after.restitution);
+  after.errors.first_velocity = after.errors.restitution * second_share * approach;
+  after.errors.second_velocity = after.errors.restitution * first_share * approach;
   return after;
 }
 

@@ -60,7 +60,8 @@ Refinement refine(const ImpactCase& impact, const Options& options, Track& track
       impact.pad.material.law);
 }
 
-std::vector<std::string> extrapolations(const Pad& pad, const Summary& summary) {
+std::vector<std::string> extrapolations(const ImpactCase& impact, const Summary& summary) {
+  const Pad& pad = impact.pad;
   std::vector<std::string> reasons;
   if (const auto& fitted = pad.material.fitted) {
     if (summary.peak_strain > fitted->highest_strain)
@@ -81,6 +82,11 @@ std::vector<std::string> extrapolations(const Pad& pad, const Summary& summary) 
                             summary.peak_strain_rate, 1 / law.residual_strain_time));
       },
       pad.material.law);
+  // A linear support has one point, which only says its slope.
+  const auto& points = impact.support.points();
+  if (points.size() > 1 && summary.peak_force && *summary.peak_force > points.back().force)
+    reasons.push_back(fmt::format("the support's force reaches {:.4g} N; its curve ends at {:.4g} N",
+                                  *summary.peak_force, points.back().force));
   return reasons;
 }
 
@@ -127,7 +133,7 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement) {
   }
   s.energy = ledger_of(impactor, figures);
   s.energy_absorbed_fraction = 1 - (s.energy.kinetic + s.energy.support) / s.energy.initial;
-  s.extrapolations = extrapolations(impact.pad, s);
+  s.extrapolations = extrapolations(impact, s);
   s.extrapolated = !s.extrapolations.empty();
   s.errors = refinement.errors();
   s.stations = figures.stations;

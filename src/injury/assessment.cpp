@@ -4,36 +4,30 @@
 #include <stdexcept>
 #include <utility>
 
+#include "dashpad/impact/flags.hpp"
 #include "dashpad/injury/dwell.hpp"
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/injury/standard.hpp"
+#include "injury/thinned.hpp"
 
 namespace dashpad {
 
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Estimate {
   double value = 0;
   double error = 0;  ///< absolute
 };
 
-/// Every second sample, both ends kept.
-Pulse thinned(const Pulse& pulse) {
-  Pulse half;
-  const std::size_t last = pulse.time.size() - 1;
-  for (std::size_t i = 0; i <= last; i += i + 1 == last ? 1 : 2) {
-    half.time.push_back(pulse.time[i]);
-    half.acceleration.push_back(pulse.acceleration[i]);
-  }
-  return half;
-}
-
 /// The time above a level, with what the errors of force and time and the steps of the history make of it. An
 /// error of the force moves the pulse against the level; where the pulse is as flat as that, the time is
-/// open.
+/// open. Unknown where one of them is.
 Estimate dwell(const Solution& solution, const InjuryFigures& figures, double level) {
   const Pulse pulse = pulse_of(solution.history);
   const double time = cumulative_dwell(pulse, level);
+  if (pulse.time.size() < fewest_to_compare || !std::isfinite(figures.errors.peak)) return {time, infinity};
   const double shift = figures.errors.peak * level;
   const double shorter = cumulative_dwell(pulse, level + shift);
   const double longer = cumulative_dwell(pulse, std::max(level - shift, 0.0));
@@ -69,7 +63,6 @@ bool has_no_finite_force(const Summary& summary) { return !summary.peak_force.ha
 bool is_complete(const Summary& summary) { return summary.release.has_value(); }
 
 CriterionResult failed_without_value(const Criterion& criterion) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   return {.criterion = criterion,
           .value = {},
           .error = 0,
@@ -82,15 +75,19 @@ CriterionResult failed_without_value(const Criterion& criterion) {
 
 /// A comparison with a number that is not one is false: then nothing is decided.
 Verdict verdict_of(const CriterionResult& result) {
-  if (*result.value - result.error > result.criterion.limit) return Verdict::fail;
-  if (*result.value + result.error <= result.criterion.limit && !result.lower_bound) return Verdict::pass;
+  const Criterion& of = result.criterion;
+  const double lowest = *result.value - result.error;
+  const double highest = *result.value + result.error;
+  if (of.strict ? lowest >= of.limit : lowest > of.limit) return Verdict::fail;
+  const bool within = of.strict ? highest < of.limit : highest <= of.limit;
+  if (within && !result.lower_bound) return Verdict::pass;
   return Verdict::undecided;
 }
 
 std::string reason_of(const CriterionResult& result) {
   if (result.verdict != Verdict::undecided) return "";
-  return result.lower_bound ? "the impact was not computed to its end: the value can only grow"
-                            : "the limit lies within the error estimate";
+  if (result.lower_bound) return "the impact was not computed to its end: the value can only grow";
+  return std::isfinite(result.error) ? "the limit lies within the error estimate" : "the error is unknown";
 }
 
 CriterionResult judge(const Criterion& criterion, const Solution& solution, const InjuryFigures& figures) {
@@ -120,19 +117,19 @@ Verdict overall(const std::vector<CriterionResult>& results) {
   return any(Verdict::undecided) ? Verdict::undecided : Verdict::pass;
 }
 
+/// An end at the time limit is one of several that leave a result incomplete.
 void add_reservations_about(const Summary& summary, std::vector<std::string>& reservations) {
-  if (!summary.trustworthy())
-    reservations.emplace_back("TOLERANCE NOT MET: the errors may be larger than estimated");
-  if (summary.bottomed)
-    reservations.emplace_back(
-        has_no_finite_force(summary)
-            ? "BOTTOMED: on its rigid support, so that the force has no finite value"
-            : "BOTTOMED: while the pad was fully compressed, only the support gave way");
-  for (const std::string& reason : summary.extrapolations) reservations.push_back("EXTRAPOLATED: " + reason);
-  if (summary.extrapolated && summary.extrapolations.empty())
-    reservations.emplace_back("EXTRAPOLATED: outside the range in which the material was fitted");
+  for (const Flag& flag : flags(summary))
+    if (flag.name != "TIME LIMIT") reservations.push_back(flag.text);
   if (!is_complete(summary) && !has_no_finite_force(summary))
     reservations.emplace_back("INCOMPLETE: the computation ended while the impactor was still on the pad");
+}
+
+/// Without a range no result can be called extrapolated: that is no sign that none is.
+void add_reservations_about(const Material& material, std::vector<std::string>& reservations) {
+  if (material.fitted) return;
+  const std::string where = material.name == "in line" ? "case" : "card";
+  reservations.push_back("UNKNOWN RANGE: the " + where + " does not say where its law was fitted");
 }
 
 std::string limit_of(const Criterion& criterion) {
@@ -175,7 +172,7 @@ std::string to_string(const Assessment& assessment) {
   return to_string(assessment.verdict) + (assessment.unqualified() ? "" : ", with reservations");
 }
 
-Assessment assess(const Standard& standard, const Solution& solution) {
+Assessment assess(const Standard& standard, const ImpactCase& impact, const Solution& solution) {
   if (standard.criteria.empty()) throw std::invalid_argument("assess: a standard without criteria");
   if (solution.summary.status == Status::not_run) throw std::invalid_argument("assess: nothing was computed");
   const InjuryFigures figures = injury_figures(solution);
@@ -184,6 +181,7 @@ Assessment assess(const Standard& standard, const Solution& solution) {
     assessment.results.push_back(judge(criterion, solution, figures));
   assessment.verdict = overall(assessment.results);
   add_reservations_about(solution.summary, assessment.reservations);
+  add_reservations_about(impact.pad.material, assessment.reservations);
   add_reservations_about(standard, assessment.reservations);
   return assessment;
 }

@@ -52,8 +52,8 @@ class Window {
 
  private:
   [[nodiscard]] double at(double time, std::size_t piece) const {
-    const Corner& from = line_[piece];
-    const Corner& to = line_[piece + 1];
+    const LinePoint& from = line_[piece];
+    const LinePoint& to = line_[piece + 1];
     if (!(to.time > from.time)) return to.value;
     return std::lerp(from.value, to.value, std::clamp((time - from.time) / (to.time - from.time), 0.0, 1.0));
   }
@@ -124,7 +124,8 @@ Clip cumulative_clip(const Pulse& pulse, double duration) {
   };
 
   std::vector<double> levels(line.size());
-  std::transform(line.begin(), line.end(), levels.begin(), [](const Corner& corner) { return corner.value; });
+  std::transform(line.begin(), line.end(), levels.begin(),
+                 [](const LinePoint& corner) { return corner.value; });
   std::sort(levels.begin(), levels.end());
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   const auto above =

@@ -1,8 +1,10 @@
 #include "dashpad/injury/figures.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "dashpad/injury/severity_index.hpp"
+#include "injury/thinned.hpp"
 
 namespace dashpad {
 
@@ -10,15 +12,9 @@ namespace {
 
 constexpr double three_milliseconds = 3e-3;
 
-/// Every second sample, both ends kept.
-Pulse thinned(const Pulse& pulse) {
-  Pulse half;
-  const std::size_t last = pulse.time.size() - 1;
-  for (std::size_t i = 0; i <= last; i += i + 1 == last ? 1 : 2) {
-    half.time.push_back(pulse.time[i]);
-    half.acceleration.push_back(pulse.acceleration[i]);
-  }
-  return half;
+InjuryFigures::Errors all_unknown() {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  return {unknown, unknown, unknown, unknown, unknown, unknown, unknown, unknown, unknown};
 }
 
 double deviation(double value, double coarser) {
@@ -47,7 +43,8 @@ Pulse pulse_of(const History& history) { return {history.time, history.accelerat
 /// A chord differs from the curve by the square of the step: with half the samples the deviation is four
 /// times as large, and a third of the difference is what the full history misses. All of the difference is
 /// taken, for steps are uneven and the force has kinks. The solver's own error enters as the force's, to the
-/// power that it has in the figure.
+/// power that it has in the figure. A history too short for a comparison leaves the errors unknown, but for
+/// the peak, which is the solver's.
 InjuryFigures injury_figures(const Solution& solution) {
   const Pulse pulse = pulse_of(solution.history);
   InjuryFigures figures = injury_figures(pulse);
@@ -55,9 +52,13 @@ InjuryFigures injury_figures(const Solution& solution) {
   const Summary& summary = solution.summary;
   if (summary.peak_acceleration && summary.time_of_peak_force)
     figures.peak = {*summary.peak_acceleration, *summary.time_of_peak_force};
-  if (pulse.time.size() < 4) return figures;
-  const InjuryFigures coarser = injury_figures(thinned(pulse));
   const double force = summary.errors.peak_force;
+  if (pulse.time.size() < fewest_to_compare) {
+    figures.errors = all_unknown();
+    figures.errors.peak = force;
+    return figures;
+  }
+  const InjuryFigures coarser = injury_figures(thinned(pulse));
   const auto error = [force](double value, double coarse, double power) {
     return deviation(value, coarse) + power * force;
   };

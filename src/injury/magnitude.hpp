@@ -10,12 +10,12 @@
 
 namespace dashpad {
 
-struct Corner {
+struct LinePoint {
   double time = 0;   ///< s
   double value = 0;  ///< |a|, m/s2
 };
 
-using Magnitude = std::vector<Corner>;
+using Magnitude = std::vector<LinePoint>;
 
 /// The samples, and a corner at zero wherever a changes its sign between two of them. Times do not decrease;
 /// a zero may round onto the sample beside it.
@@ -37,7 +37,7 @@ inline Magnitude magnitude_of(const Pulse& pulse) {
 }
 
 /// When the piece between two corners passes a level that lies between their values.
-inline double passing(const Corner& from, const Corner& to, double level) {
+inline double passing(const LinePoint& from, const LinePoint& to, double level) {
   return std::lerp(from.time, to.time, (level - from.value) / (to.value - from.value));
 }
 

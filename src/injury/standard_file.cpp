@@ -99,6 +99,7 @@ Criterion read_criterion(TableReader table) {
   } else {
     for (const char* key : {"limit", "limit_g", "level_g"}) table.has(key);  // right or wrong: who knows
   }
+  criterion.strict = table.has("strict") && read_yes_or_no(table, "strict");
   criterion.description = table.text("description");
   criterion.origin = read_origin(table);
   table.refuse_others();
@@ -214,6 +215,8 @@ fs::path find_standard(const std::string& name, const fs::path& folder) {
   const std::vector<std::string> names = names_of(files);
   const auto found = std::ranges::find(names, name);
   if (found != names.end()) return files[static_cast<std::size_t>(found - names.begin())];
+  if (name.find('/') != std::string::npos)
+    throw InputError({Fault{name, 0, "", "", "no such standard: a path must end in .toml"}});
   throw InputError({Fault{name, 0, "", "",
                           "no such standard in " + folder.string() +
                               (names.empty() ? ", which has none" : ", which has " + listing(names)) +

@@ -51,7 +51,7 @@ EvenTimes times_of(const MmeLabels& labels, std::size_t count, MeasurementFaults
   return {*first, *interval};
 }
 
-/// Adds one channel to the result: its values, or its squares to come to a resultant.
+/// Adds one channel to the result: its values, or a direction of a resultant.
 class Combiner {
  public:
   Combiner(const MmeTestFiles& test, const IsoMmeOptions& options, MeasuredPulse& result)
@@ -87,14 +87,17 @@ class Combiner {
       times_ = times;
       for (std::size_t i = 0; i < values.size(); ++i)
         pulse.time.push_back(times.first + times.interval * static_cast<double>(i));
-      pulse.acceleration.resize(values.size());
     }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      double& sum = pulse.acceleration[i];
-      const double value = values[i] * column.factor;
-      sum = result_.resultant ? std::hypot(sum, value) : value;
-      if (!std::isfinite(sum)) faults.refuse(0, "", "", "holds a value that is too large to compute with");
+    std::vector<double> scaled(values.size());
+    std::ranges::transform(values, scaled.begin(), [&](double value) { return value * column.factor; });
+    if (result_.resultant) {
+      result_.components.push_back(std::move(scaled));
+      pulse.acceleration = resultant_of(result_.components);
+    } else {
+      pulse.acceleration = std::move(scaled);
     }
+    if (!std::ranges::all_of(pulse.acceleration, [](double value) { return std::isfinite(value); }))
+      faults.refuse(0, "", "", "holds a value that is too large to compute with");
     result_.acceleration.push_back(column);
   }
 

@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include <fmt/format.h>
 
 #include "io/pulse_csv_columns.hpp"
 #include "io/pulse_csv_rows.hpp"
+#include "io/pulse_gaps.hpp"
 
 namespace dashpad {
 
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+constexpr std::size_t most_gap_remarks = 20;
 
 /// What was met on the way through the numbers.
 struct Findings {
@@ -33,6 +36,7 @@ class NumberReader {
       : separator_(separator), width_(columns.all.size()), faults_(faults) {
     columns_.push_back(columns.time);
     columns_.insert(columns_.end(), columns.acceleration.begin(), columns.acceleration.end());
+    if (columns.acceleration.size() > 1) components.resize(columns.acceleration.size());
   }
 
   void add(const CsvRow& row) {
@@ -49,6 +53,8 @@ class NumberReader {
   }
 
   Pulse pulse;
+  std::vector<std::vector<double>> components;  ///< of a resultant
+  std::vector<std::uint32_t> lines;             ///< of the samples
   Findings findings;
 
  private:
@@ -119,6 +125,8 @@ class NumberReader {
     latest_ = sample;
     pulse.time.push_back(time);
     pulse.acceleration.push_back(value);
+    lines.push_back(static_cast<std::uint32_t>(row.line));  // a file has fewer bytes than that
+    for (std::size_t i = 0; i < components.size(); ++i) components[i].push_back(sample[i + 1]);
   }
 
   char separator_;
@@ -181,9 +189,40 @@ std::vector<std::string> remarks_on(const Findings& findings, const CsvRows& row
   if (findings.decimal_comma > 0) remarks.emplace_back("decimal commas were read as points");
   if (findings.empty_columns > 0) remarks.emplace_back("empty columns at the end were left out");
   if (findings.repeated_samples > 0)
-    remarks.push_back(fmt::format("{} that repeat the one before were left out, the first in line {}",
-                                  plural(findings.repeated_samples, "sample"), findings.first_repeated));
+    remarks.push_back(
+        findings.repeated_samples == 1
+            ? fmt::format("1 sample that repeats the one before was left out, in line {}",
+                          findings.first_repeated)
+            : fmt::format("{} samples that repeat the one before were left out, the first in line {}",
+                          findings.repeated_samples, findings.first_repeated));
+  if (const std::size_t count = rows.comments_among_numbers(); count > 0)
+    remarks.push_back(count == 1 ? fmt::format("1 line that begins with # among the numbers was left out, in "
+                                               "line {}",
+                                               rows.first_comment_among_numbers())
+                                 : fmt::format("{} lines that begin with # among the numbers were left out, "
+                                               "the first in line {}",
+                                               count, rows.first_comment_among_numbers()));
   return remarks;
+}
+
+/// Faults for the gaps between the times or, if they are to be bridged, remarks.
+void judge_gaps(const NumberReader& numbers, const MeasuredColumn& time, bool bridge,
+                MeasurementFaults& faults, std::vector<std::string>& remarks) {
+  const PulseGaps gaps = find_gaps(numbers.pulse.time);
+  const auto words = [&](const PulseGap& gap) {
+    return fmt::format("between lines {} and {} {:.6g} ms are missing", numbers.lines[gap.after],
+                       numbers.lines[gap.after + 1], 1e3 * gap.length);
+  };
+  if (!bridge)
+    for (const PulseGap& gap : gaps.all)
+      faults.add(numbers.lines[gap.after + 1], time.name, "",
+                 fmt::format("{}, where samples are {:.6g} ms apart; --bridge-gaps takes a straight line",
+                             words(gap), 1e3 * gaps.usual_step));
+  for (std::size_t i = 0; i < std::min(gaps.all.size(), most_gap_remarks); ++i)
+    remarks.push_back(words(gaps.all[i]) + "; a straight line was taken");
+  if (gaps.all.size() > most_gap_remarks)
+    remarks.push_back(fmt::format("{} more gaps between the times; straight lines were taken",
+                                  gaps.all.size() - most_gap_remarks));
 }
 
 }  // namespace
@@ -201,14 +240,22 @@ MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOp
   CsvRows rows(table.text, table.separator);
   CsvRow row;
   while (rows.next(row))
-    if (row.line >= table.header.first_line) numbers.add(row);
+    if (row.line >= table.header.first_line) {
+      rows.begin_numbers();
+      numbers.add(row);
+    }
   const std::size_t count = numbers.pulse.time.size();
   if (faults.none() && count < 2) faults.add(0, "", "", "has one sample only; a pulse needs two");
+  faults.throw_if_any();
+  std::vector<std::string> bridged;
+  judge_gaps(numbers, table.columns.time, options.bridge_gaps, faults, bridged);
   faults.throw_if_any();
 
   for (std::string& remark : remarks_on(numbers.findings, rows, table.has_mark))
     result.remarks.push_back(std::move(remark));
+  for (std::string& remark : bridged) result.remarks.push_back(std::move(remark));
   result.pulse = std::move(numbers.pulse);
+  result.components = std::move(numbers.components);
   result.time = table.columns.time;
   result.acceleration = table.columns.acceleration;
   return result;

@@ -111,6 +111,18 @@ Columns those_that_look_like(ColumnKind kind, const Columns& all) {
   return found;
 }
 
+/// What is said about columns that are called as wanted but have a unit that is not of this kind.
+std::string units_of_namesakes(ColumnKind kind, const Columns& all) {
+  std::string text;
+  for (const MeasuredColumn& column : all)
+    if (!column.unit.empty() && !is_pulse_unit(ColumnKind::time, column.unit) &&
+        !is_pulse_unit(ColumnKind::acceleration, column.unit) &&
+        looks_like(kind, MeasuredColumn{.name = split_header(column.name).name}))
+      text += fmt::format("; the unit \"{}\" of column {} is not one of {}", column.unit, column.number,
+                          kind == ColumnKind::time ? "time" : "acceleration");
+  return text;
+}
+
 /// The columns of one kind: as named, else as the header tells.
 Columns chosen(const CsvColumns& columns, ColumnKind kind, const std::vector<std::string>& names,
                std::size_t most, MeasurementFaults& faults) {
@@ -126,8 +138,8 @@ Columns chosen(const CsvColumns& columns, ColumnKind kind, const std::vector<std
   found = those_that_look_like(kind, columns.all);
   if (found.empty())
     faults.add(line, "", "",
-               fmt::format("no column is recognized as the {}; name it with {}: {}", word, option,
-                           listing(columns.all)));
+               fmt::format("no column is recognized as the {}; name it with {}: {}{}", word, option,
+                           listing(columns.all), units_of_namesakes(kind, columns.all)));
   if (found.size() > most) {
     faults.add(
         line, "", "",

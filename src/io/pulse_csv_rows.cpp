@@ -29,6 +29,7 @@ bool CsvRows::next(CsvRow& row) {
                                     ? content.size()
                                     : content.find_first_not_of('#'));
       comment_line_ = lines_.number();
+      if (numbers_ && comments_among_numbers_++ == 0) first_comment_among_numbers_ = comment_line_;
       continue;
     }
     row.line = lines_.number();

@@ -32,6 +32,10 @@ class CsvRows {
   /// The latest comment so far, without #; and its line.
   [[nodiscard]] std::string_view comment() const { return comment_; }
   [[nodiscard]] std::size_t comment_line() const { return comment_line_; }
+  /// Comments from now on are those among the numbers.
+  void begin_numbers() { numbers_ = true; }
+  [[nodiscard]] std::size_t comments_among_numbers() const { return comments_among_numbers_; }
+  [[nodiscard]] std::size_t first_comment_among_numbers() const { return first_comment_among_numbers_; }
 
  private:
   void split(std::string_view line, CsvRow& row);
@@ -42,6 +46,8 @@ class CsvRows {
   std::size_t blank_lines_ = 0, pending_blank_lines_ = 0;
   std::string_view comment_;
   std::size_t comment_line_ = 0;
+  bool numbers_ = false;
+  std::size_t comments_among_numbers_ = 0, first_comment_among_numbers_ = 0;
   std::deque<std::string> unquoted_;
 };
 

@@ -17,8 +17,9 @@ namespace dashpad {
 namespace {
 
 constexpr std::array<std::string_view, 6> times{"s", "ms", "us", "µs", "sec", "msec"};
-constexpr std::array<std::string_view, 12> accelerations{
-    "g", "G", "gn", "m/s2", "m/s^2", "m/s²", "m/s**2", "mm/s2", "mm/s^2", "ft/s2", "ft/s^2", "in/s2"};
+constexpr std::array<std::string_view, 18> accelerations{
+    "g",     "G",      "gn",      "m/s2",   "m/s^2", "m/s²",   "m/s**2", "mm/s2",  "mm/s^2",
+    "mm/s²", "mm/ms2", "mm/ms^2", "mm/ms²", "ft/s2", "ft/s^2", "in/s2",  "in/s^2", "in/s²"};
 constexpr std::array<std::string_view, 9> other_names_of_g{"g",  "G",   "gs",  "Gs", "g's",
                                                            "gn", "g_n", "g_0", "g0"};
 
@@ -81,6 +82,15 @@ bool begins_with_word(const std::string& name, std::initializer_list<std::string
     const char after = name.size() > word.size() ? name[word.size()] : ' ';
     return !(after >= 'a' && after <= 'z');
   });
+}
+
+/// The end of a header that looks like a unit but is none that is known: "mm_per_fortnight2". Else "".
+std::string unknown_unit(const std::string& header) {
+  const auto at = header.find_first_of("_ ,");
+  if (at == std::string::npos) return "";
+  const std::string end(without_blanks(std::string_view(header).substr(at + 1)));
+  const auto holds = [&](std::string_view sign) { return end.find(sign) != std::string::npos; };
+  return holds("_per_") || holds("/") || holds("^") || holds("²") ? end : "";
 }
 
 }  // namespace
@@ -148,6 +158,10 @@ bool looks_like(ColumnKind kind, const MeasuredColumn& column) {
 std::string settle_unit(MeasuredColumn& column, ColumnKind kind, const std::string& given,
                         const std::string& option) {
   const std::string unit = given.empty() ? column.unit : given;
+  if (const std::string unknown = unknown_unit(column.name); unit.empty() && !unknown.empty())
+    return fmt::format("the {} needs a unit; \"{}\" in the header is not one that is known: give {} {}",
+                       words_for(kind), unknown, option,
+                       kind == ColumnKind::time ? "s, ms, ..." : "g, m/s2, ...");
   if (unit.empty())
     return fmt::format("the {} needs a unit; none is in the header: give {} {}", words_for(kind), option,
                        kind == ColumnKind::time ? "s, ms, ..." : "g, m/s2, ...");

@@ -12,6 +12,17 @@ namespace {
 /// Five whole digits or more, but not so many that an exponent is easier to read.
 bool is_long(double value) { return std::abs(value) >= 9999.95 && std::abs(value) < 1e9; }
 
+/// Bytes of a UTF-8 character at the start of `text` that a terminal obeys instead of showing it: the C1
+/// controls, line separators, and what changes the direction of writing. 0 if there is none.
+std::size_t unseen(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0; };
+  if (byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) < 0xa0) return 2;
+  if (byte(0) != 0xe2) return 0;
+  if (byte(1) == 0x80 && (byte(2) == 0x8e || byte(2) == 0x8f || (byte(2) >= 0xa8 && byte(2) <= 0xae)))
+    return 3;
+  return byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9 ? 3 : 0;
+}
+
 }  // namespace
 
 std::string significant(double value) {
@@ -45,10 +56,18 @@ std::string shown_unit(const std::string& unit) {
 }
 
 std::string one_line(std::string_view text) {
-  std::string line{text};
-  std::ranges::replace_if(
-      line, [](char character) { return static_cast<unsigned char>(character) < 0x20 || character == 0x7f; },
-      ' ');
+  std::string line;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (byte < 0x20 || byte == 0x7f) {
+      line += ' ';
+    } else if (const std::size_t length = unseen(text.substr(i))) {
+      line += ' ';
+      i += length - 1;
+    } else {
+      line += text[i];
+    }
+  }
   return line;
 }
 

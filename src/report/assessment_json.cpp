@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "dashpad/report/result_json.hpp"
 #include "dashpad/report/assessment_text.hpp"
+#include "dashpad/report/result_json.hpp"
 
 namespace dashpad {
 
@@ -61,7 +61,9 @@ Json criterion(const CriterionResult& result) {
   entry["error"] = result.value ? number(shown(result.error, metric)) : Json(nullptr);
   entry["lower_bound"] = result.lower_bound;
   entry["limit"] = number(shown(of.limit, metric));
+  entry["strict"] = of.strict;
   entry["margin"] = number(shown(result.margin, metric));
+  entry["margin_is_upper_bound"] = result.lower_bound;
   entry["margin_fraction"] = number(result.relative_margin);
   entry["verdict"] = to_string(result.verdict);
   entry["reason"] = result.reason;

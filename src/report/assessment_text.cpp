@@ -59,7 +59,7 @@ std::string entry_text(const NamedValue& entry, const UnitSystem& units) {
 }
 
 std::string criterion_text(const Criterion& criterion, const UnitSystem& units) {
-  return fmt::format("    {}: at most {}; {}\n", title_of(criterion),
+  return fmt::format("    {}: {} {}; {}\n", title_of(criterion), criterion.strict ? "below" : "at most",
                      shown(criterion.limit, facts(criterion.metric).unit, units),
                      one_line(criterion.description)) +
          origin_text(criterion.origin);
@@ -73,13 +73,30 @@ std::string variant_text(const StandardVariant& variant, const UnitSystem& units
   return text;
 }
 
+std::string variants_text(const Standard& standard, const UnitSystem& units) {
+  std::string text;
+  for (const StandardVariant& variant : standard.variants) text += variant_text(variant, units);
+  return text;
+}
+
+/// Those that are in force are part of the impactor; of the others the names are enough.
+std::string other_variants_text(const Standard& standard) {
+  std::string names;
+  for (const StandardVariant& variant : standard.variants)
+    if (std::ranges::find(standard.chosen, variant.name) == standard.chosen.end())
+      names += (names.empty() ? "" : ", ") + one_line(variant.name);
+  return names.empty() ? "" : "\n  Not in force: " + names + "\n";
+}
+
 bool is_unverified(const std::optional<StandardValue>& value) { return value && !value->origin.verified; }
 
+/// Of the values in force. Where no variant was chosen all may still be.
 std::size_t count_unverified(const Standard& standard) {
   const auto bad_value = [](const NamedValue& entry) { return !entry.value->origin.verified; };
   const auto bad_limit = [](const Criterion& criterion) { return !criterion.origin.verified; };
   auto count = static_cast<std::size_t>(std::ranges::count_if(values_of(standard), bad_value) +
                                         std::ranges::count_if(standard.criteria, bad_limit));
+  if (!standard.chosen.empty()) return count;
   for (const StandardVariant& variant : standard.variants)
     count += static_cast<std::size_t>(is_unverified(variant.mass)) +
              static_cast<std::size_t>(is_unverified(variant.radius)) +
@@ -124,12 +141,12 @@ std::string replaced_text(const AssessmentReport& report, const UnitSystem& unit
          fmt::format("Kept from the case: {}pad, support, solver.\n", kept);
 }
 
-/// The sign is there always: a margin of a failed criterion is negative.
+/// The sign is there always: a margin of a failed criterion is negative. Of a lower bound it can only shrink.
 std::string margin_text(const CriterionResult& result, const UnitSystem& units) {
   if (!result.value) return "none";
   const std::string margin = shown(result.margin, facts(result.criterion.metric).unit, units);
-  return fmt::format("{} ({:+.1f} %)", margin.starts_with('-') ? margin : "+" + margin,
-                     100 * result.relative_margin);
+  return fmt::format("{}{} ({:+.1f} %)", result.lower_bound ? "< " : "",
+                     margin.starts_with('-') ? margin : "+" + margin, 100 * result.relative_margin);
 }
 
 std::string error_text(const CriterionResult& result, const UnitSystem& units) {
@@ -143,10 +160,11 @@ std::string error_text(const CriterionResult& result, const UnitSystem& units) {
 std::string row(const CriterionResult& result, const UnitSystem& units) {
   const std::string unit = facts(result.criterion.metric).unit;
   const std::string value = result.value ? shown(*result.value, unit, units) : "none";
-  std::string line = fmt::format("  {:<26}{:>13} {:<12}{:>9}  {:<24}{}", title_of(result.criterion),
-                                 (result.lower_bound ? "> " : "") + value, error_text(result, units),
-                                 shown(result.criterion.limit, unit, units), margin_text(result, units),
-                                 to_string(result.verdict));
+  std::string line =
+      fmt::format("  {:<26}{:>13} {:<12}{:>9}  {:<24}{}", title_of(result.criterion),
+                  (result.lower_bound ? "> " : "") + value, error_text(result, units),
+                  (result.criterion.strict ? "< " : "") + shown(result.criterion.limit, unit, units),
+                  margin_text(result, units), to_string(result.verdict));
   if (!result.reason.empty()) line += ": " + result.reason;
   return line + "\n";
 }
@@ -193,7 +211,7 @@ std::string standard_text(const Standard& standard, const UnitSystem& units) {
   for (const NamedValue& entry : values_of(standard)) text += entry_text(entry, units);
   text += "\n  Criteria\n";
   for (const Criterion& criterion : standard.criteria) text += criterion_text(criterion, units);
-  for (const StandardVariant& variant : standard.variants) text += variant_text(variant, units);
+  text += standard.chosen.empty() ? variants_text(standard, units) : other_variants_text(standard);
   return text + "\n" + assessment_caveat() + "\n";
 }
 

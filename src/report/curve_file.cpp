@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/impact/flags.hpp"
 #include "dashpad/io/case_text.hpp"
 #include "dashpad/report/exports.hpp"
 #include "io/text.hpp"
@@ -56,34 +57,24 @@ FileCurve file_curve(const std::string& name, const Solution& solution,
   return of;
 }
 
-std::string milliseconds(double seconds) { return brief(1e3 * seconds) + " ms"; }
+/// What a flag means for the curves.
+std::string consequence(const Flag& flag, const Summary& summary) {
+  if (flag.name == "TOLERANCE NOT MET")
+    return std::string("; do not rely on these curves") +
+           (summary.release ? "" : ", which end before the impact does");
+  if (flag.name == "TIME LIMIT" || (flag.name == "BOTTOMED" && !summary.peak_force))
+    return "; the curves end there";
+  if (flag.name == "BOTTOMED")
+    return "; what the force does meanwhile belongs to the support and is not in the curves over penetration";
+  return "";
+}
 
 }  // namespace
 
 std::vector<std::string> flags_of(const Summary& summary) {
-  std::vector<std::string> flags;
-  if (summary.status == Status::not_run)
-    flags.emplace_back("NOT RUN: nothing was computed");
-  else if (!summary.trustworthy())
-    flags.push_back(fmt::format("TOLERANCE NOT MET: asked for {}; do not rely on these curves{}",
-                                percentage(summary.tolerance),
-                                summary.release ? "" : ", which end before the impact does"));
-  if (summary.status == Status::time_limit)
-    flags.emplace_back("TIME LIMIT: the curves end while the impactor is still on the pad");
-  if (summary.bottomed && summary.status == Status::bottomed_out)
-    flags.push_back(
-        fmt::format("BOTTOMED at {}: the pad is fully compressed on a rigid support, the force has no "
-                    "bound there, and the curves end",
-                    milliseconds(summary.bottomed->time)));
-  else if (summary.bottomed)
-    flags.push_back(
-        fmt::format("BOTTOMED at {}: the pad is fully compressed for a while; what the force does "
-                    "meanwhile belongs to the support and is not in the curves over penetration",
-                    milliseconds(summary.bottomed->time)));
-  for (const std::string& reason : summary.extrapolations) flags.push_back("EXTRAPOLATED: " + reason);
-  if (summary.extrapolated && summary.extrapolations.empty())
-    flags.emplace_back("EXTRAPOLATED: outside the range in which the material was fitted");
-  return flags;
+  std::vector<std::string> lines;
+  for (const Flag& flag : flags(summary)) lines.push_back(flag.text + consequence(flag, summary));
+  return lines;
 }
 
 CurveFile curve_file(const ImpactCase& impact, const Solution& solution,

@@ -27,7 +27,7 @@ std::string ls_dyna_text(const CurveFile& file) {
   for (const std::string& line : heading(file)) text += comment("$", line, width);
   text +=
       comment("$", "LS-DYNA resamples a curve at LCINT equal steps (*CONTROL_SOLUTION; 100 unless told).");
-  text += "*TITLE\n" + plain_ascii("Dashpad: " + file.title).substr(0, width) + "\n";
+  text += plain_ascii("$ Dashpad: " + file.title).substr(0, width) + "\n";
   int id = checked_first_id(file);
   for (const FileCurve& of : file.curves) {
     text += "$\n" + comment("$", fmt::format("{}, curve {}: {}", of.curve.name, id, of.remark), width);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "dashpad/impact/flags.hpp"
 #include "dashpad/io/case_text.hpp"
 #include "dashpad/version.hpp"
 #include "io/text.hpp"
@@ -15,7 +16,8 @@ namespace dashpad {
 namespace {
 
 PostImpact motion_after(const Body& first, const Body& second, const Solution& solution) {
-  return post_impact(first, second, std::clamp(solution.summary.energy_absorbed_fraction, 0.0, 1.0));
+  return post_impact(first, second, std::clamp(solution.summary.energy_absorbed_fraction, 0.0, 1.0),
+                     solution.summary.errors.energy_absorbed);
 }
 
 std::string share(const char* what, double energy, double impact, const UnitSystem& units) {
@@ -64,14 +66,14 @@ std::string post_impact_text(const Body& first, const Body& second, const Impact
       "motion towards each other.\n\n",
       shown(first.mass, "kg"), shown(first.velocity, "m/s"), other, shown(second.velocity, "m/s"),
       shown(impact.impactor.mass, "kg"), shown(impact.impactor.speed, "m/s"));
-  if (!solution.summary.trustworthy()) text += "TOLERANCE NOT MET: do not rely on these figures\n";
-  for (const std::string& reason : solution.summary.extrapolations)
-    text += "EXTRAPOLATED: " + one_line(reason) + "\n";
-  if (solution.summary.bottomed) text += "BOTTOMED: the pad was fully compressed for a while\n";
+  for (const Flag& flag : flags(solution.summary)) text += one_line(flag.text) + "\n";
   const double error = solution.summary.errors.energy_absorbed;
-  text += fmt::format("  Velocity of the impactor after   {}\n", shown(after.first_velocity, "m/s"));
-  text += fmt::format("  Velocity of the other after      {}\n", shown(after.second_velocity, "m/s"));
-  text += fmt::format("  Ratio of the speeds, sqrt(C)     {}\n", significant(after.restitution));
+  text += fmt::format("  Velocity of the impactor after   {} ± {}\n", shown(after.first_velocity, "m/s"),
+                      shown(after.errors.first_velocity, "m/s"));
+  text += fmt::format("  Velocity of the other after      {} ± {}\n", shown(after.second_velocity, "m/s"),
+                      shown(after.errors.second_velocity, "m/s"));
+  text += fmt::format("  Ratio of the speeds, sqrt(C)     {} ± {:.2g}\n", significant(after.restitution),
+                      after.errors.restitution);
   text += fmt::format("  C of the report's Eqs. 1 to 3    {} ± {} of the energy\n",
                       significant(after.energy_coefficient), percentage(error));
   text +=
@@ -101,12 +103,15 @@ std::string post_impact_json(const Body& first, const Body& second, const Impact
       {"bodies",
        {{{"mass_kg", number(first.mass)},
          {"velocity_m_per_s", number(first.velocity)},
-         {"velocity_after_m_per_s", number(after.first_velocity)}},
+         {"velocity_after_m_per_s", number(after.first_velocity)},
+         {"velocity_after_error_m_per_s", number(after.errors.first_velocity)}},
         {{"mass_kg", number(second.mass)},
          {"velocity_m_per_s", number(second.velocity)},
-         {"velocity_after_m_per_s", number(after.second_velocity)}}}},
+         {"velocity_after_m_per_s", number(after.second_velocity)},
+         {"velocity_after_error_m_per_s", number(after.errors.second_velocity)}}}},
       {"energy_coefficient_C", number(after.energy_coefficient)},
       {"restitution_sqrt_C", number(after.restitution)},
+      {"restitution_error", number(after.errors.restitution)},
       {"absorbed_fraction_error", number(summary.errors.energy_absorbed)},
       {"available_energy_J", number(after.available_energy)},
       {"at_peak_force",

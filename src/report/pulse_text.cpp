@@ -14,9 +14,14 @@ namespace {
 
 double in_g(double acceleration) { return acceleration / standard_gravity; }
 
+/// 0 for what is 0 up to rounding, compared with a stretch of the pulse.
+double without_rounding(double time, double length) { return std::abs(time) < 1e-9 * length ? 0 : time; }
+
 /// "from 12.3 to 27.3 ms".
 std::string stretch(double begin, double end, const UnitSystem& units) {
-  return fmt::format("from {} to {}", brief(value_in(units, begin, "s")), brief_quantity(end, "s", units));
+  const double length = end - begin;
+  return fmt::format("from {} to {}", brief(value_in(units, without_rounding(begin, length), "s")),
+                     brief_quantity(without_rounding(end, length), "s", units));
 }
 
 std::string row(const std::string& label, const std::string& value, const std::string& unit, double error,
@@ -55,7 +60,9 @@ std::string source(const PulseReport& report, const UnitSystem& units) {
   text += fmt::format("  time          {}\n", origin(measured.time, "s"));
   for (const MeasuredColumn& column : measured.acceleration)
     text += fmt::format("  acceleration  {}\n", origin(column, "m/s2"));
-  if (measured.resultant) text += fmt::format("  resultant of {} directions\n", measured.acceleration.size());
+  if (measured.resultant)
+    text += fmt::format("  resultant of {} directions{}\n", measured.acceleration.size(),
+                        report.filter ? ", each filtered, then combined" : "");
   text += fmt::format("  {} samples {}\n", pulse.time.size(),
                       stretch(pulse.time.front(), pulse.time.back(), units));
   if (report.resampled_to)
@@ -75,8 +82,9 @@ std::string filter_words(const PulseFilter& filter) {
 
 std::string injury_text(const InjuryFigures& figures, const UnitSystem& units) {
   const auto& errors = figures.errors;
+  const double longest = figures.hic_unlimited.end - figures.hic_unlimited.begin;
   std::string text = row("Peak acceleration", significant(in_g(figures.peak.magnitude)), "g", errors.peak,
-                         "at " + brief_quantity(figures.peak.time, "s", units));
+                         "at " + brief_quantity(without_rounding(figures.peak.time, longest), "s", units));
   text += hic_row("HIC15", figures.hic15, errors.hic15, units);
   text += hic_row("HIC36", figures.hic36, errors.hic36, units);
   text += hic_row("HIC, any window", figures.hic_unlimited, errors.hic_unlimited, units);

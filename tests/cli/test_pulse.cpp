@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
+#include <random>
 
 #include "command.hpp"
 
@@ -128,6 +130,122 @@ TEST_F(PulseTest, ReadsTheHistoryOfARun) {
   const Outcome outcome = pulse({file("run.csv")});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("acceleration_g in g (from the file)"));
+}
+
+/// All examples: the steps of some grow to 14 times their median, and that is no gap.
+TEST_F(PulseTest, HistoriesOfRunsHaveNoGaps) {
+  for (const auto& entry : fs::directory_iterator(DASHPAD_SOURCE_DIR "/examples")) {
+    if (entry.path().extension() != ".toml") continue;
+    SCOPED_TRACE(entry.path());
+    dashpad({"run", entry.path().string(), "--csv", file("run.csv"), "--force"});
+    const Outcome outcome = pulse({file("run.csv")});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, Not(HasSubstr("REMARK")));
+  }
+}
+
+TEST_F(PulseTest, ReadsExportsInEveryConsistentSystem) {
+  std::vector<double> peaks;
+  for (const std::string system : {"kg-m-s", "kg-mm-ms", "t-mm-s", "lbf-s2/in-in-s"}) {
+    SCOPED_TRACE(system);
+    ASSERT_EQ(dashpad({"export", case_file(), "--format", "csv", "--curves", "acceleration", "--system",
+                       system, "--out", file("curve.csv"), "--force"})
+                  .exit_code,
+              0);
+    const Outcome outcome = pulse({file("curve.csv"), "--json", "-"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    peaks.push_back(json::parse(outcome.out).at("figures").at("peak").at("acceleration_g").get<double>());
+    EXPECT_NEAR(peaks.back(), peaks.front(), 1e-9 * peaks.front());
+  }
+  EXPECT_GT(peaks.front(), 10);
+}
+
+/// A half sine of 60 g and 20 ms in x, at 10 kHz, and noise of 20 g in all directions. The length of noise
+/// has a mean, which no filter takes away: combined before the filter, HIC15 comes out far too high.
+TEST_F(PulseTest, DirectionsAreFilteredBeforeTheyAreCombined) {
+  std::mt19937 random(1984);
+  const auto noise =
+      [&] {  // -20 to 20 g; the distributions of the standard library are not the same everywhere
+        return 40 * (static_cast<double>(random()) / 4294967296.0 - 0.5);
+      };
+  std::string clean = "t_ms,a_g\n", noisy = "t_ms,ax_g,ay_g,az_g\n", combined = "t_ms,a_g\n";
+  for (int i = 0; i <= 600; ++i) {
+    const double x = i < 200 || i > 400 ? 0 : 60 * std::sin(std::acos(-1) * (i - 200) / 200);
+    const std::array<double, 3> a{x + noise(), noise(), noise()};
+    const std::string time = std::to_string(0.1 * i) + ",";
+    clean += time + std::to_string(x) + "\n";
+    noisy += time + std::to_string(a[0]) + "," + std::to_string(a[1]) + "," + std::to_string(a[2]) + "\n";
+    combined += time + std::to_string(std::hypot(a[0], a[1], a[2])) + "\n";
+  }
+  const auto hic15 = [&](const std::string& text, const std::vector<std::string>& more) {
+    write_file(file("p.csv"), text);
+    std::vector<std::string> arguments{file("p.csv"), "--filter", "CFC180", "--json", "-"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = pulse(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("each filtered, then combined") != std::string::npos, !more.empty());
+    return json::parse(outcome.out).at("figures").at("hic15").at("value").get<double>();
+  };
+  const double truth = hic15(clean, {}), wrong = hic15(combined, {});
+  const double filtered_first = hic15(noisy, {"--resultant"});
+  EXPECT_NEAR(filtered_first, truth, 0.05 * truth);
+  EXPECT_GT(wrong, filtered_first + 0.1 * truth);
+}
+
+/// A vibration of half the sampling frequency in both directions: nothing is left of it. Its resultant is
+/// constant, and would pass.
+TEST_F(PulseTest, FiltersTheDirectionsOfATest) {
+  for (const std::string name : {"1", "2"}) {
+    std::string text = channel(name == "1" ? "11HEAD0000H3ACXA" : "11HEAD0000H3ACYA", "");
+    text.erase(text.find("samples :200\n") + 13);
+    for (int i = 0; i < 200; ++i) text += i % 2 == 0 ? "30\n" : "-30\n";
+    write_file(file("test/Channel/v1.00" + name), text);
+  }
+  const auto speed = [&](const std::string& filter) {
+    std::vector<std::string> arguments{file("test"), "--resultant", "--json", "-"};
+    if (!filter.empty()) arguments.insert(arguments.end(), {"--filter", filter, "--ends", "negated-before"});
+    const Outcome outcome = pulse(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(
+        outcome.err.find("resultant of 2 directions, each filtered, then combined\n") != std::string::npos,
+        !filter.empty());
+    return json::parse(outcome.out).at("figures").at("velocity_change_m_per_s").get<double>();
+  };
+  EXPECT_LT(speed("CFC180"), 0.3 * speed(""));
+}
+
+TEST_F(PulseTest, SaysThatSamplesAreTooFewForTheFilter) {
+  std::string text = "t_ms,a_g\n";
+  for (int i = 0; i < 50; ++i) text += std::to_string(0.8 * i) + ",1\n";
+  write_file(file("slow.csv"), text);
+  const auto remark = HasSubstr("REMARK: sampled at 1.25 kHz; CFC180 wants 1.8 kHz at least\n");
+  EXPECT_THAT(pulse({file("slow.csv"), "--filter", "CFC180"}).out, remark);
+  EXPECT_THAT(pulse({file("slow.csv"), "--filter", "CFC180", "--resample", "0.1 ms"}).out, remark);
+  EXPECT_THAT(pulse({file("slow.csv"), "--filter", "CFC60"}).out, Not(HasSubstr("REMARK")));
+  EXPECT_THAT(pulse({file("drop.csv"), "--filter", "CFC1000"}).out, Not(HasSubstr("REMARK")));
+  EXPECT_THAT(pulse({file("drop.csv"), "--filter", "CFC1000", "--resample", "0.2 ms"}).out,
+              HasSubstr("REMARK: sampled at 5 kHz; CFC1000 wants 10 kHz at least\n"));
+}
+
+TEST_F(PulseTest, BridgesGapsOnlyIfAsked) {
+  write_file(file("gap.csv"), "t_ms,a_g\n0,0\n1,1\n2,2\n3,3\n50,3\n51,2\n52,1\n");
+  EXPECT_THAT(
+      refused({file("gap.csv")}),
+      HasSubstr("gap.csv:6: t_ms: between lines 5 and 6 47 ms are missing, where samples are 1 ms apart; "
+                "--bridge-gaps takes a straight line"));
+  const Outcome outcome = pulse({file("gap.csv"), "--bridge-gaps"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              HasSubstr("REMARK: between lines 5 and 6 47 ms are missing; a straight line was taken\n"));
+  EXPECT_THAT(refused({file("test"), "--channel", "1", "--bridge-gaps"}),
+              HasSubstr("--bridge-gaps: is for tables"));
+}
+
+TEST_F(PulseTest, RoundingNoiseInTimesIsShownAsZero) {
+  write_file(file("noise.csv"), "t_ms,a_g\n7.3459e-16,100\n5,100\n10,100\n15,100\n");
+  const std::string text = pulse({file("noise.csv")}).out;
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("4 samples from 0 to 15 ms\n"), HasSubstr("at 0 ms\n"), Not(HasSubstr("e-1"))));
 }
 
 TEST_F(PulseTest, SaysWhatWasRepaired) {

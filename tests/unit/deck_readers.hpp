@@ -64,9 +64,7 @@ inline KeywordFile read_keywords(const std::string& text) {
     }
     ++card;
     const std::string& keyword = file.keywords.at(file.keywords.size() - 1);
-    if (keyword == "*TITLE" && card == 1) {
-      file.title = line;
-    } else if (keyword == "*DEFINE_CURVE_TITLE" && card == 1) {
+    if (keyword == "*DEFINE_CURVE_TITLE" && card == 1) {
       file.curves.back().title = line;
     } else if (keyword == "*DEFINE_CURVE_TITLE" && card == 2) {
       file.curves.back().id = static_cast<int>(field(line, 0, 10));

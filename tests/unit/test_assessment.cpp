@@ -70,6 +70,11 @@ Standard standard_with(std::vector<Criterion> criteria) {
   return standard;
 }
 
+/// Of a material that says where it was fitted.
+Assessment assess(const Standard& standard, const Solution& solution) {
+  return assess(standard, test::example_case(), solution);
+}
+
 Assessment assess_peak(double limit, const Solution& solution) {
   return assess(standard_with({criterion(Metric::peak, limit)}), solution);
 }
@@ -103,6 +108,31 @@ TEST(assessment, is_undecided_within_the_error) {
             Verdict::undecided);
   EXPECT_EQ(assess_peak(1000 * g, half_sine(std::numeric_limits<double>::infinity())).verdict,
             Verdict::undecided);
+}
+
+TEST(assessment, a_strict_limit_is_not_within_itself) {
+  const auto verdict = [](double limit, bool strict) {
+    Criterion of = criterion(Metric::peak, limit * g);
+    of.strict = strict;
+    return assess(standard_with({of}), half_sine(0)).verdict;
+  };
+  EXPECT_EQ(verdict(100, false), Verdict::pass);
+  EXPECT_EQ(verdict(100, true), Verdict::fail);
+  EXPECT_EQ(verdict(100.001, true), Verdict::pass);
+  EXPECT_EQ(verdict(99.999, true), Verdict::fail);
+}
+
+TEST(assessment, a_history_too_short_for_an_error_decides_nothing_but_the_peak) {
+  Solution solution = half_sine();
+  solution.history.time = {0, duration / 2, duration};
+  solution.history.acceleration = {0, -100 * g, 0};
+  for (const MetricFacts& metric : metrics()) {
+    const Assessment assessment = assess(standard_with({criterion(metric.metric, 1e30)}), solution);
+    const bool known = metric.metric == Metric::peak;
+    EXPECT_EQ(assessment.verdict, known ? Verdict::pass : Verdict::undecided) << metric.key;
+    EXPECT_EQ(std::isfinite(assessment.results[0].error), known) << metric.key;
+    EXPECT_EQ(assessment.results[0].reason, known ? "" : "the error is unknown") << metric.key;
+  }
 }
 
 TEST(assessment, values_are_those_of_the_pulse) {
@@ -153,6 +183,20 @@ TEST(assessment, an_extrapolated_result_is_no_unqualified_pass) {
   EXPECT_EQ(to_string(assessment), "pass, with reservations");
   EXPECT_THAT(assessment.reservations,
               ElementsAre("EXTRAPOLATED: strain too large", "EXTRAPOLATED: rate too large"));
+}
+
+TEST(assessment, an_unknown_range_is_no_unqualified_pass) {
+  const Standard standard = standard_with({criterion(Metric::peak, 200 * g)});
+  ImpactCase impact = test::example_case();
+  EXPECT_TRUE(assess(standard, impact, half_sine()).unqualified());
+  impact.pad.material.fitted.reset();
+  const Assessment assessment = assess(standard, impact, half_sine());
+  EXPECT_EQ(to_string(assessment), "pass, with reservations");
+  EXPECT_THAT(assessment.reservations,
+              ElementsAre("UNKNOWN RANGE: the card does not say where its law was fitted"));
+  impact.pad.material.name = "in line";
+  EXPECT_THAT(assess(standard, impact, half_sine()).reservations,
+              ElementsAre("UNKNOWN RANGE: the case does not say where its law was fitted"));
 }
 
 TEST(assessment, a_bottomed_result_is_no_unqualified_pass) {
@@ -249,7 +293,7 @@ struct Written {
 Written write(const Standard& standard, const Solution& solution) {
   const ImpactCase given = test::example_case();
   const ImpactCase assessed = with_impactor_of(standard, given);
-  const Assessment assessment = assess(standard, solution);
+  const Assessment assessment = assess(standard, assessed, solution);
   const AssessmentReport report{standard, given, assessed, solution, assessment};
   return {assessment_text(report, unit_systems().front()), assessment_json(report)};
 }
@@ -271,6 +315,35 @@ TEST(assessment_text, an_unqualified_pass_has_no_reservations) {
   const std::string text = write(standard_with({criterion(Metric::peak, 125 * g)}), half_sine()).text;
   EXPECT_THAT(text, AllOf(HasSubstr("+25 g (+20.0 %)"), HasSubstr("\nPASS\n"), Not(HasSubstr("reservation")),
                           HasSubstr("no certification")));
+}
+
+TEST(assessment_text, the_margin_of_a_lower_bound_is_an_upper_bound) {
+  Solution solution = half_sine();
+  solution.summary.status = Status::time_limit;
+  solution.summary.release.reset();
+  const Written open = write(standard_with({criterion(Metric::peak, 125 * g)}), solution);
+  EXPECT_THAT(open.text, AllOf(HasSubstr("> 100 g"), HasSubstr(" < +25 g (+20.0 %)")));
+  EXPECT_EQ(nlohmann::json::parse(open.json)["criteria"][0]["margin_is_upper_bound"], true);
+  const Written whole = write(standard_with({criterion(Metric::peak, 125 * g)}), half_sine());
+  EXPECT_THAT(whole.text, Not(HasSubstr("<")));
+  EXPECT_EQ(nlohmann::json::parse(whole.json)["criteria"][0]["margin_is_upper_bound"], false);
+}
+
+TEST(assessment_text, a_strict_limit_is_marked) {
+  Criterion of = criterion(Metric::peak, 125 * g);
+  of.strict = true;
+  const Written written = write(standard_with({of}), half_sine());
+  EXPECT_THAT(written.text, HasSubstr(" < 125 g "));
+  EXPECT_EQ(nlohmann::json::parse(written.json)["criteria"][0]["strict"], true);
+}
+
+TEST(assessment_text, an_error_that_nobody_knows_is_called_unknown) {
+  Solution solution = half_sine();
+  solution.history.time = {0, duration / 2, duration};
+  solution.history.acceleration = {0, -100 * g, 0};
+  const Written written = write(standard_with({criterion(Metric::hic36, 1000)}), solution);
+  EXPECT_THAT(written.text, HasSubstr("± unknown"));
+  EXPECT_EQ(nlohmann::json::parse(written.json)["criteria"][0]["error"], nullptr);
 }
 
 TEST(assessment_json, has_the_same_for_programs) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/figures.hpp"
@@ -52,6 +53,22 @@ TEST(InjuryFigures, TheVelocityChangeIsThatOfTheImpactor) {
   const Solution solution = solved(1e-5);
   const double change = -*solution.summary.rebound_speed - solution.history.velocity.front();
   EXPECT_NEAR(injury_figures(solution).velocity_change / change, 1, 1e-4);
+}
+
+/// Half of three samples leave nothing to compare with.
+TEST(InjuryFigures, OfAShortHistoryHaveUnknownErrors) {
+  Solution solution;
+  solution.history.time = {0, 0.005, 0.01};
+  solution.history.acceleration = {0, -980.665, 0};
+  solution.summary.errors.peak_force = 1e-3;
+  const InjuryFigures::Errors few = injury_figures(solution).errors;
+  EXPECT_EQ(few.peak, 1e-3);
+  for (const double error : {few.hic15, few.hic36, few.hic_unlimited, few.hic_d, few.contiguous_3ms,
+                             few.cumulative_3ms, few.severity_index, few.velocity_change})
+    EXPECT_EQ(error, std::numeric_limits<double>::infinity());
+  solution.history.time = {0, 0.0025, 0.005, 0.01};
+  solution.history.acceleration = {0, -490.3325, -980.665, 0};
+  EXPECT_TRUE(std::isfinite(injury_figures(solution).errors.hic15));
 }
 
 TEST(InjuryFigures, OfAPulseHaveNoErrors) {

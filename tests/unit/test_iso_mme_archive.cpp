@@ -97,6 +97,8 @@ TEST(iso_mme_archive, folder_file_zip_and_tar_are_the_same) {
       const MeasuredPulse resultant = read_iso_mme(file, {.channel = wanted, .resultant = true});
       EXPECT_THAT(resultant.pulse.acceleration, Pointwise(DoubleEq(), {g, 5 * g, 3 * g}));
       EXPECT_THAT(resultant.acceleration, SizeIs(3));
+      ASSERT_THAT(resultant.components, SizeIs(3));
+      EXPECT_THAT(resultant.components[0], Pointwise(DoubleEq(), {0.0, -3 * g, 2 * g}));
     }
   }
 }

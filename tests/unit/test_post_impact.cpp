@@ -3,6 +3,9 @@
 
 #include "dashpad/impact/post_impact.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -93,6 +96,22 @@ TEST(PostImpact, NamesWhatIsWrong) {
   EXPECT_EQ(message({1, 1}, {1, 1}, 0.5), "post impact: the bodies do not approach");
   for (const double absorbed : {-0.01, 1.01, nan})
     EXPECT_EQ(message({1, 1}, {1, 0}, absorbed), "post impact: the absorbed fraction is not in [0, 1]");
+}
+
+/// The velocities move by what the error makes of sqrt(C), within the linear range and at C = 0.
+TEST(PostImpact, TheErrorOfTheEnergyBecomesThatOfTheVelocities) {
+  const Body first{5, 3}, second{7, -1};
+  for (const double absorbed : {0.1, 0.5, 0.99, 1.0}) {
+    const double error = 1e-3;
+    const PostImpact now = post_impact(first, second, absorbed, error);
+    const PostImpact less = post_impact(first, second, std::min(1.0, absorbed + error));
+    EXPECT_GE(now.errors.first_velocity * (1 + 1e-9), std::abs(now.first_velocity - less.first_velocity));
+    EXPECT_GE(now.errors.second_velocity * (1 + 1e-9), std::abs(now.second_velocity - less.second_velocity));
+    EXPECT_GT(now.errors.restitution, 0) << absorbed;
+  }
+  EXPECT_NEAR(post_impact(first, second, 1, 1e-4).errors.restitution, 1e-2, 1e-12);
+  EXPECT_EQ(post_impact(first, second, 0.5).errors.restitution, 0);
+  EXPECT_THROW(post_impact(first, second, 0.5, -1), std::invalid_argument);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -72,7 +73,11 @@ const std::vector<Style> styles{
     {"Company;\nSampling rate;500\nTime [ms];Acc [g]\n0;1\n2;3\n", {}},
     {"\"Time, of day [ms]\",\"Acc \"\"x\"\" [g]\"\n\"0\",\"1\"\n2,3\n", {}},
     {"\"Time\n(ms)\",Acc (g)\n0,1\n2,3\n", {}},
-    {"# drop 7\nt_ms,a_g\n0,1\n# tea\n2,3\n", {}},
+    {"# drop 7\nt_ms,a_g\n0,1\n# tea\n2,3\n",
+     {"1 line that begins with # among the numbers was left out, in line 4"}},
+    {"t_ms,a_g\n0,1\n#1,2\n2,3\n# 3,4\n#\n",
+     {"3 lines that begin with # among the numbers were left out, the first in line 3"}},
+    {"t_ms,a_g\n0,1\n0,1\n2,3\n", {"1 sample that repeats the one before was left out, in line 3"}},
     {"  t_ms   a_g\n   0.0   1.0\n +2.0   3.0\n", {}},
     {"0,1\n2,3\n", {}, {.time = "1", .acceleration = {"2"}, .time_unit = "ms", .acceleration_unit = "g"}},
     {"a_g,t_ms,note\n1,0,begin\n3,2,end\n", {}},
@@ -139,7 +144,52 @@ TEST(pulse_csv, three_columns_come_to_a_resultant_each_with_its_unit) {
     EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {5 * g, g}));
     EXPECT_EQ(measured.acceleration.size(), 3U);
     EXPECT_TRUE(measured.resultant);
+    EXPECT_EQ(measured.components.size(), 3U);
   }
+  EXPECT_THAT(read(text, {.resultant = true}).components,
+              ElementsAre(ElementsAre(-3 * g, 0), ElementsAre(0, -9.80665), ElementsAre(4 * g, 0)));
+  EXPECT_TRUE(read(text, {.acceleration = {"ax"}}).components.empty());
+}
+
+/// A table with these times, in ms; the first is in line 2.
+std::string at_times(const std::vector<double>& times) {
+  std::string text = "t_ms,a_g\n";
+  for (const double time : times) text += std::to_string(time) + ",1\n";
+  return text;
+}
+
+TEST(pulse_csv, missing_rows_are_refused_unless_they_are_to_be_bridged) {
+  const std::string text = at_times({0, 1, 2, 3, 50, 51, 52});
+  EXPECT_EQ(
+      said(text),
+      ":6: t_ms: between lines 5 and 6 47 ms are missing, where samples are 1 ms apart; --bridge-gaps takes "
+      "a straight line");
+  const MeasuredPulse bridged = read(text, {.bridge_gaps = true});
+  EXPECT_THAT(bridged.remarks,
+              ElementsAre("between lines 5 and 6 47 ms are missing; a straight line was taken"));
+  EXPECT_EQ(bridged.pulse.time.size(), 7U);
+  EXPECT_THAT(
+      said(at_times({0, 1, 2, 3, 5, 6, 7, 9, 10})),
+      ::testing::AllOf(HasSubstr("lines 5 and 6 2 ms"), HasSubstr("\n:9: t_ms: between lines 8 and 9 2 ms")));
+}
+
+TEST(pulse_csv, a_gap_in_uneven_times_is_longer_than_all_around_it) {
+  EXPECT_THAT(said(at_times({0, 1, 1.5, 3, 3.6, 5, 30, 31, 31.5, 33})),
+              HasSubstr("between lines 7 and 8 25 ms"));
+  EXPECT_EQ(said(at_times({0, 1, 1.5, 3, 3.6, 5, 13, 14, 14.5, 16})), "");  // 8 ms: less than 10 times 1 ms
+}
+
+TEST(pulse_csv, steps_that_grow_rounded_times_and_two_rates_are_no_gaps) {
+  std::vector<double> growing{0}, rounded{0}, two_rates{0};
+  double step = 0.01;
+  for (int i = 0; i < 60; ++i) {
+    growing.push_back(growing.back() + step);
+    if (i > 40) step *= 1.5;
+    rounded.push_back(std::round(1.2 * (i + 1)));
+    two_rates.push_back(two_rates.back() + (i < 40 ? 1 : 5));
+  }
+  for (const auto& times : {growing, rounded, two_rates, {0, 1, 3}, {0, 1, 50}})
+    EXPECT_EQ(said(at_times(times)), "") << ::testing::PrintToString(times);
 }
 
 TEST(pulse_csv, lists_columns) {
@@ -169,6 +219,10 @@ const std::vector<Bad> bad_files{
     {"t_ms,a_g\n0,1\n2,3\n",
      "--acceleration-unit kg: an acceleration is needed",
      {.acceleration_unit = "kg"}},
+    {"time_ms,acceleration_furlong_per_ms2\n0,1\n2,3\n",
+     "needs a unit; \"furlong_per_ms2\" in the header is not one that is known"},
+    {"time [ms],acc [furlong]\n0,1\n2,3\n", "the unit \"furlong\" of column 2 is not one of acceleration"},
+    {"time [ms],acc [mm/fortnite2]\n0,1\n2,3\n", "unknown unit \"mm/fortnite2\""},
     {"t_ms,a_g\n0,1\n2,3\n", "--time-unit g: a time is needed", {.time_unit = "g"}},
     // Columns.
     {"t_ms,a_g,b_g\n0,1,2\n2,3,4\n",

@@ -117,5 +117,17 @@ TEST(status, has_a_name_for_each_ending) {
   EXPECT_FALSE(Summary{}.trustworthy());
 }
 
+TEST(solve, says_where_the_force_goes_beyond_the_support_curve) {
+  const double peak = *solve(sound).summary.peak_force;
+  ImpactCase impact = sound;
+  impact.support = Support::through({{0.1 * peak / 2e5, 0.1 * peak}, {0.2 * peak / 2e5, 0.2 * peak}});
+  const Summary beyond = solve(impact).summary;
+  EXPECT_TRUE(beyond.extrapolated);
+  ASSERT_EQ(beyond.extrapolations.size(), 1U);
+  EXPECT_NE(beyond.extrapolations[0].find("its curve ends at"), std::string::npos);
+  impact.support = Support::through({{peak / 2e5, peak}, {2 * peak / 2e5, 2 * peak}});
+  EXPECT_FALSE(solve(impact).summary.extrapolated);
+}
+
 }  // namespace
 }  // namespace dashpad::test

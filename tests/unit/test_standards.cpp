@@ -19,8 +19,10 @@
 namespace dashpad {
 namespace {
 
+using ::testing::AllOf;
 using testing::edited;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::filesystem::path folder = testing::source / "standards";
 constexpr double g = standard_gravity;
@@ -87,6 +89,33 @@ TEST(standards, unverified_values_warn) {
   }
 }
 
+/// With variants in force the others say nothing about the result.
+TEST(standards, unverified_values_of_variants_not_in_force_do_not_warn) {
+  Standard standard = preset("fmvss-201-instrument-panel");
+  StandardVariant doubtful{
+      .name = "doubtful", .title = "Not read", .mass = StandardValue{}, .radius = {}, .speed = {}};
+  standard.variants.push_back(doubtful);
+  const auto text = [](const Standard& of) { return standard_text(of, unit_systems().front()); };
+  EXPECT_THAT(text(standard), AllOf(HasSubstr("WARNING 1 value "), HasSubstr("Variant doubtful"),
+                                    HasSubstr("Variant air-bag")));
+  const std::string chosen = text(with_variants(standard, {"air-bag"}));
+  EXPECT_THAT(chosen, AllOf(Not(HasSubstr("WARNING")), Not(HasSubstr("UNVERIFIED")),
+                            Not(HasSubstr("Variant ")), HasSubstr("\n  Not in force: doubtful\n")));
+  EXPECT_THAT(text(with_variants(standard, {"doubtful"})), HasSubstr("WARNING 1 value "));
+  EXPECT_THAT(text(with_variants(standard, {"air-bag", "doubtful"})), Not(HasSubstr("Not in force")));
+}
+
+TEST(standards, below_a_limit_is_strict) {
+  for (const Standard& standard : all_presets())
+    for (const Criterion& criterion : standard.criteria) {
+      const bool below = criterion.description.find("below") != std::string::npos;
+      EXPECT_EQ(criterion.strict, below) << standard.name << ": " << criterion.description;
+      EXPECT_EQ(standard_text(standard, unit_systems().front()).find(": below ") != std::string::npos, below);
+    }
+  EXPECT_TRUE(preset("en-1078").criteria[0].strict);
+  EXPECT_TRUE(preset("fmvss-201u").criteria[0].strict);
+}
+
 TEST(standards, every_variant_can_be_chosen) {
   for (const Standard& standard : all_presets())
     for (const StandardVariant& variant : standard.variants)
@@ -104,12 +133,12 @@ struct Row {
 TEST(standards, presets_have_the_figures_of_their_sources) {
   const std::vector<Row> rows{
       {"fmvss-201-instrument-panel", 6.8, 0.0825, 24 * kmh, Metric::contiguous_3ms, 80 * g},
-      {"fmvss-201-instrument-panel:air-bag", 6.8, 0.0825, 19 * kmh, Metric::contiguous_3ms, 80 * g},
+      {"fmvss-201-instrument-panel:air-bag", 6.8, 0.0825, 19.3 * kmh, Metric::contiguous_3ms, 80 * g},
       {"fmvss-201-seat-back", 6.8, 0.0825, 24 * kmh, Metric::contiguous_3ms, 80 * g},
       {"fmvss-201u", 4.54, 0.08, 24 * kmh, Metric::hic_d, 1000},
       {"fmvss-201u:deployed", 4.54, 0.08, 19 * kmh, Metric::hic_d, 1000},
       {"ece-r21", 6.8, 0.0825, 24.1 * kmh, Metric::contiguous_3ms, 80 * g},
-      {"en-1078", 4.7, 0.091, 5.42, Metric::peak, 250 * g},
+      {"en-1078", 4.7, 0.091, 5.52, Metric::peak, 250 * g},
       {"en-1078:kerbstone:a", 3.1, 0.080, 16.5 * kmh, Metric::peak, 250 * g},
       {"cpsc-1203", 5, 0.091, 6.2, Metric::peak, 300 * g},
       {"cpsc-1203:hemispherical", 5, 0.048, 4.8, Metric::peak, 300 * g},
@@ -180,6 +209,7 @@ TEST(standards, unknown_names_and_variants_are_refused_with_those_there_are) {
   EXPECT_THAT(message_of([] { preset("en-1078:a:o"); }), HasSubstr("both set the mass"));
   EXPECT_THAT(message_of([] { preset("en-1078:a:a"); }), HasSubstr("both set the mass"));
   EXPECT_THROW(list_standards(folder / "none"), InputError);
+  EXPECT_THAT(message_of([] { preset("../standards/en-1177"); }), HasSubstr("a path must end in .toml"));
 }
 
 TEST(standards, the_impactor_takes_the_place_of_that_of_the_case) {
@@ -267,6 +297,12 @@ TEST(standard_faults, a_good_preset_has_none) {
   EXPECT_EQ(standard.name, "made-up");
   EXPECT_DOUBLE_EQ(*standard.speed.value, std::sqrt(2 * g));
   EXPECT_EQ(with_variants(standard, {"light"}).mass.value, 4);
+  EXPECT_FALSE(standard.criteria[0].strict);
+  for (const std::string value : {"true", "false"}) {
+    const std::string text = edited(good_preset, "limit =", "strict = " + value + "\nlimit =");
+    EXPECT_EQ(read_standard(temporary.write("strict-" + value + ".toml", text)).criteria[0].strict,
+              value == "true");
+  }
 }
 
 TEST(standard_faults, each_fault_is_named_with_line_key_and_rule) {
@@ -300,6 +336,9 @@ TEST(standard_faults, each_fault_is_named_with_line_key_and_rule) {
         {17, "criteria[1].level_g", "unknown key"},
         {18, "criteria[1].limit", "unknown key"}}},
       {"level_g = 150", "level_g = -1", {{17, "criteria[1].level_g", "must be more than 0"}}},
+      {"limit = \"4 ms\"",
+       "strict = 1\nlimit = \"4 ms\"",
+       {{18, "criteria[1].strict", "must be true or false"}}},
       {"\"4 ms\"", "4", {{18, "criteria[1].limit", "needs a unit"}}},
       {"description = \"short\"\n", "", {{15, "criteria[1].description", "is missing"}}},
       {"title = \"a light one\"\n", "", {{22, "variants.light.title", "is missing"}}},

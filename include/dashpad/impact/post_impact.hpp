@@ -22,11 +22,17 @@ struct PostImpact {
   double energy_coefficient = 0;  ///< C
   double restitution = 0;         ///< sqrt(C): the ratio of the speeds of separation and approach
   double available_energy = 0;    ///< J
+
+  /// What an error of the absorbed fraction makes of sqrt(C), V1' and V2', m/s: by difference, since it grows
+  /// without bound as C goes to 0.
+  struct Errors {
+    double restitution = 0, first_velocity = 0, second_velocity = 0;
+  } errors;
 };
 
-/// `absorbed_fraction` is 1 - C, in [0, 1]. Throws std::invalid_argument for another, for a mass that is not
-/// positive, two masses that are infinite, a velocity that is not finite, or bodies that do not approach
-/// (V1 <= V2).
-PostImpact post_impact(Body first, Body second, double absorbed_fraction);
+/// `absorbed_fraction` is 1 - C, in [0, 1], known to within `error`, >= 0. Throws std::invalid_argument for
+/// another, for a mass that is not positive, two masses that are infinite, a velocity that is not finite, or
+/// bodies that do not approach (V1 <= V2).
+PostImpact post_impact(Body first, Body second, double absorbed_fraction, double error = 0);
 
 }  // namespace dashpad

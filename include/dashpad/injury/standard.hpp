@@ -53,11 +53,12 @@ struct MetricFacts {
 const std::vector<MetricFacts>& metrics();
 const MetricFacts& facts(Metric metric);
 
-/// A limit: the value of the metric must be at most this.
+/// A limit: the value of the metric must be at most this, or below it.
 struct Criterion {
   Metric metric = Metric::peak;
-  double level = 0;  ///< m/s2; of dwell only
-  double limit = 0;  ///< in the unit of the metric
+  double level = 0;     ///< m/s2; of dwell only
+  double limit = 0;     ///< in the unit of the metric
+  bool strict = false;  ///< the value must be below the limit
   std::string description;
   Origin origin;
 };
@@ -108,8 +109,8 @@ struct CriterionResult {
   std::optional<double> value;  ///< absent where there is no finite one
   double error = 0;             ///< estimated, absolute, in the unit of the value
   bool lower_bound = false;     ///< the history ends before the impact does: the value can only grow
-  double margin = 0;            ///< limit - value; - infinity without a finite value
-  double relative_margin = 0;   ///< margin / limit
+  double margin = 0;  ///< limit - value, at most that for a lower bound; - infinity without a finite value
+  double relative_margin = 0;  ///< margin / limit
   Verdict verdict = Verdict::undecided;
   std::string reason;  ///< of a verdict that the numbers do not explain
 };
@@ -117,8 +118,9 @@ struct CriterionResult {
 struct Assessment {
   std::vector<CriterionResult> results;
   Verdict verdict = Verdict::undecided;
-  /// Why the verdict is not to be taken as it stands: the result misses its tolerance, is extrapolated,
-  /// bottomed out or is incomplete; a limit or value is unverified; a value of the standard was replaced.
+  /// Why the verdict is not to be taken as it stands: the result misses its tolerance, is extrapolated, or
+  /// nobody knows whether it is; it bottomed out or is incomplete; a limit or value is unverified; a value of
+  /// the standard was replaced.
   std::vector<std::string> reservations;
 
   [[nodiscard]] bool unqualified() const { return reservations.empty(); }
@@ -127,10 +129,11 @@ struct Assessment {
 /// "pass", "pass, with reservations", "fail", ...
 std::string to_string(const Assessment& assessment);
 
-/// Passes where every value with its error is within its limit; fails where one without its error is above;
-/// otherwise undecided. After bottoming on a rigid support metrics that follow the force fail, as it has no
-/// finite value; the others are lower bounds. Throws std::invalid_argument for a standard without criteria
-/// and a solution without a history.
-Assessment assess(const Standard& standard, const Solution& solution);
+/// Judges the solution of `impact`, the case with the impactor of the standard. Passes where every value with
+/// its error is within its limit; fails where one without its error is above; otherwise undecided. After
+/// bottoming on a rigid support metrics that follow the force fail, as it has no finite value; the others are
+/// lower bounds. Throws std::invalid_argument for a standard without criteria and a solution without a
+/// history.
+Assessment assess(const Standard& standard, const ImpactCase& impact, const Solution& solution);
 
 }  // namespace dashpad

@@ -18,13 +18,19 @@ struct MeasuredColumn {
 };
 
 struct MeasuredPulse {
-  Pulse pulse = {};
+  Pulse pulse = {};         ///< the resultant, if there is one
   std::string format = {};  ///< "CSV", "ISO-MME"
   MeasuredColumn time = {};
   std::vector<MeasuredColumn> acceleration = {};  ///< one, or the two or three of a resultant
   bool resultant = false;
+  /// The directions of a resultant, m/s2, at the times of the pulse; empty without. Filters are for these:
+  /// the resultant of noise has a mean, which no filter takes away.
+  std::vector<std::vector<double>> components = {};
   std::vector<std::string> remarks =
       {};  ///< repairs and readings that the user should know of, a sentence each
 };
+
+/// sqrt(x^2 + y^2 + z^2) at each time.
+std::vector<double> resultant_of(const std::vector<std::vector<double>>& components);
 
 }  // namespace dashpad

@@ -17,10 +17,12 @@ struct PulseCsvOptions {
   std::string time_unit = {};                  ///< empty: from the header
   std::string acceleration_unit = {};          ///< empty: from the header. g is standard gravity
   bool resultant = false;                      ///< combine two or three columns: sqrt(x^2 + y^2 + z^2)
+  bool bridge_gaps = false;                    ///< a straight line where samples are missing
 };
 
 /// Separated by commas, semicolons, tabs or blanks; with header rows or without; decimal commas where no
-/// comma separates. Units are never guessed. What is repaired is a remark; gaps, text, numbers that are not
+/// comma separates. Units are never guessed. What is repaired is a remark; gaps, in the
+/// rows and, unless they are to be bridged, in the times, text, numbers that are not
 /// finite, times that do not increase and choices that are not clear are faults: InputError with all of them,
 /// or the first 200. At most 1 GiB and 50 million samples.
 MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOptions& options);

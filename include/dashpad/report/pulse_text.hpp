@@ -44,6 +44,16 @@ struct PulseReport {
   std::vector<DwellTime> dwells;
 };
 
+/// Resampled and filtered as asked for; the directions of a resultant each by itself, then combined. Throws
+/// std::invalid_argument as resampled() and cfc_filtered() do.
+Pulse processed_pulse(const MeasuredPulse& measured, std::optional<double> interval,
+                      const std::optional<PulseFilter>& filter);
+
+/// A remark if the pulse was sampled at less than ten times the class of the filter, as it was measured or as
+/// it is resampled.
+std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std::optional<double> interval,
+                                              const PulseFilter& filter);
+
 /// Peak, HIC, clips, severity index and velocity change, a line each; with ± where there is an error
 /// estimate.
 std::string injury_text(const InjuryFigures& figures, const UnitSystem& units);

@@ -1,0 +1,24 @@
+#pragma once
+/// A pulse with half the samples: what their number leaves out shows in the difference.
+
+#include <cstddef>
+
+#include "dashpad/injury/pulse.hpp"
+
+namespace dashpad {
+
+/// With fewer samples nothing is left out, and a comparison says nothing.
+inline constexpr std::size_t fewest_to_compare = 4;
+
+/// Every second sample, both ends kept.
+inline Pulse thinned(const Pulse& pulse) {
+  Pulse half;
+  const std::size_t last = pulse.time.size() - 1;
+  for (std::size_t i = 0; i <= last; i += i + 1 == last ? 1 : 2) {
+    half.time.push_back(pulse.time[i]);
+    half.acceleration.push_back(pulse.acceleration[i]);
+  }
+  return half;
+}
+
+}  // namespace dashpad

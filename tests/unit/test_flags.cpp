@@ -1,0 +1,72 @@
+/// What a reader is told before relying on a result.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dashpad/impact/flags.hpp"
+#include "dashpad/report/post_impact_text.hpp"
+#include "example_result.hpp"
+
+namespace dashpad {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::vector<std::string> names(const Summary& summary) {
+  std::vector<std::string> all;
+  for (const Flag& flag : flags(summary)) {
+    EXPECT_THAT(flag.text, StartsWith(flag.name));
+    all.push_back(flag.name);
+  }
+  return all;
+}
+
+TEST(Flags, NameWhatIsNotToBeReliedOn) {
+  EXPECT_THAT(names({}), ElementsAre("NOT RUN"));
+  EXPECT_THAT(names(test::example_summary()), ElementsAre());
+  Summary summary = test::example_summary();
+  summary.status = Status::time_limit;
+  EXPECT_THAT(names(summary), ElementsAre("TIME LIMIT"));
+  summary.status = Status::tolerance_not_met;
+  summary.bottomed = Moment{.time = 0.005, .velocity = 1};
+  summary.extrapolated = true;
+  EXPECT_THAT(names(summary), ElementsAre("TOLERANCE NOT MET", "BOTTOMED", "EXTRAPOLATED"));
+  summary.extrapolations = {"one", "two"};
+  EXPECT_THAT(names(summary), ElementsAre("TOLERANCE NOT MET", "BOTTOMED", "EXTRAPOLATED", "EXTRAPOLATED"));
+  EXPECT_EQ(flags(summary)[3].text, "EXTRAPOLATED: two");
+}
+
+TEST(Flags, TellARigidSupportFromOneThatYields) {
+  Summary summary = test::example_summary();
+  summary.bottomed = Moment{.time = 0.005, .velocity = 1};
+  EXPECT_THAT(flags(summary)[0].text,
+              AllOf(StartsWith("BOTTOMED at 5 ms: "), HasSubstr("the support gave way")));
+  summary = test::bottomed_out_summary();
+  EXPECT_THAT(flags(summary)[0].text, HasSubstr("no finite value"));
+  summary.status = Status::tolerance_not_met;  // on the way there
+  EXPECT_THAT(flags(summary)[1].text, HasSubstr("no finite value"));
+}
+
+/// Also one without a reason in words, and the end of the time.
+TEST(Flags, ComeWithTheMotionAfterAnImpact) {
+  const ImpactCase impact = test::example_case();
+  Solution solution;
+  solution.history.force = {1};
+  solution.history.velocity = {1};
+  solution.summary = test::example_summary();
+  const auto text = [&] {
+    return post_impact_text({.mass = 4.5, .velocity = 8}, {.mass = 9, .velocity = 0}, impact, solution,
+                            unit_systems().front());
+  };
+  solution.summary.extrapolated = true;
+  EXPECT_THAT(text(), HasSubstr("\nEXTRAPOLATED: outside the range"));
+  solution.summary.extrapolations = {"strain\nis large"};
+  solution.summary.status = Status::time_limit;
+  EXPECT_THAT(text(), AllOf(HasSubstr("\nEXTRAPOLATED: strain is large\n"), HasSubstr("\nTIME LIMIT: ")));
+}
+
+}  // namespace
+}  // namespace dashpad

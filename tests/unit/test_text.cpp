@@ -1,0 +1,28 @@
+/// Foreign text on one line of a terminal.
+
+#include "io/text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace dashpad {
+namespace {
+
+TEST(OneLine, HasNoLineBreaksAndNoControls) {
+  EXPECT_EQ(one_line("a\nb\tc\x7f"), "a b c ");
+  EXPECT_EQ(one_line("esc\x1b[31m"), "esc [31m");
+}
+
+/// What a terminal obeys instead of showing it: C1 controls, separators, directions.
+TEST(OneLine, HasNoUnseenCharacters) {
+  EXPECT_EQ(one_line("a\u009bb"), "a b");
+  EXPECT_EQ(one_line("a\u2028b\u2029c"), "a b c");
+  EXPECT_EQ(one_line("a\u202eb\u2066c\u2069d\u200fe"), "a b c d e");
+}
+
+TEST(OneLine, KeepsEverythingElse) {
+  for (const char* text : {"Schaum, 30 mm, äöü", "泡沫", "a\u2013b \u00a0 \u2070", "\xff\xc2", "\xe2", ""})
+    EXPECT_EQ(one_line(text), text);
+}
+
+}  // namespace
+}  // namespace dashpad
