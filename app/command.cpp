@@ -1,5 +1,9 @@
 // What several subcommands share.
 
+#include <charconv>
+
+#include <fmt/format.h>
+
 #include "command.hpp"
 #include "dashpad/io/unit_system.hpp"
 #include "material_folder.hpp"
@@ -13,6 +17,18 @@ void add_units(CLI::App& app, std::string& units) {
   app.add_option("--units", units, "Units to show: si (default), us, or engineering-metric")
       ->check(CLI::IsMember(names))
       ->type_name("SYSTEM");
+}
+
+std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& wrong) {
+  if (!text) return std::nullopt;
+  constexpr double lowest = 1e-8, highest = 1e-2;
+  double value = 0;
+  const char* end = text->data() + text->size();
+  const auto [stop, error] = std::from_chars(text->data(), end, value);
+  if (error == std::errc{} && stop == end && value >= lowest && value <= highest) return value;
+  wrong.push_back(
+      fmt::format("--tolerance {}: must be a number from {} to {}, such as 1e-5", *text, lowest, highest));
+  return std::nullopt;
 }
 
 void add_material_folder(CLI::App& app, std::string& folder) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -37,6 +38,8 @@ void add_post_impact(CLI::App& app, Action& action, const std::filesystem::path&
 
 /// Adds --units; the help names the systems on offer.
 void add_units(CLI::App& app, std::string& units);
+/// The tolerance of --tolerance; absent where there is none, or where it is none and `wrong` is told so.
+std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& wrong);
 /// Adds --materials; the folder stays empty where the cards that came with the command are meant.
 void add_material_folder(CLI::App& app, std::string& folder);
 /// The folder that was chosen, or the one that came with the command.

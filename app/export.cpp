@@ -1,7 +1,6 @@
 // dashpad export: solves one case and writes its curves for another program's deck.
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -21,7 +20,6 @@ namespace dashpad {
 
 namespace {
 
-constexpr double lowest_tolerance = 1e-8, highest_tolerance = 1e-2;
 constexpr int most_points = 1'000'000;
 
 constexpr const char* footer = R"(Examples:
@@ -81,15 +79,6 @@ const Format& format_of(const Request& request) {
   return *std::ranges::find_if(formats, [&](const Format& format) { return request.format == format.name; });
 }
 
-/// Absent where the text is not a tolerance.
-std::optional<double> parse_tolerance(const std::string& text) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return value >= lowest_tolerance && value <= highest_tolerance ? std::optional{value} : std::nullopt;
-}
-
 std::vector<std::string> curves_of(const Request& request) {
   if (!request.curves.empty()) return request.curves;
   std::vector<std::string> names = curve_names();
@@ -124,10 +113,7 @@ std::vector<std::string> wrong_curves(const Request& request) {
 CaseFile read_and_check(const Request& request, const std::filesystem::path& materials) {
   std::vector<std::string> wrong = complaints({{"--out", request.out}}, request.case_file, request.force);
   for (std::string& line : wrong_curves(request)) wrong.push_back(std::move(line));
-  std::optional<double> tolerance;
-  if (request.tolerance && !(tolerance = parse_tolerance(*request.tolerance)))
-    wrong.push_back(fmt::format("--tolerance {}: must be a number from {} to {}, such as 1e-5",
-                                *request.tolerance, lowest_tolerance, highest_tolerance));
+  const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
   CaseFile input;
   try {
     input = read_case(request.case_file, materials);

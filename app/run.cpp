@@ -1,6 +1,5 @@
 // dashpad run: solves one case, shows the summary, writes result files.
 
-#include <charconv>
 #include <memory>
 #include <optional>
 
@@ -21,8 +20,6 @@
 namespace dashpad {
 
 namespace {
-
-constexpr double lowest_tolerance = 1e-8, highest_tolerance = 1e-2;
 
 constexpr const char* footer = R"(Examples:
   dashpad run examples/dashboard-20mph.toml
@@ -63,23 +60,11 @@ std::vector<Target> targets(const Request& request) {
   return wanted;
 }
 
-/// Absent where the text is not a tolerance.
-std::optional<double> parse_tolerance(const std::string& text) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return value >= lowest_tolerance && value <= highest_tolerance ? std::optional{value} : std::nullopt;
-}
-
 /// The case, with the command line's changes. Throws Refused with all that is wrong with both.
 CaseFile read_and_check(const Request& request, const std::filesystem::path& materials) {
   std::vector<std::string> wrong = complaints(targets(request), request.case_file, request.force);
   if (request.report && !has_page()) wrong.push_back(std::string{"--report: "} + no_page);
-  std::optional<double> tolerance;
-  if (request.tolerance && !(tolerance = parse_tolerance(*request.tolerance)))
-    wrong.push_back(fmt::format("--tolerance {}: must be a number from {} to {}, such as 1e-5",
-                                *request.tolerance, lowest_tolerance, highest_tolerance));
+  const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
   CaseFile input;
   try {
     input = read_case(request.case_file, materials);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/impact/flags.hpp"
 #include "dashpad/io/case_text.hpp"
 #include "dashpad/version.hpp"
 #include "io/text.hpp"
@@ -76,10 +77,7 @@ Panel loop_panel(const History& history, const UnitSystem& units) {
 Plot result_plot(const ImpactCase& impact, const Solution& solution,
                  const std::optional<InjuryFigures>& injury, const UnitSystem& units) {
   std::string source = fmt::format("dashpad {}", version());
-  for (const std::string& reason : solution.summary.extrapolations)
-    source += "; EXTRAPOLATED: " + one_line(reason);
-  if (solution.summary.bottomed) source += "; BOTTOMED";
-  if (!solution.summary.trustworthy()) source += "; TOLERANCE NOT MET";
+  for (const Flag& flag : flags(solution.summary)) source += "; " + one_line(flag.text);
   return {impact.title.empty() ? "Impact" : impact.title,
           {acceleration_panel(solution.history, injury, units), loop_panel(solution.history, units)},
           source};
