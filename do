@@ -15,7 +15,7 @@ Usage: ./do TASK [arguments]
                            build and run the tests (default: release; also dev, asan-ubsan, coverage)
   bench [--record]         build and run the benchmarks; raw results go to build/bench, or to bench/results
   bench PROGRAM [arguments]
-                           only impact, spit1984 or against-cvode, with arguments of its own
+                           only impact, spit1984, injury or against-cvode, with arguments of its own
   format                   lay out the C++ code with clang-format
   lint                     check layout, clang-tidy, cppcheck and shellcheck; changes nothing
   coverage                 run the tests and report the lines they reach
@@ -151,18 +151,18 @@ task_bench() {
   build release dashpad-bench
   local programs="$root/build/release/bench" results="$root/build/bench"
   case "${1:-all}" in
-    impact | spit1984 | against-cvode)
+    impact | spit1984 | injury | against-cvode)
       local program="bench_${1//-/_}"
       shift
       exec "$programs/$program" "$@"
       ;;
     --record) results="$root/bench/results" ;;
     all) ;;
-    *) fail "no benchmark '$1': impact, spit1984 or against-cvode" ;;
+    *) fail "no benchmark '$1': impact, spit1984, injury or against-cvode" ;;
   esac
   mkdir -p "$results"
   local program
-  for program in impact spit1984; do
+  for program in impact spit1984 injury; do
     "$programs/bench_$program" --benchmark_repetitions=9 --benchmark_min_time=0.2 \
       --benchmark_enable_random_interleaving=true --benchmark_display_aggregates_only=true \
       --benchmark_out="$results/$program.json" --benchmark_out_format=json
