@@ -1,6 +1,5 @@
 // dashpad assess: solves a case with the impactor of a test standard and compares with its limits.
 
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -13,7 +12,6 @@
 #include "dashpad/io/case_file.hpp"
 #include "dashpad/report/assessment_text.hpp"
 #include "dashpad/units/quantity.hpp"
-#include "material_folder.hpp"
 #include "output.hpp"
 #include "streams.hpp"
 
@@ -22,8 +20,6 @@ namespace dashpad {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr double lowest_tolerance = 1e-8, highest_tolerance = 1e-2;
 
 constexpr const char* footer = R"(Examples:
   dashpad assess examples/dashboard-20mph.toml --standard fmvss-201-instrument-panel
@@ -50,7 +46,7 @@ struct Request {
   std::optional<std::string> mass, radius, speed, drop_height;
   std::optional<std::string> json;
   std::string units;
-  std::optional<double> tolerance;
+  std::optional<std::string> tolerance;
   std::string standards;
   std::string materials;
   bool force = false;
@@ -110,8 +106,7 @@ void noting_faults(Complaints& wrong, Reader read) {
 Input read_and_check(const Request& request, const Folders& folders) {
   Complaints wrong = complaints(targets(request), request.case_file, request.force);
   const UserValues values = read_user_values(request, wrong);
-  if (request.tolerance && std::isnan(*request.tolerance))
-    wrong.emplace_back("--tolerance nan: must be a number");
+  const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
   Input input;
   noting_faults(wrong, [&] {
     const StandardChoice choice = standard_choice(request.standard);
@@ -121,7 +116,7 @@ Input read_and_check(const Request& request, const Folders& folders) {
   noting_faults(wrong, [&] { input.given = read_case(request.case_file, folders.materials); });
   if (!wrong.empty()) throw Refused(std::move(wrong));
 
-  if (request.tolerance) input.given.options.tolerance = *request.tolerance;
+  if (tolerance) input.given.options.tolerance = *tolerance;
   input.assessed = with_impactor_of(input.standard, input.given.impact);
   for (const Violation& violation : violations(input.assessed))
     wrong.push_back(fmt::format("{}, with the impactor of {}: {} = {}: {}", request.case_file,
@@ -130,32 +125,14 @@ Input read_and_check(const Request& request, const Folders& folders) {
   return input;
 }
 
-void write_results(const Request& request, const AssessmentReport& report) {
-  std::vector<PendingFile> files;
-  std::string output;
-  for (const Target& target : targets(request)) {
-    std::string text = assessment_json(report);
-    if (target.is_standard_output())
-      output = std::move(text);
-    else
-      files.emplace_back(target, text, request.force);
-  }
-  for (PendingFile& file : files) file.publish();
-
-  const std::string table = assessment_text(report, unit_system(request.units));
-  if (output.empty()) {
-    write_output(table);
-  } else {
-    write_error(table);
-    write_output(output);
-  }
-}
-
 int run_assessment(const Request& request, const Folders& folders) {
   const Input input = read_and_check(request, folders);
   const Solution solution = solve(input.assessed, input.given.options);
   const Assessment assessment = assess(input.standard, input.assessed, solution);
-  write_results(request, {input.standard, input.given.impact, input.assessed, solution, assessment});
+  const AssessmentReport report{input.standard, input.given.impact, input.assessed, solution, assessment};
+  publish(
+      targets(request), request.force, [&](const Target&) { return assessment_json(report); },
+      assessment_text(report, unit_system(request.units)));
   if (!solution.summary.trustworthy() || assessment.verdict == Verdict::undecided) return exit_not_trusted;
   return assessment.verdict == Verdict::pass ? int{exit_done} : exit_not_passed;
 }
@@ -180,19 +157,15 @@ void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
   add_units(*sub, request->units);
   sub->add_option("--tolerance", request->tolerance,
                   "Relative error to keep to, from 1e-8 to 1e-2 (default: the case's, else 1e-4)")
-      ->check(CLI::Range(lowest_tolerance, highest_tolerance))
       ->type_name("X");
   sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
-  sub->add_option("--standards", request->standards,
-                  "Folder of presets (default: $DASHPAD_STANDARDS or dashpad's own)")
-      ->type_name("DIR");
+  add_standard_folder(*sub, request->standards);
   add_material_folder(*sub, request->materials);
   sub->footer(footer);
   sub->callback([request, &action, executable] {
     action = [request, executable] {
-      const fs::path standards =
-          request->standards.empty() ? standard_folder(executable) : fs::path{request->standards};
-      return run_assessment(*request, {chosen_folder(request->materials, executable), standards});
+      return run_assessment(*request, {chosen_folder(request->materials, executable),
+                                       chosen_standards(request->standards, executable)});
     };
   });
 }

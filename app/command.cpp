@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "dashpad/io/unit_system.hpp"
 #include "material_folder.hpp"
+#include "streams.hpp"
 
 namespace dashpad {
 
@@ -39,6 +40,41 @@ void add_material_folder(CLI::App& app, std::string& folder) {
 
 std::filesystem::path chosen_folder(const std::string& folder, const std::filesystem::path& executable) {
   return folder.empty() ? material_folder(executable) : std::filesystem::path{folder};
+}
+
+void add_standard_folder(CLI::App& app, std::string& folder) {
+  app.add_option("--standards", folder, "Folder of presets (default: $DASHPAD_STANDARDS or dashpad's own)")
+      ->type_name("DIR");
+}
+
+std::filesystem::path chosen_standards(const std::string& folder, const std::filesystem::path& executable) {
+  return folder.empty() ? standard_folder(executable) : std::filesystem::path{folder};
+}
+
+std::optional<CaseFile> read_case(const std::string& file, const std::filesystem::path& materials,
+                                  std::vector<std::string>& wrong) {
+  try {
+    return read_case(file, materials);
+  } catch (const InputError& error) {
+    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+    return std::nullopt;
+  }
+}
+
+int list_cards(std::string heading, const std::vector<std::filesystem::path>& cards,
+               const std::function<std::string(const std::filesystem::path&)>& line_of) {
+  std::string text = std::move(heading);
+  std::vector<std::string> faults;
+  for (const std::filesystem::path& card : cards) {
+    try {
+      text += line_of(card);
+    } catch (const InputError& error) {
+      for (std::string& line : lines(error.faults())) faults.push_back(std::move(line));
+    }
+  }
+  write_output(text);
+  if (!faults.empty()) throw Refused(std::move(faults));
+  return exit_done;
 }
 
 std::vector<std::string> lines(const std::vector<Fault>& faults) {

@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "dashpad/io/case_file.hpp"
 #include "dashpad/io/fault.hpp"
 
 namespace dashpad {
@@ -44,6 +45,18 @@ std::optional<double> tolerance_of(const std::optional<std::string>& text, std::
 void add_material_folder(CLI::App& app, std::string& folder);
 /// The folder that was chosen, or the one that came with the command.
 std::filesystem::path chosen_folder(const std::string& folder, const std::filesystem::path& executable);
+/// The same two for --standards.
+void add_standard_folder(CLI::App& app, std::string& folder);
+std::filesystem::path chosen_standards(const std::string& folder, const std::filesystem::path& executable);
+
+/// The case of that file; absent where it has faults, of which `wrong` is told.
+std::optional<CaseFile> read_case(const std::string& file, const std::filesystem::path& materials,
+                                  std::vector<std::string>& wrong);
+
+/// Lists cards, a line each below the heading. One with faults does not hide the others; Refused with all of
+/// them.
+int list_cards(std::string heading, const std::vector<std::filesystem::path>& cards,
+               const std::function<std::string(const std::filesystem::path&)>& line_of);
 
 /// One line for each fault.
 std::vector<std::string> lines(const std::vector<Fault>& faults);

@@ -52,16 +52,12 @@ CaseFile read_and_check(const Request& request, const std::filesystem::path& mat
   if (request.picture && !picture_format(*request.picture))
     wrong.push_back(fmt::format("--picture {}: must end in .svg, .png or .pdf", *request.picture));
   if (std::isnan(request.time_step_ms)) wrong.emplace_back("--time-step nan: must be a number");
-  CaseFile input;
-  try {
-    input = read_case(request.case_file, materials);
-    for (const Violation& violation : spit1984::what_a_deck_cannot_say(input.impact))
+  std::optional<CaseFile> input = read_case(request.case_file, materials, wrong);
+  if (input)
+    for (const Violation& violation : spit1984::what_a_deck_cannot_say(input->impact))
       wrong.push_back(fmt::format("{}: {}: {}", request.case_file, violation.key, violation.rule));
-  } catch (const InputError& error) {
-    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
-  }
   if (!wrong.empty()) throw Refused(std::move(wrong));
-  return input;
+  return *std::move(input);
 }
 
 int run_comparison(const Request& request, const std::filesystem::path& materials) {
@@ -69,25 +65,12 @@ int run_comparison(const Request& request, const std::filesystem::path& material
   const UnitSystem& units = unit_system(request.units);
   const Comparison comparison = compare(input.impact, input.options, 1e-3 * request.time_step_ms);
 
-  std::vector<PendingFile> files;
-  const std::string table = comparison_text(comparison, input.impact, units);
-  std::string output;
-  for (const Target& target : targets(request)) {
-    std::string text = target.option == "--json" ? comparison_json(comparison)
-                                                 : picture(comparison_plot(comparison, input.impact, units),
-                                                           *picture_format(target.file));
-    if (target.is_standard_output())
-      output = std::move(text);
-    else
-      files.emplace_back(target, text, request.force);
-  }
-  for (PendingFile& file : files) file.publish();
-  if (output.empty()) {
-    write_output(table);
-  } else {
-    write_error(table);
-    write_output(output);
-  }
+  const auto text_of = [&](const Target& target) {
+    return target.option == "--json"
+               ? comparison_json(comparison)
+               : picture(comparison_plot(comparison, input.impact, units), *picture_format(target.file));
+  };
+  publish(targets(request), request.force, text_of, comparison_text(comparison, input.impact, units));
   return comparison.runs.front().trustworthy && comparison.runs[Comparison::reference].trustworthy
              ? exit_done
              : exit_not_trusted;

@@ -114,15 +114,10 @@ CaseFile read_and_check(const Request& request, const std::filesystem::path& mat
   std::vector<std::string> wrong = complaints({{"--out", request.out}}, request.case_file, request.force);
   for (std::string& line : wrong_curves(request)) wrong.push_back(std::move(line));
   const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
-  CaseFile input;
-  try {
-    input = read_case(request.case_file, materials);
-  } catch (const InputError& error) {
-    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
-  }
+  std::optional<CaseFile> input = read_case(request.case_file, materials, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
-  if (tolerance) input.options.tolerance = *tolerance;
-  return input;
+  if (tolerance) input->options.tolerance = *tolerance;
+  return *std::move(input);
 }
 
 CurveFile curves_for(const Request& request, const CaseFile& input, const Solution& solution) {
@@ -154,15 +149,9 @@ int export_curves(const Request& request, const std::filesystem::path& materials
   const CaseFile input = read_and_check(request, materials);
   const Solution solution = solve(input.impact, input.options);
   const CurveFile file = curves_for(request, input, solution);
-  const Target target{"--out", request.out};
-  const std::string text = format_of(request).text(file);
-  if (target.is_standard_output()) {
-    write_error(account(request, file));
-    write_output(text);
-  } else {
-    PendingFile(target, text, request.force).publish();
-    write_output(account(request, file));
-  }
+  publish(
+      {{"--out", request.out}}, request.force, [&](const Target&) { return format_of(request).text(file); },
+      account(request, file));
   return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
 }
 

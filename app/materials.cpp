@@ -52,20 +52,9 @@ int show(const Request& request, const fs::path& folder) {
   return exit_done;
 }
 
-/// A card with faults does not hide the others.
 int list(const fs::path& folder) {
-  std::string text = fmt::format("Materials in {}:\n", folder.string());
-  std::vector<std::string> faults;
-  for (const fs::path& card : list_materials(folder)) {
-    try {
-      text += material_line(read_material(card));
-    } catch (const InputError& error) {
-      for (std::string& line : lines(error.faults())) faults.push_back(std::move(line));
-    }
-  }
-  write_output(text);
-  if (!faults.empty()) throw Refused(std::move(faults));
-  return exit_done;
+  return list_cards(fmt::format("Materials in {}:\n", folder.string()), list_materials(folder),
+                    [](const fs::path& card) { return material_line(read_material(card)); });
 }
 
 }  // namespace

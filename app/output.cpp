@@ -171,4 +171,29 @@ void PendingFile::publish() {
   sync_folder(folder_of(target_));
 }
 
+std::string publish(const std::vector<Target>& targets, bool force, const TextOf& text_of) {
+  std::vector<PendingFile> files;
+  std::string output;
+  for (const Target& target : targets) {
+    std::string text = text_of(target);
+    if (target.is_standard_output())
+      output = std::move(text);
+    else
+      files.emplace_back(target, text, force);
+  }
+  for (PendingFile& file : files) file.publish();
+  return output;
+}
+
+void publish(const std::vector<Target>& targets, bool force, const TextOf& text_of,
+             std::string_view summary) {
+  const std::string output = publish(targets, force, text_of);
+  if (output.empty()) {
+    write_output(summary);
+  } else {
+    write_error(summary);
+    write_output(output);
+  }
+}
+
 }  // namespace dashpad

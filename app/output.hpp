@@ -2,6 +2,7 @@
 /// Result files: complete or not there at all, and never in the place of another file unasked.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,5 +46,15 @@ class PendingFile {
   std::string device_text_;
   bool force_ = false;
 };
+
+/// The text of a target.
+using TextOf = std::function<std::string(const Target&)>;
+
+/// Writes the files among the targets, all of them or none as far as the disk can tell. Returns the text of
+/// the target that is standard output, empty if there is none. Throws as PendingFile does.
+std::string publish(const std::vector<Target>& targets, bool force, const TextOf& text_of);
+
+/// publish(), then what is for people: to standard output, or to standard error where that is for a target.
+void publish(const std::vector<Target>& targets, bool force, const TextOf& text_of, std::string_view summary);
 
 }  // namespace dashpad

@@ -66,15 +66,13 @@ Input read_and_check(const Request& request, const std::filesystem::path& materi
   input.second.velocity = quantity("--other-velocity", request.other_velocity, "m/s", 0, wrong);
   if (!(input.second.mass > 0))
     wrong.push_back(fmt::format("--other-mass {}: must be more than 0", *request.other_mass));
-  try {
-    input.file = read_case(request.case_file, materials);
+  if (auto file = read_case(request.case_file, materials, wrong)) {
+    input.file = *std::move(file);
     const Impactor& impactor = input.file.impact.impactor;
     input.first = {impactor.mass, impactor.speed};
     if (!(impactor.speed > input.second.velocity))
       wrong.push_back(fmt::format("--other-velocity {}: the bodies must approach; the impactor has {} m/s",
                                   *request.other_velocity, impactor.speed));
-  } catch (const InputError& error) {
-    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
   }
   if (wrong.empty()) {
     input.file.impact = relative_motion(input.file.impact, input.first, input.second);
@@ -95,20 +93,10 @@ int run(const Request& request, const std::filesystem::path& materials) {
                 "); dashpad run shows what happened\n");
     return exit_not_trusted;
   }
-  std::string text =
-      post_impact_text(input.first, input.second, impact, solution, unit_system(request.units));
-  if (request.json) {
-    const Target target = targets(request).front();
-    std::string json = post_impact_json(input.first, input.second, impact, solution);
-    if (target.is_standard_output()) {
-      write_error(text);
-      text = std::move(json);
-    } else {
-      PendingFile file(target, json, request.force);
-      file.publish();
-    }
-  }
-  write_output(text);
+  publish(
+      targets(request), request.force,
+      [&](const Target&) { return post_impact_json(input.first, input.second, impact, solution); },
+      post_impact_text(input.first, input.second, impact, solution, unit_system(request.units)));
   return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
 }
 

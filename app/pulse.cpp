@@ -105,26 +105,12 @@ PulseReport report_on(const PulseRequest& request) {
 int show_figures(const PulseRequest& request) {
   const PulseReport report = report_on(request);
   const UnitSystem& units = unit_system(request.units);
-  std::vector<PendingFile> files;
-  std::string output;
-  for (const Target& target : targets(request)) {
-    std::string text = target.option == "--json" ? pulse_json(report)
-                       : target.option == "--csv"
-                           ? pulse_csv(report, units_of_files(units))
-                           : picture(pulse_plot(report, units), *picture_format(target.file));
-    if (target.is_standard_output())
-      output = std::move(text);
-    else
-      files.emplace_back(target, text, request.force);
-  }
-  for (PendingFile& file : files) file.publish();
-  const std::string text = pulse_text(report, units);
-  if (output.empty()) {
-    write_output(text);
-  } else {
-    write_error(text);
-    write_output(output);
-  }
+  const auto text_of = [&](const Target& target) {
+    if (target.option == "--json") return pulse_json(report);
+    if (target.option == "--csv") return pulse_csv(report, units_of_files(units));
+    return picture(pulse_plot(report, units), *picture_format(target.file));
+  };
+  publish(targets(request), request.force, text_of, pulse_text(report, units));
   return exit_done;
 }
 

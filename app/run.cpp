@@ -65,15 +65,10 @@ CaseFile read_and_check(const Request& request, const std::filesystem::path& mat
   std::vector<std::string> wrong = complaints(targets(request), request.case_file, request.force);
   if (request.report && !has_page()) wrong.push_back(std::string{"--report: "} + no_page);
   const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
-  CaseFile input;
-  try {
-    input = read_case(request.case_file, materials);
-  } catch (const InputError& error) {
-    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
-  }
+  std::optional<CaseFile> input = read_case(request.case_file, materials, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
-  if (tolerance) input.options.tolerance = *tolerance;
-  return input;
+  if (tolerance) input->options.tolerance = *tolerance;
+  return *std::move(input);
 }
 
 /// A pulse that ends in bottoming on a rigid support has no figures: its peak is not finite.
@@ -82,38 +77,21 @@ std::optional<InjuryFigures> injury_of(const Solution& solution) {
   return injury_figures(solution);
 }
 
-std::string text_for(const Target& target, const CaseFile& input, const Solution& solution,
-                     const UnitSystem& units) {
-  if (target.option == "--json") return result_json(input.impact, solution.summary, injury_of(solution));
-  if (target.option == "--png")
-    return picture(result_plot(input.impact, solution, injury_of(solution), units), PictureFormat::png);
-  if (target.option == "--csv") return history_csv(solution.history, units_of_files(units));
-  return page(input.impact, input.options, solution, units,
-              contact_snapshots(input.impact, solution.history));
-}
-
-/// Files first, all of them or none as far as the disk can tell; then what goes to standard output.
+/// Files first, then what goes to standard output.
 void write_results(const Request& request, const CaseFile& input, const Solution& solution) {
   const UnitSystem& units = unit_system(request.units);
-  std::vector<PendingFile> files;
-  std::string output;
-  for (const Target& target : targets(request)) {
-    std::string text = text_for(target, input, solution, units);
-    if (target.is_standard_output())
-      output = std::move(text);
-    else
-      files.emplace_back(target, text, request.force);
-  }
-  for (PendingFile& file : files) file.publish();
-
+  const std::optional<InjuryFigures> injury = injury_of(solution);
+  const auto text_of = [&](const Target& target) {
+    if (target.option == "--json") return result_json(input.impact, solution.summary, injury);
+    if (target.option == "--png")
+      return picture(result_plot(input.impact, solution, injury, units), PictureFormat::png);
+    if (target.option == "--csv") return history_csv(solution.history, units_of_files(units));
+    return page(input.impact, input.options, solution, units,
+                contact_snapshots(input.impact, solution.history));
+  };
   std::string summary = summary_text(input.impact, solution.summary, units);
-  if (const auto injury = injury_of(solution)) summary += "\nThe pulse:\n" + injury_text(*injury, units);
-  if (output.empty()) {
-    write_output(summary);
-  } else {
-    write_error(summary);
-    write_output(output);
-  }
+  if (injury) summary += "\nThe pulse:\n" + injury_text(*injury, units);
+  publish(targets(request), request.force, text_of, summary);
 }
 
 int run(const Request& request, const std::filesystem::path& materials) {

@@ -111,13 +111,10 @@ Deck deck_for(const Request& request, const std::filesystem::path& materials) {
   std::ranges::move(what_is_no_number(request), std::back_inserter(wrong));
   Deck deck;
   if (!request.case_file.empty()) {
-    try {
-      const ImpactCase impact = read_case(request.case_file, materials).impact;
-      for (const Violation& violation : what_a_deck_cannot_say(impact))
+    if (const auto input = read_case(request.case_file, materials, wrong)) {
+      for (const Violation& violation : what_a_deck_cannot_say(input->impact))
         wrong.push_back(fmt::format("{}: {}: {}", request.case_file, violation.key, violation.rule));
-      if (wrong.empty()) deck = deck_of(impact);
-    } catch (const InputError& error) {
-      for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+      if (wrong.empty()) deck = deck_of(input->impact);
     }
   }
   if (!wrong.empty()) throw Refused(std::move(wrong));
@@ -164,18 +161,12 @@ int run_program(const Request& request, const std::filesystem::path& materials) 
   const Settings settings = settings_of(request);
   const Run result = run(deck, settings);
 
-  std::vector<PendingFile> files;
-  std::string output = listing(deck, result, Device::terminal);
-  for (const Target& target : targets(request)) {
-    std::string text = target.option == "--json"  ? run_json(deck, settings, result)
-                       : target.option == "--csv" ? run_csv(result)
-                                                  : listing(deck, result, Device::printer);
-    if (target.is_standard_output())
-      output = std::move(text);
-    else
-      files.emplace_back(target, text, request.force);
-  }
-  for (PendingFile& file : files) file.publish();
+  std::string output = publish(targets(request), request.force, [&](const Target& target) {
+    if (target.option == "--json") return run_json(deck, settings, result);
+    if (target.option == "--csv") return run_csv(result);
+    return listing(deck, result, Device::printer);
+  });
+  if (output.empty()) output = listing(deck, result, Device::terminal);
   write_error(remarks(deck, settings, result));
   write_output(output);
   return result.abend == Abend::none ? exit_done : exit_not_trusted;

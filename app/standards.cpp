@@ -8,7 +8,6 @@
 #include "command.hpp"
 #include "dashpad/injury/standard_file.hpp"
 #include "dashpad/report/assessment_text.hpp"
-#include "material_folder.hpp"
 #include "streams.hpp"
 
 namespace dashpad {
@@ -45,20 +44,9 @@ int show(const Request& request, const fs::path& folder) {
   return exit_done;
 }
 
-/// A preset with faults does not hide the others.
 int list(const fs::path& folder) {
-  std::string text = fmt::format("Standards in {}:\n", folder.string());
-  std::vector<std::string> faults;
-  for (const fs::path& file : list_standards(folder)) {
-    try {
-      text += standard_line(read_standard(file));
-    } catch (const InputError& error) {
-      for (std::string& line : lines(error.faults())) faults.push_back(std::move(line));
-    }
-  }
-  write_output(text);
-  if (!faults.empty()) throw Refused(std::move(faults));
-  return exit_done;
+  return list_cards(fmt::format("Standards in {}:\n", folder.string()), list_standards(folder),
+                    [](const fs::path& file) { return standard_line(read_standard(file)); });
 }
 
 }  // namespace
@@ -68,14 +56,11 @@ void add_standards(CLI::App& app, Action& action, const fs::path& executable) {
   const auto request = std::make_shared<Request>();
   sub->add_option("NAME", request->name, "Preset to show in full")->type_name("");
   add_units(*sub, request->units);
-  sub->add_option("--standards", request->folder,
-                  "Folder of presets (default: $DASHPAD_STANDARDS or dashpad's own)")
-      ->type_name("DIR");
+  add_standard_folder(*sub, request->folder);
   sub->footer(footer);
   sub->callback([request, &action, executable] {
     action = [request, executable] {
-      const fs::path folder =
-          request->folder.empty() ? standard_folder(executable) : fs::path{request->folder};
+      const fs::path folder = chosen_standards(request->folder, executable);
       return request->name.empty() ? list(folder) : show(*request, folder);
     };
   });
