@@ -71,16 +71,10 @@ CaseFile read_and_check(const Request& request, const std::filesystem::path& mat
   return *std::move(input);
 }
 
-/// A pulse that ends in bottoming on a rigid support has no figures: its peak is not finite.
-std::optional<InjuryFigures> injury_of(const Solution& solution) {
-  if (!solution.summary.release) return std::nullopt;
-  return injury_figures(solution);
-}
-
 /// Files first, then what goes to standard output.
 void write_results(const Request& request, const CaseFile& input, const Solution& solution) {
   const UnitSystem& units = unit_system(request.units);
-  const std::optional<InjuryFigures> injury = injury_of(solution);
+  const std::optional<InjuryFigures> injury = whole_pulse_figures(solution);
   const auto text_of = [&](const Target& target) {
     if (target.option == "--json") return result_json(input.impact, solution.summary, injury);
     if (target.option == "--png")

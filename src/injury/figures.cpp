@@ -1,5 +1,6 @@
 #include "dashpad/injury/figures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -72,6 +73,14 @@ InjuryFigures injury_figures(const Solution& solution) {
   figures.errors.severity_index = error(figures.severity_index, coarser.severity_index, 2.5);
   figures.errors.velocity_change = error(figures.velocity_change, coarser.velocity_change, 1);
   return figures;
+}
+
+std::optional<InjuryFigures> whole_pulse_figures(const Solution& solution) {
+  const auto finite = [](double value) { return std::isfinite(value); };
+  if (!solution.summary.release || solution.history.size() < 2 ||
+      !std::ranges::all_of(solution.history.acceleration, finite))
+    return std::nullopt;
+  return injury_figures(solution);
 }
 
 }  // namespace dashpad

@@ -6,25 +6,9 @@
 #include <vector>
 
 #include "dashpad/injury/pulse.hpp"
+#include "injury/accurate_sum.hpp"
 
 namespace dashpad::hic_search {
-
-/// A sum of doubles that keeps what rounding takes from it.
-class AccurateSum {
- public:
-  void add(double x) {
-    const double sum = high_ + x;
-    const double kept = sum - high_;
-    low_ += (high_ - (sum - kept)) + (x - kept);
-    high_ = sum;
-  }
-  [[nodiscard]] double high() const { return high_; }
-  [[nodiscard]] double low() const { return low_; }
-  [[nodiscard]] double value() const { return high_ + low_; }
-
- private:
-  double high_ = 0, low_ = 0;
-};
 
 /// A window from `before` (s) ahead of sample `first` to `after` (s) past sample `last`, first <= last. Each
 /// end is told from a sample near to it, so that no late time and no long pulse costs it digits.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "injury/accurate_sum.hpp"
+
 namespace dashpad {
 
 Peak peak(const Pulse& pulse) {
@@ -13,19 +15,14 @@ Peak peak(const Pulse& pulse) {
   return peak;
 }
 
-/// The rest that each addition rounds away is kept and added at the end (Neumaier's sum).
 double velocity_change(const Pulse& pulse) {
   check(pulse);
-  double sum = 0;
-  double rest = 0;
+  AccurateSum sum;
   for (std::size_t i = 1; i < pulse.time.size(); ++i) {
     const double mean = pulse.acceleration[i - 1] / 2 + pulse.acceleration[i] / 2;
-    const double gain = mean * (pulse.time[i] - pulse.time[i - 1]);
-    const double next = sum + gain;
-    rest += std::abs(sum) >= std::abs(gain) ? (sum - next) + gain : (gain - next) + sum;
-    sum = next;
+    sum.add(mean * (pulse.time[i] - pulse.time[i - 1]));
   }
-  return sum + rest;
+  return sum.value();
 }
 
 }  // namespace dashpad

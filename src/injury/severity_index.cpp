@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dashpad/impact/solution.hpp"
-#include "injury/hic_curve.hpp"
+#include "injury/accurate_sum.hpp"
 
 namespace dashpad {
 namespace {
@@ -34,7 +34,7 @@ double mean_along(double a, double b) {
 
 double severity_index(const Pulse& pulse) {
   check(pulse);
-  hic_search::AccurateSum sum;
+  AccurateSum sum;
   for (std::size_t i = 0; i + 1 < pulse.time.size(); ++i)
     sum.add((pulse.time[i + 1] - pulse.time[i]) * mean_along(pulse.acceleration[i] / standard_gravity,
                                                              pulse.acceleration[i + 1] / standard_gravity));

@@ -1,20 +1,13 @@
 #include <array>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "dashpad/report/assessment_text.hpp"
 #include "dashpad/report/result_json.hpp"
+#include "io/json_values.hpp"
 
 namespace dashpad {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
 std::string taken_from(const StandardValue& value) {
   if (value.chosen_by_user) return "user";
@@ -92,7 +85,7 @@ std::string assessment_json(const AssessmentReport& report) {
   json["impactor"] = impactor(report);
   json["criteria"] = criteria;
   json["result"] = Json::parse(result_json(report.assessed, report.solution.summary));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace dashpad

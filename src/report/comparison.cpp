@@ -5,13 +5,13 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/io/case_text.hpp"
 #include "dashpad/spit1984/run.hpp"
 #include "dashpad/units/quantity.hpp"
 #include "dashpad/version.hpp"
+#include "io/json_values.hpp"
 #include "io/text.hpp"
 
 namespace dashpad {
@@ -111,10 +111,6 @@ std::string laid_out(const std::vector<Row>& rows) {
   return text;
 }
 
-nlohmann::ordered_json number(std::optional<double> value) {
-  return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
-
 /// The points of a run in the units shown, up to twice the reference's peak: an ABEND may come after absurd
 /// forces.
 Series series(const ComparedRun& run, const std::vector<double>& values, const char* si_unit, double most,
@@ -186,7 +182,7 @@ std::string comparison_text(const Comparison& comparison, const ImpactCase& impa
 }
 
 std::string comparison_json(const Comparison& comparison) {
-  nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+  Json runs = Json::array();
   for (const ComparedRun& run : comparison.runs)
     runs.push_back({{"name", run.name},
                     {"finished", run.finished},
@@ -198,13 +194,12 @@ std::string comparison_json(const Comparison& comparison) {
                     {"peak_motion_m", number(run.peak_motion)},
                     {"end_time_s", number(run.end_time)},
                     {"end_speed_m_per_s", number(run.end_speed)}});
-  const nlohmann::ordered_json result{
-      {"runs", runs},
-      {"reference", comparison.runs[Comparison::reference].name},
-      {"time_step_of_1984_s", comparison.time_step},
-      {"dimension_of_1984", comparison.dimension},
-      {"program", {{"name", "dashpad"}, {"version", version()}, {"commit", build_facts().git_commit}}}};
-  return result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  const Json result{{"runs", runs},
+                    {"reference", comparison.runs[Comparison::reference].name},
+                    {"time_step_of_1984_s", comparison.time_step},
+                    {"dimension_of_1984", comparison.dimension},
+                    {"program", program_json()}};
+  return json_text(result);
 }
 
 Plot comparison_plot(const Comparison& comparison, const ImpactCase& impact, const UnitSystem& units) {

@@ -29,15 +29,6 @@ std::string title_of(const UnitSystem& units) {
   return units.name == "engineering-metric" ? "Engineering metric" : units.name;
 }
 
-/// Of a whole pulse only: a pulse that was cut off has no such figures.
-std::optional<InjuryFigures> injury_of(const Solution& solution) {
-  const auto finite = [](double value) { return std::isfinite(value); };
-  if (!solution.summary.release || solution.history.size() < 2 ||
-      !std::ranges::all_of(solution.history.acceleration, finite))
-    return std::nullopt;
-  return injury_figures(solution);
-}
-
 Json row(const SummaryRow& of) {
   return {{"label", of.label},
           {"value", of.value},
@@ -107,7 +98,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 
 std::string page_data(const ImpactCase& impact, const Options& options, const Solution& solution,
                       const UnitSystem& shown, const std::vector<ContactSnapshot>& snapshots) {
-  const std::optional<InjuryFigures> injury = injury_of(solution);
+  const std::optional<InjuryFigures> injury = whole_pulse_figures(solution);
   Json systems = Json::array();
   for (const UnitSystem& units : unit_systems()) systems.push_back(system(units, impact, solution, injury));
   Json data;

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/io/case_text.hpp"
 #include "dashpad/version.hpp"
+#include "io/json_values.hpp"
 #include "io/text.hpp"
 
 namespace dashpad {
@@ -23,10 +23,6 @@ PostImpact motion_after(const Body& first, const Body& second, const Solution& s
 std::string share(const char* what, double energy, double impact, const UnitSystem& units) {
   return fmt::format("    {:<30}{:>14}  {:>8.2f} %\n", what, brief_quantity(energy, "J", units),
                      100 * energy / impact);
-}
-
-nlohmann::ordered_json number(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
 }  // namespace
@@ -96,7 +92,7 @@ std::string post_impact_json(const Body& first, const Body& second, const Impact
   const PostImpact after = motion_after(first, second, solution);
   const EnergySplit split = energy_split(impact, solution);
   const Summary& summary = solution.summary;
-  const nlohmann::ordered_json result{
+  const Json result{
       {"status", to_string(summary.status)},
       {"extrapolated", summary.extrapolated},
       {"bottomed", summary.bottomed.has_value()},
@@ -124,8 +120,8 @@ std::string post_impact_json(const Body& first, const Body& second, const Impact
         {"pad_J", number(split.pad)}}},
       {"solved_as",
        {{"mass_kg", number(impact.impactor.mass)}, {"speed_m_per_s", number(impact.impactor.speed)}}},
-      {"program", {{"name", "dashpad"}, {"version", version()}, {"commit", build_facts().git_commit}}}};
-  return result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+      {"program", program_json()}};
+  return json_text(result);
 }
 
 }  // namespace dashpad

@@ -4,18 +4,15 @@
 #include <iterator>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "dashpad/report/pulse_text.hpp"
 #include "dashpad/version.hpp"
+#include "io/json_values.hpp"
 
 namespace dashpad {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json in_g(double acceleration) { return number(acceleration / standard_gravity); }
 
 Json hic(const Hic& of) {
@@ -90,9 +87,8 @@ std::string pulse_json(const PulseReport& report) {
       {"resampled_to_s", report.resampled_to ? number(*report.resampled_to) : Json(nullptr)},
       {"filter", filter(report)},
       {"samples", report.pulse.time.size()}};
-  result["program"] = {{"name", "dashpad"}, {"version", version()}, {"commit", build_facts().git_commit}};
-  // Names of files may be of any bytes; what is not UTF-8 becomes the replacement character.
-  return result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  result["program"] = program_json();
+  return json_text(result);
 }
 
 std::string pulse_csv(const PulseReport& report, const UnitSystem& units) {

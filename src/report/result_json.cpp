@@ -3,20 +3,13 @@
 #include <cmath>
 #include <optional>
 
-#include <nlohmann/json.hpp>
-
 #include "dashpad/version.hpp"
+#include "io/json_values.hpp"
 #include "io/parameter_values.hpp"
 
 namespace dashpad {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
 Json moment(const Moment& of) {
   return {{"time_s", number(of.time)}, {"velocity_m_per_s", number(of.velocity)}};
@@ -129,8 +122,6 @@ Json injury_json(const std::optional<InjuryFigures>& figures) {
            {{"value", number(figures->severity_index)}, {"error", number(errors.severity_index)}}}};
 }
 
-Json program() { return {{"name", "dashpad"}, {"version", version()}, {"commit", build_facts().git_commit}}; }
-
 }  // namespace
 
 std::string result_json(const ImpactCase& impact, const Summary& summary,
@@ -158,9 +149,8 @@ std::string result_json(const ImpactCase& impact, const Summary& summary,
   result["errors"] = errors(summary);
   result["solver"] = solver(summary);
   result["case"] = echo(impact);
-  result["program"] = program();
-  // Text that is not UTF-8 must not stop a result: the offending bytes are replaced.
-  return result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  result["program"] = program_json();
+  return json_text(result);
 }
 
 }  // namespace dashpad

@@ -4,17 +4,13 @@
 #include <iterator>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "dashpad/version.hpp"
+#include "io/json_values.hpp"
 
 namespace dashpad::spit1984 {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json defects_json(const Defects& of) {
   Json table = Json::object();
@@ -71,7 +67,7 @@ std::string run_json(const Deck& deck, const Settings& settings, const Run& run)
                       {"precision_tolerance", settings.precision_tolerance}}},
                     {"deck", deck_json(deck)},
                     {"dashpad", {{"version", version()}, {"commit", build_facts().git_commit}}}};
-  return result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(result);
 }
 
 std::string run_csv(const Run& run) {

@@ -1,6 +1,8 @@
 #pragma once
 /// All injury figures of a pulse, and of a solved impact with their errors.
 
+#include <optional>
+
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/clip.hpp"
 #include "dashpad/injury/hic.hpp"
@@ -33,5 +35,9 @@ Pulse pulse_of(const History& history);
 /// The figures of pulse_of(solution.history). The errors add what the solver says of its forces and what is
 /// left by the steps of the history, from a comparison with every second step.
 InjuryFigures injury_figures(const Solution& solution);
+
+/// The same of a whole pulse; absent where it was cut off or is not finite: the impactor did not leave the
+/// pad.
+std::optional<InjuryFigures> whole_pulse_figures(const Solution& solution);
 
 }  // namespace dashpad

@@ -1,0 +1,32 @@
+#pragma once
+/// What every JSON that Dashpad writes has in common.
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "dashpad/version.hpp"
+
+namespace dashpad {
+
+using Json = nlohmann::ordered_json;
+
+/// Null where it is not finite.
+inline Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+/// Null where it is absent, too.
+inline Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+/// The program that made it.
+inline Json program_json() {
+  return {{"name", "dashpad"}, {"version", version()}, {"commit", build_facts().git_commit}};
+}
+
+/// With a line break at the end. Text that is not UTF-8 must not stop a result: the offending bytes are
+/// replaced.
+inline std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace dashpad
