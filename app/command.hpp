@@ -20,7 +20,7 @@ enum ExitCode {
   exit_failed = 1,       ///< a result could not be written, or the program is at fault
   exit_refused = 2,      ///< input or command line refused; nothing was run and nothing written
   exit_not_trusted = 3,  ///< results are there, but miss the tolerance
-  exit_not_passed = 4,   ///< a standard's limit is exceeded
+  exit_not_passed = 4,   ///< a standard's limit is exceeded, or a rule of the validation is missed
 };
 
 /// What a subcommand does once the command line is read; returns the exit code.
@@ -29,6 +29,7 @@ using Action = std::function<int()>;
 void add_run(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_check(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_materials(CLI::App& app, Action& action, const std::filesystem::path& executable);
+void add_material_test(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_spit1984(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_compare(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_assess(CLI::App& app, Action& action, const std::filesystem::path& executable);
@@ -36,6 +37,7 @@ void add_standards(CLI::App& app, Action& action, const std::filesystem::path& e
 void add_pulse(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_export(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_post_impact(CLI::App& app, Action& action, const std::filesystem::path& executable);
+void add_validate(CLI::App& app, Action& action, const std::filesystem::path& executable);
 
 /// Adds --units; the help names the systems on offer.
 void add_units(CLI::App& app, std::string& units);
@@ -48,6 +50,9 @@ std::filesystem::path chosen_folder(const std::string& folder, const std::filesy
 /// The same two for --standards.
 void add_standard_folder(CLI::App& app, std::string& folder);
 std::filesystem::path chosen_standards(const std::string& folder, const std::filesystem::path& executable);
+
+/// The card of that name in a folder; a name that ends in .toml is a file. Refused names the cards there are.
+std::filesystem::path find_card(const std::string& name, const std::filesystem::path& folder);
 
 /// The case of that file; absent where it has faults, of which `wrong` is told.
 std::optional<CaseFile> read_case(const std::string& file, const std::filesystem::path& materials,

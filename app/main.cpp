@@ -23,16 +23,18 @@ constexpr const char* footer = R"(Start here:
   dashpad check examples/dashboard-20mph.toml    is the case understood as meant?
   dashpad run examples/dashboard-20mph.toml      the impact, on the screen
   dashpad materials                              which foams there are
+  dashpad material-test ensolite-aac-9           one of them in the laboratory
   dashpad run --help                             files, units, tolerance
   dashpad spit1984 --help                        the program of the 1986 report, digit for digit
   dashpad compare examples/dashboard-20mph.toml  the solver and the program of 1984 side by side
+  dashpad validate                               both beside the validation tests of that report
 
 Exit codes:
   0  done; also when the pad bottomed out or the time was up: these are results
   1  a result could not be written (full disk, ...), or the program failed
   2  input or command line refused; nothing was run, nothing was written
   3  results are there but miss the tolerance: do not rely on them
-  4  assess: a limit of the standard is exceeded)";
+  4  assess: a limit of the standard is exceeded; validate --strict: a rule is missed)";
 
 /// More than that nobody reads, and a file that is no case at all can have thousands.
 constexpr std::size_t most_complaints = 200;
@@ -80,6 +82,7 @@ int command(int argument_count, char** arguments) {
   add_run(app, action, executable);
   add_check(app, action, executable);
   add_materials(app, action, executable);
+  add_material_test(app, action, executable);
   add_assess(app, action, executable);
   add_standards(app, action, executable);
   add_post_impact(app, action, executable);
@@ -87,6 +90,7 @@ int command(int argument_count, char** arguments) {
   add_export(app, action, executable);
   add_compare(app, action, executable);
   add_spit1984(app, action, executable);
+  add_validate(app, action, executable);
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {

@@ -41,6 +41,12 @@ fs::path standard_folder(const fs::path& executable) {
               executable);
 }
 
+fs::path validation_data_folder(const fs::path& executable) {
+  return find({"DASHPAD_VALIDATION_DATA", DASHPAD_INSTALLED_DATA "/data/validation",
+               DASHPAD_SOURCE_DATA "/data/validation"},
+              executable);
+}
+
 fs::path running_executable(const char* argument_zero) {
   std::error_code error;
   fs::path executable = fs::read_symlink("/proc/self/exe", error);

@@ -1,5 +1,5 @@
 #pragma once
-/// Where the command finds the material cards and the standards that came with it.
+/// Where the command finds the material cards, the standards and the measured tests that came with it.
 
 #include <filesystem>
 
@@ -14,6 +14,10 @@ std::filesystem::path material_folder(const std::filesystem::path& executable);
 
 /// The same for the presets of standards: $DASHPAD_STANDARDS, share/dashpad/standards, standards/.
 std::filesystem::path standard_folder(const std::filesystem::path& executable);
+
+/// The same for the measured tests of the validation: $DASHPAD_VALIDATION_DATA, share/dashpad/data/validation,
+/// data/validation/.
+std::filesystem::path validation_data_folder(const std::filesystem::path& executable);
 
 /// The file of the running program; `argument_zero` where the system does not tell.
 std::filesystem::path running_executable(const char* argument_zero);

@@ -36,16 +36,6 @@ std::string names_of(const std::vector<fs::path>& cards) {
   return names.empty() ? "none" : names;
 }
 
-fs::path find_card(const std::string& name, const fs::path& folder) {
-  if (name.ends_with(".toml")) return name;
-  const std::vector<fs::path> cards = list_materials(folder);
-  const auto card = std::ranges::find(cards, name, [](const fs::path& path) { return path.stem().string(); });
-  if (card == cards.end())
-    throw Refused(
-        {fmt::format("{}: no such material in {}; there are: {}", name, folder.string(), names_of(cards))});
-  return *card;
-}
-
 int show(const Request& request, const fs::path& folder) {
   const Material material = read_material(find_card(request.name, folder));
   write_output(material_text(material, unit_system(request.units)));
@@ -58,6 +48,16 @@ int list(const fs::path& folder) {
 }
 
 }  // namespace
+
+fs::path find_card(const std::string& name, const fs::path& folder) {
+  if (name.ends_with(".toml")) return name;
+  const std::vector<fs::path> cards = list_materials(folder);
+  const auto card = std::ranges::find(cards, name, [](const fs::path& path) { return path.stem().string(); });
+  if (card == cards.end())
+    throw Refused(
+        {fmt::format("{}: no such material in {}; there are: {}", name, folder.string(), names_of(cards))});
+  return *card;
+}
 
 void add_materials(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::App* sub = app.add_subcommand("materials", "List the material cards, or show one");

@@ -1,5 +1,6 @@
-# The page of `dashpad run --report`: npm fetches uPlot and esbuild into the build folder, web/build.mjs makes
-# one HTML file of web/page, and that becomes a source of the library. Sets `page_source`.
+# The page of `dashpad run --report` and the page of figures: npm fetches uPlot and esbuild into the build folder,
+# web/build.mjs makes one HTML file of web/page and one of web/figures, and these become a source of the library.
+# Sets `page_source`.
 
 set(page_folder "${PROJECT_BINARY_DIR}/page")
 set(page_source "${page_folder}/page_template.cpp")
@@ -13,6 +14,8 @@ namespace dashpad {
 
 const std::string_view page_before_data;
 const std::string_view page_after_data;
+const std::string_view figures_page_before_data;
+const std::string_view figures_page_after_data;
 
 }  // namespace dashpad
 ]] @ONLY)
@@ -44,10 +47,11 @@ function(npm_packages folder from)
 endfunction()
 
 npm_packages("${page_folder}" "${PROJECT_SOURCE_DIR}/web")
-file(GLOB page_parts CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/web/page/*")
+set(web "${PROJECT_SOURCE_DIR}/web")
+file(GLOB page_parts CONFIGURE_DEPENDS "${web}/both/*" "${web}/page/*" "${web}/figures/*")
 add_custom_command(
   OUTPUT "${page_source}"
   COMMAND "${DASHPAD_NODE}" "${PROJECT_SOURCE_DIR}/web/build.mjs" "${page_folder}" "${page_source}"
   DEPENDS "${page_folder}/fetched" "${PROJECT_SOURCE_DIR}/web/build.mjs" ${page_parts}
-  COMMENT "Making the page"
+  COMMENT "Making the pages"
   VERBATIM)

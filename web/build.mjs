@@ -1,4 +1,4 @@
-// Makes the page: one HTML file with its script and style inside, cut in two where the data go.
+// Makes the pages: each is one HTML file with its script and style inside, cut in two where the data go.
 //   node build.mjs PACKAGES OUTPUT   PACKAGES: a folder with node_modules, OUTPUT: a C++ source
 
 import { createHash } from "node:crypto";
@@ -14,50 +14,68 @@ const { buildSync } = createRequire(resolve(packages, "package.json"))("esbuild"
 // Whoever passes a page on passes on a copy of uPlot, and with it this notice.
 const license = readFileSync(resolve(packages, "node_modules/uplot/LICENSE"), "utf8").trim();
 
-const bundle = buildSync({
-  entryPoints: [join(here, "page/main.js")],
-  nodePaths: [resolve(packages, "node_modules")],
-  outdir: "unused",
-  write: false,
-  bundle: true,
-  minify: true,
-  format: "iife",
-  target: "es2020",
-  charset: "ascii",
-  // Twice as many pixels as a plain screen has, so that canvases are sharp on paper.
-  define: { devicePixelRatio: "canvasPixelRatio" },
-  banner: { js: `/*! uPlot, https://github.com/leeoniya/uPlot\n${license} */\nconst canvasPixelRatio=Math.max(2,window.devicePixelRatio||1);` },
-});
+const banner = `/*! uPlot, https://github.com/leeoniya/uPlot\n${license} */
+const canvasPixelRatio=Math.max(2,window.devicePixelRatio||1);`;
 
-function text(ending) {
-  const found = bundle.outputFiles.find((file) => file.path.endsWith(ending)).text.trim();
-  if (/<\/(script|style)|<!--/i.test(found)) throw new Error(`the bundle's ${ending} would end its own element`);
-  return found;
+function bundled(script) {
+  const bundle = buildSync({
+    entryPoints: [join(here, script)],
+    nodePaths: [resolve(packages, "node_modules")],
+    outdir: "unused",
+    write: false,
+    bundle: true,
+    minify: true,
+    format: "iife",
+    target: "es2020",
+    charset: "ascii",
+    // Twice as many pixels as a plain screen has, so that canvases are sharp on paper.
+    define: { devicePixelRatio: "canvasPixelRatio" },
+    banner: { js: banner },
+  });
+  return (ending) => {
+    const found = bundle.outputFiles.find((file) => file.path.endsWith(ending)).text.trim();
+    if (/<\/(script|style)|<!--/i.test(found)) throw new Error(`the ${ending} of ${script} would end its own element`);
+    return found;
+  };
 }
 
-const script = text(".js");
-const style = text(".css");
-const hash = (of) => `'sha256-${createHash("sha256").update(of).digest("base64")}'`;
-const policy = [
-  "default-src 'none'",
-  `script-src ${hash(script)}`,
-  `style-src ${hash(style)}`,
-  "img-src data:",
-  "base-uri 'none'",
-  "form-action 'none'",
-].join("; ");
+function policy(script, style) {
+  const hash = (of) => `'sha256-${createHash("sha256").update(of).digest("base64")}'`;
+  return [
+    "default-src 'none'",
+    `script-src ${hash(script)}`,
+    `style-src ${hash(style)}`,
+    "img-src data:",
+    "base-uri 'none'",
+    "form-action 'none'",
+  ].join("; ");
+}
 
-const html = readFileSync(join(here, "page/page.html"), "utf8")
-  .replace("@POLICY@", () => policy)
-  .replace("@STYLE@", () => style)
-  .replace("@SCRIPT@", () => script);
-const parts = html.split("@DATA@");
-if (parts.length !== 2) throw new Error("the page needs one place for its data");
+// What stands before the data and after them.
+function halves(main) {
+  const text = bundled(main);
+  const [script, style] = [text(".js"), text(".css")];
+  const parts = readFileSync(join(here, "both/page.html"), "utf8")
+    .replace("@POLICY@", () => policy(script, style))
+    .replace("@STYLE@", () => style)
+    .replace("@SCRIPT@", () => script)
+    .split("@DATA@");
+  if (parts.length !== 2) throw new Error("the page needs one place for its data");
+  return parts;
+}
 
 const literal = (of) => {
   if (of.includes(')page"')) throw new Error("the text would end its own literal");
   return `R"page(${of})page"`;
 };
+
+function texts(name, main) {
+  const [before, after] = halves(main);
+  return `const std::string_view ${name}_before_data = ${literal(before)};
+const std::string_view ${name}_after_data = ${literal(after)};
+`;
+}
+
 writeFileSync(
   output,
   `// Made by web/build.mjs.
@@ -65,9 +83,8 @@ writeFileSync(
 
 namespace dashpad {
 
-const std::string_view page_before_data = ${literal(parts[0])};
-const std::string_view page_after_data = ${literal(parts[1])};
-
+${texts("page", "page/main.js")}
+${texts("figures_page", "figures/main.js")}
 }  // namespace dashpad
 `,
 );

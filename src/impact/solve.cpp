@@ -61,27 +61,8 @@ Refinement refine(const ImpactCase& impact, const Options& options, Track& track
 }
 
 std::vector<std::string> extrapolations(const ImpactCase& impact, const Summary& summary) {
-  const Pad& pad = impact.pad;
-  std::vector<std::string> reasons;
-  if (const auto& fitted = pad.material.fitted) {
-    if (summary.peak_strain > fitted->highest_strain)
-      reasons.push_back(fmt::format("strain reaches {:.3f}; the law was fitted up to {:.3g}",
-                                    summary.peak_strain, fitted->highest_strain));
-    if (summary.peak_strain_rate > fitted->highest_rate || summary.peak_strain_rate < fitted->lowest_rate)
-      reasons.push_back(
-          fmt::format("strain rate reaches {:.3g} per second; the law was fitted from {:.3g} to {:.3g}",
-                      summary.peak_strain_rate, fitted->lowest_rate, fitted->highest_rate));
-  }
-  std::visit(
-      [&](const auto& law) {
-        if constexpr (requires { law.residual_strain_time; })
-          if (law.residual_strain_time * summary.peak_strain_rate >= 1)
-            reasons.push_back(
-                fmt::format("strain rate reaches {:.3g} per second; the law's residual strain is defined "
-                            "below {:.3g} per second",
-                            summary.peak_strain_rate, 1 / law.residual_strain_time));
-      },
-      pad.material.law);
+  std::vector<std::string> reasons =
+      extrapolations(impact.pad.material, summary.peak_strain, summary.peak_strain_rate);
   // A linear support has one point, which only says its slope.
   const auto& points = impact.support.points();
   if (points.size() > 1 && summary.peak_force && *summary.peak_force > points.back().force)

@@ -1,5 +1,7 @@
 #include "dashpad/pad/material.hpp"
 
+#include <fmt/format.h>
+
 namespace dashpad {
 namespace {
 
@@ -22,6 +24,31 @@ std::vector<Violation> violations(const Material& material) {
   for (Violation& violation : broken) violation.key = "parameters." + violation.key;
   if (material.fitted) check_fit(*material.fitted, broken);
   return broken;
+}
+
+std::vector<std::string> extrapolations(const Material& material, double largest_strain,
+                                        double largest_rate) {
+  std::vector<std::string> reasons;
+  if (const auto& fitted = material.fitted) {
+    if (largest_strain > fitted->highest_strain)
+      reasons.push_back(fmt::format("strain reaches {:.3f}; the law was fitted up to {:.3g}", largest_strain,
+                                    fitted->highest_strain));
+    if (largest_rate > fitted->highest_rate || largest_rate < fitted->lowest_rate)
+      reasons.push_back(
+          fmt::format("strain rate reaches {:.3g} per second; the law was fitted from {:.3g} to {:.3g}",
+                      largest_rate, fitted->lowest_rate, fitted->highest_rate));
+  }
+  std::visit(
+      [&](const auto& law) {
+        if constexpr (requires { law.residual_strain_time; })
+          if (law.residual_strain_time * largest_rate >= 1)
+            reasons.push_back(
+                fmt::format("strain rate reaches {:.3g} per second; the law's residual strain is defined "
+                            "below {:.3g} per second",
+                            largest_rate, 1 / law.residual_strain_time));
+      },
+      material.law);
+  return reasons;
 }
 
 }  // namespace dashpad

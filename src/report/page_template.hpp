@@ -1,5 +1,5 @@
 #pragma once
-/// The page without its data, as web/build.mjs has made it. Empty texts where it was not built.
+/// The pages without their data, as web/build.mjs has made them. Empty texts where they were not built.
 
 #include <string_view>
 
@@ -7,5 +7,8 @@ namespace dashpad {
 
 extern const std::string_view page_before_data;
 extern const std::string_view page_after_data;
+
+extern const std::string_view figures_page_before_data;
+extern const std::string_view figures_page_after_data;
 
 }  // namespace dashpad

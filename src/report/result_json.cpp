@@ -5,7 +5,7 @@
 
 #include "dashpad/version.hpp"
 #include "io/json_values.hpp"
-#include "io/parameter_values.hpp"
+#include "report/material_json.hpp"
 
 namespace dashpad {
 
@@ -52,26 +52,10 @@ Json solver(const Summary& summary) {
           {"wall_time_s", number(summary.wall_time)}};
 }
 
-Json parameters(const PadLaw& law) {
-  Json table = Json::object();
-  for (const ParameterValue& parameter : parameter_values(law))
-    table[parameter.key] = {
-        {"value", number(parameter.value)}, {"unit", parameter.unit}, {"symbol", parameter.symbol}};
-  return table;
-}
-
-Json fitted(const std::optional<FittedRange>& range) {
-  if (!range) return nullptr;
-  return {{"highest_strain", number(range->highest_strain)},
-          {"lowest_rate_per_s", number(range->lowest_rate)},
-          {"highest_rate_per_s", number(range->highest_rate)}};
-}
-
 Json pad(const Pad& of) {
-  return {{"thickness_m", number(of.thickness)}, {"material", of.material.name},
-          {"title", of.material.title},          {"source", of.material.source},
-          {"law", name_of(of.material.law)},     {"parameters", parameters(of.material.law)},
-          {"fitted", fitted(of.material.fitted)}};
+  Json json{{"thickness_m", number(of.thickness)}};
+  json.update(material_json(of.material));
+  return json;
 }
 
 Json support(const Support& of) {

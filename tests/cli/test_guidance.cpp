@@ -76,8 +76,8 @@ TEST_F(GuidanceTest, HelpTeaches) {
 /// examples.
 TEST_F(GuidanceTest, TheExamplesOfTheHelpWork) {
   fs::create_directory_symlink(fs::path{DASHPAD_SOURCE_DIR} / "examples", file("examples"));
-  for (const char* subcommand :
-       {"run", "check", "materials", "assess", "standards", "post-impact", "export", "compare", "spit1984"}) {
+  for (const char* subcommand : {"run", "check", "materials", "material-test", "assess", "standards",
+                                 "post-impact", "export", "compare", "spit1984", "validate"}) {
     std::istringstream help(dashpad({subcommand, "--help"}).out);
     for (std::string line; std::getline(help, line);) {
       if (!line.starts_with("  dashpad ")) continue;

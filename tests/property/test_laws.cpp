@@ -116,6 +116,29 @@ TYPED_TEST(LawTable, IsNotStifferOnUnloading) {
 }
 
 template <class Law>
+class EnvelopeSlope : public LawTable<Law> {};
+using LawsWithSlope = testing::Types<LinearViscoelastic, NineParameter, TwentyOneParameter>;
+TYPED_TEST_SUITE(EnvelopeSlope, LawsWithSlope);
+
+TYPED_TEST(EnvelopeSlope, IsThatOfTheEnvelope) {
+  this->for_each_row([](const auto& law) {
+    const PowerShape power(law.exponents());
+    for (const double rate : {0.0, 1e-6, 1.0, 60.0, 2000.0, -1e-6, -1.0, -60.0, -2000.0})
+      for (const double strain : {1e-6, 1e-3, 0.05, 0.4, 0.7, 0.9, 0.97}) {
+        const double largest = rate < 0 ? std::min(1.2 * strain, 0.98) : strain;
+        const auto value = [&](double at) { return envelope(law, at, rate, largest); };
+        // Central differences at two widths, extrapolated: order four.
+        const double width = 1e-3 * std::min(strain, 1 - strain);
+        const auto difference = [&](double w) { return (value(strain + w) - value(strain - w)) / (2 * w); };
+        const double expected = (4 * difference(width / 2) - difference(width)) / 3;
+        const double slope = law.envelope_slope(strain_of(strain), power, law.rate_part(rate), largest);
+        EXPECT_NEAR(slope, expected, 1e-8 * (std::abs(expected) + std::abs(value(strain)) / strain))
+            << "rate " << rate << ", strain " << strain;
+      }
+  });
+}
+
+template <class Law>
 class UnloadingFactor : public LawTable<Law> {};
 using LawsWithFactor = testing::Types<NineParameter, TwentyOneParameter>;
 TYPED_TEST_SUITE(UnloadingFactor, LawsWithFactor);

@@ -1,34 +1,24 @@
-// Axes in the colours of the page.
+// The two axes of a plot of one impact, with their labels.
 
-import { colour } from "./colours.js";
-import { axisFont } from "./frame.js";
-import { decadeTicks, decades, ticks } from "./text.js";
+import { axis, axisFont, widthOfNumbers } from "../both/axes.js";
+import { decadeTicks, decades } from "./decades.js";
 
-const widest = (values) => Math.max(0, ...(values ?? []).map((text) => text.length));
-
-function axis(label, logarithmic = false) {
-  const filter = logarithmic ? { filter: decades } : {};
+function labelled(label, logarithmic = false) {
+  const looks = { ...axis(), label, labelFont: axisFont, labelSize: 20, labelGap: 2 };
+  if (!logarithmic) return looks;
+  const filter = decades;
   return {
-    ...filter,
-    label,
-    font: axisFont,
-    labelFont: axisFont,
-    labelSize: 20,
-    labelGap: 2,
-    stroke: () => colour("text"),
-    grid: { stroke: () => colour("grid"), width: 1, ...filter },
-    ticks: { stroke: () => colour("grid"), width: 1, size: 5, ...filter },
-    values: logarithmic ? decadeTicks : ticks,
+    ...looks,
+    filter,
+    grid: { ...looks.grid, filter },
+    ticks: { ...looks.ticks, filter },
+    values: decadeTicks,
   };
 }
 
 export function axes(xLabel, yLabel, logarithmic) {
   return [
-    { ...axis(xLabel), size: 32, space: 56 },
-    {
-      ...axis(yLabel, logarithmic),
-      size: (plot, values) => 16 + 7.2 * widest(values),
-      ...(logarithmic ? {} : { space: 36 }),
-    },
+    { ...labelled(xLabel), size: 32, space: 56 },
+    { ...labelled(yLabel, logarithmic), size: widthOfNumbers, ...(logarithmic ? {} : { space: 36 }) },
   ];
 }

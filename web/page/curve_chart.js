@@ -2,8 +2,8 @@
 
 import uPlot from "uplot";
 
+import { colour } from "../both/colours.js";
 import { axes } from "./axes.js";
-import { colour } from "./colours.js";
 import { Frame, dashes } from "./frame.js";
 import { onMoment, point } from "./moment.js";
 
@@ -142,12 +142,6 @@ export class CurveChart extends Frame {
     const from = this.where ?? this.curves[0].x[this.definition.rest ?? 0];
     const entry = Math.min(Math.max(this.plot.valToIdx(from) + count, 0), xs.length - 1);
     this.plot.setCursor({ left: this.plot.valToPos(xs[entry], "x"), top: 0 });
-  }
-
-  touch(event) {
-    if (event.pointerType === "mouse") return;
-    const box = this.plot.over.getBoundingClientRect();
-    this.plot.setCursor({ left: event.clientX - box.left, top: 0 });
   }
 
   drawBands(plot) {

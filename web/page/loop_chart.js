@@ -3,11 +3,11 @@
 
 import uPlot from "uplot";
 
+import { colour } from "../both/colours.js";
+import { element } from "../both/text.js";
 import { axes } from "./axes.js";
-import { colour } from "./colours.js";
 import { Frame, dashes } from "./frame.js";
 import { onMoment, point } from "./moment.js";
-import { element } from "./text.js";
 
 const finite = (values) => values.filter((value) => value !== null);
 
@@ -135,11 +135,5 @@ export class LoopChart extends Frame {
     const entry = Math.min(Math.max(from + count, 0), this.x.length - 1);
     this.mark(entry);
     point(entry, this);
-  }
-
-  touch(event) {
-    if (event.pointerType === "mouse") return;
-    const box = this.plot.over.getBoundingClientRect();
-    this.plot.setCursor({ left: event.clientX - box.left, top: event.clientY - box.top });
   }
 }

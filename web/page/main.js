@@ -1,10 +1,12 @@
 // The page of one impact: what happened in words and figures, plots, and the case to run again.
 
 import "uplot/dist/uPlot.min.css";
+import "../both/both.css";
 import "./page.css";
+import { element } from "../both/text.js";
+import { warning } from "../both/warning.js";
 import { plots } from "./plots.js";
 import { table } from "./tables.js";
-import { element } from "./text.js";
 import { Units } from "./units.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
@@ -13,12 +15,6 @@ const page = document.getElementById("page");
 const words = element("p", { className: "words" });
 const warnings = element("ul", { className: "warnings" });
 const tables = element("div", { className: "tables" });
-
-// "EXTRAPOLATED: strain reaches ..." with its first words, in capitals, set apart.
-function warning(text) {
-  const flag = /^[A-Z ]+[A-Z]/.exec(text)?.[0] ?? "";
-  return element("li", {}, element("strong", { text: flag }), text.slice(flag.length));
-}
 
 function unitSwitch(choose) {
   const choices = element("fieldset", { className: "units" }, element("legend", { text: "Units" }));

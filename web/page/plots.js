@@ -1,8 +1,8 @@
 // Which plots there are.
 
+import { percent } from "../both/text.js";
 import { CurveChart } from "./curve_chart.js";
 import { LoopChart } from "./loop_chart.js";
-import { percent } from "./text.js";
 
 const place = (values, best) => values.reduce((top, value, i) => (value !== null && value > (values[top] ?? -Infinity) ? i : top), best);
 

@@ -1,6 +1,6 @@
 // The figures as tables: figure, value with unit, estimated error.
 
-import { element } from "./text.js";
+import { element } from "../both/text.js";
 
 function row({ label, value, unit, error, remark }) {
   const name = element("th", { text: label, attributes: { scope: "row" } });

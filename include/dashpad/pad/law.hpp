@@ -54,7 +54,9 @@ concept IsMemoryless = IsPadLaw<L> && L::memoryless && requires(const L law) {
 /// A law with memory: the stress of a column depends on its history.
 template <class L>
 concept IsViscous =
-    IsPadLaw<L> && !L::memoryless && requires(const L law, double x, typename L::RatePart rate) {
+    IsPadLaw<L> && !L::memoryless &&
+    requires(const L law, Strain strain, const PowerShape& power, double x, typename L::RatePart rate) {
+  { law.envelope_slope(strain, power, rate, x) } -> std::same_as<double>;
   { law.relaxation_rate(x, x) } -> std::same_as<double>;
   { law.edge_ratio(rate) } -> std::same_as<double>;
 };

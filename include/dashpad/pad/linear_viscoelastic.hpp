@@ -43,6 +43,10 @@ struct LinearViscoelastic {
   [[nodiscard]] double envelope(StrainPart part, RatePart rate, double, double) const {
     return part.equilibrium_stress + rate.viscous_stress;
   }
+  /// dG/de with the rate held: E_inf.
+  [[nodiscard]] double envelope_slope(Strain, const PowerShape&, RatePart, double) const {
+    return asymptotic_modulus;
+  }
   [[nodiscard]] TimePart time_part(double from, double to) const {
     return {std::exp((from - to) / relaxation_time)};
   }

@@ -31,4 +31,8 @@ struct Material {
 /// `fitted.highest_rate`.
 std::vector<Violation> violations(const Material& material);
 
+/// Why a result with these largest strain and strain rate (1/s) is extrapolated, a reason each: beyond the
+/// fitted range, or where the law is not defined. Empty if it is not.
+std::vector<std::string> extrapolations(const Material& material, double largest_strain, double largest_rate);
+
 }  // namespace dashpad

@@ -60,6 +60,15 @@ struct NineParameter {
                ? loading * unloading_factor(strain, largest_strain, rate.residual_ratio)
                : loading;
   }
+  /// dG/de with rate and largest strain held: A' B on loading, A' B E + A B dE/de on unloading. Strain > 0.
+  [[nodiscard]] double envelope_slope(Strain strain, const PowerShape& power, RatePart rate,
+                                      double largest_strain) const {
+    const double value = power.at(strain).shape * rate.modulus;
+    const double slope = value * power.log_slope(strain);
+    if (!rate.unloading) return slope;
+    return slope * unloading_factor(strain.value, largest_strain, rate.residual_ratio) +
+           value * unloading_factor_slope(strain.value, largest_strain, rate.residual_ratio);
+  }
   [[nodiscard]] TimePart time_part(double from, double to) const {
     return {std::exp((from - to) / relaxation_time)};
   }

@@ -34,6 +34,10 @@ class PowerShape {
 
   [[nodiscard]] Value at(Strain strain) const;
   [[nodiscard]] PowerExponents exponents() const { return exponents_; }
+  /// A'/A = m/e + n/(1 - e), for e > 0.
+  [[nodiscard]] double log_slope(Strain strain) const {
+    return exponents_.m / strain.value + exponents_.n / strain.complement;
+  }
 
  private:
   static constexpr int terms = 16;

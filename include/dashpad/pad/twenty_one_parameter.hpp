@@ -81,6 +81,31 @@ struct TwentyOneParameter {
                ? loading * unloading_factor(strain, largest_strain, rate.residual_ratio)
                : loading;
   }
+  /// dG/de with rate and largest strain held. With S = S_r (exp(w) - exp(-y)), w = e^W/X, y = e^Y/Z,
+  /// k = R exp(-u), u = e^U/V and r = |de/dt|, on loading
+  ///
+  ///   dG/de = E_inf A' + r^k (S_r (W w exp(w) + Y y exp(-y)) - S U u k ln r) / e
+  ///
+  /// and by the product rule with E on unloading. Strain > 0.
+  [[nodiscard]] double envelope_slope(Strain strain, const PowerShape& power, RatePart rate,
+                                      double largest_strain) const {
+    const auto at = power.at(strain);
+    const StrainPart part = strain_part(strain, at);
+    const double lasting_slope = part.lasting * power.log_slope(strain);
+    if (rate.still) return lasting_slope;
+    const double u = std::exp(rate_strain_exponent * at.log_strain) / rate_strain_scale;
+    const double w = std::exp(growth_strain_exponent * at.log_strain) / growth_strain_scale;
+    const double y = std::exp(onset_strain_exponent * at.log_strain) / onset_strain_scale;
+    const double growth =
+        rate_stress * (growth_strain_exponent * w * std::exp(w) + onset_strain_exponent * y * std::exp(-y));
+    const double fading = part.sensitive * rate_strain_exponent * u * part.exponent * rate.log_rate;
+    const double power_of_rate = std::exp(part.exponent * rate.log_rate);
+    const double slope = lasting_slope + power_of_rate * (growth - fading) / strain.value;
+    if (!rate.unloading) return slope;
+    const double value = part.lasting + part.sensitive * power_of_rate;
+    return slope * unloading_factor(strain.value, largest_strain, rate.residual_ratio) +
+           value * unloading_factor_slope(strain.value, largest_strain, rate.residual_ratio);
+  }
   /// 0 <= from < to.
   [[nodiscard]] TimePart time_part(double from, double to) const {
     const double a = relaxation_exponent;

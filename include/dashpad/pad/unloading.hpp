@@ -24,4 +24,9 @@ inline double unloading_factor(double strain, double largest_strain, double rati
   return (strain - largest_strain * ratio) / (strain * (1 - ratio));
 }
 
+/// dE/de = e* D / (e^2 (1 - D)), with rate and largest strain held.
+inline double unloading_factor_slope(double strain, double largest_strain, double ratio) {
+  return largest_strain * ratio / (strain * strain * (1 - ratio));
+}
+
 }  // namespace dashpad

@@ -1,16 +1,13 @@
 // The colours of the style sheet for what is drawn on canvases, and when they change.
 
-const names = ["text", "grid", "band", "band-2", "line-0", "line-1", "line-2", "line-3"];
 const listeners = [];
-let known = null;
+const known = new Map();
 let printing = false;
 
 export function colour(name) {
-  if (!known) {
-    const style = getComputedStyle(document.documentElement);
-    known = Object.fromEntries(names.map((each) => [each, style.getPropertyValue(`--${each}`).trim()]));
-  }
-  return known[name];
+  if (!known.has(name))
+    known.set(name, getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim());
+  return known.get(name);
 }
 
 export const isPrinting = () => printing;
@@ -20,7 +17,7 @@ export function onChange(listener) {
 }
 
 function changed() {
-  known = null;
+  known.clear();
   for (const listener of listeners) listener();
 }
 

@@ -20,18 +20,18 @@ export function number(value, scale = 0) {
 // Ticks of an axis: as many decimals as their distance needs, in every language alike.
 export function ticks(plot, splits, axis, space, distance) {
   const isWhole = (value) => Math.abs(value - Math.round(value)) < 1e-6;
+  const shown = splits.filter((split) => split !== null);
+  if (distance < 1e-4 || shown.some((split) => Math.abs(split) >= 1e7))
+    return splits.map((split) => (split === null ? "" : exponential(split, distance)));
   let decimals = 0;
   while (decimals < 9 && !isWhole(distance * 10 ** decimals)) ++decimals;
   return splits.map((split) => (split === null ? "" : split.toFixed(decimals)));
 }
 
-// Of a logarithmic axis only the decades have a tick.
-export function decades(plot, splits) {
-  return splits.map((split) => (Math.abs(Math.log10(split) - Math.round(Math.log10(split))) < 1e-9 ? split : null));
-}
-
-export function decadeTicks(plot, splits) {
-  return splits.map((split) => (split === null ? "" : String(Number(split.toPrecision(1)))));
+// What is nothing but rounding beside the distance of two ticks is 0.
+function exponential(split, distance) {
+  if (Math.abs(split) < 1e-6 * distance) return "0";
+  return Number(split.toPrecision(10)).toExponential().replace("e+", "e");
 }
 
 export function percent(fraction) {

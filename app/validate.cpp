@@ -1,0 +1,213 @@
+// dashpad validate: the validation study of the 1986 report, computed again.
+
+#include <csignal>
+#include <map>
+#include <memory>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/io/case_file.hpp"
+#include "dashpad/report/page.hpp"
+#include "dashpad/report/validation_report.hpp"
+#include "material_folder.hpp"
+#include "output.hpp"
+#include "progress_line.hpp"
+
+namespace dashpad {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* footer = R"(Examples:
+  dashpad validate --report validation.html --json validation.json --figures figures
+  dashpad validate --strict --data my-readings
+
+The 33 validation tests of Crash Padding Research, Volume III (1986) beside the accurate solver and the program
+of 1984: errors test by test, verdicts by rules that were fixed before the first run, trend lines fitted again,
+the report's own statements, and the nose radius that the readings favour. Everything is in the report's units:
+lb, in, mph, ms. docs/validation.md says what came out and what remains uncertain.
+
+Files: the report is one HTML file; the figures are stills, one a file, in a folder that is made if need be;
+they need gnuplot (Debian package gnuplot-nox). - as FILE is standard output; the summary then goes to standard
+error. Existing files are kept unless --force is given. All files are written at the end, or none.
+
+Exit codes: 0 the study was made, whether or not the predictions pass; 4 with --strict, if the accurate solver
+misses a rule; 1 a result could not be written; 2 refused and nothing was run.)";
+
+constexpr const char* material = "ensolite-aac-9.toml";
+
+struct Request {
+  std::optional<std::string> report;
+  std::optional<std::string> json;
+  std::optional<std::string> figures;
+  std::string format = "svg";
+  std::string data;
+  std::string materials;
+  bool force = false;
+  bool strict = false;
+};
+
+struct Folders {
+  fs::path data;
+  fs::path materials;
+};
+
+struct Input {
+  validation::ValidationData data;
+  Material ensolite;
+};
+
+std::vector<Target> files(const Request& request) {
+  std::vector<Target> wanted;
+  if (request.report) wanted.push_back({"--report", *request.report});
+  if (request.json) wanted.push_back({"--json", *request.json});
+  return wanted;
+}
+
+std::vector<Target> stills(const Request& request) {
+  std::vector<Target> wanted;
+  if (!request.figures) return wanted;
+  for (const std::string& slug : validation_figure_slugs())
+    wanted.push_back({"--figures", (fs::path{*request.figures} / (slug + "." + request.format)).string()});
+  return wanted;
+}
+
+PictureFormat picture_format_of(const Request& request) { return *picture_format("still." + request.format); }
+
+/// What forbids the folder of the figures, which need not be there yet.
+std::vector<std::string> folder_complaints(const Request& request) {
+  std::error_code error;
+  if (!request.figures || fs::is_directory(*request.figures, error)) return {};
+  if (request.figures->empty()) return {"--figures: needs the name of a folder"};
+  if (fs::exists(fs::symlink_status(*request.figures, error)))
+    return {fmt::format("--figures {}: is no folder", *request.figures)};
+  // A file in its place is refused for the reasons that forbid the folder.
+  fs::path folder{*request.figures};
+  if (!folder.has_filename()) folder = folder.parent_path();
+  return complaints({{"--figures", folder.string()}}, {}, request.force);
+}
+
+/// gnuplot fails before the study, not after it.
+void try_to_draw(const Request& request) {
+  Plot trial;
+  trial.panels.push_back({.series = {{.x = {0, 1}, .y = {0, 1}}}});
+  if (request.figures) picture(trial, picture_format_of(request));
+}
+
+Input read_and_check(const Request& request, const Folders& folders) {
+  std::vector<Target> targets = files(request);
+  std::vector<std::string> wrong = folder_complaints(request);
+  if (wrong.empty() && request.figures && fs::is_directory(*request.figures))
+    for (Target& still : stills(request)) targets.push_back(std::move(still));
+  for (std::string& line : complaints(targets, {}, request.force)) wrong.push_back(std::move(line));
+  if (request.report && !has_page()) wrong.push_back(std::string{"--report: "} + no_page);
+
+  Input input;
+  std::vector<Fault> faults;
+  input.data = validation::read_validation_data(folders.data, faults);
+  for (std::string& line : lines(faults)) wrong.push_back(std::move(line));
+  try {
+    input.ensolite = read_material(folders.materials / material);
+  } catch (const InputError& error) {
+    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+  }
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  return input;
+}
+
+validation::Study study_of(const Input& input) {
+  ProgressLine line{"Simulating the tests"};
+  return validation::run_study(input.data, input.ensolite,
+                               [&](std::size_t done, std::size_t all) { line.show(done, all); });
+}
+
+/// Interrupts wait while this lives: files get their names all together.
+class InterruptsHeld {
+ public:
+  InterruptsHeld() {
+    sigset_t signals;
+    ::sigemptyset(&signals);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&signals, signal);
+    ::pthread_sigmask(SIG_BLOCK, &signals, &before_);
+  }
+  ~InterruptsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  InterruptsHeld(const InterruptsHeld&) = delete;
+  InterruptsHeld& operator=(const InterruptsHeld&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+/// The texts of all files by file, before the first of them is written.
+std::map<std::string, std::string> texts_of(const Request& request, const validation::Study& study) {
+  std::map<std::string, std::string> texts;
+  if (request.report) texts[*request.report] = figures_page(validation_page(study));
+  if (request.json) texts[*request.json] = validation_json(study);
+  if (!request.figures) return texts;
+  const std::vector<Target> targets = stills(request);
+  const std::vector<ValidationFigure> figures = validation_figures(study);
+  ProgressLine line{"Drawing the figures "};
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    texts[targets[i].file] = picture(figures[i].plot, picture_format_of(request));
+    line.show(i + 1, figures.size());
+  }
+  return texts;
+}
+
+void write_results(const Request& request, const validation::Study& study) {
+  const std::map<std::string, std::string> texts = texts_of(request, study);
+  std::vector<Target> targets = files(request);
+  for (Target& still : stills(request)) targets.push_back(std::move(still));
+  const InterruptsHeld held;
+  if (request.figures) fs::create_directory(*request.figures);
+  publish(
+      targets, request.force, [&](const Target& target) { return texts.at(target.file); },
+      validation_text(study));
+}
+
+int run_validation(const Request& request, const Folders& folders) {
+  const Input input = read_and_check(request, folders);
+  try_to_draw(request);
+  const validation::Study study = study_of(input);
+  write_results(request, study);
+  return request.strict && !passes(study) ? exit_not_passed : exit_done;
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app, Action& action, const fs::path& executable) {
+  CLI::App* sub = app.add_subcommand("validate", "Compare with the validation tests of the 1986 report");
+  const auto request = std::make_shared<Request>();
+  sub->add_option("--report", request->report, "Write a page to look at in a browser, as one HTML file")
+      ->type_name("FILE");
+  sub->add_option("--json", request->json, "Write everything as JSON (- for standard output)")
+      ->type_name("FILE");
+  CLI::Option* figures =
+      sub->add_option("--figures", request->figures, "Draw the figures as stills in this folder")
+          ->type_name("DIR");
+  sub->add_option("--format", request->format, "Of the stills: svg (default), png or pdf")
+      ->check(CLI::IsMember({"svg", "png", "pdf"}))
+      ->needs(figures)
+      ->type_name("FORMAT");
+  sub->add_option("--data", request->data,
+                  "Folder of the measured tests (default: $DASHPAD_VALIDATION_DATA or dashpad's own)")
+      ->type_name("DIR");
+  sub->add_flag("--strict", request->strict, "Exit code 4 if the accurate solver misses a rule")
+      ->disable_flag_override();
+  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  add_material_folder(*sub, request->materials);
+  sub->footer(footer);
+  sub->callback([request, &action, executable] {
+    action = [request, executable] {
+      return run_validation(*request, {.data = request->data.empty() ? validation_data_folder(executable)
+                                                                     : fs::path{request->data},
+                                       .materials = chosen_folder(request->materials, executable)});
+    };
+  });
+}
+
+}  // namespace dashpad

@@ -1,0 +1,85 @@
+#pragma once
+/// The stress of a single pad column in a material test, exact up to quadrature.
+///
+/// Along a history the law is a linear equation for the stress (theory.md, Eq. 6; report, Eq. 28):
+///
+///   d(stress)/dt = dG/dt | (rate and largest strain held) + h (G - stress)
+///
+/// On a straight piece it integrates in closed form (theory.md, Eq. 7; law 5 needs the integral of h by
+/// quadrature); on a parabolic one the memory integral is taken by adaptive and double-exponential
+/// quadrature, which takes the infinite slopes at strain zero and rate zero. There are no time steps: the
+/// places of output change no stress.
+///
+/// Rules. While the strain grows the loading envelope counts, while it falls the unloading one with the
+/// largest strain so far. Where it stands still there is no rate: the envelope is the lasting stress. Where
+/// the rate jumps, the stress of laws 2, 4 and 5 is continuous; their envelope jumps.
+///
+/// Where the stress would turn tensile, contact is lost: the stress is zero until the strain grows again;
+/// then the column, taken to have followed the platen down without force, is loaded from stress zero. This is
+/// our assumption where a test reloads: the laws say nothing about the recovery of a free surface. Law 5
+/// counts time from first contact all the while. Law 3 does not recover: it carries its crush curve while the
+/// strain grows beyond its largest or is held there, and nothing once the strain has fallen, until it is
+/// passed.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "dashpad/laboratory/strain_history.hpp"
+#include "dashpad/pad/law.hpp"
+
+namespace dashpad {
+
+/// What happened on the way. The strain's course and the contact are told apart: a reloading after contact
+/// was lost is `reloaded` and `contact_taken_up`, at the same time but for law 3.
+struct ColumnEvent {
+  enum class Kind {
+    turned,           ///< loading, or a hold after it, became unloading
+    reloaded,         ///< unloading, or a hold after it, became loading
+    contact_lost,     ///< the stress fell to zero on unloading
+    contact_taken_up  ///< reloading from stress zero
+  };
+  Kind kind = Kind::turned;
+  double time = 0;  ///< s
+  double strain = 0;
+  double stress_before = 0;  ///< Pa
+  double stress_after = 0;   ///< Pa; differs from the one before for law 3 only
+};
+
+/// One entry a place of output; stress and strain positive in compression. The ends of all pieces, and the
+/// events, are places of output. Where the stress jumps (law 3), the place is there twice, before and after.
+struct ColumnTest {
+  std::vector<double> time;  ///< s since first contact
+  std::vector<double> strain;
+  std::vector<double> rate;    ///< 1/s; where it jumps, that of the piece that ends
+  std::vector<double> stress;  ///< Pa, >= 0
+  std::vector<double> work;    ///< J/m3 done on the column until then: integral of stress over strain
+  std::vector<ColumnEvent> events;
+  double largest_strain = 0;
+  double stress_error = 0;  ///< largest estimated error of a stress, as a fraction of the peak stress
+  double work_error = 0;    ///< estimated error of the work, of all places together, J/m3
+  [[nodiscard]] std::size_t size() const { return time.size(); }
+};
+
+/// Drives a column through a history, with `places` (2 to 100,000) places of output in each piece, even in
+/// time; 10,000,000 in all at most. Throws std::invalid_argument for violations() of the law or of the
+/// history, and for places beyond these numbers.
+ColumnTest drive(const PadLaw& law, const StrainHistory& history, int places = 200);
+
+/// Loaded at a constant rate until a stress is reached, then held at that stress: creep.
+struct CreepTest {
+  double stress = 0;        ///< Pa, > 0
+  double loading_rate = 0;  ///< 1/s, > 0
+  double hold = 0;          ///< s after the loading, > 0
+};
+
+/// The strain under that stress: while the stress stands still, (dG/de) rate + h (G - stress) = 0 gives the
+/// rate, which is integrated to a relative 1e-12 (law 2: closed form; laws 1 and 3: the strain stands still
+/// at once; law 3 below its crush stress at strain 0). Absent where the law cannot reach the stress below
+/// strain 0.999, or creeps beyond it. `places` during loading, even in time, and as many during the hold, at
+/// times after the loading in geometric sequence. `stress_error` is what the estimated error of the strain is
+/// worth on the lasting stress. Throws std::invalid_argument for violations() of the law, and for figures
+/// that are not as above.
+std::optional<ColumnTest> creep(const PadLaw& law, const CreepTest& test, int places = 200);
+
+}  // namespace dashpad

@@ -1,0 +1,136 @@
+#include "dashpad/laboratory/column_test.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <variant>
+
+#include "laboratory/curve_column.hpp"
+#include "laboratory/record.hpp"
+#include "laboratory/viscous_column.hpp"
+
+namespace dashpad {
+namespace {
+
+constexpr int fewest_places = 2, most_places = 100000;
+constexpr double most_places_in_all = 1e7;
+
+void check(const PadLaw& law, const StrainHistory& history, int places) {
+  std::string text;
+  const auto add = [&text](const std::vector<Violation>& broken) {
+    for (const Violation& v : broken)
+      text += fmt::format("{}{} is {}: {}", text.empty() ? "" : "; ", v.key, v.value, v.rule);
+  };
+  add(violations(law));
+  add(violations(history));
+  if (places < fewest_places || places > most_places)
+    add({{"places", double(places), fmt::format("must be {} to {}", fewest_places, most_places)}});
+  else if (static_cast<double>(history.pieces.size()) * places > most_places_in_all)
+    add({{"places", double(places), fmt::format("times pieces must be at most {}", most_places_in_all)}});
+  if (!text.empty()) throw std::invalid_argument(text);
+}
+
+/// Times from the arc's start, beyond it, at which there is output: the places of its piece, the ends of the
+/// contact, the arc's end.
+std::vector<double> output_times(const Arc& arc, const Contact& contact, int places) {
+  std::vector<double> special{arc.duration};
+  for (const double x : {contact.from, contact.to})
+    if (contact.any && x > 0 && x < arc.duration) special.push_back(x);
+  const double spacing = arc.piece_duration / places;
+  std::vector<double> times = special;
+  for (int i = 1; i < places; ++i) {
+    const double x = i * spacing - arc.offset;
+    const auto coincides = [&](double y) { return std::abs(x - y) < 1e-9 * spacing; };
+    if (x > 1e-9 * spacing && x < arc.duration && std::none_of(special.begin(), special.end(), coincides))
+      times.push_back(x);
+  }
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
+/// One column on its way, with the record of it.
+template <class Column>
+class Drive {
+ public:
+  Drive(Column column, int places) : column_(std::move(column)), places_(places) {}
+
+  ColumnTest through(const std::vector<Arc>& arcs) {
+    record_.add(arcs.front().time, arcs.front().start, {});
+    for (const Arc& arc : arcs) follow(arc);
+    return record_.finished();
+  }
+
+ private:
+  using Kind = ColumnEvent::Kind;
+
+  void follow(const Arc& arc) {
+    const Contact contact = column_.enter(arc);
+    const double before = record_.stress();
+    const double after = contact.any && contact.from == 0 ? column_.at(0).value : 0;
+    if (const int direction = arc.direction(); direction != 0) {
+      if (direction != course_ && course_ != 0)
+        record_.note(direction < 0 ? Kind::turned : Kind::reloaded, arc.time, arc.start.strain, before,
+                     contact.taken_up ? before : after);
+      course_ = direction;
+    }
+    if (contact.taken_up && contact.from == 0)
+      record_.note(Kind::contact_taken_up, arc.time, arc.start.strain, before, after);
+    if (contact.lost && !contact.any)
+      record_.note(Kind::contact_lost, arc.time, arc.start.strain, before, after);
+    if (after != before) record_.add(arc.time, arc.start, {after, 0});
+    double last = 0;
+    for (const double x : output_times(arc, contact, places_)) {
+      put(arc, contact, last, x);
+      last = x;
+    }
+    column_.leave();
+  }
+
+  void put(const Arc& arc, const Contact& contact, double last, double x) {
+    const Motion motion = arc.part(0, x).end;
+    const bool within = contact.any && last >= contact.from && x <= contact.to;
+    if (within) {
+      const auto power = [&](double t) { return column_.at(t).value * arc.at(t).rate; };
+      // After a jump of the rate the stress may change within no time, and from strain zero it does.
+      if (arc.direction() != 0)
+        record_.work(last == contact.from ? integral_from_singularity(
+                                                [&](double t) { return power(last + t); }, 0, x - last, 1e-9)
+                                          : integral(power, last, x, 1e-9, 12));
+    }
+    const bool ends = contact.lost && x == contact.to;
+    const Estimate stress = within && !ends ? column_.at(x) : Estimate{};
+    record_.add(arc.time + x, motion, stress);
+    if (ends && contact.any) record_.note(Kind::contact_lost, arc.time + x, motion.strain, 0, 0);
+    if (contact.any && x == contact.from && x < arc.duration) {
+      const Estimate taken_up = column_.at(x);
+      if (contact.taken_up)
+        record_.note(Kind::contact_taken_up, arc.time + x, motion.strain, 0, taken_up.value);
+      record_.add(arc.time + x, motion, taken_up);
+    }
+  }
+
+  Column column_;
+  int places_;
+  Record record_;
+  int course_ = 0;  ///< of the strain, when it last was not still
+};
+
+}  // namespace
+
+ColumnTest drive(const PadLaw& law, const StrainHistory& history, int places) {
+  check(law, history, places);
+  const std::vector<Arc> arcs = arcs_of(history);
+  return std::visit(
+      [&](const auto& alternative) {
+        using Law = std::decay_t<decltype(alternative)>;
+        if constexpr (IsMemoryless<Law>)
+          return Drive(CurveColumn<Law>(alternative), places).through(arcs);
+        else
+          return Drive(ViscousColumn<Law>(alternative), places).through(arcs);
+      },
+      law);
+}
+
+}  // namespace dashpad

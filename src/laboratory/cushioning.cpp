@@ -1,0 +1,127 @@
+#include "dashpad/laboratory/cushioning.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <stdexcept>
+
+namespace dashpad {
+namespace {
+
+CushionPoint point_of(double strain, double stress, double energy) {
+  return {strain, stress, energy, stress > 0 ? energy / stress : 0,
+          stress > 0 && strain > 0 ? energy / (stress * strain) : 0};
+}
+
+CushionPoint point(const CushionCurve& curve, std::size_t i) {
+  return {curve.strain[i], curve.stress[i], curve.energy[i], curve.efficiency[i], curve.ideality[i]};
+}
+
+/// The point before the first place: stress = S1 (strain / e1)^q, with q from the first two places.
+CushionPoint before_first(const CushionCurve& curve, double limit) {
+  const double e = curve.strain[0], S = curve.stress[0];
+  const double q =
+      curve.strain.size() > 1 ? std::log(curve.stress[1] / S) / std::log(curve.strain[1] / e) : 1;
+  const double share = q > 0 ? std::pow(limit / S, 1 / q) : 0;
+  return point_of(e * share, limit, curve.energy[0] * share * limit / S);
+}
+
+/// ln(stress) at ln(strain) = x, by Neville's scheme over four places around the interval before place i.
+double log_stress(const CushionCurve& curve, std::size_t i, double x) {
+  const std::size_t n = curve.strain.size();
+  const std::size_t count = std::min<std::size_t>(4, n);
+  const std::size_t first = std::min(i < 2 ? 0 : i - 2, n - count);
+  std::array<double, 4> place{}, value{};
+  for (std::size_t k = 0; k < count; ++k) {
+    place[k] = std::log(curve.strain[first + k]);
+    value[k] = std::log(curve.stress[first + k]);
+  }
+  for (std::size_t level = 1; level < count; ++level)
+    for (std::size_t k = 0; k + level < count; ++k)
+      value[k] =
+          ((x - place[k + level]) * value[k] - (x - place[k]) * value[k + 1]) / (place[k] - place[k + level]);
+  return value[0];
+}
+
+/// Hermite's cubic from place i - 1 to place i.
+double energy_between(const CushionCurve& curve, std::size_t i, double strain) {
+  const double width = curve.strain[i] - curve.strain[i - 1];
+  const double t = (strain - curve.strain[i - 1]) / width;
+  const double rise = curve.energy[i] - curve.energy[i - 1];
+  return curve.energy[i - 1] + t * t * (3 - 2 * t) * rise +
+         t * (1 - t) * width * ((1 - t) * curve.stress[i - 1] - t * curve.stress[i]);
+}
+
+CushionPoint between(const CushionCurve& curve, std::size_t i, double limit) {
+  const double low = std::log(curve.strain[i - 1]);
+  const double high = std::log(curve.strain[i]);
+  const auto missing = [&](double x) { return log_stress(curve, i, x) - std::log(limit); };
+  double x = high;
+  if (missing(low) < 0 && missing(high) > 0) {
+    std::uintmax_t most = 100;
+    x = boost::math::tools::toms748_solve(missing, low, high, boost::math::tools::eps_tolerance<double>(50),
+                                          most)
+            .first;
+  }
+  const double strain = std::exp(x);
+  return point_of(strain, limit, energy_between(curve, i, strain));
+}
+
+}  // namespace
+
+CushionCurve cushion_curve(const ColumnTest& test) {
+  CushionCurve curve;
+  double strain = 0;
+  double stress = 0;
+  for (std::size_t i = 0; i < test.size(); ++i) {
+    if (test.strain[i] < strain) break;
+    stress = std::max(stress, test.stress[i]);
+    if (test.strain[i] == strain) continue;
+    strain = test.strain[i];
+    const CushionPoint p = point_of(strain, stress, test.work[i]);
+    curve.strain.push_back(p.strain);
+    curve.stress.push_back(p.stress);
+    curve.energy.push_back(p.energy);
+    curve.efficiency.push_back(p.efficiency);
+    curve.ideality.push_back(p.ideality);
+  }
+  return curve;
+}
+
+CushionFigures cushion_figures(const ColumnTest& test) {
+  CushionFigures figures;
+  for (std::size_t i = 0; i < test.size(); ++i) {
+    figures.peak_stress = std::max(figures.peak_stress, test.stress[i]);
+    if (i == 0) continue;
+    const double done = test.work[i] - test.work[i - 1];
+    if (test.strain[i] > test.strain[i - 1])
+      figures.energy_in += done;
+    else
+      figures.energy_returned -= done;
+  }
+  figures.peak_strain = test.largest_strain;
+  if (figures.energy_in > 0) {
+    figures.hysteresis = 1 - figures.energy_returned / figures.energy_in;
+    figures.energy_error = test.work_error / figures.energy_in + 1e-15;
+  }
+  const CushionCurve curve = cushion_curve(test);
+  const auto best = std::max_element(curve.efficiency.begin(), curve.efficiency.end());
+  if (best != curve.efficiency.end())
+    figures.best_efficiency = point(curve, static_cast<std::size_t>(best - curve.efficiency.begin()));
+  return figures;
+}
+
+std::optional<CushionPoint> at_stress_limit(const CushionCurve& curve, double limit) {
+  if (!(limit > 0 && std::isfinite(limit)))
+    throw std::invalid_argument(fmt::format("stress limit is {}: must be more than 0 (Pa)", limit));
+  const auto first = std::lower_bound(curve.stress.begin(), curve.stress.end(), limit);
+  if (first == curve.stress.end()) return std::nullopt;
+  const auto i = static_cast<std::size_t>(first - curve.stress.begin());
+  if (*first == limit) return point(curve, i);
+  return i == 0 ? before_first(curve, limit) : between(curve, i, limit);
+}
+
+}  // namespace dashpad

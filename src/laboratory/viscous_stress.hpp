@@ -1,0 +1,136 @@
+#pragma once
+/// The stress of a column with memory at the end of a stretch.
+///
+/// Straight (theory.md, Eq. 7), with H the integral of h over the stretch:
+///
+///   stress_1 = G(e1) + (stress_0 - G(e0)) exp(-H)
+///
+/// Parabolic, with H(t) the integral of h from t to the end (the solution of theory.md, Eq. 6):
+///
+///   stress_1 = stress_0 exp(-H) + integral of exp(-H(t)) (dG/de de/dt + h G) dt
+///
+/// In this form nothing has to be derived by the rate, so the envelope's infinite slope at rate zero does no
+/// harm. dG/de ~ e^(m-1) at strain zero is taken in t = z^(1/m), where it is finite.
+
+#include <algorithm>
+
+#include "dashpad/pad/law.hpp"
+#include "laboratory/arc.hpp"
+#include "laboratory/quadrature.hpp"
+
+namespace dashpad {
+
+/// H over the part of a stretch between two times from its start.
+template <IsViscous Law>
+Estimate relaxation(const Law& law, const Stretch&, double from, double to) {
+  return {(to - from) * law.relaxation_rate(0, 0), 0};
+}
+
+/// Law 5: h depends on time and strain. In u = t^a it is not singular where contact begins.
+inline Estimate relaxation(const TwentyOneParameter& law, const Stretch& stretch, double from, double to) {
+  const double a = law.relaxation_exponent;
+  const double log_base = std::log(law.relaxation_strain_base);
+  const auto fading = [&](double x) { return std::exp(-log_base * stretch.at(x).strain); };
+  const double early = stretch.time + from;
+  const double late = stretch.time + to;
+  if (4 * early > to - from)
+    return integral(
+        [&](double x) { return a / law.relaxation_scale * std::pow(stretch.time + x, a - 1) * fading(x); },
+        from, to, 1e-12, 5);
+  const auto in_power = [&](double u) {
+    return fading(std::clamp(std::pow(u, 1 / a) - stretch.time, from, to)) / law.relaxation_scale;
+  };
+  return integral_from_singularity(in_power, std::pow(early, a), std::pow(late, a));
+}
+
+template <IsViscous Law>
+class ViscousStress {
+ public:
+  explicit ViscousStress(const Law& law) : law_(law), power_(law.exponents()) {}
+
+  /// With `largest` the largest strain seen until the stretch begins. On unloading the strain at the end must
+  /// be more than 0: the envelopes of laws 4 and 5 have no lower bound there.
+  [[nodiscard]] Estimate after(const Stretch& stretch, Estimate stress, double largest) const {
+    const Estimate H = relaxation(law_, stretch, 0, stretch.duration);
+    const double kept = std::exp(-H.value);
+    if (stretch.acceleration == 0) {
+      const double from = stress.value - envelope(stretch.start, largest);
+      const double to = envelope(stretch.end, largest);
+      return {to + from * kept, kept * (stress.error + std::abs(from) * H.error) + rounding * std::abs(to)};
+    }
+    const Estimate added = memory(remembered(stretch), largest);
+    const double value = stress.value * kept + added.value;
+    return {value, kept * stress.error + added.error + (std::abs(stress.value) + std::abs(value)) * H.error +
+                       rounding * std::abs(value)};
+  }
+
+ private:
+  static constexpr double rounding = 4e-16;
+  /// Strains below it are not told from zero.
+  static constexpr double least_strain = 1e-300;
+
+  [[nodiscard]] double envelope(Motion motion, double largest) const {
+    const Strain strain = strain_of(motion.strain);
+    return law_.envelope(law_.strain_part(strain, power_.at(strain)), law_.rate_part(motion.rate),
+                         motion.strain, largest);
+  }
+
+  /// exp(-H(t)) (dG/de de/dt + h G), `x` s after the start of the stretch.
+  [[nodiscard]] double integrand(const Stretch& stretch, double x, Motion motion, double largest) const {
+    if (motion.strain < least_strain) return 0;
+    const Strain strain = strain_of(motion.strain);
+    const auto rate = law_.rate_part(motion.rate);
+    const double slope = law_.envelope_slope(strain, power_, rate, largest);
+    const double h = law_.relaxation_rate(stretch.time + x, motion.strain);
+    const double kept = std::exp(-relaxation(law_, stretch, x, stretch.duration).value);
+    return kept * (slope * motion.rate + h * envelope(motion, largest));
+  }
+
+  /// The end of a stretch, as far back as exp(-H(t)) is more than e^-40. Without this cut a quadrature over
+  /// many relaxation times could step over all that counts.
+  [[nodiscard]] Stretch remembered(const Stretch& stretch) const {
+    double from = 0;
+    for (;;) {
+      const double later = from + (stretch.duration - from) / 2;
+      if (later <= from || relaxation(law_, stretch, later, stretch.duration).value < 40) break;
+      from = later;
+    }
+    return from == 0 ? stretch : stretch.part(from, stretch.duration);
+  }
+
+  /// The integral, by halves: each counts time from its own end of the stretch.
+  [[nodiscard]] Estimate memory(const Stretch& stretch, double largest) const {
+    const double half = stretch.duration / 2;
+    const auto first = [&](double x) { return integrand(stretch, x, stretch.after_start(x), largest); };
+    const auto second = [&](double y) {
+      return integrand(stretch, stretch.duration - y, stretch.before_end(y), largest);
+    };
+    Estimate early;
+    if (stretch.start.strain == 0)
+      early = from_zero_strain(first, half);
+    else if (stretch.start.rate == 0)
+      early = integral_from_singularity(first, 0, half);
+    else
+      early = integral(first, 0, half);
+    const Estimate late =
+        stretch.end.rate == 0 ? integral_from_singularity(second, 0, half) : integral(second, 0, half);
+    return {early.value + late.value, early.error + late.error};
+  }
+
+  template <class F>
+  [[nodiscard]] Estimate from_zero_strain(F&& f, double half) const {
+    const double m = power_.exponents().m;
+    const double least = std::pow(1e-140, m);  // below it the integrand is constant in z, and x underflows
+    const auto in_power = [&](double z) {
+      z = std::max(z, least);
+      const double x = half * std::pow(z, 1 / m);
+      return f(x) * x / (m * z);
+    };
+    return integral_from_singularity(in_power, 0, 1);
+  }
+
+  Law law_;
+  PowerShape power_;
+};
+
+}  // namespace dashpad

@@ -1,0 +1,42 @@
+// The report's statements that can be computed again.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/validation/claims.hpp"
+#include "io/text.hpp"
+#include "report/validation_json_parts.hpp"
+#include "report/validation_tables.hpp"
+
+namespace dashpad {
+
+using namespace validation;
+
+PageTable claims_table(const Study& study) {
+  PageTable table{.columns = {"where", "statement", "printed", "computed", "agrees", "remark"}};
+  for (const ReportClaim& claim : check_claims(study.data)) {
+    const std::string unit = claim.unit == "1" ? "" : " " + shown_unit(claim.unit);
+    table.rows.push_back({claim.where, claim.claim, brief(claim.printed) + unit,
+                          fmt::format("{:.4g}{}", claim.computed, unit), claim.agrees ? "yes" : "NO",
+                          claim.remark});
+  }
+  return table;
+}
+
+Json claims_json(const Study& study) {
+  Json claims = Json::array();
+  for (const ReportClaim& claim : check_claims(study.data))
+    claims.push_back({{"where", claim.where},
+                      {"claim", claim.claim},
+                      {"unit", claim.unit},
+                      {"printed", number(claim.printed)},
+                      {"computed", number(claim.computed)},
+                      {"tolerance", number(claim.tolerance)},
+                      {"agrees", claim.agrees},
+                      {"remark", claim.remark}});
+  return claims;
+}
+
+}  // namespace dashpad

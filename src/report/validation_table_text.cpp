@@ -1,0 +1,61 @@
+// A table as Markdown, and in columns of even width.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "io/text.hpp"
+#include "report/validation_tables.hpp"
+
+namespace dashpad {
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// UTF-8 characters.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));
+}
+
+std::string markdown_row(const Row& row) {
+  std::string line = "|";
+  for (const std::string& cell : row) {
+    line += ' ';
+    for (const char character : one_line(cell))
+      line += character == '|' ? std::string{"\\|"} : std::string{character};
+    line += " |";
+  }
+  return line + "\n";
+}
+
+}  // namespace
+
+std::string markdown(const PageTable& table) {
+  std::string text = markdown_row(table.columns);
+  text += "|";
+  for (std::size_t i = 0; i < table.columns.size(); ++i) text += "---|";
+  text += "\n";
+  for (const Row& row : table.rows) text += markdown_row(row);
+  return text;
+}
+
+std::string plain_text(const PageTable& table) {
+  std::vector<Row> rows{table.columns};
+  rows.insert(rows.end(), table.rows.begin(), table.rows.end());
+  std::vector<std::size_t> widths(table.columns.size());
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      line += one_line(row[i]) + std::string(widths[i] - width_of(row[i]) + 2, ' ');
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace dashpad

@@ -1,0 +1,50 @@
+#pragma once
+/// The printed constants that the study compares with.
+
+namespace dashpad::validation {
+
+inline constexpr const char* constants_of_the_study[] = {
+    "pad_thickness_in",
+    "tests",
+    "load_cell_tests",
+    "plate_tests",
+    "aluminium_load_cell_tests",
+    "steel_load_cell_tests",
+    "force_readings",
+    "plug_only_strains",
+    "strains_by_both",
+    "load_cell_first_slope_lb_per_in",
+    "load_cell_last_slope_lb_per_in",
+    "travel_in",
+    "expected_travel_in",
+    "least_excess_time_ms",
+    "greatest_excess_time_ms",
+    "shortest_elastic_time_ms",
+    "longest_elastic_time_ms",
+    "nominal_stress_tests",
+    "nominal_stress_clustered_tests",
+    "rebound_readings",
+    "rebound_ratio_load_cell",
+    "rebound_ratio_plate",
+    "plate_speed_mph",
+    "plate_peak_force_lb",
+    "plate_deflection_in",
+    "least_storage_fraction",
+    "greatest_storage_fraction",
+    "energy_trend_factor",
+    "energy_trend_exponent",
+    "energy_trend_from_in_lb",
+    "excess_of_predicted_time_ms",
+    "stiffness_of_time_aluminium_lb_per_in",
+    "stiffness_of_time_steel_lb_per_in",
+    "expected_force_ratio_aluminium_low_speed",
+    "expected_force_ratio_aluminium_high_speed",
+    "expected_force_ratio_steel_low_speed",
+    "expected_force_ratio_steel_high_speed",
+    "force_ratio_aluminium_low_speed",
+    "force_ratio_aluminium_high_speed",
+    "force_ratio_steel_low_speed",
+    "force_ratio_steel_high_speed",
+};
+
+}  // namespace dashpad::validation

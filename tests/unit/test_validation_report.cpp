@@ -1,0 +1,127 @@
+// The validation as figures, tables and JSON, of a made-up study.
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "dashpad/report/validation_report.hpp"
+#include "made_up_study.hpp"
+#include "shared/markdown_table.hpp"
+
+namespace dashpad {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const Series& series_of(const Plot& plot, const std::string& label, std::size_t panel = 0) {
+  const auto& all = plot.panels.at(panel).series;
+  const auto found = std::ranges::find(all, label, &Series::label);
+  if (found == all.end()) throw std::out_of_range("no series " + label);
+  return *found;
+}
+
+ValidationFigure figure(const std::string& slug) {
+  for (const ValidationFigure& figure : validation_figures(test::made_up_study()))
+    if (figure.slug == slug) return figure;
+  throw std::out_of_range("no figure " + slug);
+}
+
+TEST(ValidationFigures, HaveTheirSlugsUnitsAndSource) {
+  const auto figures = validation_figures(test::made_up_study());
+  const auto slugs = validation_figure_slugs();
+  ASSERT_EQ(figures.size(), slugs.size());
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    EXPECT_EQ(figures[i].slug, slugs[i]);
+    EXPECT_THAT(figures[i].plot.source, HasSubstr("Volume III (1986)")) << slugs[i];
+    for (const Panel& panel : figures[i].plot.panels) {
+      EXPECT_THAT(panel.x.label, HasSubstr("(")) << slugs[i];
+      EXPECT_FALSE(panel.series.empty()) << slugs[i];
+    }
+  }
+}
+
+TEST(ValidationFigures, DrawCertainReadingsOnly) {
+  const ValidationFigure force = figure("figure-4-2");
+  EXPECT_THAT(series_of(force.plot, "measured").y, ElementsAre(500, 3000));
+  EXPECT_THAT(series_of(force.plot, "measured", 1).y, ElementsAre(4000));
+  EXPECT_THAT(force.note, HasSubstr("2 readings of peak force whose test the scan lost are left out"));
+}
+
+TEST(ValidationFigures, TheBandSpansTheRadiiAndTheLineIsAtOneOfThem) {
+  const Plot plot = figure("figure-4-3").plot;
+  const Series& band = series_of(plot, "accurate, over the nose radii");
+  EXPECT_THAT(band.x, ElementsAre(10, 15, 20));
+  EXPECT_THAT(band.y, ElementsAre(6000, 9000, 12000));
+  EXPECT_THAT(band.y2, ElementsAre(16000, 24000, 32000));
+  EXPECT_THAT(series_of(plot, "accurate, 2.50 in").y, ElementsAre(10000, 15000, 20000));
+  EXPECT_THAT(series_of(plot, "1984 program, 2.50 in").y, ElementsAre(2500, 3750, 5000));
+}
+
+TEST(ValidationFigures, MarkTheReconstruction) {
+  EXPECT_THAT(figure("figure-3-3").plot.panels[0].series[0].label, HasSubstr("RECONSTRUCTED"));
+}
+
+TEST(ValidationFigures, ShowTheRatioOfEachTest) {
+  const Plot plot = figure("force-ratio").plot;
+  EXPECT_THAT(series_of(plot, "accurate").x, ElementsAre(12, 18));
+  EXPECT_THAT(series_of(plot, "accurate").y, ElementsAre(1.2, 0.5));
+  EXPECT_THAT(series_of(plot, "report: predictions over its trend", 1).y, ElementsAre(1.4, 0.4));
+}
+
+TEST(ValidationTables, ComeBackFromMarkdown) {
+  const auto table = test::read_markdown(validation_markdown_tables(test::made_up_study()).at("verdict"));
+  ASSERT_EQ(table.size(), 3U);
+  EXPECT_THAT(table[0], testing::Contains("verdict"));
+  EXPECT_THAT(table[1],
+              ElementsAre("1984 program", "load cell", "all", "peak force", "2, 1 without prediction",
+                          "-12.5 %", "25.0 %", "-20.0 % to +10.0 %", "20.0 % to 30.0 %", "0 of 6", "FAIL"));
+  EXPECT_EQ(table[2].back(), "pass");
+}
+
+TEST(ValidationTables, CellsAreComparedByTheirLastDigit) {
+  EXPECT_TRUE(test::same_cell("-12.5 % to 3", "-12.6 % to 4"));
+  EXPECT_FALSE(test::same_cell("-12.5 %", "-12.7 %"));
+  EXPECT_FALSE(test::same_cell("12.5 %", "12.5 in"));
+  EXPECT_FALSE(test::same_cell("pass", "FAIL"));
+}
+
+TEST(ValidationJson, HasWhatTheStudyHas) {
+  const auto json = nlohmann::json::parse(validation_json(test::made_up_study()));
+  EXPECT_EQ(json["favoured_radius_in"], 2.5);
+  EXPECT_EQ(json["verdicts"][0]["passed"], false);
+  EXPECT_EQ(json["verdicts"][1]["errors"][1]["test"], 24);
+  EXPECT_EQ(json["verdicts"][1]["errors"][1]["error"], -0.5);
+  EXPECT_EQ(json["constants"][0]["confidence_95"]["low"], 1.6);
+  EXPECT_EQ(json["tests"][3]["rebound_mph"], nullptr);
+  EXPECT_EQ(json["tests"][3]["peak_force_lbf"], 4000);
+  EXPECT_EQ(json["rebounds"][0]["too_high"], 1);
+  EXPECT_EQ(json["anomaly"]["slope_halves"], true);
+  EXPECT_EQ(json["anomaly"]["the_support_defect"], "does not explain it");
+  EXPECT_EQ(json["nominal_stress"]["points"][1]["test"], nullptr);
+  EXPECT_EQ(json["lost_readings"][0]["readings"][1], 636);
+}
+
+TEST(ValidationVerdict, NeedsEveryRule) {
+  validation::Study study = test::made_up_study();
+  EXPECT_FALSE(passes(study));  // the rebounds
+  study.rebounds[0].passed = true;
+  EXPECT_TRUE(passes(study));
+  study.verdicts[1].score.passed = false;
+  EXPECT_FALSE(passes(study));
+  EXPECT_THAT(validation_text(study), HasSubstr("passes 1 of 2 rules"));
+}
+
+TEST(ValidationPage, BeginsWithTheVerdict) {
+  const FiguresPage page = validation_page(test::made_up_study());
+  EXPECT_EQ(page.sections.front().heading, "Verdict");
+  EXPECT_THAT(page.warnings.front(), HasSubstr("NOT PASSED"));
+  std::size_t figures = 0;
+  for (const PageSection& section : page.sections) figures += section.figures.size();
+  EXPECT_EQ(figures, validation_figure_slugs().size());
+}
+
+}  // namespace
+}  // namespace dashpad

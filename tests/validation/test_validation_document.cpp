@@ -1,0 +1,62 @@
+/// The tables of docs/validation.md are those of the study. To write them anew: DASHPAD_REGENERATE=1
+/// test_validation --gtest_filter='ValidationDocument.*', then look at the difference.
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "dashpad/io/case_file.hpp"
+#include "dashpad/report/validation_report.hpp"
+#include "shared/markdown_table.hpp"
+
+namespace dashpad::test {
+namespace {
+
+const std::filesystem::path source_folder = DASHPAD_SOURCE_DIR;
+const std::filesystem::path document = source_folder / "docs/validation.md";
+
+std::map<std::string, std::string> computed_tables() {
+  std::vector<Fault> faults;
+  const auto data = validation::read_validation_data(source_folder / "data/validation", faults);
+  return validation_markdown_tables(
+      validation::run_study(data, read_material(source_folder / "materials/ensolite-aac-9.toml")));
+}
+
+void expect_alike(const std::string& name, const std::string& computed, const std::string& written) {
+  const auto now = read_markdown(computed), before = read_markdown(written);
+  ASSERT_EQ(now.size(), before.size()) << name;
+  for (std::size_t row = 0; row < now.size(); ++row) {
+    ASSERT_EQ(now[row].size(), before[row].size()) << name << ", row " << row;
+    for (std::size_t i = 0; i < now[row].size(); ++i)
+      EXPECT_TRUE(same_cell(now[row][i], before[row][i]))
+          << name << ", row " << row << ": \"" << now[row][i] << "\", written \"" << before[row][i] << "\"";
+  }
+}
+
+TEST(ValidationDocument, HoldsTheTablesOfTheStudy) {
+  std::ifstream stream(document);
+  ASSERT_TRUE(stream) << document;
+  std::stringstream content;
+  content << stream.rdbuf();
+  std::string text = content.str();
+  for (const auto& [name, table] : computed_tables()) {
+    const std::string begin = "<!-- begin " + name + " -->\n", end = "<!-- end " + name + " -->";
+    const std::size_t from = text.find(begin), to = text.find(end);
+    ASSERT_TRUE(from != std::string::npos && to != std::string::npos && from < to) << "no block " << name;
+    const std::size_t start = from + begin.size();
+    if (std::getenv("DASHPAD_REGENERATE") != nullptr)
+      text.replace(start, to - start, "\n" + table + "\n");
+    else
+      expect_alike(name, table, text.substr(start, to - start));
+  }
+  if (std::getenv("DASHPAD_REGENERATE") != nullptr) {
+    std::ofstream(document) << text;
+    GTEST_SKIP() << "wrote " << document;
+  }
+}
+
+}  // namespace
+}  // namespace dashpad::test
