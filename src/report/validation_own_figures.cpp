@@ -84,10 +84,12 @@ Panel ratio_panel(const Study& study, const char* title, Projectile projectile, 
   return panel;
 }
 
-/// The program that a criterion is about: the last words of its remark.
+/// The program that a criterion is about: the second part of its remark.
 std::string program_of(const RadiusCriterion& criterion) {
-  const std::size_t place = criterion.remark.rfind("; ");
-  return place == std::string::npos ? criterion.remark : criterion.remark.substr(place + 2);
+  const std::size_t place = criterion.remark.find("; ");
+  if (place == std::string::npos) return criterion.remark;
+  const std::string rest = criterion.remark.substr(place + 2);
+  return rest.substr(0, rest.find("; "));
 }
 
 }  // namespace

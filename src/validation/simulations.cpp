@@ -87,7 +87,8 @@ void run_the_program(const ImpactCase& impact, Program program, Prediction& pred
   const spit1984::Deck deck = spit1984::deck_of(impact);
   const spit1984::Run run = spit1984::run(deck, settings);
   prediction.remark = remark_on(run);
-  if (run.abend != spit1984::Abend::none) {
+  const bool pulls = std::ranges::any_of(run.history, [](const auto& step) { return step.force_lb > 0; });
+  if (run.abend != spit1984::Abend::none || pulls) {
     read_broken_run(run, deck.thickness_in, prediction);
     return;
   }

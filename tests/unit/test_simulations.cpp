@@ -66,8 +66,10 @@ TEST_F(Simulations, ProgramOf1984KnowsItsSupportOnlyWhereMended) {
   const spit1984::Run run = spit1984::run(spit1984::deck_of(impact_case(data, ensolite, stiff)));
   const Prediction printed = predict(data, ensolite, Program::printed_1984, stiff);
   EXPECT_EQ(printed.peak_force_lb, -run.peak_force_lb);
-  EXPECT_EQ(printed.rebound_mph, -run.rebound_speed_mph);
-  EXPECT_EQ(printed.remark, "1 of 123 steps out of equilibrium");
+  EXPECT_NEAR(*printed.rebound_mph, -run.rebound_speed_mph, 2e-3 * -run.rebound_speed_mph)
+      << "the last rows pull, and are left out";
+  EXPECT_EQ(printed.remark.find("1 of 123 steps out of equilibrium; used up to 12.1 ms"), 0U)
+      << printed.remark;
   const Prediction with_curve = predict(data, ensolite, Program::mended_support_1984, stiff);
   EXPECT_NE(with_curve.peak_force_lb, printed.peak_force_lb);
 }

@@ -158,6 +158,22 @@ void check_anomaly(const Study& study) {
   EXPECT_EQ(study.anomaly.over_radii.back(), study.anomaly.explanation);
 }
 
+/// The forces on the plate that docs/validation.md quotes, over curve "B".
+void check_forces_on_the_plate(const Study& study) {
+  const auto ratio = [&](Program program, double speed_mph) {
+    const Prediction* prediction =
+        find(study.on_curves, program,
+             {Projectile::aluminium, TestSupport::plate, speed_mph, study.radius.of_the_report_in()});
+    return *prediction->peak_force_lb / curve_b_force_lb(study.data, Projectile::aluminium, speed_mph);
+  };
+  EXPECT_NEAR(ratio(Program::accurate, 14), 1.78, 0.01);
+  EXPECT_NEAR(ratio(Program::accurate, 20), 1.27, 0.01);
+  for (const double speed_mph : {14., 16., 18., 20.}) {
+    EXPECT_GT(ratio(Program::printed_1984, speed_mph), 0.89);
+    EXPECT_LT(ratio(Program::printed_1984, speed_mph), 1);
+  }
+}
+
 /// The model gives back far more than the report's bound admits, in every test.
 void check_rebounds(const Study& study) {
   for (const Admissible& rebounds : study.rebounds) {
@@ -176,6 +192,7 @@ TEST(VerdictOfTheReport, IsWhatItWas) {
   check_verdicts(study);
   check_spans(study);
   check_anomaly(study);
+  check_forces_on_the_plate(study);
   check_rebounds(study);
   EXPECT_EQ(study.on_curves.size(), 3U * 18 * 4);
   const auto doubtful = std::ranges::count_if(study.at_tests, [](const Prediction& prediction) {
