@@ -1,0 +1,17 @@
+#pragma once
+/// Study files: TOML, with units (docs/studies.md).
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dashpad/io/fault.hpp"
+#include "dashpad/study/study.hpp"
+
+namespace dashpad::study {
+
+/// Reads a study, its base case, the cards and the CSV files that it names, relative to the study file. Throws
+/// InputError with all faults at once: of the study, of the case, of the factors.
+Study read_study(const std::filesystem::path& file, const std::filesystem::path& materials);
+
+}  // namespace dashpad::study
