@@ -28,6 +28,7 @@ constexpr const char* footer = R"(Start here:
   dashpad spit1984 --help                        the program of the 1986 report, digit for digit
   dashpad compare examples/dashboard-20mph.toml  the solver and the program of 1984 side by side
   dashpad validate                               both beside the validation tests of that report
+  dashpad study --help                           many impacts: curves, maps, probabilities
 
 Exit codes:
   0  done; also when the pad bottomed out or the time was up: these are results
@@ -91,6 +92,7 @@ int command(int argument_count, char** arguments) {
   add_compare(app, action, executable);
   add_spit1984(app, action, executable);
   add_validate(app, action, executable);
+  add_study(app, action, executable);
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {

@@ -25,6 +25,7 @@ class FaultList {
   void add(const std::vector<Violation>& violations, const TomlNode& root);
   /// Throws InputError, in the order of lines, if there is a fault.
   void throw_if_any();
+  [[nodiscard]] std::size_t size() const { return faults_.size(); }
 
  private:
   [[nodiscard]] bool explains(std::string_view key) const;

@@ -1,5 +1,8 @@
 #pragma once
 /// What a finished study says: location, spread, probabilities with intervals, and which factor matters.
+///
+/// All intervals are for 95 %. They hold for independent draws; with Sobol or Latin hypercube sampling, which
+/// spread the draws more evenly, they are too wide rather than too narrow.
 
 #include <cstdint>
 #include <optional>
@@ -15,49 +18,94 @@ namespace dashpad::study {
 
 struct Estimate {
   double value = 0;
-  double low = 0, high = 0;  ///< 95 % interval
+  double low = 0, high = 0;  ///< 95 % interval; NaN where there is none
 };
 
-/// Of one response over the rows that have it.
+/// Of one response over the rows that have it. All values are NaN where no row has one.
 struct Distribution {
-  std::string response;
-  std::string unit;
-  std::uint64_t rows = 0;      ///< with a value
-  std::uint64_t without = 0;   ///< without one (the impactor did not leave, tolerance not met ...)
-  Estimate mean;               ///< normal interval
-  double deviation = 0;
+  std::uint64_t rows = 0;  ///< with a value
+  std::uint64_t without =
+      0;          ///< without one (the impactor did not leave, the pad bottomed out on a rigid support)
+  Estimate mean;  ///< Student's interval
+  double deviation = 0;  ///< of the rows, with n - 1
   double least = 0, greatest = 0;
-  struct Quantile { double probability = 0; Estimate value; };
-  std::vector<Quantile> quantiles;  ///< 1, 5, 25, 50, 75, 95, 99 %: order statistics with distribution-free intervals
+  struct Quantile {
+    double probability = 0;
+    Estimate value;
+  };
+  /// 1, 5, 25, 50, 75, 95 and 99 %: the least value that this share of the rows does not exceed, with the
+  /// distribution-free interval between two order statistics; infinite where the rows are too few for a
+  /// bound.
+  std::vector<Quantile> quantiles;
 };
 
-/// The probability that a response exceeds a limit, with its Clopper-Pearson interval.
+/// The probability that a response exceeds a limit, with its Clopper-Pearson interval. Rows without a value
+/// could lie on either side of the limit: `value` leaves them out, and the interval covers both.
 struct Exceedance {
-  std::string response;
   double limit = 0;  ///< SI
   Estimate probability;
-  std::uint64_t exceeding = 0, rows = 0;
+  std::uint64_t exceeding = 0, rows = 0, without = 0;
 };
 
-/// Sobol' indices of a response (Saltelli's design, Jansen's estimators), with bootstrap intervals.
+/// `values` has NaN for a row without one. `drawn` says that the rows are draws; those of a grid are not, and
+/// have no intervals.
+Distribution distribution(std::span<const double> values, bool drawn = true);
+Exceedance exceedance(std::span<const double> values, double limit, bool drawn = true);
+
+/// Sobol' indices of a response (Saltelli's design, Jansen's estimators): the share of its variance that a
+/// factor explains alone (first order) and with all interactions (total). Intervals are value +- 1.96
+/// standard errors of the bootstrap over draws.
 struct Sensitivity {
-  std::string response;
-  struct Index { std::string factor; Estimate first, total; };
+  struct Index {
+    std::string factor;
+    Estimate first, total;
+  };
   std::vector<Index> indices;
-  std::uint64_t draws = 0;      ///< used: those with all their rows
+  std::uint64_t draws = 0;     ///< used: those with all their rows, and a value in each
+  std::uint64_t left_out = 0;  ///< the others
 };
-
-Distribution distribution(const Store& store, const std::string& response);
-Exceedance exceedance(const Store& store, const std::string& response, double limit);
-/// Absent where the study has no `indices`.
-std::optional<Sensitivity> sensitivity(const Study& study, const Design& design, const Store& store,
-                                       const std::string& response);
 
 /// The estimators themselves, on plain numbers: `a`, `b` and, for each factor, `mixed`.
+///
+///   S_i  = 1 - mean((b - mixed_i)^2) / (2 V)      Jansen 1999; Saltelli et al. 2010, Table 2 (c)
+///   ST_i =     mean((a - mixed_i)^2) / (2 V)      the same, Table 2 (f)
+///
+/// with V the variance of a and b together. All as long as `a`, at least 2.
 struct SaltelliSample {
   std::vector<double> a, b;
   std::vector<std::vector<double>> mixed;  ///< the first matrix with factor i of the second
 };
 std::vector<Sensitivity::Index> jansen_indices(const SaltelliSample& sample, std::uint64_t bootstrap_seed);
+
+/// The rows of a store that are there, by column.
+struct Records {
+  std::vector<std::uint64_t> rows;             ///< their numbers, increasing
+  std::vector<std::vector<double>> factors;    ///< in the order of Study::factors, SI
+  std::vector<std::vector<double>> responses;  ///< in the order of Study::responses, SI; NaN for none
+  std::uint64_t doubtful = 0;      ///< the tolerance was not met, or the factors made no valid case
+  std::uint64_t extrapolated = 0;  ///< beyond what the material was measured for
+  std::uint64_t bottomed = 0;      ///< the pad was fully compressed at some time
+};
+Records read_records(const Study& study, const Store& store);
+
+/// Rows of one combination of levels, each a draw by itself: with `indices` those of the two matrices only. A
+/// study without sampled factors is one group of all its rows.
+struct Group {
+  std::vector<double> levels;       ///< of the factors that are not sampled, in their order; SI
+  std::vector<std::size_t> places;  ///< in Records
+  bool drawn = true;
+};
+std::vector<Group> groups(const Study& study, const Design& design, const Records& records);
+
+/// The values of a response in a group.
+std::vector<double> values_of(const Records& records, const Group& group, std::size_t response);
+
+/// Indices of a response at one combination of levels, numbered as the groups are. Absent where the study has
+/// no `indices`, or fewer than two whole draws.
+std::optional<Sensitivity> sensitivity(const Study& study, const Design& design, const Records& records,
+                                       std::size_t combination, std::size_t response);
+
+/// Rows that missed the tolerance, and rows whose factors made no valid case.
+std::uint64_t doubtful_rows(const Store& store);
 
 }  // namespace dashpad::study

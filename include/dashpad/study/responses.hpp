@@ -11,23 +11,43 @@
 namespace dashpad::study {
 
 struct ResponseKind {
-  const char* name;     ///< "peak_force", "hic15", ... as in results JSON
-  const char* unit;     ///< SI
+  const char* name;  ///< "peak_force", "hic15", ... as in results JSON
+  const char* unit;  ///< SI; "1" for a pure number and for HIC and the severity index, in g^2.5 s
   const char* meaning;
-  bool of_pulse;        ///< an injury figure: needs the history
+  bool of_pulse;  ///< an injury figure: needs the history
 };
 const std::vector<ResponseKind>& response_kinds();
 
+/// Those that cost nothing beyond the solution: all that are not of the pulse.
+std::vector<std::string> default_responses();
+
 /// The outcome of a row.
 struct Outcome {
-  Status status = Status::not_run;
+  Status status = Status::not_run;  ///< not_run: the case breaks a rule; all values are NaN
   bool extrapolated = false;
   bool bottomed = false;
-  double error = 0;            ///< largest relative error estimate of the figures kept
-  std::vector<double> values;  ///< NaN where the impact has none (no rebound speed without a release)
+  /// The largest error estimate of the figures kept, as ErrorEstimates and InjuryFigures::Errors count them.
+  /// There is none for the peak strain rate. Infinite where a pulse has too few samples to tell.
+  double error = 0;
+  /// NaN where the impact has none: no rebound speed without a release, no peak force after bottoming out on
+  /// a rigid support, no injury figure of a pulse that is not whole.
+  std::vector<double> values;
 };
 
-/// Fills `outcome.values`, one for each name.
+/// Fills an outcome with the responses of these names. Made once, used for many rows, by several threads at
+/// once if need be. Only what is asked for is computed.
+class ResponseReader {
+ public:
+  /// Throws std::invalid_argument for a name that is none of response_kinds().
+  explicit ResponseReader(std::span<const std::string> names);
+  void operator()(const Solution& solution, Outcome& outcome) const;
+
+ private:
+  std::vector<std::size_t> kinds_;  ///< numbers in response_kinds()
+  bool of_pulse_ = false;
+};
+
+/// The same for one solution.
 void read_responses(const Solution& solution, std::span<const std::string> names, Outcome& outcome);
 
 }  // namespace dashpad::study

@@ -12,13 +12,13 @@ namespace dashpad::study {
 
 struct Progress {
   std::uint64_t rows_done = 0, rows = 0;
-  double seconds = 0;           ///< since this run began
+  double seconds = 0;             ///< since this run began
   std::uint64_t rows_before = 0;  ///< done by earlier runs
 };
 
 struct RunSettings {
-  int threads = 0;                           ///< 0: all cores
-  const std::atomic<bool>* stop = nullptr;   ///< set to finish the batches at hand and return
+  int threads = 0;                                     ///< 0: all cores
+  const std::atomic<bool>* stop = nullptr;             ///< set to finish the batches at hand and return
   std::function<void(const Progress&)> progress = {};  ///< from one thread at a time
 };
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -24,24 +25,50 @@ struct StoredRow {
   Outcome outcome;
 };
 
+/// A factor or a response as the file describes it.
+struct StoredColumn {
+  std::string name;     ///< "impactor.speed", "peak_force"
+  std::string unit;     ///< SI; "" for a material
+  std::string meaning;  ///< of a response; "" for a factor
+};
+
+/// All that reads throws std::runtime_error where the file is damaged. Not for several threads at once.
 class Store {
  public:
-  /// Creates the file, or opens one of the very same study (text, seed, program's results version) to go on.
+  /// Creates the file, or opens one of the very same study to go on: its text, what it names, the program's
+  /// version and commit. Until the store is closed no other process can open it.
   /// Throws std::runtime_error in the user's words: another study, no store, read-only, locked, full disk.
   static Store open_for(const Study& study, const std::filesystem::path& file);
   static Store open_to_read(const std::filesystem::path& file);
 
   /// The study's text, for reading it again.
   [[nodiscard]] std::string study_text() const;
+  /// All that its rows depend on, as JSON (dashpad/study/stored_study.hpp reads it).
+  [[nodiscard]] const std::string& resolved_text() const;
+  /// Whether its rows are those of this study: false where a card or data file has changed since.
+  [[nodiscard]] bool is_of(const Study& study) const;
+  /// The version and commit that computed it: "0.1.0 (0123456789ab)".
+  [[nodiscard]] const std::string& program() const;
+  [[nodiscard]] const std::vector<StoredColumn>& factors() const;
+  [[nodiscard]] const std::vector<StoredColumn>& responses() const;
+  /// Of the whole study, done or not.
+  [[nodiscard]] std::uint64_t rows() const;
+  [[nodiscard]] std::uint64_t rows_done() const;
   [[nodiscard]] std::uint64_t batch_size() const;
   /// Batches not yet done, increasing.
   [[nodiscard]] std::vector<std::uint64_t> missing_batches() const;
-  /// All rows of a batch in one transaction.
+
+  /// All rows of a batch in one transaction. Throws std::invalid_argument for rows that are not the batch's,
+  /// std::runtime_error where the disk refuses or the batch is there already; then nothing of it is written.
   void write_batch(std::uint64_t batch, std::span<const StoredRow> rows);
-  [[nodiscard]] std::uint64_t rows_done() const;
-  std::optional<StoredRow> row(std::uint64_t number) const;
-  /// A column (factor key or response name) of all rows done, by row number.
-  std::vector<double> column(const std::string& name) const;
+
+  /// Absent where it is not done.
+  [[nodiscard]] std::optional<StoredRow> row(std::uint64_t number) const;
+  /// Calls `visit` for all rows done, by row number. Memory does not grow with their number.
+  void visit_rows(const std::function<void(const StoredRow&)>& visit) const;
+  /// A column (factor, response, "row" or "error") of all rows done, by row number; NaN where a row has none.
+  /// Throws std::invalid_argument for another name.
+  [[nodiscard]] std::vector<double> column(const std::string& name) const;
 
   ~Store();
   Store(Store&&) noexcept;

@@ -17,13 +17,23 @@ namespace dashpad::study {
 struct Levels {
   std::vector<double> values;  ///< SI; for "pad.material" the numbers of Study::materials
 };
-struct Normal { double mean = 0, deviation = 0; };
+struct Normal {
+  double mean = 0, deviation = 0;
+};
 /// The logarithm is normal. `median` > 0; `spread` is the standard deviation of the logarithm.
-struct Lognormal { double median = 0, spread = 0; };
-struct Uniform { double low = 0, high = 0; };
-struct Triangular { double low = 0, mode = 0, high = 0; };
+struct Lognormal {
+  double median = 0, spread = 0;
+};
+struct Uniform {
+  double low = 0, high = 0;
+};
+struct Triangular {
+  double low = 0, mode = 0, high = 0;
+};
 /// Measured values, sorted; between them the distribution function is linear.
-struct Empirical { std::vector<double> values; };
+struct Empirical {
+  std::vector<double> values;
+};
 
 using Spread = std::variant<Levels, Normal, Lognormal, Uniform, Triangular, Empirical>;
 
@@ -46,7 +56,8 @@ struct Correlation {
 enum class Sampling { monte_carlo, latin_hypercube, sobol };
 
 /// Rows are all combinations of the levels, times `samples` draws of the sampled factors: the same draws at
-/// each combination. With `indices`, each draw becomes 2 + (number of sampled factors) rows (Saltelli's design).
+/// each combination. With `indices`, each draw becomes 2 + (number of sampled factors) rows (Saltelli's
+/// design).
 struct Study {
   std::string title;
   std::string text;  ///< the study file as it is, for the store
@@ -62,7 +73,17 @@ struct Study {
   std::vector<std::string> responses;  ///< names of dashpad/study/responses.hpp
 };
 
-/// Every rule that a study breaks, over all factors at once.
+/// More are refused: a billion rows take a day and some 100 GB.
+inline constexpr std::uint64_t most_rows = 1'000'000'000;
+
+/// Rows of the study, also where they are too many to count in an integer.
+double row_count(const Study& study);
+
+/// Every rule that a study breaks, over all factors at once. Keys are those of study files: "samples",
+/// "factors.impactor.speed", "correlations[1]", "responses[2]". Where the factors are sound in themselves,
+/// also the rules of the case that their values break: of every combination of levels (up to 100,000, else of
+/// every level), and of the ends of every distribution: its cut-offs, or 6 deviations out where a normal or
+/// lognormal has none. A rarer combination that makes no valid case becomes a row that is "not run".
 std::vector<Violation> violations(const Study& study);
 
 }  // namespace dashpad::study

@@ -1,0 +1,42 @@
+#pragma once
+/// Cushion curves in the manner of ASTM D1596: peak deceleration over static stress, for drop heights and
+/// thicknesses.
+///
+/// The standard drops a flat platen, wider than the cushion. Our body is a sphere, so its loaded area grows
+/// during the impact. Static stress here is the weight over the contact area at the largest penetration d,
+///
+///   A = pi (2 R d - d^2)  for d < R,  else pi R^2,      static stress = M g / A,
+///
+/// projected along the direction of impact; drop height is v^2 / 2 g. Curves of a sphere lie elsewhere than
+/// those of a platen and must not be mixed with them.
+
+#include <optional>
+#include <vector>
+
+#include "dashpad/study/answers.hpp"
+
+namespace dashpad::study {
+
+struct CushionCurve {
+  double thickness = 0;                   ///< m
+  std::vector<double> static_stress;      ///< Pa, in the order of the masses
+  std::vector<double> peak_deceleration;  ///< m/s2; NaN where the impact has none
+};
+
+struct CushionCurves {
+  struct Drop {
+    double height = 0;  ///< m
+    double speed = 0;   ///< m/s
+    std::vector<CushionCurve> curves;
+  };
+  std::vector<Drop> drops;
+};
+
+/// Projected contact area of a sphere that has penetrated by `penetration`, m2. `radius` > 0.
+double contact_area(double radius, double penetration);
+
+/// Absent unless the study is a grid of impactor.mass (or impactor.weight) and at most speed and thickness
+/// besides, and keeps peak_acceleration and peak_penetration.
+std::optional<CushionCurves> cushion_curves(const Study& study, const Records& records);
+
+}  // namespace dashpad::study

@@ -1,0 +1,97 @@
+#include "report/study_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/impact/solution.hpp"
+#include "dashpad/study/responses.hpp"
+#include "io/text.hpp"
+
+namespace dashpad {
+
+ShownUnit shown_as(const std::string& si_unit, const UnitSystem& units) {
+  if (si_unit == "m/s2") return {1 / standard_gravity, "g"};
+  if (si_unit.empty() || si_unit == "1") return {};
+  return {value_in(units, 1, si_unit), shown_unit(unit_for(units, si_unit))};
+}
+
+std::string four_digits(double value) {
+  if (!std::isfinite(value)) return "-";
+  if (std::abs(value) >= 1000 && std::abs(value) < 1e9) return fmt::format("{:.0f}", value);
+  return fmt::format("{:.4g}", value);
+}
+
+std::string with_interval(const study::Estimate& estimate, double scale) {
+  const auto shown = [&](double value) { return four_digits(scale * value); };
+  if (std::isnan(estimate.low) || std::isnan(estimate.value)) return shown(estimate.value);
+  const bool has_low = std::isfinite(estimate.low), has_high = std::isfinite(estimate.high);
+  if (!has_low && !has_high) return shown(estimate.value) + " (too few rows)";
+  if (!has_low) return fmt::format("{} (below {})", shown(estimate.value), shown(estimate.high));
+  if (!has_high) return fmt::format("{} (above {})", shown(estimate.value), shown(estimate.low));
+  return fmt::format("{} ({} to {})", shown(estimate.value), shown(estimate.low), shown(estimate.high));
+}
+
+std::string share_with_interval(const study::Estimate& share) {
+  return fmt::format("{:.3f} ({:.3f} to {:.3f})", share.value, share.low, share.high);
+}
+
+std::string percent_with_interval(const study::Estimate& estimate) { return with_interval(estimate, 100); }
+
+std::string meaning_of(const std::string& response) {
+  for (const study::ResponseKind& kind : study::response_kinds())
+    if (response == kind.name) return kind.meaning;
+  return "";
+}
+
+std::string si_unit_of(const std::string& response) {
+  for (const study::ResponseKind& kind : study::response_kinds())
+    if (response == kind.name) return kind.unit;
+  return "1";
+}
+
+std::string label(const std::string& name, const std::string& si_unit, const UnitSystem& units) {
+  const std::string unit = shown_as(si_unit, units).unit;
+  return unit.empty() ? name : fmt::format("{} ({})", name, unit);
+}
+
+std::vector<std::size_t> level_factors(const study::Study& study) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < study.factors.size(); ++i)
+    if (!study.factors[i].is_sampled()) numbers.push_back(i);
+  return numbers;
+}
+
+std::vector<std::size_t> sampled_factors(const study::Study& study) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < study.factors.size(); ++i)
+    if (study.factors[i].is_sampled()) numbers.push_back(i);
+  return numbers;
+}
+
+std::string level_text(const study::Study& study, std::size_t factor, double value, const UnitSystem& units) {
+  const study::Factor& of = study.factors[factor];
+  const auto number = static_cast<std::size_t>(std::max(value, 0.0));
+  if (of.unit.empty() && number < study.materials.size()) return one_line(study.materials[number].name);
+  const ShownUnit shown = shown_as(of.unit, units);
+  return four_digits(shown.scale * value) + (shown.unit.empty() ? "" : " " + shown.unit);
+}
+
+std::string group_label(const StudyAnswers& answers, const study::Group& group, const UnitSystem& units) {
+  const std::vector<std::size_t> factors = level_factors(answers.study);
+  std::string text;
+  for (std::size_t i = 0; i < group.levels.size(); ++i)
+    text += fmt::format("{}{} = {}", i == 0 ? "" : ", ", answers.study.factors[factors[i]].key,
+                        level_text(answers.study, factors[i], group.levels[i], units));
+  return text;
+}
+
+std::string shown_factor(const std::string& unit, double value, const Material& material,
+                         const UnitSystem& units) {
+  if (unit.empty()) return one_line(material.name);
+  const ShownUnit shown = shown_as(unit, units);
+  return brief(shown.scale * value) + (shown.unit.empty() ? "" : " " + shown.unit);
+}
+
+}  // namespace dashpad

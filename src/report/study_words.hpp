@@ -1,0 +1,42 @@
+#pragma once
+/// Factors and responses of a study in the units of people.
+
+#include <string>
+#include <vector>
+
+#include "dashpad/report/study_report.hpp"
+
+namespace dashpad {
+
+/// How values of an SI unit are shown: accelerations in g, all else as the unit system has it.
+struct ShownUnit {
+  double scale = 1;
+  std::string unit = {};  ///< "" for a pure number
+};
+ShownUnit shown_as(const std::string& si_unit, const UnitSystem& units);
+
+/// Four significant digits: what a study of some thousand rows can tell. "-" if not finite.
+std::string four_digits(double value);
+/// "12.3 (11.9 to 12.8)", "< 13" for a bound at one side only; without brackets where there is no interval.
+std::string with_interval(const study::Estimate& estimate, double scale = 1);
+/// The same with three decimals: shares.
+std::string share_with_interval(const study::Estimate& share);
+/// In per cent.
+std::string percent_with_interval(const study::Estimate& estimate);
+
+/// The response's own words from response_kinds(), "largest force"; its SI unit.
+std::string meaning_of(const std::string& response);
+std::string si_unit_of(const std::string& response);
+/// "peak_force (kN)".
+std::string label(const std::string& name, const std::string& si_unit, const UnitSystem& units);
+
+/// Numbers in Study::factors of those with levels, and of those with distributions.
+std::vector<std::size_t> level_factors(const study::Study& study);
+std::vector<std::size_t> sampled_factors(const study::Study& study);
+
+/// "impactor.speed = 5 m/s, pad.thickness = 30 mm"; "" without levels.
+std::string group_label(const StudyAnswers& answers, const study::Group& group, const UnitSystem& units);
+/// "5 m/s", or the name of a material.
+std::string level_text(const study::Study& study, std::size_t factor, double value, const UnitSystem& units);
+
+}  // namespace dashpad

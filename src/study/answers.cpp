@@ -1,0 +1,119 @@
+#include "dashpad/study/answers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+namespace dashpad::study {
+
+namespace {
+
+using Binomial = boost::math::binomial_distribution<>;
+
+constexpr double tail = 0.025;  // of a 95 % interval, at each end
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double probabilities[] = {0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
+
+std::vector<double> sorted_values(std::span<const double> values) {
+  std::vector<double> present;
+  for (const double value : values)
+    if (!std::isnan(value)) present.push_back(value);
+  std::ranges::sort(present);
+  return present;
+}
+
+/// Two passes: the first one's mean keeps the squares small.
+void set_moments(Distribution& of, const std::vector<double>& values, bool drawn) {
+  const auto count = static_cast<double>(values.size());
+  double sum = 0;
+  for (const double value : values) sum += value / count;
+  double squares = 0, rest = 0;
+  for (const double value : values) {
+    squares += (value - sum) * (value - sum);
+    rest += value - sum;
+  }
+  const double mean = sum + rest / count;
+  of.mean = {mean, nan, nan};
+  of.deviation = values.size() > 1 ? std::sqrt(squares / (count - 1)) : nan;
+  if (!drawn || values.size() < 2) return;
+  const double factor = boost::math::quantile(boost::math::students_t{count - 1}, 1 - tail);
+  const double half = factor * of.deviation / std::sqrt(count);
+  of.mean.low = mean - half;
+  of.mean.high = mean + half;
+}
+
+/// The least k with P(at most k of `count`) >= `share`.
+std::uint64_t least_count(const Binomial& binomial, double share) {
+  auto k = static_cast<std::uint64_t>(boost::math::quantile(binomial, share));  // within one of it
+  while (k > 0 && cdf(binomial, static_cast<double>(k - 1)) >= share) --k;
+  while (cdf(binomial, static_cast<double>(k)) < share) ++k;
+  return k;
+}
+
+/// The quantile lies below order statistic j with P(fewer than j values below it) and so on: David and
+/// Nagaraja, Order Statistics, section 7.1. `values` are sorted.
+Estimate quantile_of(const std::vector<double>& values, double probability, bool drawn) {
+  const std::size_t count = values.size();
+  const auto rank = static_cast<std::size_t>(std::ceil(probability * static_cast<double>(count)));
+  Estimate estimate{values[std::clamp<std::size_t>(rank, 1, count) - 1], nan, nan};
+  if (!drawn) return estimate;
+  const Binomial binomial{static_cast<double>(count), probability};
+  const std::uint64_t low = least_count(binomial, tail), high = least_count(binomial, 1 - tail) + 1;
+  estimate.low = low == 0 ? -infinity : values[low - 1];
+  estimate.high = high > count ? infinity : values[high - 1];
+  return estimate;
+}
+
+double lower_bound(std::uint64_t count, std::uint64_t successes) {
+  return Binomial::find_lower_bound_on_p(static_cast<double>(count), static_cast<double>(successes), tail);
+}
+
+double upper_bound(std::uint64_t count, std::uint64_t successes) {
+  return Binomial::find_upper_bound_on_p(static_cast<double>(count), static_cast<double>(successes), tail);
+}
+
+}  // namespace
+
+Distribution distribution(std::span<const double> values, bool drawn) {
+  const std::vector<double> present = sorted_values(values);
+  Distribution of;
+  of.rows = present.size();
+  of.without = values.size() - present.size();
+  if (present.empty()) {
+    of.mean = {nan, nan, nan};
+    of.deviation = of.least = of.greatest = nan;
+    for (const double probability : probabilities) of.quantiles.push_back({probability, {nan, nan, nan}});
+    return of;
+  }
+  of.least = present.front();
+  of.greatest = present.back();
+  set_moments(of, present, drawn);
+  for (const double probability : probabilities)
+    of.quantiles.push_back({probability, quantile_of(present, probability, drawn)});
+  return of;
+}
+
+Exceedance exceedance(std::span<const double> values, double limit, bool drawn) {
+  Exceedance of;
+  of.limit = limit;
+  for (const double value : values) {
+    if (std::isnan(value))
+      ++of.without;
+    else
+      ++of.rows;
+    if (value > limit) ++of.exceeding;
+  }
+  of.probability = {nan, nan, nan};
+  if (of.rows > 0) of.probability.value = static_cast<double>(of.exceeding) / static_cast<double>(of.rows);
+  const std::uint64_t all = of.rows + of.without;
+  if (!drawn || all == 0) return of;
+  of.probability.low = lower_bound(all, of.exceeding);
+  of.probability.high = upper_bound(all, of.exceeding + of.without);
+  return of;
+}
+
+}  // namespace dashpad::study

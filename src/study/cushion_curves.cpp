@@ -1,0 +1,70 @@
+#include "dashpad/study/cushion_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "dashpad/impact/solution.hpp"
+#include "dashpad/study/application.hpp"
+
+namespace dashpad::study {
+
+namespace {
+
+std::optional<std::size_t> place_of(const std::vector<std::string>& names, const char* name) {
+  const auto place = std::ranges::find(names, name);
+  return place == names.end() ? std::nullopt : std::optional{static_cast<std::size_t>(place - names.begin())};
+}
+
+bool is_of_cushion_curves(const Study& study) {
+  bool has_mass = false;
+  for (const Factor& factor : study.factors) {
+    const bool is_mass = factor.key == "impactor.mass" || factor.key == "impactor.weight";
+    has_mass = has_mass || is_mass;
+    if (factor.is_sampled() || (!is_mass && factor.key != "impactor.speed" && factor.key != "pad.thickness"))
+      return false;
+  }
+  return has_mass;
+}
+
+}  // namespace
+
+double contact_area(double radius, double penetration) {
+  const double depth = std::clamp(penetration, 0.0, radius);
+  return std::numbers::pi * depth * (2 * radius - depth);
+}
+
+std::optional<CushionCurves> cushion_curves(const Study& study, const Records& records) {
+  const auto deceleration = place_of(study.responses, "peak_acceleration");
+  const auto penetration = place_of(study.responses, "peak_penetration");
+  if (!is_of_cushion_curves(study) || !deceleration || !penetration) return std::nullopt;
+
+  // By speed and thickness, then by mass.
+  std::map<double, std::map<double, std::map<double, std::size_t>>> places;
+  ImpactCase impact = study.base;
+  std::vector<double> factors(study.factors.size());
+  const Application apply{study};
+  for (std::size_t place = 0; place < records.rows.size(); ++place) {
+    for (std::size_t i = 0; i < factors.size(); ++i) factors[i] = records.factors[i][place];
+    apply(factors, impact);
+    places[impact.impactor.speed][impact.pad.thickness][impact.impactor.mass] = place;
+  }
+  CushionCurves curves;
+  for (const auto& [speed, by_thickness] : places) {
+    CushionCurves::Drop drop{.height = speed * speed / (2 * standard_gravity), .speed = speed, .curves = {}};
+    for (const auto& [thickness, by_mass] : by_thickness) {
+      CushionCurve curve{.thickness = thickness, .static_stress = {}, .peak_deceleration = {}};
+      for (const auto& [mass, place] : by_mass) {
+        const double area = contact_area(study.base.impactor.radius, records.responses[*penetration][place]);
+        curve.static_stress.push_back(mass * standard_gravity / area);
+        curve.peak_deceleration.push_back(records.responses[*deceleration][place]);
+      }
+      drop.curves.push_back(std::move(curve));
+    }
+    curves.drops.push_back(std::move(drop));
+  }
+  return curves;
+}
+
+}  // namespace dashpad::study

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/units/quantity.hpp"
+#include "io/measurement_text.hpp"
+#include "io/pulse_csv_rows.hpp"
+#include "io/pulse_units.hpp"
+#include "io/spelling.hpp"
+#include "study/factor_table.hpp"
+
+namespace dashpad::study {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+constexpr std::size_t most_values = 1'000'000;
+
+/// That of the header: a semicolon, a tab, or else a comma.
+char separator_of(std::string_view text) {
+  LineReader lines(text);
+  std::string_view line;
+  while (lines.next(line) && (without_blanks(line).empty() || without_blanks(line).front() == '#')) {
+  }
+  for (const char c : {';', '\t'})
+    if (line.find(c) != std::string_view::npos) return c;
+  return ',';
+}
+
+struct Column {
+  std::size_t place = 0;
+  std::size_t width = 1;  ///< columns of the header
+  std::string name;
+  double factor = 1;
+};
+
+/// One unit of a header in SI.
+double unit_factor(const std::string& written, const std::string& unit, const Column& column,
+                   std::size_t line, MeasurementFaults& faults) {
+  if (unit == "1") {
+    if (written.empty() || written == "1" || written == "-") return 1;
+    faults.add(line, column.name, written, "is a pure number and has no unit");
+    return 1;
+  }
+  try {
+    if (!written.empty()) return to_si("1 " + written, unit);
+    faults.add(line, column.name, "",
+               "the header must give the unit in brackets, such as [" +
+                   examples_of_units(unit).substr(0, examples_of_units(unit).find(',')) + "]");
+  } catch (const UnitError& error) {
+    faults.add(line, column.name, written, error.what());
+  }
+  return 1;
+}
+
+Column choose(const CsvRow& header, const std::string& wanted, const std::string& unit,
+              MeasurementFaults& faults) {
+  std::vector<std::string> names, titles;
+  for (const std::string_view field : header.fields) {
+    titles.push_back(to_utf8(without_blanks(field)));
+    names.push_back(split_header(titles.back()).name);
+  }
+  std::size_t place = 0;
+  if (!wanted.empty()) {
+    while (place < names.size() && names[place] != wanted && titles[place] != wanted) ++place;
+    if (place == names.size())
+      faults.refuse(header.line, "", wanted,
+                    "no such column; there are " + listing(titles) + did_you_mean(wanted, names));
+  } else if (header.filled() > 1) {
+    faults.refuse(header.line, "", "",
+                  "has several columns; name one with column = \"...\": " + listing(titles));
+  }
+  if (read_number(titles[place]).kind == NumberKind::number)
+    faults.refuse(header.line, "", titles[place],
+                  "needs a line above the numbers that names the column and its unit");
+  Column column{place, header.fields.size(), titles[place], 1};
+  column.factor = unit_factor(split_header(titles[place]).unit, unit, column, header.line, faults);
+  return column;
+}
+
+}  // namespace
+
+std::vector<double> read_empirical(const std::filesystem::path& file, const std::string& column,
+                                   const std::string& unit) {
+  MeasurementFaults faults(file.string());
+  const std::string content = read_measurement(file);
+  if (const auto problem = why_not_text(content)) faults.refuse(problem->line, "", "", problem->rule);
+  std::string_view text = content;
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const char separator = separator_of(text);
+  CsvRows rows(text, separator);
+  CsvRow row;
+  if (!rows.next(row)) faults.refuse(0, "", "", "is empty");
+  const Column chosen = choose(row, column, unit, faults);
+  std::vector<double> values;
+  while (rows.next(row)) {
+    const bool there = chosen.place < row.fields.size();
+    const std::string_view field = there ? without_blanks(row.fields[chosen.place]) : std::string_view();
+    const ReadNumber read = read_csv_number(field, separator);
+    if (!row.fault.empty())
+      faults.add(row.line, "", "", std::string(row.fault));
+    else if (row.filled() > chosen.width)
+      faults.add(row.line, "", "", "has more fields than the header");
+    else if (read.kind != NumberKind::number)
+      faults.add(row.line, chosen.name, field, rule_for(read.kind));
+    else
+      values.push_back(read.value * chosen.factor);
+    if (values.size() > most_values)
+      faults.refuse(row.line, "", "", fmt::format("has more than {} values", most_values));
+  }
+  faults.throw_if_any();
+  std::ranges::sort(values);
+  return values;
+}
+
+}  // namespace dashpad::study

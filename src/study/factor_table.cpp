@@ -1,0 +1,177 @@
+#include "study/factor_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "dashpad/io/case_file.hpp"
+#include "dashpad/study/application.hpp"
+#include "io/spelling.hpp"
+
+namespace dashpad::study {
+namespace {
+
+/// What cannot be judged while a factor is not known.
+const std::vector<std::string> keys_about_all_factors{"factors", "samples", "indices"};
+
+struct Entry {
+  std::string key;
+  const TomlNode* node;
+};
+
+/// [factors."impactor.speed"] and [factors.impactor.speed] mean the same. A table that is on the way to a
+/// known key is opened; every other one is a factor.
+void collect(const TomlNode& table, const std::string& prefix, const std::vector<std::string>& known,
+             std::vector<Entry>& entries) {
+  for (const TomlNode& child : table.children) {
+    const std::string key = prefix + child.key;
+    const auto on_the_way = [&](const std::string& of) { return of.starts_with(key + "."); };
+    if (child.kind == TomlNode::Kind::table && std::ranges::any_of(known, on_the_way))
+      collect(child, key + ".", known, entries);
+    else
+      entries.push_back({key, &child});
+  }
+}
+
+/// Absent after a fault.
+std::optional<Material> read_named(const TomlNode& entry, const std::string& key,
+                                   const FactorFolders& folders, FaultList& faults) {
+  const std::string& name = entry.text;
+  if (entry.kind != TomlNode::Kind::text || name.empty()) {
+    faults.add(entry.line, key, entry.written(), "must be the name of a card or a .toml file in quotes");
+    return std::nullopt;
+  }
+  try {
+    const bool is_path = name.ends_with(".toml");
+    const auto cards = is_path ? std::vector<std::filesystem::path>{folders.of_study / name}
+                               : list_materials(folders.materials);
+    std::vector<std::string> names;
+    for (const auto& card : cards) {
+      names.push_back(card.stem().string());
+      if (is_path || names.back() == name) return read_material(card);
+    }
+    faults.add(entry.line, key, entry.written(),
+               "no such card in " + folders.materials.string() + ", which has " + listing(names) +
+                   did_you_mean(name, names));
+  } catch (const InputError& error) {
+    faults.add(error.faults());
+  }
+  return std::nullopt;
+}
+
+/// A material that cannot be read keeps its place as the base case's.
+Levels read_materials(TableReader& table, const FactorFolders& folders, Study& study) {
+  Levels levels;
+  const TomlNode* list = table.array("values");
+  if (!list) return levels;
+  if (list->children.empty()) table.fault("values", "must hold one material or more");
+  for (const TomlNode& entry : list->children) {
+    const auto material = read_named(entry, table.full_key("values") + entry.key, folders, table.faults());
+    if (!material) continue;
+    levels.values.push_back(static_cast<double>(study.materials.size()));
+    study.materials.push_back(*material);
+  }
+  return levels;
+}
+
+std::optional<double> read_cut_off(TableReader& table, const std::string& key, const std::string& unit) {
+  if (!table.has(key)) return std::nullopt;
+  return read_value(table, key, unit);
+}
+
+Factor read_factor(const FactorKey& key, TableReader& table, const FactorFolders& folders, Study& study) {
+  Factor factor{.key = key.key, .unit = key.unit, .spread = Levels{}, .lowest = {}, .highest = {}};
+  if (key.key == "pad.material") {
+    factor.spread = read_materials(table, folders, study);
+  } else {
+    factor.spread = read_spread(table, key.unit, folders);
+    factor.lowest = read_cut_off(table, "lowest", key.unit);
+    factor.highest = read_cut_off(table, "highest", key.unit);
+  }
+  return factor;
+}
+
+std::string rule_for_unknown(const std::string& key, const ImpactCase& base,
+                             const std::vector<std::string>& known) {
+  if (key == "support.stiffness" || key == "support.scale")
+    return base.support.is_rigid()
+               ? "the support of the case is rigid"
+               : "the support of the case is a curve: vary support.scale, which multiplies its forces";
+  const std::string meant = did_you_mean(key, known);
+  return "is no quantity of the case that can vary" +
+         (meant.empty() ? "; there are " + listing(known) : meant);
+}
+
+/// What can vary.
+struct Known {
+  const std::vector<FactorKey>& keys;
+  const std::vector<std::string>& names;
+  bool has_base;
+};
+
+/// False if the factor cannot be judged further.
+bool read_entry(const Entry& entry, const std::string& path, const Known& known, const FactorFolders& folders,
+                FaultList& faults, Study& study) {
+  const auto& [key, node] = entry;
+  const auto found = std::ranges::find(known.keys, key, &FactorKey::key);
+  if (found == known.keys.end()) {
+    const bool on_trust =
+        !known.has_base && (key.starts_with("pad.parameters.") || key.starts_with("support."));
+    if (!on_trust)
+      faults.add(node->line, path, node->written(), rule_for_unknown(key, study.base, known.names));
+    return false;
+  }
+  if (node->kind != TomlNode::Kind::table) {
+    faults.add(node->line, path, node->written(), "must be a table: [factors.\"" + key + "\"]");
+    return false;
+  }
+  TableReader reader(*node, path, faults);
+  const std::size_t before = faults.size();
+  study.factors.push_back(read_factor(*found, reader, folders, study));
+  const bool good = faults.size() == before;
+  reader.refuse_others();
+  return good;
+}
+
+}  // namespace
+
+FactorLines read_factors(TableReader& top, bool has_base, const FactorFolders& folders, Study& study) {
+  FactorLines lines;
+  const auto table = top.table("factors");
+  if (!table) {
+    lines.at_fault = keys_about_all_factors;
+    return lines;
+  }
+  const std::vector<FactorKey> keys = factor_keys(study.base);
+  std::vector<std::string> names;
+  for (const FactorKey& key : keys) names.push_back(key.key);
+  std::vector<Entry> entries;
+  collect(table->node(), "", names, entries);
+  const Known known{keys, names, has_base};
+  for (const Entry& entry : entries) {
+    const std::string path = "factors." + entry.key;
+    lines.lines.emplace(path, entry.node->line);
+    if (!read_entry(entry, path, known, folders, top.faults(), study)) lines.at_fault.push_back(path);
+  }
+  if (!lines.at_fault.empty())
+    lines.at_fault.insert(lines.at_fault.end(), keys_about_all_factors.begin(), keys_about_all_factors.end());
+  return lines;
+}
+
+void add_violations(const std::vector<Violation>& broken, const TomlNode& root, const FactorLines& lines,
+                    FaultList& faults) {
+  for (const Violation& violation : broken) {
+    if (std::ranges::count(lines.at_fault, violation.key)) continue;
+    const auto line = lines.lines.find(violation.key);
+    if (line != lines.lines.end())
+      faults.add(line->second, violation.key, "", violation.rule);
+    else if (std::isnan(violation.value) && root.nearest(violation.key).written().empty())
+      faults.add(root.nearest(violation.key).line, violation.key, "", violation.rule);
+    else
+      faults.add({violation}, root);
+  }
+}
+
+}  // namespace dashpad::study

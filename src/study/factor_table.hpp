@@ -1,0 +1,46 @@
+#pragma once
+/// The table [factors] of a study file.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dashpad/study/study.hpp"
+#include "io/table_reader.hpp"
+
+namespace dashpad::study {
+
+inline constexpr double default_tolerance = 1e-3;
+
+/// Where the files that a study names are looked for.
+struct FactorFolders {
+  std::filesystem::path of_study;
+  std::filesystem::path materials;
+};
+
+/// Where each factor stands in the file.
+struct FactorLines {
+  std::map<std::string, int> lines;
+  std::vector<std::string> at_fault;  ///< "factors.KEY", and others that need no second fault
+};
+
+/// Adds the factors, and the materials that "pad.material" names, to a study. A factor at fault is added as
+/// far as it can be read. Without a base case a parameter or a support is taken on trust.
+FactorLines read_factors(TableReader& top, bool has_base, const FactorFolders& folders, Study& study);
+
+/// Adds broken rules of the study with their lines, but not those of factors at fault.
+void add_violations(const std::vector<Violation>& broken, const TomlNode& root, const FactorLines& lines,
+                    FaultList& faults);
+
+/// The spread of a factor: values, a range or a distribution. `unit` is SI, "1" for a pure number.
+Spread read_spread(TableReader& table, const std::string& unit, const FactorFolders& folders);
+
+/// A value with its unit, or a plain number where `unit` is "1". NaN after a fault.
+double read_value(TableReader& table, const std::string& key, const std::string& unit);
+
+/// Sorted values of a column in SI. Throws InputError with all faults of the file.
+std::vector<double> read_empirical(const std::filesystem::path& file, const std::string& column,
+                                   const std::string& unit);
+
+}  // namespace dashpad::study

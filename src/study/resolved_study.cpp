@@ -1,0 +1,72 @@
+#include "study/resolved_study.hpp"
+
+#include "io/json_values.hpp"
+#include "io/parameter_values.hpp"
+
+namespace dashpad::study {
+
+namespace {
+
+Json spread_json(const Levels& of) { return {{"levels", of.values}}; }
+Json spread_json(const Normal& of) { return {{"normal", {of.mean, of.deviation}}}; }
+Json spread_json(const Lognormal& of) { return {{"lognormal", {of.median, of.spread}}}; }
+Json spread_json(const Uniform& of) { return {{"uniform", {of.low, of.high}}}; }
+Json spread_json(const Triangular& of) { return {{"triangular", {of.low, of.mode, of.high}}}; }
+Json spread_json(const Empirical& of) { return {{"empirical", of.values}}; }
+
+Json factor_json(const Factor& of) {
+  Json json = std::visit([](const auto& spread) { return spread_json(spread); }, of.spread);
+  json["key"] = of.key;
+  json["unit"] = of.unit;
+  json["lowest"] = number(of.lowest);
+  json["highest"] = number(of.highest);
+  return json;
+}
+
+Json material_json(const Material& of) {
+  Json json = {{"name", of.name}, {"title", of.title}, {"law", name_of(of.law)}};
+  for (const ParameterValue& parameter : parameter_values(of.law))
+    json["parameters"][parameter.key] = number(parameter.value);
+  if (of.fitted)
+    json["fitted"] = {of.fitted->highest_strain, of.fitted->lowest_rate, of.fitted->highest_rate};
+  return json;
+}
+
+Json case_json(const ImpactCase& of) {
+  Json points = Json::array();
+  for (const Support::Point& point : of.support.points()) points.push_back({point.deflection, point.force});
+  return {{"title", of.title},
+          {"impactor", {of.impactor.mass, of.impactor.radius, of.impactor.speed}},
+          {"thickness", of.pad.thickness},
+          {"material", material_json(of.pad.material)},
+          {"support", points}};
+}
+
+Json sampling_json(const Study& of) {
+  Json correlations = Json::array();
+  for (const Correlation& pair : of.correlations)
+    correlations.push_back({pair.first, pair.second, pair.value});
+  return {{"method", static_cast<int>(of.sampling)},
+          {"samples", of.samples},
+          {"seed", of.seed},
+          {"indices", of.indices},
+          {"correlations", correlations}};
+}
+
+}  // namespace
+
+std::string resolved_text(const Study& study) {
+  Json factors = Json::array(), materials = Json::array();
+  for (const Factor& factor : study.factors) factors.push_back(factor_json(factor));
+  for (const Material& material : study.materials) materials.push_back(material_json(material));
+  return json_text(
+      {{"title", study.title},
+       {"case", case_json(study.base)},
+       {"options", {study.options.tolerance, study.options.time_limit, study.options.most_steps}},
+       {"factors", factors},
+       {"materials", materials},
+       {"sampling", sampling_json(study)},
+       {"responses", study.responses}});
+}
+
+}  // namespace dashpad::study

@@ -1,0 +1,142 @@
+#include "dashpad/study/responses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "study/pulse_figures.hpp"
+
+namespace dashpad::study {
+namespace {
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// How a response is got: one of the two functions.
+struct Recipe {
+  ResponseKind kind;
+  FigureWithError (*of_summary)(const Summary&) = nullptr;
+  FigureWithError (*of_pulse)(PulseFigures&) = nullptr;
+};
+
+FigureWithError present(const std::optional<double>& value, double error) {
+  return value ? FigureWithError{*value, error} : FigureWithError{no_value, 0};
+}
+
+const Recipe recipes[] = {
+    {{"peak_force", "N", "largest force", false},
+     [](const Summary& of) { return present(of.peak_force, of.errors.peak_force); }},
+    {{"peak_acceleration", "m/s2", "largest deceleration of the impactor", false},
+     [](const Summary& of) { return present(of.peak_acceleration, of.errors.peak_force); }},
+    {{"time_of_peak_force", "s", "time of the largest force", false},
+     [](const Summary& of) { return present(of.time_of_peak_force, of.errors.time_of_peak_force); }},
+    {{"peak_motion", "m", "largest motion of the impactor", false},
+     [](const Summary& of) {
+       return FigureWithError{of.peak_motion, of.errors.peak_motion};
+     }},
+    {{"peak_penetration", "m", "largest penetration of the pad", false},
+     [](const Summary& of) {
+       return FigureWithError{of.peak_penetration, of.errors.peak_penetration};
+     }},
+    {{"peak_strain", "1", "largest strain on the axis", false},
+     [](const Summary& of) {
+       return FigureWithError{of.peak_strain, of.errors.peak_penetration};
+     }},
+    {{"peak_strain_rate", "1/s", "largest strain rate on the axis", false},
+     [](const Summary& of) {
+       return FigureWithError{of.peak_strain_rate, 0};
+     }},
+    {{"rebound_speed", "m/s", "speed when the impactor leaves the pad", false},
+     [](const Summary& of) { return present(of.rebound_speed, of.errors.rebound_speed); }},
+    {{"restitution", "1", "rebound speed over impact speed", false},
+     [](const Summary& of) { return present(of.restitution, of.errors.rebound_speed); }},
+    {{"release_time", "s", "when the impactor leaves the pad", false},
+     [](const Summary& of) {
+       return of.release ? FigureWithError{of.release->time, of.errors.release_time}
+                         : FigureWithError{no_value, 0};
+     }},
+    {{"energy_absorbed_fraction", "1", "part of the impact energy that the pad absorbs", false},
+     [](const Summary& of) {
+       return FigureWithError{of.energy_absorbed_fraction, of.errors.energy_absorbed};
+     }},
+    {{"hic15", "1", "head injury criterion, windows up to 15 ms", true},
+     nullptr,
+     [](PulseFigures& of) { return of.hic(15e-3); }},
+    {{"hic36", "1", "head injury criterion, windows up to 36 ms", true},
+     nullptr,
+     [](PulseFigures& of) { return of.hic(36e-3); }},
+    {{"hic_unlimited", "1", "head injury criterion, windows of any length", true},
+     nullptr,
+     [](PulseFigures& of) { return of.hic(unlimited_window); }},
+    {{"hic_d", "1", "HIC(d) of the free-motion headform", true},
+     nullptr,
+     [](PulseFigures& of) { return of.hic_d(); }},
+    {{"clip_3ms_contiguous", "m/s2", "deceleration exceeded for 3 ms without a break", true},
+     nullptr,
+     [](PulseFigures& of) { return of.contiguous_3ms(); }},
+    {{"clip_3ms_cumulative", "m/s2", "deceleration exceeded for 3 ms in all", true},
+     nullptr,
+     [](PulseFigures& of) { return of.cumulative_3ms(); }},
+    {{"severity_index", "1", "Gadd severity index", true},
+     nullptr,
+     [](PulseFigures& of) { return of.severity_index(); }},
+    {{"velocity_change", "m/s", "velocity change over the pulse, with sign", true},
+     nullptr,
+     [](PulseFigures& of) { return of.velocity_change(); }},
+};
+
+}  // namespace
+
+const std::vector<ResponseKind>& response_kinds() {
+  static const std::vector<ResponseKind> kinds = [] {
+    std::vector<ResponseKind> all;
+    for (const Recipe& recipe : recipes) all.push_back(recipe.kind);
+    return all;
+  }();
+  return kinds;
+}
+
+std::vector<std::string> default_responses() {
+  std::vector<std::string> names;
+  for (const ResponseKind& kind : response_kinds())
+    if (!kind.of_pulse) names.emplace_back(kind.name);
+  return names;
+}
+
+ResponseReader::ResponseReader(std::span<const std::string> names) {
+  for (const std::string& name : names) {
+    const auto& kinds = response_kinds();
+    const auto found =
+        std::ranges::find_if(kinds, [&](const ResponseKind& kind) { return name == kind.name; });
+    if (found == kinds.end()) throw std::invalid_argument("no response: " + name);
+    kinds_.push_back(static_cast<std::size_t>(found - kinds.begin()));
+    of_pulse_ |= found->of_pulse;
+  }
+}
+
+void ResponseReader::operator()(const Solution& solution, Outcome& outcome) const {
+  const Summary& summary = solution.summary;
+  outcome.status = summary.status;
+  outcome.extrapolated = summary.extrapolated;
+  outcome.bottomed = summary.bottomed.has_value();
+  outcome.error = 0;
+  outcome.values.assign(kinds_.size(), no_value);
+  std::optional<PulseFigures> pulse;
+  if (of_pulse_) pulse.emplace(solution);
+  for (std::size_t i = 0; i < kinds_.size(); ++i) {
+    const Recipe& recipe = recipes[kinds_[i]];
+    if (recipe.of_pulse && !pulse->whole()) continue;
+    const FigureWithError figure = recipe.of_pulse ? recipe.of_pulse(*pulse) : recipe.of_summary(summary);
+    outcome.values[i] = figure.value;
+    // An estimate that is no number bounds nothing.
+    outcome.error = std::max(outcome.error, std::isnan(figure.error) ? infinity : figure.error);
+  }
+}
+
+void read_responses(const Solution& solution, std::span<const std::string> names, Outcome& outcome) {
+  ResponseReader reader(names);
+  reader(solution, outcome);
+}
+
+}  // namespace dashpad::study

@@ -1,0 +1,27 @@
+#pragma once
+/// Batches computed on many threads and written by one: the part of a run that knows no physics.
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "dashpad/study/store.hpp"
+
+namespace dashpad::study {
+
+struct BatchWork {
+  using Compute = std::function<std::vector<StoredRow>(std::uint64_t batch)>;
+  /// Called once a thread: what it returns serves that thread alone.
+  std::function<Compute()> worker;
+  /// Called for each batch in the order of the list, from one thread at a time.
+  std::function<void(std::uint64_t batch, std::span<const StoredRow> rows)> write;
+};
+
+/// At most a few batches a thread are in memory. True where all are written; false where `stop` came first.
+/// An exception ends the run: what is before it in the list is written.
+bool run_batches(std::span<const std::uint64_t> batches, int threads, const std::atomic<bool>* stop,
+                 const BatchWork& work);
+
+}  // namespace dashpad::study

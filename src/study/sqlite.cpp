@@ -1,0 +1,167 @@
+#include "study/sqlite.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace dashpad::study {
+
+namespace {
+
+/// `message` is SQLite's.
+std::string advice(int code, int system_error, const std::string& message) {
+  if (code == SQLITE_READONLY_ROLLBACK || code == SQLITE_READONLY_RECOVERY ||
+      code == SQLITE_READONLY_CANTINIT)
+    return "a run was cut short and the file has to be put in order, but it or its folder is read-only: copy "
+           "it, with "
+           "the -wal or -journal beside it, to where you may write";
+  const std::string reason = system_error == 0 ? "" : fmt::format(" ({})", std::strerror(system_error));
+  switch (code & 0xff) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "another program has it open, such as a running study: wait for its end, or stop it, and try "
+             "again";
+    case SQLITE_FULL:
+      return "the disk is full; all rows written so far are kept: make room and give the same command again";
+    case SQLITE_NOTADB: return "it is no store of a study: give another name";
+    case SQLITE_CORRUPT: return "it is damaged: delete it and run the study again";
+    case SQLITE_READONLY:
+    case SQLITE_PERM: return "it cannot be written to: its file or its folder is read-only";
+    case SQLITE_CANTOPEN: return "it cannot be opened" + reason;
+    case SQLITE_IOERR:
+      return "the disk refuses to read or write" + reason + "; all rows written so far are kept";
+    default: return message;
+  }
+}
+
+}  // namespace
+
+std::string sql_name(std::string_view name) {
+  std::string text = "\"";
+  for (const char character : name) text += character == '"' ? "\"\"" : std::string(1, character);
+  return text + '"';
+}
+
+Database::Database(const std::filesystem::path& file, Access access) : name_(file.string()) {
+  constexpr int milliseconds_for_others = 500;
+  // Also to read: what a killed run left is put in order first. SQLite does without where it may not write.
+  const int flags = SQLITE_OPEN_READWRITE | (access == Access::write ? SQLITE_OPEN_CREATE : 0);
+  sqlite3* handle = nullptr;
+  // The whole path: SQLite takes names such as ":memory:" for something else than files.
+  const int code =
+      sqlite3_open_v2(std::filesystem::absolute(file).c_str(), &handle, flags | SQLITE_OPEN_NOMUTEX, nullptr);
+  handle_.reset(handle);
+  if (code != SQLITE_OK) fail(code);
+  sqlite3_extended_result_codes(handle, 1);
+  sqlite3_busy_timeout(handle, milliseconds_for_others);
+  // What the file brings along (views, triggers) may do nothing but SQL.
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  if (access == Access::read) execute("PRAGMA query_only = ON");
+}
+
+void Database::execute(const std::string& sql) {
+  const int code = sqlite3_exec(get(), sql.c_str(), nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK) fail(code);
+}
+
+bool Database::is_read_only() const { return sqlite3_db_readonly(get(), "main") == 1; }
+
+void Database::fail(int code) const {
+  const int system_error = get() == nullptr ? 0 : sqlite3_system_errno(get());
+  const std::string message = get() == nullptr ? sqlite3_errstr(code) : sqlite3_errmsg(get());
+  throw std::runtime_error(name_ + ": " + advice(code, system_error, message));
+}
+
+void Database::damaged(const std::string& what) const {
+  throw std::runtime_error(name_ + ": it is damaged (" + what + "): delete it and run the study again");
+}
+
+Statement::Statement(const Database& database, const std::string& sql) : database_(&database) {
+  sqlite3_stmt* handle = nullptr;
+  const int code = sqlite3_prepare_v3(database.get(), sql.c_str(), static_cast<int>(sql.size()),
+                                      SQLITE_PREPARE_PERSISTENT, &handle, nullptr);
+  handle_.reset(handle);
+  // A table or column that is missing is the file's fault, not the statement's.
+  if (code == SQLITE_ERROR) database.damaged(sqlite3_errmsg(database.get()));
+  if (code != SQLITE_OK) database.fail(code);
+}
+
+Statement& Statement::bind(int parameter, double value) {
+  sqlite3_bind_double(handle_.get(), parameter + 1, value);
+  return *this;
+}
+
+Statement& Statement::bind(int parameter, std::int64_t value) {
+  sqlite3_bind_int64(handle_.get(), parameter + 1, value);
+  return *this;
+}
+
+Statement& Statement::bind(int parameter, std::string_view text) {
+  sqlite3_bind_text64(handle_.get(), parameter + 1, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
+  return *this;
+}
+
+bool Statement::next() {
+  const int code = sqlite3_step(handle_.get());
+  if (code == SQLITE_ROW) return true;
+  if (code != SQLITE_DONE) {
+    sqlite3_reset(handle_.get());
+    database_->fail(code);
+  }
+  return false;
+}
+
+void Statement::run() {
+  next();
+  reset();
+}
+
+double Statement::number(int column) const {
+  switch (sqlite3_column_type(handle_.get(), column)) {
+    case SQLITE_FLOAT:
+    case SQLITE_INTEGER: return sqlite3_column_double(handle_.get(), column);
+    case SQLITE_NULL: return std::numeric_limits<double>::quiet_NaN();
+    default: wrong_type(column);
+  }
+}
+
+std::int64_t Statement::integer(int column) const {
+  if (sqlite3_column_type(handle_.get(), column) != SQLITE_INTEGER) wrong_type(column);
+  return sqlite3_column_int64(handle_.get(), column);
+}
+
+std::uint64_t Statement::count(int column, std::uint64_t most) const {
+  const std::int64_t value = integer(column);
+  if (value < 0 || static_cast<std::uint64_t>(value) > most) wrong_type(column);
+  return static_cast<std::uint64_t>(value);
+}
+
+std::string Statement::text(int column) const {
+  if (sqlite3_column_type(handle_.get(), column) != SQLITE_TEXT) wrong_type(column);
+  const auto* characters = reinterpret_cast<const char*>(sqlite3_column_text(handle_.get(), column));
+  return {characters, static_cast<std::size_t>(sqlite3_column_bytes(handle_.get(), column))};
+}
+
+void Statement::wrong_type(int column) const {
+  database_->damaged(
+      fmt::format("column {} holds a wrong value", sqlite3_column_name(handle_.get(), column)));
+}
+
+Transaction::Transaction(Database& database, const char* begin) : database_(database) {
+  database_.execute(begin);
+}
+
+Transaction::~Transaction() {
+  if (open_ && sqlite3_get_autocommit(database_.get()) == 0)
+    sqlite3_exec(database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+}
+
+void Transaction::commit() {
+  database_.execute("COMMIT");
+  open_ = false;
+}
+
+}  // namespace dashpad::study

@@ -1,0 +1,89 @@
+#pragma once
+/// SQLite's C interface with owners and exceptions. Messages name the file and say what to do.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <sqlite3.h>
+
+namespace dashpad::study {
+
+enum class Access { read, write };
+
+/// A text in quotes, as SQL names a column: pad.thickness gives "pad.thickness".
+std::string sql_name(std::string_view name);
+
+class Database {
+ public:
+  /// Opens a file; with Access::write it is made where it is missing. Throws std::runtime_error.
+  Database(const std::filesystem::path& file, Access access);
+
+  /// Runs statements without parameters or rows.
+  void execute(const std::string& sql);
+  [[nodiscard]] bool is_read_only() const;
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] sqlite3* get() const { return handle_.get(); }
+
+  /// Throws std::runtime_error for what SQLite reports: `code` in the user's words.
+  [[noreturn]] void fail(int code) const;
+  /// Throws std::runtime_error: the file holds what no Dashpad writes.
+  [[noreturn]] void damaged(const std::string& what) const;
+
+ private:
+  struct Close {
+    void operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
+  };
+  std::string name_;  ///< as the user gave it
+  std::unique_ptr<sqlite3, Close> handle_;
+};
+
+/// A prepared statement. Columns and parameters count from 0 here.
+class Statement {
+ public:
+  Statement(const Database& database, const std::string& sql);
+
+  Statement& bind(int parameter, double value);  ///< NaN becomes NULL
+  Statement& bind(int parameter, std::int64_t value);
+  Statement& bind(int parameter, std::string_view text);
+  /// The next row; false after the last.
+  bool next();
+  /// Runs a statement that has no rows, ready for other parameters.
+  void run();
+  void reset() { sqlite3_reset(handle_.get()); }
+
+  /// Values of the row; std::runtime_error where the type is another.
+  [[nodiscard]] double number(int column) const;  ///< NaN for NULL
+  [[nodiscard]] std::int64_t integer(int column) const;
+  /// An integer in [0, most].
+  [[nodiscard]] std::uint64_t count(int column, std::uint64_t most) const;
+  [[nodiscard]] std::string text(int column) const;
+
+ private:
+  struct Finalize {
+    void operator()(sqlite3_stmt* handle) const { sqlite3_finalize(handle); }
+  };
+  [[noreturn]] void wrong_type(int column) const;
+
+  const Database* database_;
+  std::unique_ptr<sqlite3_stmt, Finalize> handle_;
+};
+
+/// BEGIN to COMMIT; rolled back where an exception comes between.
+class Transaction {
+ public:
+  explicit Transaction(Database& database, const char* begin = "BEGIN IMMEDIATE");
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  void commit();
+
+ private:
+  Database& database_;
+  bool open_ = true;
+};
+
+}  // namespace dashpad::study

@@ -1,0 +1,96 @@
+// Facts and writing; reading rows is store_rows.cpp.
+
+#include "dashpad/study/store.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "study/resolved_study.hpp"
+#include "study/store_file.hpp"
+
+namespace dashpad::study {
+
+namespace {
+
+void check_rows(std::uint64_t batch, std::span<const StoredRow> rows, const StoreHeading& heading) {
+  std::uint64_t expected = batch * heading.batch_size;
+  for (const StoredRow& row : rows) {
+    if (row.row != expected++)
+      throw std::invalid_argument(fmt::format("row {} is not of its batch", row.row));
+    if (row.factors.size() != heading.factors.size() || row.outcome.values.size() != heading.responses.size())
+      throw std::invalid_argument(fmt::format("row {} has other columns than the store", row.row));
+  }
+}
+
+void bind(Statement& insert, const StoredRow& row) {
+  insert.bind(0, static_cast<std::int64_t>(row.row))
+      .bind(1, std::string_view{to_string(row.outcome.status)})
+      .bind(2, std::int64_t{row.outcome.extrapolated})
+      .bind(3, std::int64_t{row.outcome.bottomed})
+      .bind(4, row.outcome.error);
+  int place = 5;
+  for (const auto* values : {&row.factors, &row.outcome.values})
+    for (const double value : *values) insert.bind(place++, value);
+}
+
+}  // namespace
+
+Store::Store(std::unique_ptr<File> file) : file_(std::move(file)) {}
+Store::Store(Store&&) noexcept = default;
+Store& Store::operator=(Store&&) noexcept = default;
+
+/// A store that was written becomes one plain file, readable in a folder that is not. Where that fails (a
+/// full disk), the log stays beside the file and nothing is lost.
+Store::~Store() {
+  if (!file_ || !file_->insert_row) return;
+  file_->insert_row.reset();
+  file_->insert_batch.reset();
+  sqlite3_exec(file_->database.get(), "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+}
+
+std::string Store::study_text() const { return file_->heading.text; }
+const std::string& Store::resolved_text() const { return file_->heading.resolved; }
+bool Store::is_of(const Study& study) const {
+  return study.text == file_->heading.text && study::resolved_text(study) == file_->heading.resolved;
+}
+const std::string& Store::program() const { return file_->heading.program; }
+const std::vector<StoredColumn>& Store::factors() const { return file_->heading.factors; }
+const std::vector<StoredColumn>& Store::responses() const { return file_->heading.responses; }
+std::uint64_t Store::rows() const { return file_->heading.rows; }
+std::uint64_t Store::rows_done() const { return file_->rows_done; }
+std::uint64_t Store::batch_size() const { return file_->heading.batch_size; }
+
+std::vector<std::uint64_t> Store::missing_batches() const {
+  Statement done{file_->database, "SELECT batch FROM batches ORDER BY batch"};
+  std::vector<std::uint64_t> missing;
+  std::uint64_t next = 0;
+  while (done.next()) {
+    const std::uint64_t batch = done.count(0, file_->batches() - 1);
+    for (; next < batch; ++next) missing.push_back(next);
+    next = batch + 1;
+  }
+  for (; next < file_->batches(); ++next) missing.push_back(next);
+  return missing;
+}
+
+void Store::write_batch(std::uint64_t batch, std::span<const StoredRow> rows) {
+  if (!file_->insert_row) throw std::invalid_argument("the store is open to read");
+  if (batch >= file_->batches() || rows.size() != file_->rows_of(batch))
+    throw std::invalid_argument(fmt::format("batch {} does not have {} rows", batch, rows.size()));
+  check_rows(batch, rows, file_->heading);
+  Transaction transaction{file_->database};
+  for (const StoredRow& row : rows) {
+    bind(*file_->insert_row, row);
+    file_->insert_row->run();
+  }
+  file_->insert_batch->bind(0, static_cast<std::int64_t>(batch))
+      .bind(1, static_cast<std::int64_t>(rows.size()))
+      .run();
+  transaction.commit();
+  file_->rows_done += rows.size();
+}
+
+}  // namespace dashpad::study

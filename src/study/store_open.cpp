@@ -1,0 +1,162 @@
+// Opening a store: new, to go on, to read.
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "study/resolved_study.hpp"
+#include "study/store_file.hpp"
+
+namespace dashpad::study {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint64_t log_bytes = 16 << 20;  ///< the write-ahead log is written back at this size
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  throw std::runtime_error(file.string() + ": " + why);
+}
+
+/// What can be known before anything is made.
+void check_place(const fs::path& file, const StoreHeading& heading) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    refuse(file, "it is no file: give the name of a file");
+  const fs::path folder = fs::absolute(file).parent_path();
+  if (!fs::is_directory(folder, error))
+    refuse(file, "there is no folder " + folder.string() + ": make it first");
+  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
+    refuse(file, "its folder is read-only: choose another, or change its rights");
+  if (fs::exists(status)) return;  // how much of it is there is not known yet
+  const fs::space_info space = fs::space(folder, error);
+  const std::uint64_t data = heading.rows * bytes_per_row(heading);
+  const std::uint64_t needed = data + std::min(data, 2 * log_bytes);
+  if (!error && needed > space.available)
+    refuse(file,
+           fmt::format("the study needs about {} MB on the disk, where {} MB are free: make room, or ask for "
+                       "fewer rows or responses",
+                       needed / 1'000'000 + 1, space.available / 1'000'000));
+}
+
+void check_same(const Database& database, const StoreHeading& stored, const StoreHeading& wanted) {
+  const auto refuse_for = [&](const std::string& why) {
+    throw std::runtime_error(database.name() + ": " + why);
+  };
+  if (stored.text != wanted.text)
+    refuse_for("it is the store of another study (its text differs): give another name");
+  if (stored.program != wanted.program)
+    refuse_for(fmt::format("Dashpad {} made it and this is {}: go on with that one, or give another name",
+                           stored.program, wanted.program));
+  if (stored.resolved != wanted.resolved)
+    refuse_for(
+        "it is the store of this study, but the base case, a card or a data file that the study names has "
+        "changed since: undo the change, or give another name");
+  if (stored.rows != wanted.rows) database.damaged("another number of rows");
+}
+
+/// One writer, and nobody else meanwhile: the lock is the system's, so that it goes with the process, and no
+/// memory is shared between processes, which network disks cannot do.
+void prepare_writing(Database& database) {
+  database.execute("PRAGMA locking_mode = EXCLUSIVE; PRAGMA page_size = 16384; PRAGMA cache_size = -16000;");
+}
+
+/// Synchronous NORMAL: a kill loses nothing that was committed. A power cut may lose the last batches, which
+/// are then computed again, but never damages the file.
+void start_log(Database& database) {
+  database.execute(
+      fmt::format("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; "
+                  "PRAGMA wal_autocheckpoint = {}; PRAGMA journal_size_limit = {};",
+                  log_bytes / 16384, log_bytes));
+}
+
+std::string insert_text(const StoreHeading& heading) {
+  std::string columns = "row, status, extrapolated, bottomed, error", marks = "?, ?, ?, ?, ?";
+  for (const auto* list : {&heading.factors, &heading.responses})
+    for (const StoredColumn& column : *list) {
+      columns += ", " + sql_name(column.name);
+      marks += ", ?";
+    }
+  return "INSERT INTO samples (" + columns + ") VALUES (" + marks + ")";
+}
+
+/// `locked` is set once no other process can be writing the file.
+void make_or_check(Database& database, const Study& study, StoreHeading& heading, bool& locked) {
+  Transaction transaction{database, "BEGIN EXCLUSIVE"};
+  locked = true;
+  if (is_empty(database)) {
+    create_tables(database, study, heading);
+  } else {
+    StoreHeading stored = read_heading(database);
+    check_same(database, stored, heading);
+    heading = std::move(stored);
+  }
+  transaction.commit();
+}
+
+/// Of a store that could not be made.
+void remove_new_file(const fs::path& file) {
+  std::error_code ignored;
+  for (const char* suffix : {"", "-wal", "-journal"}) fs::remove(file.string() + suffix, ignored);
+}
+
+}  // namespace
+
+std::uint64_t count_rows(const Database& database, const StoreHeading& heading) {
+  Statement noted{database,
+                  "SELECT total(rows), coalesce(min(batch), 0), coalesce(max(batch), 0) FROM batches"};
+  noted.next();
+  const double expected = noted.number(0);
+  if (noted.integer(1) < 0 || noted.count(2, heading.rows) * heading.batch_size >= heading.rows)
+    database.damaged("a batch that the study does not have");
+  Statement stored{database, "SELECT count(*), coalesce(min(row), 0), coalesce(max(row), 0) FROM samples"};
+  stored.next();
+  const std::uint64_t rows = stored.count(0, heading.rows);
+  if (stored.integer(1) < 0 || stored.count(2, heading.rows) >= heading.rows)
+    database.damaged("a row that the study does not have");
+  if (static_cast<double>(rows) != expected)
+    database.damaged(fmt::format("{} rows where {} are noted", rows, expected));
+  return rows;
+}
+
+Store Store::open_for(const Study& study, const fs::path& file) {
+  StoreHeading heading = heading_of(study);
+  check_place(file, heading);
+  const bool is_new = !fs::exists(file);
+  bool locked = false;
+  try {
+    Database database{file, Access::write};
+    if (database.is_read_only()) database.fail(SQLITE_READONLY);
+    prepare_writing(database);
+    make_or_check(database, study, heading, locked);
+    start_log(database);
+    auto opened = std::make_unique<File>(std::move(database), std::move(heading));
+    opened->rows_done = count_rows(opened->database, opened->heading);
+    opened->insert_row.emplace(opened->database, insert_text(opened->heading));
+    opened->insert_batch.emplace(opened->database, "INSERT INTO batches (batch, rows) VALUES (?, ?)");
+    return Store{std::move(opened)};
+  } catch (...) {
+    if (is_new && locked) remove_new_file(file);
+    throw;
+  }
+}
+
+Store Store::open_to_read(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(file, error)) refuse(file, "there is no such file");
+  if (!fs::is_regular_file(file, error)) refuse(file, "it is no file");
+  Database database{file, Access::read};
+  if (is_empty(database)) refuse(file, "it is no store of a study: it is empty");
+  StoreHeading heading = read_heading(database);
+  auto opened = std::make_unique<File>(std::move(database), std::move(heading));
+  opened->rows_done = count_rows(opened->database, opened->heading);
+  return Store{std::move(opened)};
+}
+
+}  // namespace dashpad::study

@@ -1,0 +1,114 @@
+#include "dashpad/study/stored_study.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "io/json_values.hpp"
+#include "study/resolved_study.hpp"
+
+namespace dashpad::study {
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+Spread spread_of(const Json& json) {
+  if (json.contains("levels")) return Levels{json["levels"].get<Numbers>()};
+  if (json.contains("empirical")) return Empirical{json["empirical"].get<Numbers>()};
+  const auto values = [&](const char* name) { return json.at(name).get<Numbers>(); };
+  if (json.contains("normal")) return Normal{values("normal").at(0), values("normal").at(1)};
+  if (json.contains("lognormal")) return Lognormal{values("lognormal").at(0), values("lognormal").at(1)};
+  if (json.contains("uniform")) return Uniform{values("uniform").at(0), values("uniform").at(1)};
+  const Numbers corners = values("triangular");
+  return Triangular{corners.at(0), corners.at(1), corners.at(2)};
+}
+
+std::optional<double> bound_of(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional{json.get<double>()};
+}
+
+Factor factor_of(const Json& json) {
+  return {.key = json.at("key"),
+          .unit = json.at("unit"),
+          .spread = spread_of(json),
+          .lowest = bound_of(json.at("lowest")),
+          .highest = bound_of(json.at("highest"))};
+}
+
+template <class Law>
+PadLaw law_with(const Json& parameters) {
+  Law law;
+  for (const Parameter<Law>& parameter : Law::parameters)
+    law.*parameter.member = parameters.at(parameter.key).template get<double>();
+  return law;
+}
+
+template <std::size_t... index>
+PadLaw law_of(const std::string& name, const Json& parameters, std::index_sequence<index...>) {
+  std::optional<PadLaw> law;
+  const auto try_law = [&]<class Law>(const Law&) {
+    if (name == Law::name) law = law_with<Law>(parameters);
+  };
+  (try_law(std::variant_alternative_t<index, PadLaw>{}), ...);
+  if (!law) throw std::runtime_error("no law \"" + name + "\"");
+  return *law;
+}
+
+Material material_of(const Json& json) {
+  Material material;
+  material.name = json.at("name");
+  material.title = json.at("title");
+  material.law =
+      law_of(json.at("law"), json.at("parameters"), std::make_index_sequence<std::variant_size_v<PadLaw>>());
+  if (json.contains("fitted")) {
+    const Numbers range = json["fitted"].get<Numbers>();
+    material.fitted = FittedRange{range.at(0), range.at(1), range.at(2)};
+  }
+  return material;
+}
+
+ImpactCase case_of(const Json& json) {
+  const Numbers impactor = json.at("impactor").get<Numbers>();
+  std::vector<Support::Point> points;
+  for (const Json& point : json.at("support")) points.push_back({point.at(0), point.at(1)});
+  return {.title = json.at("title"),
+          .impactor = {impactor.at(0), impactor.at(1), impactor.at(2)},
+          .pad = {json.at("thickness"), material_of(json.at("material"))},
+          .support = points.empty() ? Support::rigid() : Support::through(points)};
+}
+
+Study study_of(const Json& json) {
+  Study study;
+  study.title = json.at("title");
+  study.base = case_of(json.at("case"));
+  const Json& options = json.at("options");
+  study.options = {.tolerance = options.at(0), .time_limit = options.at(1), .most_steps = options.at(2)};
+  for (const Json& factor : json.at("factors")) study.factors.push_back(factor_of(factor));
+  for (const Json& material : json.at("materials")) study.materials.push_back(material_of(material));
+  const Json& sampling = json.at("sampling");
+  for (const Json& pair : sampling.at("correlations"))
+    study.correlations.push_back({pair.at(0), pair.at(1), pair.at(2)});
+  study.sampling = static_cast<Sampling>(sampling.at("method").get<int>());
+  study.samples = sampling.at("samples");
+  study.seed = sampling.at("seed");
+  study.indices = sampling.at("indices");
+  study.responses = json.at("responses").get<std::vector<std::string>>();
+  return study;
+}
+
+}  // namespace
+
+Study stored_study(const Store& store) {
+  constexpr const char* damaged =
+      "the store does not tell its study: it is damaged, or another version made it";
+  try {
+    Study study = study_of(Json::parse(store.resolved_text()));
+    study.text = store.study_text();
+    if (resolved_text(study) == store.resolved_text() && violations(study).empty()) return study;
+  } catch (const std::exception&) {
+    throw std::runtime_error(damaged);
+  }
+  throw std::runtime_error(damaged);
+}
+
+}  // namespace dashpad::study

@@ -1,0 +1,169 @@
+#include "dashpad/study/study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "dashpad/study/application.hpp"
+#include "dashpad/study/responses.hpp"
+#include "io/spelling.hpp"
+#include "study/case_checks.hpp"
+#include "study/cholesky.hpp"
+#include "study/distribution.hpp"
+#include "study/sobol.hpp"
+
+namespace dashpad::study {
+namespace {
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+void check_key(const Study& study, const Factor& factor, std::vector<Violation>& broken) {
+  std::vector<std::string> names;
+  for (const FactorKey& of : factor_keys(study.base)) names.push_back(of.key);
+  if (!std::ranges::count(names, factor.key))
+    broken.push_back({"factors." + factor.key, no_value,
+                      "is no quantity of the case that can vary" + did_you_mean(factor.key, names)});
+  const auto first = std::ranges::find(study.factors, factor.key, &Factor::key);
+  if (&*first != &factor) broken.push_back({"factors." + factor.key, no_value, "is given twice"});
+}
+
+void check_conflicts(const Study& study, std::vector<Violation>& broken) {
+  const auto has = [&](const std::string& key) {
+    return std::ranges::any_of(study.factors, [&](const Factor& of) { return of.key.starts_with(key); });
+  };
+  if (has("impactor.mass") && has("impactor.weight"))
+    broken.push_back(
+        {"factors.impactor.weight", no_value, "give impactor.mass or impactor.weight, not both"});
+  if (has("support.stiffness") && has("support.scale"))
+    broken.push_back(
+        {"factors.support.scale", no_value, "give support.stiffness or support.scale, not both"});
+  if (has("pad.material") && has("pad.parameters."))
+    broken.push_back(
+        {"factors.pad.material", no_value,
+         "parameters belong to the law of the case: vary the material or its parameters, not both"});
+}
+
+void check_materials(const Study& study, const Factor& factor, std::vector<Violation>& broken) {
+  const std::string key = "factors." + factor.key;
+  const auto* levels = std::get_if<Levels>(&factor.spread);
+  if (!levels) {
+    broken.push_back({key, no_value, "materials are given as values = [\"name\", ...]"});
+    return;
+  }
+  for (const double value : levels->values)
+    if (!(value >= 0 && value < static_cast<double>(study.materials.size()) && value == std::floor(value)))
+      broken.push_back({key, value, "is no number of a material"});
+  for (std::size_t i = 0; i < study.materials.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (study.materials[i].name == study.materials[j].name)
+        broken.push_back(
+            {key, no_value, fmt::format("has two materials called {}", study.materials[i].name)});
+}
+
+void check_factor(const Study& study, const Factor& factor, std::vector<Violation>& broken) {
+  const std::string key = "factors." + factor.key;
+  check_key(study, factor, broken);
+  if (factor.key == "pad.material") check_materials(study, factor, broken);
+  if (const auto* levels = std::get_if<Levels>(&factor.spread)) {
+    if (levels->values.empty()) broken.push_back({key, no_value, "has no levels"});
+    if (std::ranges::any_of(levels->values, [](double value) { return !std::isfinite(value); }))
+      broken.push_back({key, no_value, "a level must be a finite number"});
+  }
+  const std::string rule = rule_broken_by(factor);
+  if (!rule.empty()) broken.push_back({key, no_value, rule});
+}
+
+void check_correlations(const Study& study, std::vector<Violation>& broken) {
+  const auto& all = study.correlations;
+  const auto sampled = [&](std::size_t i) {
+    return i < study.factors.size() && study.factors[i].is_sampled();
+  };
+  bool good = true;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto add = [&](double value, const char* rule) {
+      broken.push_back({fmt::format("correlations[{}]", i + 1), value, rule});
+      good = false;
+    };
+    if (!sampled(all[i].first) || !sampled(all[i].second))
+      add(no_value, "needs two factors with a distribution");
+    else if (all[i].first == all[i].second)
+      add(no_value, "needs two different factors");
+    if (!(all[i].value > -1 && all[i].value < 1)) add(all[i].value, "must be more than -1 and less than 1");
+    for (std::size_t j = 0; j < i; ++j)
+      if (std::minmax(all[i].first, all[i].second) == std::minmax(all[j].first, all[j].second))
+        add(no_value, "the correlation of these two is given twice");
+  }
+  if (good && !root_of_correlations(study))
+    broken.push_back(
+        {"correlations", no_value,
+         "contradict each other: their matrix is not positive definite, so no quantities can be so "
+         "correlated"});
+  if (study.indices && !all.empty())
+    broken.push_back(
+        {"correlations", no_value,
+         "Sobol' indices are defined for independent factors: leave out correlations or indices"});
+}
+
+void check_responses(const Study& study, std::vector<Violation>& broken) {
+  std::vector<std::string> known;
+  for (const ResponseKind& kind : response_kinds()) known.emplace_back(kind.name);
+  if (study.responses.empty()) broken.push_back({"responses", no_value, "needs one response or more"});
+  for (std::size_t i = 0; i < study.responses.size(); ++i) {
+    const std::string key = fmt::format("responses[{}]", i + 1), &name = study.responses[i];
+    if (!std::ranges::count(known, name)) {
+      const std::string meant = did_you_mean(name, known);
+      broken.push_back(
+          {key, no_value,
+           name + " is no response" + (meant.empty() ? "; there are " + listing(known) : meant)});
+    }
+    if (std::find(study.responses.begin(), study.responses.begin() + static_cast<std::ptrdiff_t>(i), name) !=
+        study.responses.begin() + static_cast<std::ptrdiff_t>(i))
+      broken.push_back({key, no_value, name + " is given twice"});
+  }
+}
+
+void check_size(const Study& study, std::vector<Violation>& broken) {
+  const std::size_t sampled = sampled_factors(study).size();
+  if (study.samples < 1) broken.push_back({"samples", 0, "must be at least 1"});
+  if (sampled == 0 && study.samples > 1)
+    broken.push_back(
+        {"samples", static_cast<double>(study.samples), "no factor has a distribution to draw from"});
+  if (sampled == 0 && study.indices)
+    broken.push_back({"indices", no_value, "no factor has a distribution: Sobol' indices need one or more"});
+  if (study.sampling == Sampling::sobol && 2 * sampled > Sobol::most_dimensions)
+    broken.push_back({"factors", static_cast<double>(sampled), "too many sampled factors for Sobol points"});
+  const double rows = row_count(study);
+  if (rows > static_cast<double>(most_rows))
+    broken.push_back({sampled ? "samples" : "factors", rows,
+                      fmt::format("the study would have {:.4g} rows; at most {:.0e} are possible", rows,
+                                  static_cast<double>(most_rows))});
+}
+
+}  // namespace
+
+double row_count(const Study& study) {
+  const std::size_t sampled = sampled_factors(study).size();
+  double rows = static_cast<double>(study.samples) * static_cast<double>(study.indices ? 2 + sampled : 1);
+  for (const Factor& factor : study.factors)
+    if (const auto* levels = std::get_if<Levels>(&factor.spread))
+      rows *= static_cast<double>(levels->values.size());
+  return rows;
+}
+
+std::vector<Violation> violations(const Study& study) {
+  std::vector<Violation> broken;
+  if (study.factors.empty()) broken.push_back({"factors", no_value, "a study needs one factor or more"});
+  for (const Factor& factor : study.factors) check_factor(study, factor, broken);
+  check_conflicts(study, broken);
+  check_correlations(study, broken);
+  check_responses(study, broken);
+  check_size(study, broken);
+  if (!(study.options.tolerance >= 1e-8 && study.options.tolerance <= 1e-2))
+    broken.push_back({"tolerance", study.options.tolerance, "must be at least 1e-8 and at most 1e-2"});
+  if (broken.empty()) broken = case_violations(study);
+  return broken;
+}
+
+}  // namespace dashpad::study

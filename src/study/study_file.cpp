@@ -1,0 +1,144 @@
+#include "dashpad/study/study_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/io/case_file.hpp"
+#include "dashpad/study/responses.hpp"
+#include "io/spelling.hpp"
+#include "io/table_reader.hpp"
+#include "io/text_file.hpp"
+#include "study/factor_table.hpp"
+
+namespace dashpad::study {
+namespace {
+
+/// TOML numbers are read as binary64, which holds these whole numbers exactly.
+constexpr double largest_whole_number = 9007199254740992;  // 2^53
+
+std::uint64_t read_whole_number(TableReader& table, const std::string& key, double lowest, double highest) {
+  const double value = table.number(key);
+  if (value >= lowest && value <= highest && value == std::floor(value))
+    return static_cast<std::uint64_t>(value);
+  if (!std::isnan(value))
+    table.fault(key, fmt::format("must be a whole number from {:.0f} to {:.0f}", lowest, highest));
+  return static_cast<std::uint64_t>(lowest);
+}
+
+bool read_flag(TableReader& table, const std::string& key) {
+  if (!table.has(key)) return false;
+  const std::string written = table.node().child(key)->written();
+  if (written != "true" && written != "false") table.fault(key, "must be true or false");
+  return written == "true";
+}
+
+Sampling read_sampling(TableReader& table) {
+  if (!table.has("sampling")) return Sampling::sobol;
+  const std::string chosen = table.choice("sampling", {"monte-carlo", "latin-hypercube", "sobol"});
+  return chosen == "monte-carlo"       ? Sampling::monte_carlo
+         : chosen == "latin-hypercube" ? Sampling::latin_hypercube
+                                       : Sampling::sobol;
+}
+
+std::vector<std::string> read_responses(TableReader& table) {
+  if (!table.has("responses")) return default_responses();
+  std::vector<std::string> names;
+  const TomlNode* list = table.array("responses");
+  if (!list) return default_responses();
+  for (const TomlNode& entry : list->children) {
+    if (entry.kind != TomlNode::Kind::text)
+      table.faults().add(entry.line, table.full_key("responses") + entry.key, entry.written(),
+                         "must be the name of a response in quotes");
+    names.push_back(entry.text);
+  }
+  return names;
+}
+
+/// Absent after a fault.
+std::optional<CaseFile> read_base(TableReader& table, const FactorFolders& folders) {
+  const std::string name = table.text("case");
+  if (name.empty()) return std::nullopt;
+  try {
+    return read_case(folders.of_study / name, folders.materials);
+  } catch (const InputError& error) {
+    table.faults().add(error.faults());
+  }
+  return std::nullopt;
+}
+
+std::size_t number_of(const Study& study, const std::string& key) {
+  return static_cast<std::size_t>(std::ranges::find(study.factors, key, &Factor::key) -
+                                  study.factors.begin());
+}
+
+void read_correlation(TableReader table, const FactorLines& lines, Study& study) {
+  std::vector<std::size_t> factors;
+  if (const TomlNode* between = table.array("between")) {
+    std::vector<std::string> keys;
+    for (const Factor& factor : study.factors) keys.push_back(factor.key);
+    for (const TomlNode& name : between->children) {
+      factors.push_back(number_of(study, name.text));
+      if (factors.back() == study.factors.size() &&
+          !std::ranges::count(lines.at_fault, "factors." + name.text))
+        table.faults().add(name.line, table.full_key("between") + name.key, name.written(),
+                           "is none of the factors" + did_you_mean(name.text, keys));
+    }
+    if (factors.size() != 2)
+      table.fault("between", "must name two factors, such as [\"impactor.speed\", \"pad.thickness\"]");
+  }
+  const double value = table.number("value");
+  table.refuse_others();
+  const bool known = factors.size() == 2 && std::ranges::max(factors) < study.factors.size();
+  if (known && !std::isnan(value)) study.correlations.push_back({factors[0], factors[1], value});
+}
+
+void read_correlations(TableReader& table, const FactorLines& lines, Study& study) {
+  if (!table.has("correlations")) return;
+  const TomlNode* list = table.array("correlations");
+  if (!list) return;
+  for (const TomlNode& entry : list->children) {
+    const std::string path = table.full_key("correlations") + entry.key;
+    if (entry.kind == TomlNode::Kind::table)
+      read_correlation(TableReader(entry, path, table.faults()), lines, study);
+    else
+      table.faults().add(entry.line, path, entry.written(), "must be a table: [[correlations]]");
+  }
+}
+
+void read_sampling_plan(TableReader& table, Study& study) {
+  const bool sampled = std::ranges::any_of(study.factors, &Factor::is_sampled);
+  if (sampled || table.has("samples")) study.samples = read_whole_number(table, "samples", 1, most_rows);
+  study.sampling = read_sampling(table);
+  if (table.has("seed")) study.seed = read_whole_number(table, "seed", 0, largest_whole_number);
+  study.indices = read_flag(table, "indices");
+}
+
+}  // namespace
+
+Study read_study(const std::filesystem::path& file, const std::filesystem::path& materials) {
+  const TomlNode root = read_toml(file);
+  FaultList faults(file.string());
+  TableReader top(root, "", faults);
+  const FactorFolders folders{file.parent_path(), materials};
+  Study study;
+  study.text = read_text_file(file);
+  study.title = top.text("title", Presence::optional);
+  const auto base = read_base(top, folders);
+  if (base) {
+    study.base = base->impact;
+    study.options = base->options;
+  }
+  study.options.tolerance = top.has("tolerance") ? top.number("tolerance") : default_tolerance;
+  const FactorLines lines = read_factors(top, base.has_value(), folders, study);
+  read_sampling_plan(top, study);
+  read_correlations(top, lines, study);
+  study.responses = read_responses(top);
+  top.refuse_others();
+  if (base) add_violations(violations(study), root, lines, faults);
+  faults.throw_if_any();
+  return study;
+}
+
+}  // namespace dashpad::study

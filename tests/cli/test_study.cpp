@@ -1,0 +1,273 @@
+// dashpad study: a study from its file to its answers, as a user goes through it.
+
+#include <csignal>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+
+namespace dashpad::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* drawn_study = R"(title = "Drawn"
+case = "case.toml"
+samples = 200
+seed = 3
+indices = true
+responses = ["peak_force", "peak_acceleration", "rebound_speed"]
+[factors."impactor.speed"]
+distribution = "normal"
+mean = "3 m/s"
+deviation = "0.2 m/s"
+[factors."impactor.mass"]
+distribution = "uniform"
+low = "4 kg"
+high = "6 kg"
+)";
+
+constexpr const char* grid_study = R"(title = "Grid"
+case = "case.toml"
+responses = ["peak_acceleration", "peak_penetration"]
+[factors."impactor.mass"]
+from = "1 kg"
+to = "5 kg"
+count = 5
+[factors."impactor.speed"]
+values = ["1 m/s", "2 m/s"]
+[factors."pad.thickness"]
+values = ["40 mm", "50 mm", "60 mm"]
+)";
+
+class StudyTest : public CommandTest {
+ protected:
+  void SetUp() override {
+    CommandTest::SetUp();
+    write_file(file("drawn.toml"), drawn_study);
+    write_file(file("grid.toml"), grid_study);
+  }
+  Outcome compute(const std::string& name) {
+    return dashpad({"study", file(name + ".toml"), "--out", file(name + ".db")});
+  }
+  /// Refused with this in the message and no new file.
+  void expect_refused(std::vector<std::string> arguments, const std::string& why) {
+    const auto before = other_files();
+    arguments.insert(arguments.begin(), "study");
+    const Outcome outcome = dashpad(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(arguments) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(why));
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(other_files(), before);
+  }
+  std::string csv_of(const std::string& store) {
+    return dashpad({"study", "export", file(store), "--csv", "-"}).out;
+  }
+};
+
+TEST_F(StudyTest, ComputesAndSumsUp) {
+  const Outcome outcome = compute("drawn");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              ContainsRegex("^800 rows in .*drawn.db; 800 computed in .* rows/s; 0 doubtful\n$"));
+  EXPECT_EQ(outcome.err, "") << "no terminal, and too short for a line of progress";
+
+  const Outcome summary =
+      dashpad({"study", "summary", file("drawn.db"), "--limit", "peak_acceleration > 30 g", "--limit",
+               "peak_force=2 kN", "--json", file("answers.json")});
+  EXPECT_EQ(summary.exit_code, 0) << summary.err;
+  EXPECT_THAT(summary.out,
+              AllOf(HasSubstr("Drawn\n800 rows"), HasSubstr("normal, mean 3 m/s, deviation 0.2 m/s"),
+                    ContainsRegex("peak_acceleration \\(g\\) +[0-9.]+ \\([0-9.]+ to [0-9.]+\\)"),
+                    HasSubstr("30 g"), HasSubstr("2000 N"), HasSubstr("Sobol' indices")));
+  const json answers = json::parse(read_file(file("answers.json")));
+  const json& group = answers.at("groups").at(0);
+  EXPECT_EQ(answers.at("rows"), 800);
+  EXPECT_EQ(group.at("distributions").at(0).at("rows"), 400) << "only the two matrices are draws";
+  EXPECT_EQ(group.at("exceedances").at(1).at("limit"), 2000);
+  const json& exceedance = group.at("exceedances").at(0);
+  EXPECT_NEAR(exceedance.at("limit").get<double>(), 30 * 9.80665, 1e-9);
+  EXPECT_LE(exceedance.at("probability").at("low"), exceedance.at("probability").at("value"));
+}
+
+/// On an elastic pad on an elastic support the rebound is as fast as the impact: the speed alone explains it.
+TEST_F(StudyTest, IndicesNameTheFactorThatMatters) {
+  compute("drawn");
+  dashpad(
+      {"study", "summary", file("drawn.db"), "--response", "rebound_speed", "--json", file("answers.json")});
+  const json answers = json::parse(read_file(file("answers.json")));
+  const json& indices = answers.at("groups").at(0).at("sobol_indices").at(0).at("indices");
+  EXPECT_EQ(indices.at(0).at("factor"), "impactor.speed");
+  EXPECT_NEAR(indices.at(0).at("total").at("value").get<double>(), 1, 0.1);
+  EXPECT_LT(indices.at(1).at("total").at("value").get<double>(), 1e-3);
+}
+
+TEST_F(StudyTest, TheSameRowsOnAnyNumberOfThreads) {
+  for (const char* threads : {"1", "3"})
+    EXPECT_EQ(dashpad({"study", file("drawn.toml"), "--out", file(std::string{threads} + ".db"), "--threads",
+                       threads, "--quiet"})
+                  .exit_code,
+              0);
+  EXPECT_EQ(csv_of("1.db"), csv_of("3.db"));
+  EXPECT_THAT(csv_of("1.db"), HasSubstr("impactor.speed (m/s)"));
+}
+
+TEST_F(StudyTest, TheSameCommandAgainHasNothingToDo) {
+  compute("drawn");
+  const std::string rows = csv_of("drawn.db");
+  const Outcome again = compute("drawn");
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.out, HasSubstr("they were all there"));
+  EXPECT_EQ(csv_of("drawn.db"), rows);
+}
+
+TEST_F(StudyTest, ASignalStopsItAndTheSameCommandGoesOn) {
+  compute("drawn");
+  write_file(file("long.toml"), with(drawn_study, "samples = 200", "samples = 20000"));
+  const std::string command = "$DASHPAD study " + file("long.toml") + " --out " + file("long.db");
+  for (const auto& [signal, code] : {std::pair{"TERM", 128 + SIGTERM}, std::pair{"HUP", 128 + SIGHUP}}) {
+    const Outcome stopped = shell(command + " & sleep 0.3; kill -" + signal + " $!; wait $!");
+    EXPECT_EQ(stopped.exit_code, code) << stopped.err;
+    EXPECT_THAT(stopped.err, HasSubstr("The same command goes on"));
+    EXPECT_EQ(stopped.out, "");
+    EXPECT_THAT(dashpad({"study", "summary", file("long.db")}).out, HasSubstr("NOT COMPLETE: "));
+  }
+  const Outcome whole = shell(command);
+  EXPECT_EQ(whole.exit_code, 0) << whole.err;
+  EXPECT_THAT(whole.out, AllOf(HasSubstr("80000 rows in"), Not(HasSubstr("80000 computed"))));
+}
+
+TEST_F(StudyTest, ReplaysARowWithoutTheFilesOfTheStudy) {
+  compute("drawn");
+  fs::remove(file("drawn.toml"));
+  fs::remove(file("case.toml"));
+  const Outcome outcome = dashpad(
+      {"study", "replay", file("drawn.db"), "17", "--json", file("row.json"), "--csv", file("row.csv")});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("Row 17: impactor.speed = "), HasSubstr("came back, to the last bit")));
+  std::istringstream rows(csv_of("drawn.db"));
+  std::string line;
+  for (int i = 0; i <= 18; ++i) std::getline(rows, line);
+  const double force = json::parse(read_file(file("row.json"))).at("peak_force_N");
+  EXPECT_THAT(line, AllOf(testing::StartsWith("17,"), HasSubstr("," + json(force).dump() + ","))) << force;
+  EXPECT_THAT(read_file(file("row.csv")), HasSubstr("\n"));
+}
+
+TEST_F(StudyTest, ReplaySaysSoWhereAStoredResponseDoesNotComeBack) {
+  compute("drawn");
+  if (shell("command -v sqlite3").exit_code != 0 && shell("python3 -c 'import sqlite3'").exit_code != 0)
+    GTEST_SKIP() << "neither sqlite3 nor python3";
+  const Outcome edit =
+      shell("python3 -c \"import sqlite3; c = sqlite3.connect('" + file("drawn.db") +
+            "'); c.execute('UPDATE samples SET peak_force = 1 WHERE row = 5'); c.commit()\"");
+  ASSERT_EQ(edit.exit_code, 0) << edit.err;
+  const Outcome outcome = dashpad({"study", "replay", file("drawn.db"), "5"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("DIFFERENT"), HasSubstr("peak_force: stored 1, now ")));
+}
+
+TEST_F(StudyTest, CushionCurvesOfAGrid) {
+  compute("grid");
+  const Outcome outcome = dashpad({"study", "summary", file("grid.db"), "--json", file("answers.json")});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("A grid has no probabilities"));
+  const json answers = json::parse(read_file(file("answers.json")));
+  const json& curves = answers.at("cushion_curves").at("curves");
+  ASSERT_EQ(curves.size(), 6U);
+  EXPECT_NEAR(curves.at(0).at("drop_height_m").get<double>(), 1 / (2 * 9.80665), 1e-12);
+  EXPECT_EQ(curves.at(5).at("thickness_m"), 0.06);
+  EXPECT_EQ(curves.at(0).at("points").size(), 5U);
+  EXPECT_TRUE(answers.at("groups").at(0).at("distributions").at(0).at("mean").at("low").is_null());
+}
+
+TEST_F(StudyTest, PageAndStill) {
+  compute("grid");
+  compute("drawn");
+  if (shell("command -v gnuplot").exit_code == 0)
+    for (const char* name : {"grid", "drawn"}) {
+      const Outcome outcome = dashpad({"study", "summary", file(name + std::string{".db"}), "--picture",
+                                       file(name + std::string{".svg"})});
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
+  if (fs::exists(file("grid.svg")))
+    EXPECT_THAT(read_file(file("grid.svg")),
+                HasSubstr("weight over contact area at the largest penetration"));
+  const Outcome report = dashpad({"study", "summary", file("drawn.db"), "--report", file("drawn.html")});
+  if (report.exit_code == 2 && report.err.find("without the page") != std::string::npos)
+    GTEST_SKIP() << report.err;
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  EXPECT_THAT(read_file(file("drawn.html")), AllOf(HasSubstr("Which factor matters"), HasSubstr("Scatter")));
+}
+
+TEST_F(StudyTest, Exports) {
+  compute("grid");
+  const Outcome outcome =
+      dashpad({"study", "export", file("grid.db"), "--csv", file("grid.csv"), "--hdf5", file("grid.h5")});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "30 rows\n");
+  EXPECT_EQ(read_file(file("grid.csv")), csv_of("grid.db"));
+  EXPECT_THAT(read_file(file("grid.h5")), HasSubstr("HDF"));
+  expect_refused({"export", file("grid.db"), "--csv", file("grid.csv")}, "exists already");
+  EXPECT_EQ(dashpad({"study", "export", file("grid.db"), "--csv", file("grid.csv"), "--force"}).exit_code, 0);
+}
+
+TEST_F(StudyTest, RefusesWhatIsNoRequest) {
+  compute("drawn");
+  const std::string store = file("drawn.db");
+  expect_refused({}, "STUDY");
+  expect_refused({file("drawn.toml")}, "--out");
+  expect_refused({file("missing.toml"), "--out", file("new.db")}, "missing.toml");
+  expect_refused({file("grid.toml"), "--out", store}, "another study");
+  expect_refused({file("grid.toml"), "--out", file("no/such/folder.db")}, "no folder");
+  expect_refused({file("grid.toml"), "--out", case_file()}, "case.toml");
+  expect_refused({file("drawn.toml"), "--out", store, "--threads", "0"}, "--threads");
+  expect_refused({"summary", file("missing.db")}, "missing.db");
+  expect_refused({"summary", case_file()}, "case.toml");
+  expect_refused({"summary", store, "--response", "hic51"}, "no response of this study; it keeps peak_force");
+  expect_refused({"summary", store, "--limit", "peak_force"}, "must be a response, > and a value");
+  expect_refused({"summary", store, "--limit", "peak_force > much"}, "peak_force > much");
+  expect_refused({"summary", store, "--limit", "peak_force > 5"}, "peak_force > 5");
+  expect_refused({"summary", store, "--limit", "peak_force > 5 kg"}, "peak_force > 5 kg");
+  expect_refused({"summary", store, "--limit", "hic15 > 5"}, "hic15 is no response");
+  expect_refused({"summary", store, "--picture", file("still.gif")}, ".svg, .png or .pdf");
+  expect_refused({"summary", store, "--json", file("drawn.toml")}, "exists already");
+  expect_refused({"replay", store, "800"}, "has rows 0 to 799");
+  expect_refused({"replay", store, "-1"}, "ROW");
+  expect_refused({"replay", store, "first"}, "ROW");
+  expect_refused({"export", store}, "--csv or --hdf5");
+  expect_refused({"export", store, "--hdf5", "-"}, "needs the name of a file");
+}
+
+TEST_F(StudyTest, NamesAllFaultsAtOnce) {
+  write_file(file("bad.toml"),
+             with(with(drawn_study, "\"rebound_speed\"", "\"bounce\""), "\"4 kg\"", "\"4 m\""));
+  const Outcome outcome = compute("bad");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("bad.toml:"), HasSubstr("4 m"), HasSubstr("nothing was run")));
+  EXPECT_FALSE(fs::exists(file("bad.db")));
+  compute("drawn");
+  const Outcome two = dashpad({"study", "summary", file("drawn.db"), "--response", "a", "--limit", "b"});
+  EXPECT_THAT(two.err, HasSubstr("2 faults"));
+}
+
+TEST_F(StudyTest, HelpTeaches) {
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"study"}, {"study", "replay"}, {"study", "summary"}, {"study", "export"}}) {
+    std::vector<std::string> arguments = command;
+    arguments.emplace_back("--help");
+    const Outcome outcome = dashpad(arguments);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("Examples:\n"), HasSubstr("Exit codes:")));
+  }
+}
+
+}  // namespace
+}  // namespace dashpad::test

@@ -1,0 +1,128 @@
+/// What a study keeps of an impact.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "dashpad/impact/solve.hpp"
+#include "dashpad/injury/figures.hpp"
+#include "dashpad/study/responses.hpp"
+#include "sample_case.hpp"
+
+namespace dashpad::study {
+namespace {
+
+Outcome outcome_of(const Solution& solution, std::vector<std::string> names) {
+  Outcome outcome;
+  read_responses(solution, names, outcome);
+  return outcome;
+}
+
+Solution dashboard(double speed = 8.9408, double tolerance = 1e-3) {
+  ImpactCase impact = testing::read(testing::good_case).impact;
+  impact.impactor.speed = speed;
+  return solve(impact, {.tolerance = tolerance});
+}
+
+TEST(responses, are_the_figures_of_the_summary) {
+  const Solution solution = dashboard();
+  const Summary& summary = solution.summary;
+  const std::map<std::string, std::pair<double, double>> expected{
+      {"peak_force", {*summary.peak_force, summary.errors.peak_force}},
+      {"peak_acceleration", {*summary.peak_acceleration, summary.errors.peak_force}},
+      {"time_of_peak_force", {*summary.time_of_peak_force, summary.errors.time_of_peak_force}},
+      {"peak_motion", {summary.peak_motion, summary.errors.peak_motion}},
+      {"peak_penetration", {summary.peak_penetration, summary.errors.peak_penetration}},
+      {"peak_strain", {summary.peak_strain, summary.errors.peak_penetration}},
+      {"peak_strain_rate", {summary.peak_strain_rate, 0}},
+      {"rebound_speed", {*summary.rebound_speed, summary.errors.rebound_speed}},
+      {"restitution", {*summary.restitution, summary.errors.rebound_speed}},
+      {"release_time", {summary.release->time, summary.errors.release_time}},
+      {"energy_absorbed_fraction", {summary.energy_absorbed_fraction, summary.errors.energy_absorbed}}};
+  EXPECT_EQ(default_responses().size(), expected.size());
+  for (const std::string& name : default_responses()) {
+    const Outcome outcome = outcome_of(solution, {name});
+    EXPECT_EQ(outcome.values.at(0), expected.at(name).first) << name;
+    EXPECT_EQ(outcome.error, expected.at(name).second) << name;
+  }
+}
+
+/// At three speeds: the pulse is shorter than 15 ms, between 15 and 36 ms, and longer.
+TEST(responses, are_the_injury_figures) {
+  for (const double stiffness : {4e6, 1e5, 1e4}) {
+    ImpactCase impact = testing::read(testing::good_case).impact;
+    impact.support = Support::linear(stiffness);
+    const Solution solution = solve(impact, {.tolerance = 1e-3});
+    const InjuryFigures of = injury_figures(solution);
+    const std::map<std::string, std::pair<double, double>> expected{
+        {"hic15", {of.hic15.value, of.errors.hic15}},
+        {"hic36", {of.hic36.value, of.errors.hic36}},
+        {"hic_unlimited", {of.hic_unlimited.value, of.errors.hic_unlimited}},
+        {"hic_d", {of.hic_d, of.errors.hic_d}},
+        {"clip_3ms_contiguous", {of.contiguous_3ms.level, of.errors.contiguous_3ms}},
+        {"clip_3ms_cumulative", {of.cumulative_3ms.level, of.errors.cumulative_3ms}},
+        {"severity_index", {of.severity_index, of.errors.severity_index}},
+        {"velocity_change", {of.velocity_change, of.errors.velocity_change}}};
+    std::size_t of_pulse = 0;
+    for (const ResponseKind& kind : response_kinds()) {
+      if (!kind.of_pulse) continue;
+      ++of_pulse;
+      const Outcome outcome = outcome_of(solution, {kind.name});
+      EXPECT_NEAR(outcome.values.at(0), expected.at(kind.name).first, 1e-11 * std::abs(outcome.values[0]))
+          << kind.name;
+      EXPECT_NEAR(outcome.error, expected.at(kind.name).second, 1e-9) << kind.name;
+    }
+    EXPECT_EQ(of_pulse, expected.size());
+  }
+}
+
+TEST(responses, keep_order_and_the_largest_error) {
+  const Solution solution = dashboard();
+  const Outcome outcome = outcome_of(solution, {"rebound_speed", "hic15", "peak_force"});
+  ASSERT_EQ(outcome.values.size(), 3u);
+  EXPECT_EQ(outcome.values[0], *solution.summary.rebound_speed);
+  EXPECT_EQ(outcome.values[2], *solution.summary.peak_force);
+  EXPECT_EQ(outcome.error,
+            std::max({outcome_of(solution, {"rebound_speed"}).error, outcome_of(solution, {"hic15"}).error,
+                      outcome_of(solution, {"peak_force"}).error}));
+  EXPECT_EQ(outcome.status, Status::released);
+}
+
+TEST(responses, have_no_value_where_the_impact_has_none) {
+  const Solution solution =
+      solve(read_case(testing::source / "examples/rigid-floor-bottoming.toml", testing::materials).impact);
+  ASSERT_EQ(solution.summary.status, Status::bottomed_out);
+  const Outcome outcome = outcome_of(solution, {"peak_force", "peak_acceleration", "rebound_speed",
+                                                "release_time", "hic15", "velocity_change", "peak_strain"});
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_TRUE(std::isnan(outcome.values[i])) << i;
+  EXPECT_EQ(outcome.values[6], 1);
+  EXPECT_TRUE(outcome.bottomed);
+  EXPECT_EQ(outcome.status, Status::bottomed_out);
+}
+
+/// What is left of an earlier row must not show.
+TEST(responses, are_filled_afresh) {
+  const ResponseReader reader(std::vector<std::string>{"rebound_speed"});
+  Outcome outcome;
+  reader(dashboard(), outcome);
+  const Solution bottomed =
+      solve(read_case(testing::source / "examples/rigid-floor-bottoming.toml", testing::materials).impact);
+  reader(bottomed, outcome);
+  EXPECT_TRUE(std::isnan(outcome.values.at(0)));
+  EXPECT_EQ(outcome.error, 0);
+}
+
+TEST(responses, take_an_error_that_is_no_number_for_unknown) {
+  Solution solution = dashboard();
+  solution.summary.errors.peak_force = std::nan("");
+  EXPECT_TRUE(std::isinf(outcome_of(solution, {"peak_force"}).error));
+}
+
+TEST(responses, refuse_an_unknown_name) {
+  EXPECT_THROW(ResponseReader(std::vector<std::string>{"peak_farce"}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace dashpad::study
