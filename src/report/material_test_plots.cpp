@@ -68,9 +68,9 @@ void add_points_of_1984(Panel& panel, const MaterialTestReport& report, const Un
 
 Axis time_axis(const MaterialTestReport& report, const UnitSystem& units) {
   Axis of = axis("Time", "s", units);
-  const auto ends = [](const MaterialTestRun& run) { return run.column.time.back(); };
-  const double shortest = ends(std::ranges::min(report.runs, {}, ends));
-  const double longest = ends(std::ranges::max(report.runs, {}, ends));
+  Values ends;
+  for (const MaterialTestRun& run : report.runs) ends.push_back(run.column.time.back());
+  const auto [shortest, longest] = std::ranges::minmax(ends);
   const bool held = report.test.kind == TestKind::relaxation || report.test.kind == TestKind::creep;
   if (!held && longest < 5 * shortest) return of;
   of.logarithmic = true;
