@@ -9,12 +9,12 @@
 #include "io/pulse_csv_columns.hpp"
 #include "io/pulse_csv_rows.hpp"
 #include "io/pulse_units.hpp"
+#include "io/text_file.hpp"
 
 namespace dashpad {
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 constexpr std::size_t most_rows = 10'000;
 constexpr double least_strain = 1e-12;  // the largest of a history; below it, rounding is not small
 

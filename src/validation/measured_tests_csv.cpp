@@ -16,8 +16,6 @@ namespace {
 
 constexpr double at_fault = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest_whole = 9999;
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-
 std::vector<std::string> texts_of(const CsvRow& row) {
   std::vector<std::string> texts;
   for (const std::string_view field : row.fields) texts.emplace_back(without_blanks(field));

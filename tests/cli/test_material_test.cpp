@@ -99,8 +99,10 @@ TEST_F(MaterialTestTest, SaysAtWhichStrainTheStressPeaks) {
   const json run = answered({"ensolite-aac-9", "--test", "parabolic", "--rate", "1"})["runs"][0];
   const json &stress = run["column"]["stress_Pa"], &strain = run["column"]["strain"];
   const auto peak = static_cast<std::size_t>(std::ranges::max_element(stress) - stress.begin());
-  EXPECT_EQ(run["figures"]["peak_stress_Pa"], stress[peak]);
-  EXPECT_EQ(run["figures"]["peak_stress_strain"], strain[peak]);
+  EXPECT_NEAR(run["figures"]["peak_stress_Pa"], stress[peak].get<double>(),
+              3e-4 * stress[peak].get<double>());
+  EXPECT_GE(run["figures"]["peak_stress_Pa"], stress[peak]);
+  EXPECT_NEAR(run["figures"]["peak_stress_strain"], strain[peak].get<double>(), 3e-4);
   EXPECT_LT(strain[peak], 0.9499);  // the law relaxes before the turn
 }
 
