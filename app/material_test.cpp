@@ -1,8 +1,10 @@
 // dashpad material-test: a pad material in the laboratory.
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -13,6 +15,8 @@
 #include "output.hpp"
 
 namespace dashpad {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -54,27 +58,48 @@ std::vector<Target> targets(const Request& request) {
   return wanted;
 }
 
-std::optional<Material> read_card(const std::string& name, const std::filesystem::path& folder,
-                                  std::vector<std::string>& wrong) {
+using Wrong = std::vector<std::string>;
+
+std::optional<fs::path> card_file(const std::string& name, const fs::path& folder, Wrong& wrong) {
   try {
-    return read_material(find_card(name, folder));
-  } catch (const InputError& error) {
-    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+    return find_card(name, folder);
   } catch (const Refused& refused) {
     wrong.insert(wrong.end(), refused.complaints().begin(), refused.complaints().end());
   }
   return std::nullopt;
 }
 
+std::optional<Material> read_card(const fs::path& card, Wrong& wrong) {
+  try {
+    return read_material(card);
+  } catch (const InputError& error) {
+    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+  }
+  return std::nullopt;
+}
+
+/// Neither the history nor the card is overwritten, not even with --force.
+void judge_targets(const Request& request, const fs::path& card, Wrong& wrong) {
+  const fs::path input = request.test.history ? fs::path{*request.test.history} : card;
+  const std::vector<Target> wanted = targets(request);
+  for (std::string& line : complaints(wanted, input, request.force)) wrong.push_back(std::move(line));
+  if (!request.test.history) return;
+  std::error_code missing;
+  for (const Target& target : wanted)
+    if (!target.is_standard_output() && fs::equivalent(target.file, card, missing))
+      wrong.push_back(fmt::format("{} {}: is the card; name another", target.option, target.file));
+}
+
 /// Throws Refused with all that is wrong.
-MaterialTestReport run_test(const Request& request, const std::filesystem::path& folder) {
-  std::vector<std::string> wrong =
-      complaints(targets(request), request.test.history.value_or(request.test.material), request.force);
+MaterialTestReport run_test(const Request& request, const fs::path& folder) {
+  Wrong wrong;
+  const std::optional<fs::path> card = card_file(request.test.material, folder, wrong);
+  judge_targets(request, card.value_or(fs::path{}), wrong);
   if (request.picture && !picture_format(*request.picture))
     wrong.push_back(fmt::format("--picture {}: must end in .svg, .png or .pdf", *request.picture));
   if (request.report && !has_page()) wrong.push_back(std::string{"--report: "} + no_page);
   const MaterialTest test = test_of(request.test, wrong);
-  const std::optional<Material> material = read_card(request.test.material, folder, wrong);
+  const std::optional<Material> material = card ? read_card(*card, wrong) : std::nullopt;
   if (!wrong.empty()) throw Refused(std::move(wrong));
   try {
     return run_material_test(*material, test);
@@ -83,7 +108,7 @@ MaterialTestReport run_test(const Request& request, const std::filesystem::path&
   }
 }
 
-int show(const Request& request, const std::filesystem::path& folder) {
+int show(const Request& request, const fs::path& folder) {
   const MaterialTestReport report = run_test(request, folder);
   const UnitSystem& units = unit_system(request.units);
   const auto text_of = [&](const Target& target) {

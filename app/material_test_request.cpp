@@ -3,6 +3,7 @@
 #include "material_test_request.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 #include <fmt/format.h>
@@ -16,6 +17,8 @@ namespace dashpad {
 namespace {
 
 constexpr double highest_rate = 1e9;  // 1/s, as in cards
+// Closer to 1, 1 - strain has too few digits left for the quadrature along a parabola to end.
+constexpr double least_strain = 1e-12, most_strain = 0.999999;
 
 using Text = std::optional<std::string>;
 using Wrong = std::vector<std::string>;
@@ -87,13 +90,31 @@ void judge_options(const MaterialTestRequest& request, TestKind kind, Wrong& wro
   if (kind == history && !request.history) wrong.emplace_back("--test history: needs --history FILE");
 }
 
+/// Tells of the first step of a history that is too fast.
+void judge_rates(const MaterialTest& test, Wrong& wrong) {
+  for (std::size_t i = 1; i < test.times.size(); ++i) {
+    const double rate = std::abs(test.strains[i] - test.strains[i - 1]) / (test.times[i] - test.times[i - 1]);
+    if (rate < highest_rate) continue;
+    wrong.push_back(
+        fmt::format("{}: between {} s and {} s the strain rate is {:.3g} per second; it must be less "
+                    "than 1e9 per second",
+                    test.history_name, test.times[i - 1], test.times[i], rate));
+    return;
+  }
+}
+
 void read_history(const std::string& file, MaterialTest& test, Wrong& wrong) {
+  if (file.empty()) {
+    wrong.emplace_back("--history: needs the name of a file");
+    return;
+  }
   test.history_name = file;
   try {
     StrainTable table = read_strain_csv(file);
     test.times = std::move(table.time);
     test.strains = std::move(table.strain);
     test.history_remarks = std::move(table.remarks);
+    judge_rates(test, wrong);
   } catch (const InputError& error) {
     for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
   }
@@ -106,8 +127,9 @@ MaterialTest test_of(const MaterialTestRequest& request, Wrong& wrong) {
   test.kind = kind_of(request.test);
   judge_options(request, test.kind, wrong);
   if (!request.rates.empty()) test.rates = rates_of(request, wrong);
-  const char* const strain_rule = "must be more than 0 and less than 1";
-  test.strain = quantity("--strain", request.strain, "1", 0, 1, strain_rule, test.strain, wrong);
+  const char* const strain_rule = "must be more than 1e-12 and less than 0.999999";
+  test.strain =
+      quantity("--strain", request.strain, "1", least_strain, most_strain, strain_rule, test.strain, wrong);
   test.hold = quantity("--hold", request.hold, "s", 0, 1e9, "must be more than 0 and less than 1e9 s",
                        test.hold, wrong);
   test.stress = quantity("--stress", request.stress, "Pa", 0, 1e12, "must be more than 0 and less than 1 TPa",

@@ -78,6 +78,15 @@ std::vector<Target> stills(const Request& request) {
 
 PictureFormat picture_format_of(const Request& request) { return *picture_format("still." + request.format); }
 
+bool is_same_place(const std::string& one, const std::string& other) {
+  std::error_code error;
+  const auto place = [&](const std::string& name) {
+    const fs::path path = fs::weakly_canonical(fs::absolute(name, error), error);
+    return path.has_filename() ? path : path.parent_path();
+  };
+  return place(one) == place(other);
+}
+
 /// What forbids the folder of the figures, which need not be there yet.
 std::vector<std::string> folder_complaints(const Request& request) {
   std::error_code error;
@@ -85,6 +94,10 @@ std::vector<std::string> folder_complaints(const Request& request) {
   if (request.figures->empty()) return {"--figures: needs the name of a folder"};
   if (fs::exists(fs::symlink_status(*request.figures, error)))
     return {fmt::format("--figures {}: is no folder", *request.figures)};
+  for (const Target& target : files(request))
+    if (!target.is_standard_output() && is_same_place(target.file, *request.figures))
+      return {
+          fmt::format("--figures {}: is the file of {} too; name another", *request.figures, target.option)};
   // A file in its place is refused for the reasons that forbid the folder.
   fs::path folder{*request.figures};
   if (!folder.has_filename()) folder = folder.parent_path();

@@ -1,4 +1,5 @@
 #include "io/iso_mme_text.hpp"
+#include "io/text_file.hpp"
 
 #include <algorithm>
 
@@ -8,7 +9,6 @@ namespace dashpad {
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 constexpr std::string_view no_value = "NOVALUE";
 constexpr std::size_t most_labels = 10'000;
 

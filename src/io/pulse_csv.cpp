@@ -10,12 +10,12 @@
 #include "io/pulse_csv_columns.hpp"
 #include "io/pulse_csv_rows.hpp"
 #include "io/pulse_gaps.hpp"
+#include "io/text_file.hpp"
 
 namespace dashpad {
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 constexpr std::size_t most_gap_remarks = 20;
 
 /// What was met on the way through the numbers.

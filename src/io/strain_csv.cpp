@@ -9,13 +9,14 @@
 #include "io/pulse_csv_columns.hpp"
 #include "io/pulse_csv_rows.hpp"
 #include "io/pulse_units.hpp"
+#include "io/text_file.hpp"
 
 namespace dashpad {
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 constexpr std::size_t most_rows = 10'000;
+constexpr double least_strain = 1e-12;  // the largest of a history; below it, rounding is not small
 
 /// One strain of that unit as a pure number; absent for a unit that is none of a strain.
 std::optional<double> strain_factor(const std::string& unit) {
@@ -133,8 +134,9 @@ class StrainReader {
                       repeated_ == 1 ? "was" : "were"));
     if (table.time.size() < 2)
       faults_.add(0, "", "", "has one row only; a history needs two");
-    else if (std::ranges::max(table.strain) == 0)
-      faults_.add(0, columns_.strain.name, "", "is 0 throughout");
+    else if (const double largest = std::ranges::max(table.strain); !(largest > least_strain))
+      faults_.add(0, columns_.strain.name, "",
+                  largest == 0 ? "is 0 throughout" : "is below 1e-12 throughout");
   }
 
   StrainTable table;

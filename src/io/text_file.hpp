@@ -3,8 +3,12 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace dashpad {
+
+/// What some programs write before UTF-8 text; no part of it.
+inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
 /// The text of a regular file of at most 1 MiB. Throws InputError with one fault for anything else: missing,
 /// a folder, a pipe or a device, unreadable, larger, or not text.

@@ -20,7 +20,7 @@ struct Stretch {
   double duration = 0;  ///< s
   Motion start;
   Motion end;
-  double acceleration = 0;
+  double acceleration = 0;  ///< of the strain, 1/s2
 
   /// `x` s after the start, best near it.
   [[nodiscard]] Motion after_start(double x) const;

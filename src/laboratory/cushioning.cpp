@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace dashpad {
@@ -70,6 +72,59 @@ CushionPoint between(const CushionCurve& curve, std::size_t i, double limit) {
   return point_of(strain, limit, energy_between(curve, i, strain));
 }
 
+/// Whether the efficiency has no kink at place i: its bend there is that of the places around.
+bool is_smooth(const CushionCurve& curve, std::size_t i) {
+  if (i < 3 || i + 3 >= curve.efficiency.size()) return false;
+  const auto bend = [&](std::size_t k) {
+    return std::abs(curve.efficiency[k - 1] - 2 * curve.efficiency[k] + curve.efficiency[k + 1]);
+  };
+  return bend(i) < 3 * std::max(bend(i - 2), bend(i + 2));
+}
+
+/// The highest efficiency, between places where the curve is smooth.
+CushionPoint best_of(const CushionCurve& curve) {
+  const auto best = std::ranges::max_element(curve.efficiency);
+  if (best == curve.efficiency.end()) return {};
+  const auto i = static_cast<std::size_t>(best - curve.efficiency.begin());
+  if (!is_smooth(curve, i)) return point(curve, i);
+  const auto at = [&](double strain) {
+    const std::size_t next = strain > curve.strain[i] ? i + 1 : i;
+    return point_of(strain, std::exp(log_stress(curve, next, std::log(strain))),
+                    energy_between(curve, next, strain));
+  };
+  const double strain =
+      boost::math::tools::brent_find_minima([&](double e) { return -at(e).efficiency; }, curve.strain[i - 1],
+                                            curve.strain[i + 1], std::numeric_limits<double>::digits / 2)
+          .first;
+  const CushionPoint found = at(strain);
+  return found.efficiency > *best ? found : point(curve, i);
+}
+
+/// The largest stress: where it is no end of a stretch, the vertex of the parabola through three places in
+/// time.
+void find_peak(const ColumnTest& test, CushionFigures& figures) {
+  const auto peak = std::ranges::max_element(test.stress);
+  if (peak == test.stress.end() || !(*peak > 0)) return;
+  const auto i = static_cast<std::size_t>(peak - test.stress.begin());
+  figures.peak_stress = *peak;
+  figures.strain_at_peak = test.strain[i];
+  const auto at_an_event = [&](const ColumnEvent& event) { return event.time == test.time[i]; };
+  if (i == 0 || i + 1 == test.size() || std::ranges::any_of(test.events, at_an_event)) return;
+  const double before = test.time[i - 1] - test.time[i], after = test.time[i + 1] - test.time[i];
+  const double fall_before = (test.stress[i - 1] - *peak) / before;
+  const double fall_after = (test.stress[i + 1] - *peak) / after;
+  const double bend = (fall_after - fall_before) / (after - before);
+  if (!(before < 0 && after > 0 && bend < 0)) return;
+  const double slope = fall_before - bend * before;
+  const double shift = -slope / (2 * bend);
+  if (!(shift > before && shift < after)) return;
+  figures.peak_stress += slope * shift / 2;
+  const double rise_before = (test.strain[i - 1] - test.strain[i]) / before;
+  const double rise_after = (test.strain[i + 1] - test.strain[i]) / after;
+  const double curl = (rise_after - rise_before) / (after - before);
+  figures.strain_at_peak += shift * (rise_before + curl * (shift - before));
+}
+
 }  // namespace
 
 CushionCurve cushion_curve(const ColumnTest& test) {
@@ -93,24 +148,19 @@ CushionCurve cushion_curve(const ColumnTest& test) {
 
 CushionFigures cushion_figures(const ColumnTest& test) {
   CushionFigures figures;
-  for (std::size_t i = 0; i < test.size(); ++i) {
-    figures.peak_stress = std::max(figures.peak_stress, test.stress[i]);
-    if (i == 0) continue;
+  find_peak(test, figures);
+  for (std::size_t i = 1; i < test.size(); ++i) {
     const double done = test.work[i] - test.work[i - 1];
     if (test.strain[i] > test.strain[i - 1])
       figures.energy_in += done;
     else
       figures.energy_returned -= done;
   }
-  figures.peak_strain = test.largest_strain;
   if (figures.energy_in > 0) {
     figures.hysteresis = 1 - figures.energy_returned / figures.energy_in;
     figures.energy_error = test.work_error / figures.energy_in + 1e-15;
   }
-  const CushionCurve curve = cushion_curve(test);
-  const auto best = std::max_element(curve.efficiency.begin(), curve.efficiency.end());
-  if (best != curve.efficiency.end())
-    figures.best_efficiency = point(curve, static_cast<std::size_t>(best - curve.efficiency.begin()));
+  figures.best_efficiency = best_of(cushion_curve(test));
   return figures;
 }
 

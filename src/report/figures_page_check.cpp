@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "report/plot_rows.hpp"
+#include "report/plot_check.hpp"
 #include "report/plot_text.hpp"
 
 namespace dashpad {
@@ -21,37 +21,13 @@ void check(const PageTable& table) {
   }
 }
 
-void check(const Series& series) {
-  if (series.style == SeriesStyle::vertical_line || series.style == SeriesStyle::horizontal_line) return;
-  const bool has_second = series.style == SeriesStyle::band;
-  if (series.x.size() != series.y.size() || (has_second && series.y2.size() != series.y.size()))
-    throw std::invalid_argument(
-        fmt::format("the columns of the series \"{}\" differ in length", readable(series.label)));
-}
-
-void check(const Axis& axis) {
-  const auto name = readable(axis.label);
-  for (const auto& limit : {axis.low, axis.high}) {
-    if (limit && !is_drawable(*limit, axis))
-      throw std::invalid_argument(fmt::format("the axis \"{}\" cannot end at {}", name, *limit));
-  }
-  if (axis.low && axis.high && !(*axis.low < *axis.high))
-    throw std::invalid_argument(fmt::format("the axis \"{}\" ends at {}, not above its beginning at {}", name,
-                                            *axis.high, *axis.low));
-}
-
 }  // namespace
 
 void check(const FiguresPage& page) {
   for (const PageSection& section : page.sections) {
     for (const PageTable& table : section.tables) check(table);
-    for (const PageFigure& figure : section.figures) {
-      for (const Panel& panel : figure.plot.panels) {
-        check(panel.x);
-        check(panel.y);
-        for (const Series& series : panel.series) check(series);
-      }
-    }
+    for (const PageFigure& figure : section.figures)
+      for (const Panel& panel : figure.plot.panels) check(panel);
   }
 }
 

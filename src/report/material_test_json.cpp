@@ -42,7 +42,7 @@ Json point(const CushionPoint& of) {
 Json figures(const MaterialTestRun& run) {
   const CushionFigures& of = run.figures;
   return {{"peak_stress_Pa", number(of.peak_stress)},
-          {"peak_stress_strain", number(of.peak_strain)},
+          {"peak_stress_strain", number(of.strain_at_peak)},
           {"energy_in_J_per_m3", number(of.energy_in)},
           {"energy_returned_J_per_m3", run.unloads ? number(of.energy_returned) : Json(nullptr)},
           {"hysteresis", run.unloads ? number(of.hysteresis) : Json(nullptr)},

@@ -7,17 +7,12 @@
 
 #include "dashpad/version.hpp"
 #include "io/text.hpp"
+#include "report/axis_with_unit.hpp"
 #include "report/material_test_words.hpp"
 
 namespace dashpad {
 
 namespace {
-
-Axis axis(const char* meaning, const char* si_unit, const UnitSystem& units) {
-  Axis of;
-  of.label = fmt::format("{} ({})", meaning, shown_unit(unit_for(units, si_unit)));
-  return of;
-}
 
 Axis plain_axis(const char* meaning) {
   Axis of;
@@ -67,10 +62,10 @@ void add_points_of_1984(Panel& panel, const MaterialTestReport& report, const Un
 }
 
 Axis time_axis(const MaterialTestReport& report, const UnitSystem& units) {
-  Axis of = axis("Time", "s", units);
-  const auto ends = [](const MaterialTestRun& run) { return run.column.time.back(); };
-  const double shortest = ends(std::ranges::min(report.runs, {}, ends));
-  const double longest = ends(std::ranges::max(report.runs, {}, ends));
+  Axis of = axis_with_unit("Time", "s", units);
+  Values ends;
+  for (const MaterialTestRun& run : report.runs) ends.push_back(run.column.time.back());
+  const auto [shortest, longest] = std::ranges::minmax(ends);
   const bool held = report.test.kind == TestKind::relaxation || report.test.kind == TestKind::creep;
   if (!held && longest < 5 * shortest) return of;
   of.logarithmic = true;
@@ -93,7 +88,7 @@ Values stress_of(const MaterialTestRun& run, const UnitSystem& units) {
 }  // namespace
 
 Panel stress_over_strain(const MaterialTestReport& report, const UnitSystem& units) {
-  Panel panel{"Stress over strain", plain_axis("Strain"), axis("Stress", "Pa", units), {}};
+  Panel panel{"Stress over strain", plain_axis("Strain"), axis_with_unit("Stress", "Pa", units), {}};
   panel.x.low = 0;
   add_curves(
       panel, report, [](const auto& run) { return run.column.strain; },
@@ -103,7 +98,7 @@ Panel stress_over_strain(const MaterialTestReport& report, const UnitSystem& uni
 }
 
 Panel stress_over_time(const MaterialTestReport& report, const UnitSystem& units) {
-  Panel panel{"Stress over time", time_axis(report, units), axis("Stress", "Pa", units), {}};
+  Panel panel{"Stress over time", time_axis(report, units), axis_with_unit("Stress", "Pa", units), {}};
   add_curves(
       panel, report, [&](const auto& run) { return time_of(run, units); },
       [&](const auto& run) { return stress_of(run, units); });
@@ -149,8 +144,10 @@ Panel ideality_over_strain(const MaterialTestReport& report) {
 }
 
 Panel efficiency_over_stress(const MaterialTestReport& report, const UnitSystem& units) {
-  Panel panel{
-      "Efficiency over stress, first loading", axis("Stress", "Pa", units), plain_axis("Efficiency"), {}};
+  Panel panel{"Efficiency over stress, first loading",
+              axis_with_unit("Stress", "Pa", units),
+              plain_axis("Efficiency"),
+              {}};
   panel.y.low = 0;
   panel.x.logarithmic = true;
   double most = 0;

@@ -32,7 +32,11 @@ struct Cells {
 
 std::string rate_cell(const MaterialTestRun& run) { return run.rate ? brief(*run.rate) : "measured"; }
 
-std::string percent(double fraction) { return fmt::format("{:.3f}", 100 * fraction); }
+/// Rounding may leave a little less than nothing: no "-0.000".
+std::string percent(double fraction) {
+  const std::string text = fmt::format("{:.3f}", 100 * fraction);
+  return text == "-0.000" ? "0.000" : text;
+}
 
 PageTable figures_table(const MaterialTestReport& report, const Cells& cells) {
   PageTable table{
@@ -43,7 +47,7 @@ PageTable figures_table(const MaterialTestReport& report, const Cells& cells) {
       .rows = {}};
   for (const MaterialTestRun& run : report.runs) {
     const CushionFigures& of = run.figures;
-    table.rows.push_back({rate_cell(run), cells.stress(of.peak_stress), significant(of.peak_strain),
+    table.rows.push_back({rate_cell(run), cells.stress(of.peak_stress), significant(of.strain_at_peak),
                           cells.stress(of.energy_in), run.unloads ? cells.stress(of.energy_returned) : "-",
                           run.unloads ? percent(of.hysteresis) : "-",
                           significant(of.best_efficiency.efficiency), significant(of.best_efficiency.strain),

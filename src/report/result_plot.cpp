@@ -6,16 +6,11 @@
 #include "dashpad/io/case_text.hpp"
 #include "dashpad/version.hpp"
 #include "io/text.hpp"
+#include "report/axis_with_unit.hpp"
 
 namespace dashpad {
 
 namespace {
-
-Axis axis(const char* meaning, const char* si_unit, const UnitSystem& units) {
-  Axis of;
-  of.label = fmt::format("{} ({})", meaning, shown_unit(unit_for(units, si_unit)));
-  return of;
-}
 
 std::vector<double> in(const UnitSystem& units, std::vector<double> values, const char* si_unit) {
   const double factor = value_in(units, 1, si_unit);
@@ -35,7 +30,7 @@ Series line(std::string label, std::vector<double> x, std::vector<double> y) {
 /// Acceleration away from the pad in g, the window of HIC15 and the 3 ms level.
 Panel acceleration_panel(const History& history, const std::optional<InjuryFigures>& injury,
                          const UnitSystem& units) {
-  Panel panel{"Acceleration", axis("Time", "s", units), {}, {}};
+  Panel panel{"Acceleration", axis_with_unit("Time", "s", units), {}, {}};
   panel.y.label = "Acceleration away from the pad (g)";
   panel.y.low = 0;
   std::vector<double> deceleration;
@@ -62,8 +57,10 @@ Panel acceleration_panel(const History& history, const std::optional<InjuryFigur
 }
 
 Panel loop_panel(const History& history, const UnitSystem& units) {
-  Panel panel{
-      "Force over motion and penetration", axis("Distance", "m", units), axis("Force", "N", units), {}};
+  Panel panel{"Force over motion and penetration",
+              axis_with_unit("Distance", "m", units),
+              axis_with_unit("Force", "N", units),
+              {}};
   panel.x.low = panel.y.low = 0;
   panel.series.push_back(
       line("over the motion of the impactor", in(units, history.motion, "m"), in(units, history.force, "N")));

@@ -39,7 +39,8 @@ std::string column_words(const std::string& column) {
 
 PageTable constants_table(const Study& study) {
   PageTable table{.columns = {"constant", "printed", "fitted again", "95 % interval", "printed within it",
-                              "tests", "over all placings", "printed within them"}};
+                              "tests", "over all placings", "printed within them",
+                              "95 % intervals over all placings"}};
   for (const FittedConstant& constant : study.constants) {
     const bool has_placings = constant.placings > 1;
     table.rows.push_back({constant.title, with_unit(brief(constant.printed), constant.unit),
@@ -47,7 +48,8 @@ PageTable constants_table(const Study& study) {
                           constant.printed_in_confidence ? "yes" : "NO",
                           fmt::format("{}", constant.tests.size()),
                           has_placings ? span(constant.over_placings) : "-",
-                          has_placings ? (constant.printed_in_placings ? "yes" : "NO") : "-"});
+                          has_placings ? (constant.printed_in_placings ? "yes" : "NO") : "-",
+                          has_placings ? span(constant.confidence_over_placings) : "-"});
   }
   return table;
 }

@@ -55,6 +55,7 @@ Json constant_json(const FittedConstant& constant) {
           {"scatter", number(constant.scatter)},
           {"scatter_unit", constant.residual_unit},
           {"over_placings", interval(constant.over_placings)},
+          {"confidence_95_over_placings", interval(constant.confidence_over_placings)},
           {"placings", constant.placings},
           {"printed_in_confidence", constant.printed_in_confidence},
           {"printed_in_placings", constant.printed_in_placings},

@@ -79,10 +79,11 @@ std::vector<std::string> warnings(const Study& study) {
                                 accurate.all - accurate.passed, accurate.all));
   texts.push_back(fmt::format(
       "UNKNOWN RADIUS: the nose radius of the projectiles is lost. Scores are at {:.2f} "
-      "in, which the strains on the plate favour{}; spans are over {} to {} in.",
+      "in, which the strains on the plate favour{}, and at {:.2f} in, which the report's own "
+      "simulations point to; spans are over {} to {} in.",
       study.radius.favoured_in(),
       study.radius.criteria.front().at_an_end ? " (the end of the range: a bound, no estimate)" : "",
-      brief(least_radius_in), brief(greatest_radius_in)));
+      study.radius.of_the_report_in(), brief(least_radius_in), brief(greatest_radius_in)));
   texts.emplace_back(
       "RECONSTRUCTED: the load cell's static curve (Figure 3-3) is lost; ours follows from slopes and "
       "energies that the report prints.");

@@ -16,7 +16,6 @@ namespace {
 
 constexpr double at_fault = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest_whole = 9999;
-
 std::vector<std::string> texts_of(const CsvRow& row) {
   std::vector<std::string> texts;
   for (const std::string_view field : row.fields) texts.emplace_back(without_blanks(field));
@@ -46,7 +45,9 @@ CsvTable::CsvTable(const std::filesystem::path& file, std::vector<std::string> c
 }
 
 void CsvTable::read(const std::string& text) {
-  CsvRows rows(text, ',');
+  std::string_view rest{text};
+  if (rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());
+  CsvRows rows(rest, ',');
   CsvRow row;
   if (!rows.next(row) || texts_of(row) != columns_)
     throw InputError(

@@ -34,6 +34,13 @@ Least least_of(const std::vector<double>& radii, const std::vector<double>& sums
   return least;
 }
 
+/// No radius with a figure is left on one side of the least sum.
+bool is_at_an_end(const std::vector<double>& sums, std::size_t least) {
+  const auto has_figure = [](double sum) { return !std::isnan(sum); };
+  const auto place = sums.begin() + static_cast<std::ptrdiff_t>(least);
+  return std::none_of(sums.begin(), place, has_figure) || std::none_of(place + 1, sums.end(), has_figure);
+}
+
 /// Where the sum of squares crosses the limit, from the least one towards an end of the range; a radius
 /// without a figure forbids nothing.
 double border(const std::vector<double>& radii, const std::vector<double>& sums, const Least& least,
@@ -84,7 +91,7 @@ RadiusCriterion radius_criterion(
   }
   const Least least = least_of(radii, sums);
   criterion.favoured_in = std::round(100 * least.radius_in) / 100;
-  criterion.at_an_end = least.radius_in == radii.front() || least.radius_in == radii.back();
+  criterion.at_an_end = std::isfinite(least.sum) && is_at_an_end(sums, least.index);
   criterion.admitted = {radii.front(), radii.back()};
   const auto missing = std::ranges::count_if(sums, [](double sum) { return std::isnan(sum); });
   if (missing > 0) criterion.remark += fmt::format("; no figure at {} of {} radii", missing, radii.size());

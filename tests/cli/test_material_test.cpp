@@ -1,5 +1,6 @@
 // dashpad material-test: tests of a pad material, their files, and what is refused.
 
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -87,6 +88,22 @@ TEST_F(MaterialTestTest, AnElasticFoamGivesItsEnergyBack) {
     EXPECT_EQ(run["update_of_1984"], nullptr);
     EXPECT_EQ(run["relaxation"], nullptr);
   }
+}
+
+TEST_F(MaterialTestTest, ShowsNoNegativeZero) {
+  EXPECT_THAT(material_test({file("spring.toml"), "--strain", "0.5", "--rate", "1,10"}).out,
+              AllOf(HasSubstr(" 0.000 "), Not(HasSubstr("-0.000"))));
+}
+
+TEST_F(MaterialTestTest, SaysAtWhichStrainTheStressPeaks) {
+  const json run = answered({"ensolite-aac-9", "--test", "parabolic", "--rate", "1"})["runs"][0];
+  const json &stress = run["column"]["stress_Pa"], &strain = run["column"]["strain"];
+  const auto peak = static_cast<std::size_t>(std::ranges::max_element(stress) - stress.begin());
+  EXPECT_NEAR(run["figures"]["peak_stress_Pa"], stress[peak].get<double>(),
+              3e-4 * stress[peak].get<double>());
+  EXPECT_GE(run["figures"]["peak_stress_Pa"], stress[peak]);
+  EXPECT_NEAR(run["figures"]["peak_stress_strain"], strain[peak].get<double>(), 3e-4);
+  EXPECT_LT(strain[peak], 0.9499);  // the law relaxes before the turn
 }
 
 TEST_F(MaterialTestTest, ReadsRatesWithAndWithoutUnits) {
@@ -253,7 +270,7 @@ TEST_F(MaterialTestTest, RefusesValuesThatMakeNoTest) {
   const std::string card = "ensolite-aac-9";
   for (const char* rate : {"-1", "0", "nan", "inf", "abc", "1e300", "10 m/s", "1,1"})
     EXPECT_THAT(refused({card, "--rate", rate}), HasSubstr("--rate")) << rate;
-  for (const char* strain : {"1", "0", "-0.5", "nan", "2", "abc", "0.5 m", "100 %"})
+  for (const char* strain : {"1", "0", "-0.5", "nan", "2", "abc", "0.5 m", "100 %", "1e-300", "0.99999999"})
     EXPECT_THAT(refused({card, "--strain", strain}), HasSubstr("--strain")) << strain;
   for (const char* hold : {"0 s", "-1 s", "1", "1 m", "nan s"})
     EXPECT_THAT(refused({card, "--test", "relaxation", "--hold", hold}), HasSubstr("--hold")) << hold;
@@ -317,6 +334,11 @@ TEST_F(MaterialTestTest, NamesTheLinesOfAHistoryWithFaults) {
             EndsWith("7 faults; nothing was run\n")));
   EXPECT_THAT(refused({file("spring.toml"), "--test", "history", "--history", file("none.csv")}),
               HasSubstr("none.csv"));
+  EXPECT_THAT(refused({file("spring.toml"), "--test", "history", "--history", ""}),
+              HasSubstr("--history: needs the name of a file"));
+  write_file(file("fast.csv"), "time_s,strain\n0,0\n1,0.1\n1.0000000001,0.4\n");
+  EXPECT_THAT(refused({"ensolite-aac-9", "--test", "history", "--history", file("fast.csv")}),
+              HasSubstr("fast.csv: between 1 s and 1.0000000001 s the strain rate is 3e+09 per second"));
 }
 
 TEST_F(MaterialTestTest, KeepsExistingFiles) {
@@ -326,6 +348,16 @@ TEST_F(MaterialTestTest, KeepsExistingFiles) {
   EXPECT_EQ(material_test({file("spring.toml"), "--json", file("taken.json"), "--force"}).exit_code, 0);
   EXPECT_NE(read_file(file("taken.json")), "mine");
   EXPECT_THAT(refused({file("spring.toml"), "--json", file("spring.toml"), "--force"}), HasSubstr("--json"));
+  write_file(file("strains.csv"), "time_s,strain\n0,0\n0.1,0.5\n");
+  for (const char* input : {"strains.csv", "spring.toml"})
+    EXPECT_THAT(refused({file("spring.toml"), "--test", "history", "--history", file("strains.csv"), "--csv",
+                         file(input), "--force"}),
+                HasSubstr(std::string{input} + ": is the c"))
+        << input;
+  EXPECT_EQ(read_file(file("spring.toml")), elastic_card);
+  write_file(file("named.toml"), elastic_card);
+  EXPECT_THAT(refused({"named", "--materials", file("."), "--csv", file("named.toml"), "--force"}),
+              HasSubstr("named.toml: is the case file"));
 }
 
 }  // namespace

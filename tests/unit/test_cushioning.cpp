@@ -19,7 +19,7 @@ TEST(Cushioning, OfAnElasticPadIsHalf) {
     EXPECT_NEAR(figures.energy_returned, figures.energy_in, 1e-6);
     EXPECT_NEAR(figures.hysteresis, 0, 1e-11);
     EXPECT_NEAR(figures.peak_stress, 2.4e5, 1e-9);
-    EXPECT_NEAR(figures.peak_strain, 0.8, 1e-15);
+    EXPECT_NEAR(figures.strain_at_peak, 0.8, 1e-15);
     EXPECT_NEAR(figures.best_efficiency.efficiency, 0.4, 1e-12) << "W/S = e/2, best at the end";
     EXPECT_NEAR(figures.best_efficiency.ideality, 0.5, 1e-12);
     const CushionCurve curve = cushion_curve(test);
@@ -37,7 +37,8 @@ TEST(Cushioning, OfAPlateauIsIdeal) {
   EXPECT_NEAR(figures.energy_in, 2e5 * 0.7, 1e-6);
   EXPECT_EQ(figures.energy_returned, 0);
   EXPECT_EQ(figures.hysteresis, 1);
-  EXPECT_EQ(figures.best_efficiency.strain, figures.peak_strain);
+  EXPECT_EQ(figures.strain_at_peak, 0) << "where the plateau begins";
+  EXPECT_EQ(figures.best_efficiency.strain, test.largest_strain);
   const CushionCurve curve = cushion_curve(test);
   ASSERT_EQ(curve.strain.size(), 200u);
   for (std::size_t i = 0; i < curve.strain.size(); ++i) {
@@ -54,6 +55,25 @@ TEST(Cushioning, IsBestWhereBottomingBegins) {
   EXPECT_NEAR(figures.best_efficiency.strain, 0.6, 1e-9);
   EXPECT_NEAR(figures.best_efficiency.stress, 2e5, 1e-3);
   EXPECT_NEAR(figures.best_efficiency.efficiency, 0.6, 1e-9);
+}
+
+/// A linear solid on a parabola relaxes while the strain still creeps up to its peak.
+TEST(Cushioning, SaysWhereThePeakStressIs) {
+  const ColumnTest test = drive(LinearViscoelastic{1e5, 1e6, 0.01}, parabolic_test(1, 0.8));
+  const CushionFigures figures = cushion_figures(test);
+  EXPECT_LT(figures.strain_at_peak, test.largest_strain - 1e-3);
+  for (const double stress : test.stress) EXPECT_LE(stress, figures.peak_stress);
+}
+
+/// Peak stress and best efficiency lie between places; more places do not move them.
+TEST(Cushioning, FiguresDoNotDependOnThePlaces) {
+  const NineParameter foam{5e4, 0.675, 1.09, 8.81e-3, 4e4, 0.166, 9.76e-6, 0.0987};
+  const CushionFigures few = cushion_figures(drive(foam, parabolic_test(100, 0.95), 300));
+  const CushionFigures many = cushion_figures(drive(foam, parabolic_test(100, 0.95), 3000));
+  EXPECT_NEAR(few.peak_stress, many.peak_stress, 5e-5 * many.peak_stress);
+  EXPECT_NEAR(few.strain_at_peak, many.strain_at_peak, 2e-5);
+  EXPECT_NEAR(few.best_efficiency.efficiency, many.best_efficiency.efficiency, 1e-5);
+  EXPECT_NEAR(few.best_efficiency.stress, many.best_efficiency.stress, 1e-4 * many.best_efficiency.stress);
 }
 
 TEST(Cushioning, CountsEveryCycleButOneLoading) {

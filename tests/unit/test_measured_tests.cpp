@@ -144,6 +144,11 @@ TEST(measured_tests, all_faults_of_all_files_at_once) {
                   HasSubstr("supports.csv:7: deflection_in = 0.0556: must be more than that of the")));
 }
 
+TEST(measured_tests, byte_order_mark_is_no_column) {
+  EXPECT_TRUE(Data().replace("table-3-2.csv", "#", "\xef\xbb\xbf#").faults().empty());
+  EXPECT_TRUE(Data().replace("supports.csv", "#", "\xef\xbb\xbf#").faults().empty());
+}
+
 TEST(measured_tests, files_that_are_no_tables) {
   Data data;
   data.remove(rows).remove(groups);

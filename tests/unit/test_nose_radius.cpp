@@ -71,10 +71,29 @@ TEST(NoseRadius, MissingFiguresAreNoMisfit) {
   EXPECT_TRUE(std::isnan(criterion.misfit[0]));
   EXPECT_NEAR(criterion.favoured_in, 3, 1e-12);
   EXPECT_NE(criterion.remark.find("no figure at 3 of 11 radii"), std::string::npos) << criterion.remark;
+  const RadiusCriterion bound = found([](double radius) -> Residuals {
+    return {radius < 1.7 ? std::nullopt : std::optional(radius - 1.0), 0.01};
+  });
+  EXPECT_EQ(bound.favoured_in, 1.75);
+  EXPECT_TRUE(bound.at_an_end) << "no smaller radius has a figure";
+  EXPECT_FALSE(criterion.at_an_end);
   const RadiusCriterion none = found([](double) -> Residuals { return {std::nullopt}; });
   EXPECT_TRUE(std::isnan(none.favoured_in));
   EXPECT_EQ(none.admitted.low, least_radius_in);
   EXPECT_EQ(none.admitted.high, greatest_radius_in);
+}
+
+/// A bound is no estimate, and takes no part in the mean.
+TEST(NoseRadius, RadiusOfTheReportIsTheMeanOfEstimates) {
+  RadiusStudy study;
+  study.radii_in = radii_of_the_study();
+  study.criteria = {{.favoured_in = 4},
+                    {.favoured_in = 1.5, .at_an_end = true, .of_the_report = true},
+                    {.favoured_in = 2.1, .of_the_report = true},
+                    {.favoured_in = 2.5, .of_the_report = true}};
+  EXPECT_EQ(study.of_the_report_in(), 2.25);
+  study.criteria.resize(2);
+  EXPECT_EQ(study.of_the_report_in(), 4);
 }
 
 /// Three tests on the plate whose strains were computed with 2.6 in.

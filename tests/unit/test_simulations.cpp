@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/spit1984/run.hpp"
 #include "sample_case.hpp"
@@ -99,6 +101,19 @@ TEST_F(Simulations, RunThatBreaksDownOnTheReboundKeepsWhatCameBefore) {
   EXPECT_NEAR(late.rebound_mph.value_or(0), 177.66 / 17.64, 0.01);
   EXPECT_NE(late.remark.find("used up to 10.0 ms, where 5 % of the peak force is left"), std::string::npos)
       << late.remark;
+}
+
+/// What the last tenth of the peak force adds to the rebound speed, in a run that is complete.
+TEST_F(Simulations, LastTenthOfTheForceAddsLittleSpeed) {
+  const ImpactSetup complete{Projectile::steel, TestSupport::load_cell, 14.5, 1.75};
+  const spit1984::Run run = spit1984::run(spit1984::deck_of(impact_case(data, ensolite, complete)));
+  ASSERT_EQ(run.abend, spit1984::Abend::none);
+  const auto late = std::ranges::find_if(run.history, [&](const spit1984::Step& step) {
+    return step.speed_in_per_s < 0 && step.force_lb >= 0.1 * run.peak_force_lb;
+  });
+  ASSERT_NE(late, run.history.end());
+  const double gain = run.rebound_speed_mph * 17.64 / late->speed_in_per_s - 1;
+  EXPECT_NEAR(gain, 0.037, 1e-3);  // the most among the tests of the program as printed
 }
 
 /// Too much of the force is left for a rebound speed.

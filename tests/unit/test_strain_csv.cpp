@@ -89,6 +89,7 @@ TEST_F(StrainCsvTest, NamesEveryFaultWithItsLine) {
 TEST_F(StrainCsvTest, RefusesAHistoryWithoutContent) {
   EXPECT_THAT(first_rule("time_s,strain\n0,0\n"), HasSubstr("one row only"));
   EXPECT_THAT(first_rule("time_s,strain\n0,0\n1,0\n"), HasSubstr("is 0 throughout"));
+  EXPECT_THAT(first_rule("time_s,strain\n0,0\n1,1e-20\n"), HasSubstr("is below 1e-12 throughout"));
   std::string text = "time_s,strain\n0,0\n";
   for (int i = 1; i <= 10'000; ++i) text += std::to_string(i) + ",0.5\n";
   EXPECT_THAT(first_rule(text), HasSubstr("more than 10000 rows"));

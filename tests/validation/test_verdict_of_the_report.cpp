@@ -105,18 +105,19 @@ void check_radius(const Study& study) {
   EXPECT_NEAR(forces.admitted.low, 3.65, 0.02);
 }
 
-/// Both of the report's statements on its simulations come back with one radius of the program of 1984, which
-/// a solid steel hemisphere of 7.7 lb would allow: it was at most 2.35 in.
+/// The report's statements on its simulations come back with one radius of the program of 1984, which a solid
+/// steel hemisphere of 7.7 lb would allow: it was at most 2.35 in. Only the forces on the plate have figures
+/// on both sides of it: at 1.5 in some runs on the load cell end before they have a peak.
 void check_radius_of_the_report(const Study& study) {
   int statements = 0;
   for (const RadiusCriterion& criterion : study.radius.criteria) {
     if (!criterion.of_the_report) continue;
     ++statements;
-    EXPECT_FALSE(criterion.at_an_end) << criterion.name;
-    EXPECT_NEAR(criterion.favoured_in, 1.75, 0.05) << criterion.name;
+    EXPECT_EQ(criterion.at_an_end, criterion.name != "the report's forces on the plate") << criterion.name;
+    EXPECT_NEAR(criterion.favoured_in, 1.75, 0.1) << criterion.name;
     EXPECT_LT(criterion.admitted.high, 2.35) << criterion.name;
   }
-  EXPECT_EQ(statements, 2);
+  EXPECT_EQ(statements, 3);
   EXPECT_EQ(study.radius.of_the_report_in(), 1.75);
   const Score& force =
       verdict(study.at_the_reports_radius, Program::accurate, TestSupport::load_cell, Quantity::peak_force)

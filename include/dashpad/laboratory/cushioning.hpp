@@ -3,11 +3,12 @@
 ///
 /// Over the first loading, with W the energy per volume up to a strain and S the largest stress until there:
 ///
-///   W = integral of stress over strain,   efficiency = W / S    (Miltz and Gruenbaum 1981; Avalle et al.
-///   2001) ideality = W / (S strain),            cushion factor = S / W
+///   W = integral of stress over strain
+///   efficiency = W / S
+///   ideality = W / (S strain)
 ///
-/// Efficiency and ideality are ratios of a stress-strain curve; each has the unit 1. The foam is used best
-/// where the efficiency is highest: that stress is the one to design for.
+/// (Miltz and Gruenbaum 1981; Avalle et al. 2001.) Efficiency and ideality have the unit 1. The foam is used
+/// best where the efficiency is highest: that stress is the one to design for.
 ///
 /// W is the work of the test (ColumnTest::work), integrated between the places of output by adaptive
 /// quadrature of the exact stress. The number of places does not enter into it.
@@ -40,7 +41,7 @@ struct CushionPoint {
 
 struct CushionFigures {
   double peak_stress = 0;        ///< Pa, at a place of output
-  double peak_strain = 0;        ///< the largest
+  double strain_at_peak = 0;     ///< where the peak stress is first reached; not always the largest strain
   double energy_in = 0;          ///< J/m3, while the strain grew, all cycles
   double energy_returned = 0;    ///< J/m3, while it fell
   double hysteresis = 0;         ///< (in - returned) / in; 0 to 1, or below 0 where more came back

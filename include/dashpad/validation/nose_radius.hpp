@@ -25,7 +25,8 @@ struct RadiusCriterion {
   std::vector<double> misfit;  ///< one for each radius of the study; NaN where a run has no figure
   double favoured_in =
       0;  ///< least misfit, by a parabola through three radii, to 0.01 in; NaN without any misfit
-  bool at_an_end = false;  ///< the least misfit is at an end of the range: a bound, no estimate
+  /// The least misfit is at an end of the range, or of its radii with a figure: a bound, no estimate.
+  bool at_an_end = false;
   /// Radii whose misfit is not significantly larger (95 %, F test with one parameter; the whole range where
   /// the data cannot tell).
   Interval admitted;
@@ -44,12 +45,13 @@ struct RadiusStudy {
   /// reconstructed load-cell curve. The others are shown beside it: curve "B" on the plate (the report's
   /// estimate, not a measurement), forces, times and strains on the load cell by the accurate solver; and the
   /// report's own statements about its simulations (section 4: ratios to the trend 1 to 0.4 and 1.4 to 0.4;
-  /// times to peak 2 ms above VT = 1.25 in) by the program of 1984, which tells the radius that the report
-  /// used, and by the accurate solver with the first slope.
+  /// times to peak 2 ms above VT = 1.25 in; agreement with curve "B" on the plate) by the program of 1984,
+  /// which tells the radius that the report used, and the first two by the accurate solver with the first
+  /// slope. Statements are no readings: there the 95 % range only ranks radii.
   std::vector<RadiusCriterion> criteria;
   [[nodiscard]] double favoured_in() const { return criteria.front().favoured_in; }
   /// The radius of the study next to the one that the report simulated with: the mean of its statements'
-  /// favoured radii, an inference. favoured_in() where they give no estimate.
+  /// favoured radii without the bounds, an inference. favoured_in() where they give no estimate.
   [[nodiscard]] double of_the_report_in() const;
 };
 

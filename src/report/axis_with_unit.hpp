@@ -1,0 +1,18 @@
+#pragma once
+/// The axis of a quantity: "Force (kN)", with the unit that a system has for it.
+
+#include <fmt/format.h>
+
+#include "dashpad/io/unit_system.hpp"
+#include "dashpad/report/plot.hpp"
+#include "io/text.hpp"
+
+namespace dashpad {
+
+inline Axis axis_with_unit(const char* meaning, const char* si_unit, const UnitSystem& units) {
+  Axis axis;
+  axis.label = fmt::format("{} ({})", meaning, shown_unit(unit_for(units, si_unit)));
+  return axis;
+}
+
+}  // namespace dashpad
