@@ -9,15 +9,20 @@
 /// smooth in w at the contact edge and at full compression alike; it is taken as linear between stations.
 /// Stations follow the contact edge as it moves out and are graded towards the axis as the gap L - Y closes.
 ///
-/// A step is tried (any number of times) and then accepted; only acceptance changes the state.
+/// A step is tried (any number of times) and then accepted; only acceptance changes the state. By vectors the
+/// 9-parameter law has no columns until the pad is unloaded for the first time (contact/loading_force.hpp).
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <vector>
+#include <type_traits>
 
+#include "contact/columns.hpp"
+#include "contact/loading_force.hpp"
+#include "contact/sweep.hpp"
 #include "dashpad/pad/law.hpp"
 
 namespace dashpad {
@@ -26,17 +31,27 @@ template <IsViscous Law>
 class ColumnField {
  public:
   /// All storage is taken here: later calls do not allocate.
-  ColumnField(const Law& law, double thickness, double radius)
-      : law_(law), power_(law.exponents()), thickness_(thickness), radius_(radius) {
-    for (auto* columns : {&now_, &next_}) columns->reserve(most_stations);
-    depth_.reserve(most_stations);
+  ColumnField(const Law& law, double thickness, double radius, ColumnMath math = ColumnMath::vector)
+      : law_(law),
+        shape_(law.exponents(), thickness, radius),
+        thickness_(thickness),
+        radius_(radius),
+        math_(math) {}
+
+  /// Another pad in the same storage.
+  void set(const Law& law, double thickness, double radius, ColumnMath math) {
+    law_ = law;
+    math_ = math;
+    shape_.set(law.exponents(), thickness, radius);
+    thickness_ = thickness;
+    radius_ = radius;
   }
 
   /// The pad follows its law back on unloading.
   [[nodiscard]] bool recovers() const { return true; }
   /// The pad locks when this gap is not enough to carry the force (design limit: 1e-9 of the thickness).
   [[nodiscard]] double lock_penetration() const { return thickness_ * (1 - 1e-9); }
-  [[nodiscard]] std::size_t stations() const { return depth_.size(); }
+  [[nodiscard]] std::size_t stations() const { return columns_.size(); }
   /// Columns updated in all trials since the start: the cost of the run.
   [[nodiscard]] std::size_t updates() const { return updates_; }
 
@@ -48,7 +63,8 @@ class ColumnField {
   /// Columns under strain in the accepted state, from the axis outwards.
   [[nodiscard]] std::size_t strained_columns() const { return live_; }
   [[nodiscard]] Column column(std::size_t j) const {
-    return {depth_[j], (penetration_ - depth_[j]) / thickness_, now_.stress[j]};
+    const double depth = columns_.depth()[j];
+    return {depth, (penetration_ - depth) / thickness_, columns_.now.stress[j]};
   }
 
   /// `resolution` is the relative spacing of stations aimed at.
@@ -57,9 +73,11 @@ class ColumnField {
     penetration_ = largest_penetration_ = 0;
     live_ = 0;
     updates_ = 0;
-    depth_.assign(1, 0.0);
-    for (auto* columns : {&now_, &next_}) columns->resize(1);
-    now_.set(0, 0, law_.strain_part({}, {}), {});
+    correction_ = 1;
+    columns_.clear();
+    add_at_rest(0, 0.0);
+    loading_.start();
+    without_columns_ = skips_columns && math_ == ColumnMath::vector;
   }
 
   /// Pad force after the penetration has advanced by `advance` from the accepted state, evenly over
@@ -67,69 +85,60 @@ class ColumnField {
   double trial(double advance, double from, double step) {
     const double penetration = penetration_ + advance;
     const double rate = advance / (thickness_ * step);
-    rate_part_ = law_.rate_part(rate);
-    const auto time_part = law_.time_part(from, from + step);
     trial_ = penetration;
-    trial_live_ = depth_.size();
-    updates_ += trial_live_;
-    for (std::size_t j = 0; j < depth_.size(); ++j) {
-      const Strain strain = strain_at(penetration, depth_[j]);
-      if (strain.value <= 0) {
-        trial_live_ = j;
-        break;
+    const auto time_part = law_.time_part(from, from + step);
+    if constexpr (skips_columns) {
+      if (without_columns_ && rate < 0) lay_columns();
+      if (without_columns_) {
+        ++updates_;
+        rate_part_ = law_.rate_part(rate);
+        return loading_.trial(shape_, law_, penetration, rate_part_, time_part);
       }
-      const double before = std::max((penetration_ - depth_[j]) / thickness_, 0.0);
-      const double largest = (largest_penetration_ - depth_[j]) / thickness_;
-      const auto power = power_.at(strain);
-      const auto part = law_.strain_part(strain, power);
-      const double stress = law_.envelope(part, rate_part_, strain.value, largest) +
-                            (now_.stress[j] - law_.envelope(now_.part[j], rate_part_, before, largest)) *
-                                law_.decay(time_part, before, strain.value);
-      next_.set(j, stress, part, power);
     }
+    rate_part_ = law_.rate_part(rate);
+    const double* depth = columns_.depth();
+    trial_live_ =
+        static_cast<std::size_t>(std::lower_bound(depth, depth + columns_.size(), penetration) - depth);
+    updates_ += trial_live_;
+    if (trial_live_ == 0) return 0;
+    if (math_ == ColumnMath::vector)
+      sweep(law_, shape_.power(), rate_part_, time_part, sweep_step(), columns_.now, columns_.next_state);
+    else
+      step_one_by_one(time_part);
     const double edge =
         rate >= 0 ? law_.edge_ratio(rate_part_) * std::max(radius_ - penetration, 0.0) : unknown_edge;
-    return integrate(next_, next_.stress, trial_live_, penetration, edge);
+    return correction_ * integrate(columns_.next_state, trial_live_, penetration, edge);
   }
 
   /// dF/dt if the penetration of the last trial were held from its end on (`time` in s since contact).
   [[nodiscard]] double force_rate_when_held(double time) {
-    const auto still = law_.rate_part(0);
-    const double largest_penetration = std::max(largest_penetration_, trial_);
-    double sum = 0;
-    double before = 0;
-    for (std::size_t j = 0; j < trial_live_; ++j) {
-      double g = 0;
-      if (next_.stress[j] > 0) {
-        const double strain = (trial_ - depth_[j]) / thickness_;
-        const double largest = (largest_penetration - depth_[j]) / thickness_;
-        g = law_.relaxation_rate(time, strain) *
-            (law_.envelope(next_.part[j], still, strain, largest) - next_.stress[j]) / next_.shape[j] *
-            (radius_ - depth_[j]);
-      }
-      if (j > 0) sum += (before + g) / 2 * (next_.measure[j - 1] - next_.measure[j]);
-      before = g;
-    }
-    if (trial_live_ > 0) sum += before * (next_.measure[trial_live_ - 1] - edge_measure(trial_)) / 2;
-    return 2 * std::numbers::pi * thickness_ * sum;
+    if (without_columns_) return loading_.force_rate_when_held();
+    if (trial_live_ == 0) return 0;
+    const Columns& next = columns_.next_state;
+    double edge = 0;
+    double sum = math_ == ColumnMath::vector ? sum_of_held(held_rate(law_, time), sweep_step(), next, edge)
+                                             : held_one_by_one(time, edge);
+    sum += edge * (next.measure[trial_live_ - 1] - edge_measure(trial_)) / 2;
+    return correction_ * 2 * std::numbers::pi * thickness_ * sum;
   }
 
   /// Largest stress of any column after a step, tension negative: contact is lost where it crosses zero.
   double largest_stress(double advance, double from, double step) {
     trial(advance, from, step);
+    if (without_columns_) return 1;
     if (trial_live_ == 0) return -std::numeric_limits<double>::min();
-    return *std::max_element(next_.stress.begin(),
-                             next_.stress.begin() + static_cast<std::ptrdiff_t>(trial_live_));
+    return *std::max_element(columns_.next_state.stress, columns_.next_state.stress + trial_live_);
   }
 
   /// Accepts the last trial step.
   void accept() {
-    for (std::size_t j = trial_live_; j < depth_.size(); ++j) next_.set(j, 0, law_.strain_part({}, {}), {});
-    std::swap(now_, next_);
     penetration_ = trial_;
+    largest_penetration_ = std::max(largest_penetration_, penetration_);
+    if (without_columns_) return loading_.accept();
+    for (std::size_t j = trial_live_; j < columns_.size(); ++j) set_at_rest(columns_.next_state, j);
+    std::swap(columns_.now, columns_.next_state);
     live_ = trial_live_;
-    if (penetration_ > largest_penetration_) {
-      largest_penetration_ = penetration_;
+    if (penetration_ == largest_penetration_) {
       follow_edge();
       grade_axis();
     }
@@ -137,42 +146,97 @@ class ColumnField {
 
   /// Outer radius of the stressed area, m.
   [[nodiscard]] double contact_radius() const {
-    std::size_t j = live_;
-    while (j > 0 && now_.stress[j - 1] <= 0) --j;
-    if (j == 0) return 0;
     double depth = std::min(penetration_, radius_);
-    if (j < live_) {
-      const double inner = now_.stress[j - 1];
-      depth = depth_[j - 1] + (depth_[j] - depth_[j - 1]) * inner / (inner - now_.stress[j]);
+    if (!without_columns_) {
+      const double* stress = columns_.now.stress;
+      std::size_t j = live_;
+      while (j > 0 && stress[j - 1] <= 0) --j;
+      if (j == 0) return 0;
+      if (j < live_) {
+        const double inner = columns_.depth()[j - 1];
+        depth = inner + (columns_.depth()[j] - inner) * stress[j - 1] / (stress[j - 1] - stress[j]);
+      }
     }
     return std::sqrt(depth * (2 * radius_ - depth));
   }
 
  private:
-  static constexpr std::size_t most_stations = 20'000;
   static constexpr double unknown_edge = -1;
-
-  struct Columns {
-    std::vector<double> stress;
-    std::vector<typename Law::StrainPart> part;
-    std::vector<double> shape;    ///< A
-    std::vector<double> measure;  ///< w
-    void reserve(std::size_t n) { stress.reserve(n), part.reserve(n), shape.reserve(n), measure.reserve(n); }
-    void resize(std::size_t n) { stress.resize(n), part.resize(n), shape.resize(n), measure.resize(n); }
-    void set(std::size_t j, double s, const typename Law::StrainPart& p, const PowerShape::Value& power) {
-      stress[j] = s, part[j] = p, shape[j] = power.shape, measure[j] = power.measure;
-    }
-  };
+  static constexpr bool skips_columns = std::is_same_v<Law, NineParameter>;
+  using StrainPart = typename Law::StrainPart;
+  static constexpr std::size_t numbers = sizeof(StrainPart) / sizeof(double);
+  using Numbers = std::array<double, numbers>;
 
   [[nodiscard]] Strain strain_at(double penetration, double depth) const {
     return {(penetration - depth) / thickness_, ((thickness_ - penetration) + depth) / thickness_};
   }
-  [[nodiscard]] double ratio(const Columns& columns, const std::vector<double>& value, std::size_t j) const {
-    return value[j] / columns.shape[j] * (radius_ - depth_[j]);
+  [[nodiscard]] SweepStep sweep_step() const {
+    return {columns_.depth(), trial_live_, thickness_, radius_, penetration_, trial_, largest_penetration_};
   }
+  static StrainPart part_of(const Columns& columns, std::size_t j) {
+    Numbers part;
+    for (std::size_t k = 0; k < numbers; ++k) part[k] = columns.part[k][j];
+    return std::bit_cast<StrainPart>(part);
+  }
+  void set_column(const Columns& columns, std::size_t j, double stress, const StrainPart& strain_part,
+                  const PowerShape::Value& power) const {
+    const auto part = std::bit_cast<Numbers>(strain_part);
+    for (std::size_t k = 0; k < numbers; ++k) columns.part[k][j] = part[k];
+    columns.stress[j] = stress;
+    columns.shape[j] = power.shape;
+    columns.measure[j] = power.measure;
+    columns.ratio[j] = power.shape > 0 ? stress / power.shape * (radius_ - columns_.depth()[j]) : 0;
+  }
+  void set_at_rest(const Columns& columns, std::size_t j) const {
+    set_column(columns, j, 0, law_.strain_part({}, {}), {});
+  }
+  void add_at_rest(std::size_t at, double depth) {
+    columns_.insert(at, depth);
+    set_at_rest(columns_.now, at);
+  }
+
+  /// The plain form of the sweep over the columns.
+  void step_one_by_one(const typename Law::TimePart& time_part) {
+    for (std::size_t j = 0; j < trial_live_; ++j) {
+      const double depth = columns_.depth()[j];
+      const Strain strain = strain_at(trial_, depth);
+      const double before = std::max((penetration_ - depth) / thickness_, 0.0);
+      const double largest = (largest_penetration_ - depth) / thickness_;
+      const auto power = shape_.power().at(strain);
+      const auto part = law_.strain_part(strain, power);
+      const double remainder =
+          columns_.now.stress[j] - law_.envelope(part_of(columns_.now, j), rate_part_, before, largest);
+      set_column(columns_.next_state, j,
+                 law_.envelope(part, rate_part_, strain.value, largest) +
+                     remainder * law_.decay(time_part, before, strain.value),
+                 part, power);
+    }
+  }
+  double held_one_by_one(double time, double& edge) const {
+    const Columns& next = columns_.next_state;
+    const auto still = law_.rate_part(0);
+    const double largest_penetration = std::max(largest_penetration_, trial_);
+    double sum = 0;
+    edge = 0;
+    for (std::size_t j = 0; j < trial_live_; ++j) {
+      double g = 0;
+      if (next.stress[j] > 0) {
+        const double depth = columns_.depth()[j];
+        const double strain = (trial_ - depth) / thickness_;
+        const double largest = (largest_penetration - depth) / thickness_;
+        g = law_.relaxation_rate(time, strain) *
+            (law_.envelope(part_of(next, j), still, strain, largest) - next.stress[j]) / next.shape[j] *
+            (radius_ - depth);
+      }
+      if (j > 0) sum += (edge + g) / 2 * (next.measure[j - 1] - next.measure[j]);
+      edge = g;
+    }
+    return sum;
+  }
+
   /// w at the outer end of the contact: 0, or where the sphere's side begins.
   [[nodiscard]] double edge_measure(double penetration) const {
-    return penetration <= radius_ ? 0 : power_.at(strain_at(penetration, radius_)).measure;
+    return penetration <= radius_ ? 0 : shape_.power().at(strain_at(penetration, radius_)).measure;
   }
   /// Integral of max(g, 0) over a cell in which g is linear.
   static double positive_part(double g, double h, double width) {
@@ -181,104 +245,129 @@ class ColumnField {
     const double top = std::max(g, h);
     return top * top / (top - std::min(g, h)) / 2 * width;
   }
+  static double cell(const Columns& columns, std::size_t j) {
+    return positive_part(columns.ratio[j], columns.ratio[j + 1], columns.measure[j] - columns.measure[j + 1]);
+  }
+  [[nodiscard]] double cells(const Columns& columns, std::size_t count) const {
+    if (math_ == ColumnMath::vector) return sum_of_cells(columns, count);
+    double sum = 0;
+    for (std::size_t j = 0; j < count; ++j) sum += cell(columns, j);
+    return sum;
+  }
 
   /// Eq. 23 over the first `live` columns and on to the contact edge, where g is `edge`.
-  [[nodiscard]] double integrate(const Columns& columns, const std::vector<double>& value, std::size_t live,
-                                 double penetration, double edge) const {
-    if (live == 0) return 0;
+  [[nodiscard]] double integrate(const Columns& columns, std::size_t live, double penetration,
+                                 double edge) const {
     const bool unloading = edge == unknown_edge;
-    double sum = 0;
-    double inner = ratio(columns, value, 0);
-    double before = inner;
-    for (std::size_t j = 1; j < live; ++j) {
-      before = inner;
-      inner = ratio(columns, value, j);
-      const double cell = positive_part(before, inner, columns.measure[j - 1] - columns.measure[j]);
-      sum += unloading && j + 1 == live ? bounded(cell, value, j - 1, j, depth_[j]) : cell;
-    }
+    const double last = columns.ratio[live - 1];
     const double width = columns.measure[live - 1] - edge_measure(penetration);
+    double sum = 0;
     if (unloading) {
       // The stress at the edge is not known: g goes on as between the last two columns, within bounds, since
       // these may lie close together.
-      edge = inner;
-      if (live > 1)
-        edge += (inner - before) * width / (columns.measure[live - 2] - columns.measure[live - 1]);
-      edge = penetration > radius_ ? 0 : std::min(edge, 2 * std::max(inner, 0.0));
-      sum += bounded(positive_part(inner, edge, width), value, live - 1, live - 1, penetration);
+      edge = last;
+      if (live > 1) {
+        sum = cells(columns, live - 2) +
+              bounded(cell(columns, live - 2), columns, live - 2, live - 1, columns_.depth()[live - 1]);
+        edge += (last - columns.ratio[live - 2]) * width /
+                (columns.measure[live - 2] - columns.measure[live - 1]);
+      }
+      edge = penetration > radius_ ? 0 : std::min(edge, 2 * std::max(last, 0.0));
+      sum += bounded(positive_part(last, edge, width), columns, live - 1, live - 1, penetration);
     } else {
-      sum += positive_part(inner, edge, width);
+      sum = cells(columns, live - 1) + positive_part(last, edge, width);
     }
     return 2 * std::numbers::pi * thickness_ * sum;
   }
 
   /// On unloading a column may still push as its strain vanishes: stress over A then has no bound, but the
   /// cell's force has one, its width times its stress.
-  [[nodiscard]] double bounded(double cell, const std::vector<double>& stress, std::size_t a, std::size_t b,
+  [[nodiscard]] double bounded(double cell, const Columns& columns, std::size_t a, std::size_t b,
                                double outer_depth) const {
-    const double top = std::max({stress[a] * (radius_ - depth_[a]), stress[b] * (radius_ - depth_[b]), 0.0});
-    return std::min(cell, 1.5 * top * (std::min(outer_depth, radius_) - depth_[a]) / thickness_);
+    const double* depth = columns_.depth();
+    const double top =
+        std::max({columns.stress[a] * (radius_ - depth[a]), columns.stress[b] * (radius_ - depth[b]), 0.0});
+    return std::min(cell, 1.5 * top * (std::min(outer_depth, radius_) - depth[a]) / thickness_);
   }
 
   /// A new station at the contact edge when it has moved on far enough.
   void follow_edge() {
-    if (penetration_ >= radius_ || depth_.size() >= most_stations) return;
-    if (penetration_ - depth_.back() < 0.2 * resolution_ * penetration_) return;
-    depth_.push_back(penetration_);
-    next_.resize(depth_.size());
-    now_.resize(depth_.size());
-    now_.set(depth_.size() - 1, 0, law_.strain_part({}, {}), {});
+    const std::size_t count = columns_.size();
+    if (penetration_ >= radius_ || count >= ColumnStorage::most) return;
+    if (penetration_ - columns_.depth()[count - 1] < 0.2 * resolution_ * penetration_) return;
+    add_at_rest(count, penetration_);
   }
 
   /// Near the axis the stress varies over the gap: cells there are split as the gap closes.
   void grade_axis() {
     const double gap = thickness_ - penetration_;
     const double widest = 8 * resolution_;
-    for (std::size_t j = 0; j + 1 < live_ && depth_[j] <= 4 * gap && depth_.size() < most_stations; ++j)
-      while (depth_[j + 1] - depth_[j] > widest * (gap + depth_[j]) && depth_.size() < most_stations)
-        insert_after(j, std::sqrt((gap + depth_[j]) * (gap + depth_[j + 1])) - gap);
+    const double* depth = columns_.depth();
+    for (std::size_t j = 0; j + 1 < live_ && depth[j] <= 4 * gap && columns_.size() < ColumnStorage::most;
+         ++j)
+      while (depth[j + 1] - depth[j] > widest * (gap + depth[j]) && columns_.size() < ColumnStorage::most)
+        insert_after(j, std::sqrt((gap + depth[j]) * (gap + depth[j + 1])) - gap);
   }
 
   /// The new column's stress over its envelope lies on the line between its neighbours': both are smooth
   /// there, whatever the envelope's shape.
   void insert_after(std::size_t j, double depth) {
+    const Columns& now = columns_.now;
     const Strain strain = strain_at(penetration_, depth);
-    const auto power = power_.at(strain);
+    const auto power = shape_.power().at(strain);
     const auto part = law_.strain_part(strain, power);
     const double outer = relaxed(j + 1);
-    const double relative = outer + (relaxed(j) - outer) * (power.measure - now_.measure[j + 1]) /
-                                        (now_.measure[j] - now_.measure[j + 1]);
-    const auto at = static_cast<std::ptrdiff_t>(j + 1);
-    depth_.insert(depth_.begin() + at, depth);
-    now_.stress.insert(now_.stress.begin() + at,
-                       relative * law_.envelope(part, rate_part_, strain.value, strain.value));
-    now_.part.insert(now_.part.begin() + at, part);
-    now_.shape.insert(now_.shape.begin() + at, power.shape);
-    now_.measure.insert(now_.measure.begin() + at, power.measure);
-    next_.resize(depth_.size());
+    const double relative = outer + (relaxed(j) - outer) * (power.measure - now.measure[j + 1]) /
+                                        (now.measure[j] - now.measure[j + 1]);
+    columns_.insert(j + 1, depth);
+    set_column(columns_.now, j + 1, relative * law_.envelope(part, rate_part_, strain.value, strain.value),
+               part, power);
     ++live_;
   }
 
   /// Stress over envelope of a column while loading.
   [[nodiscard]] double relaxed(std::size_t j) const {
-    const double strain = (penetration_ - depth_[j]) / thickness_;
-    return now_.stress[j] / law_.envelope(now_.part[j], rate_part_, strain, strain);
+    const double strain = (penetration_ - columns_.depth()[j]) / thickness_;
+    return columns_.now.stress[j] / law_.envelope(part_of(columns_.now, j), rate_part_, strain, strain);
+  }
+
+  /// Columns for the unloading, brought to where the loading has left them. Their integral, which has the
+  /// error of the stations, is made to go on from the force of the loading.
+  void lay_columns() {
+    without_columns_ = false;
+    if (penetration_ <= 0) return;
+    const double gap = thickness_ - penetration_;
+    const double end = std::min(penetration_, radius_);
+    const double widest = 0.5 * resolution_ * end;
+    for (double depth = std::min(widest, 8 * resolution_ * gap);
+         depth < end * (1 - 1e-9) && columns_.size() < ColumnStorage::most;
+         depth += std::min(widest, 8 * resolution_ * (gap + depth)))
+      columns_.insert(columns_.size(), depth);
+    live_ = columns_.size();
+    SweepStep step{columns_.depth(), live_, thickness_, radius_, 0, penetration_, penetration_};
+    replay(law_, shape_.power(), loading_.steps(), step, columns_.now);
+    updates_ += live_ * loading_.steps().size();
+    const double edge = loading_.steps().back().modulus * std::max(radius_ - penetration_, 0.0);
+    correction_ = loading_.force() / integrate(columns_.now, live_, penetration_, edge);
   }
 
   Law law_;
-  PowerShape power_;
+  ContactShape shape_;
   double thickness_;
   double radius_;
+  ColumnMath math_;
   double resolution_ = 0.05;
   double penetration_ = 0;
   double largest_penetration_ = 0;
   double trial_ = 0;
   typename Law::RatePart rate_part_{};  ///< of the last trial
-  std::size_t live_ = 0;                ///< columns under strain in the accepted state
-  std::size_t trial_live_ = 0;          ///< and in the trial
+  bool without_columns_ = false;
+  double correction_ = 1;       ///< of the contact integral
+  std::size_t live_ = 0;        ///< columns under strain in the accepted state
+  std::size_t trial_live_ = 0;  ///< and in the trial
   std::size_t updates_ = 0;
-  std::vector<double> depth_;  ///< s, increasing
-  Columns now_;
-  Columns next_;
+  ColumnStorage columns_;
+  LoadingForce loading_;
 };
 
 }  // namespace dashpad

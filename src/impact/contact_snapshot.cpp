@@ -93,7 +93,7 @@ void look_at(const ColumnField<Law>& field, double penetration, double sphere, d
 template <class Law>
 std::vector<ContactSnapshot> replayed(const Law& law, const ImpactCase& impact, const History& history) {
   const double thickness = impact.pad.thickness;
-  ColumnField<Law> field(law, thickness, impact.impactor.radius);
+  ColumnField<Law> field(law, thickness, impact.impactor.radius, ColumnMath::plain);
   field.start(resolution);
   std::vector<ContactSnapshot> snapshots;
   std::size_t now = 0;

@@ -45,7 +45,9 @@ class March {
     now_ = {};
     now_.velocity = now_.drive = speed_;
     pad_rate_ = speed_;
-    pad_stiffness_ = force_rate_ = drive_rate_ = pad_acceleration_ = last_step_ = 0;
+    pad_stiffness_ = force_rate_ = drive_rate_ = pad_acceleration_ = 0;
+    pad_jerk_ = last_step_ = step_before_ = tried_step_ = 0;
+    stiffening_ = 1;
     phase_ = Phase::loading;
     record(track);
     double step = first_step();
@@ -142,7 +144,7 @@ class March {
   }
 
   [[nodiscard]] double root_tolerance(double scale) const {
-    return std::max(closed_form ? 0 : 1e-2 * resolution_ * resolution_ * resolution_,
+    return std::max(closed_form ? 0 : 2e-3 * resolution_ * resolution_ * resolution_,
                     4 * std::numeric_limits<double>::epsilon()) *
            scale;
   }
@@ -160,12 +162,13 @@ class March {
       return result;
     }
     const double scale = std::max(std::abs(now_.motion), std::abs(unhindered));
-    const double slope = 1 + pad_stiffness_ * (support_.compliance(now_.force) + step * step / (4 * mass_));
-    double advance = (pad_rate_ + pad_acceleration_ * (last_step_ + step) / 2) * step;
+    const double slope =
+        1 + pad_stiffness_ * stiffening_ * (support_.compliance(now_.force) + step * step / (4 * mass_));
+    double advance = guess_rate(step) * step;
     RootSearch search;
     search.tolerance = root_tolerance(scale);
     search.resolution = 2 * std::numeric_limits<double>::epsilon() * (scale + thickness_);
-    result.pad_stiffness = pad_stiffness_;
+    result.pad_stiffness = pad_stiffness_ * stiffening_;
     double advanced_before = 0;
     double force_before = 0;
     bool tried = false;
@@ -173,8 +176,8 @@ class March {
       result.advance = advanced;
       const double force = contact_.trial(advanced, now_.time, step);
       const double distance = advanced - advanced_before;
-      if (tried && std::abs(distance) > 1e-6 * std::abs(advanced) &&
-          std::abs(force - force_before) > 1e-9 * std::abs(force))
+      if (tried && std::abs(distance) > 1e-9 * std::abs(advanced) &&
+          std::abs(force - force_before) > 1e-12 * std::abs(force))
         result.pad_stiffness = std::max((force - force_before) / distance, force / thickness_);
       tried = true, advanced_before = advanced, force_before = force;
       return residual(now_.penetration + advanced, force, step, result.end);
@@ -208,7 +211,19 @@ class March {
       }
     }
     result.end.drive = drive(result.end);
+    if (result.obstacle == Event::none) tried_step_ = step, tried_rate_ = result.advance / step;
     return result;
+  }
+  /// Mean rate of the penetration over a step: by its trend, or between the rate now and that of the last
+  /// step that was tried from here, of which events take many.
+  [[nodiscard]] double guess_rate(double step) const {
+    const double ahead = (last_step_ + step) / 2;
+    const double trend =
+        pad_rate_ + ahead * (pad_acceleration_ + pad_jerk_ * (ahead + (step_before_ + last_step_) / 2));
+    if (tried_step_ == 0) return trend;
+    if (pad_acceleration_ == 0) return tried_rate_;
+    const double now = pad_rate_ + pad_acceleration_ * last_step_ / 2;
+    return now + (tried_rate_ - now) * step / tried_step_;
   }
   static double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
   static double fourth_power_slope(double z) { return 4 * z * z * z; }
@@ -320,16 +335,30 @@ class March {
     if (o.event == Event::release) a.end.force = 0;
     contact_.accept();
     const double pad_rate = a.advance / step;
-    pad_acceleration_ =
-        o.event == Event::none && last_step_ > 0 ? (pad_rate - pad_rate_) * 2 / (last_step_ + step) : 0;
-    last_step_ = step;
+    follow_trend(pad_rate, step, o.event == Event::none);
+    tried_step_ = 0;
     pad_rate_ = pad_rate;
-    if (phase_ != Phase::held) pad_stiffness_ = a.pad_stiffness;
+    if (phase_ != Phase::held) {
+      const bool smooth = o.event == Event::none && pad_acceleration_ != 0;
+      stiffening_ = smooth ? std::clamp(a.pad_stiffness / pad_stiffness_, 0.5, 2.0) : 1;
+      pad_stiffness_ = a.pad_stiffness;
+    }
     force_rate_ = (a.end.force - now_.force) / step;
     drive_rate_ = (a.end.drive - now_.drive) / step;
     now_ = a.end;
     if (o.event == Event::none) return true;
     return change_phase(o.event);
+  }
+
+  /// Divided differences of the mean rates of the last three steps.
+  void follow_trend(double pad_rate, double step, bool smooth) {
+    const double acceleration =
+        smooth && last_step_ > 0 ? (pad_rate - pad_rate_) * 2 / (last_step_ + step) : 0;
+    const bool known = acceleration != 0 && pad_acceleration_ != 0;
+    pad_jerk_ = known ? (acceleration - pad_acceleration_) * 2 / (step_before_ + 2 * last_step_ + step) : 0;
+    pad_acceleration_ = acceleration;
+    step_before_ = last_step_;
+    last_step_ = step;
   }
 
   /// Neither phase has a solution from here, as at a corner of the support from which loading and unloading
@@ -339,7 +368,7 @@ class March {
     const Attempt a = attempt_held(step);
     contact_.accept();
     now_ = a.end;
-    pad_rate_ = pad_acceleration_ = 0;
+    pad_rate_ = pad_acceleration_ = pad_jerk_ = tried_step_ = 0;
     last_step_ = step;
     if (now_.force <= 0)
       finish(Ending::released);
@@ -374,8 +403,12 @@ class March {
     const double precision = std::max(1e-3 * resolution_ * resolution_ * step,
                                       4 * std::numeric_limits<double>::epsilon() * (now_.time + step));
     int side = 0;
+    double before = high;
     for (int i = 0; i < 80 && high - low > precision; ++i) {
       double x = (f_low * high - f_high * low) / (f_low - f_high);
+      // Where the guesses have settled, one just beyond the event closes the bracket.
+      if (std::abs(x - before) < precision / 50) x += (side == 1 ? 1 : -1) * precision / 25;
+      before = x;
       // No solution at the far end is no number to interpolate with: first the drive's own trend, then
       // halves.
       if (f_high < -1e250) x = o.event == Event::turning && i == 0 ? -now_.drive / drive_rate_ : infinity;
@@ -411,6 +444,7 @@ class March {
   }
 
   bool change_phase(Event event) {
+    tried_step_ = 0;
     switch (event) {
       case Event::release: finish(Ending::released); break;
       case Event::lock:
@@ -468,7 +502,9 @@ class March {
     double f_low = now_.force - weight;
     double f_high = a.end.force - weight;
     State at = a.end;
-    for (int i = 0; i < 40 && high - low > 1e-3 * resolution_ * resolution_ * step; ++i) {
+    const double precision = 1e-3 * resolution_ * resolution_;
+    const double close = precision * (f_low - f_high);
+    for (int i = 0; i < 40 && high - low > precision * step; ++i) {
       double x = (f_low * high - f_high * low) / (f_low - f_high);
       if (i % 3 == 2) x = low + (high - low) / 2;
       const Attempt trial = attempt(x);
@@ -477,6 +513,7 @@ class March {
       const double f = at.force - weight;
       (f > 0 ? low : high) = x;
       (f > 0 ? f_low : f_high) = f;
+      if (std::abs(f) <= close) break;
     }
     figures_.weight = Moment{at.time, at.velocity};
     attempt(step);
@@ -551,10 +588,15 @@ class March {
   State now_;
   double pad_rate_ = 0;
   double pad_stiffness_ = 0;
+  double stiffening_ = 1;  ///< of the pad from the step before to the last
   double force_rate_ = 0;
   double drive_rate_ = 0;
   double pad_acceleration_ = 0;
+  double pad_jerk_ = 0;  ///< second divided difference
   double last_step_ = 0;
+  double step_before_ = 0;
+  double tried_step_ = 0;  ///< the last that was tried from the state now and had a solution; 0: none
+  double tried_rate_ = 0;  ///< mean rate of the penetration over it
   int reloadings_ = 0;
   Figures figures_;
 };

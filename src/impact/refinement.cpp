@@ -7,6 +7,9 @@
 namespace dashpad {
 namespace {
 
+/// Relative to the time of release.
+constexpr double loosest_time_of_peak = 0.01;
+
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 /// Calls visit(member of each) for every number of a run that is extrapolated.
@@ -84,7 +87,6 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   }
   errors_.peak_motion = relative(now.peak_motion, before.peak_motion, run.peak_motion);
   errors_.peak_penetration = relative(now.peak_penetration, before.peak_penetration, run.peak_penetration);
-  // The moment of a flat peak is poorly determined, whatever the step: its estimate is given, not held.
   double worst = std::max({errors_.peak_force, errors_.peak_motion, errors_.peak_penetration});
   const auto moment = [&](const std::optional<Moment>& m, const std::optional<Moment>& m_before,
                           const std::optional<Moment>& m_run, double& of_time, double& of_speed) {
@@ -110,7 +112,8 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   // The absorbed share, a small difference of large numbers, is held to ten times the tolerance relative to
   // itself, down to a twentieth of the impact energy.
   worst = std::max({worst, errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)), residual});
-  settled_ = worst <= tolerance_;
+  // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.
+  settled_ = worst <= tolerance_ && errors_.time_of_peak_force <= loosest_time_of_peak;
 }
 
 }  // namespace dashpad

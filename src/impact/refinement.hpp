@@ -20,13 +20,15 @@ namespace dashpad {
 class Refinement {
  public:
   static constexpr int most_runs = 9;
+  static constexpr double first_resolution = 0.2;  ///< of the coarsest run
 
   Refinement(const Impactor& impactor, double tolerance);
 
   void add(const Figures& run);
   [[nodiscard]] int runs() const { return runs_; }
-  /// Whether the error estimates and the energy residual are within the tolerance. Not held to it: the time
-  /// of the peak force; and the absorbed share is held to ten times the tolerance, relative to itself.
+  /// Whether the error estimates and the energy residual are within the tolerance. Not held to it but to
+  /// 1 %: the time of the peak force; and the absorbed share is held to ten times the tolerance, relative to
+  /// itself.
   [[nodiscard]] bool settled() const { return settled_; }
   /// The extrapolated figures.
   [[nodiscard]] const Figures& figures() const { return extrapolated_; }

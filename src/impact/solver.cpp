@@ -1,21 +1,107 @@
 #include "dashpad/impact/solver.hpp"
 
-#include "dashpad/impact/solve.hpp"
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "contact/column_field.hpp"
+#include "contact/curve_contact.hpp"
+#include "impact/march.hpp"
+#include "impact/refinement.hpp"
+#include "impact/summarise.hpp"
+#include "impact/track.hpp"
 
 namespace dashpad {
+namespace {
+
+void check(const ImpactCase& impact, const Options& options) {
+  auto broken = violations(impact);
+  if (!(options.tolerance >= 1e-8 && options.tolerance <= 1e-2))
+    broken.push_back({"tolerance", options.tolerance, "must be from 1e-8 to 1e-2"});
+  if (!(options.time_limit > 0 && std::isfinite(options.time_limit)))
+    broken.push_back({"time_limit", options.time_limit, "must be greater than 0"});
+  if (broken.empty()) return;
+  std::string message = "invalid impact case";
+  for (const auto& v : broken) message += fmt::format("\n  {} = {}: {}", v.key, v.value, v.rule);
+  throw std::invalid_argument(message);
+}
+
+/// Column updates of a run after which one more run is the last that is worth its time (some 0.2 s).
+constexpr std::size_t most_updates_before_last = 12'000'000;
+/// Entries of a history for which there is room from the start: more than most impacts need.
+constexpr std::size_t usual_entries = 2000;
+
+/// Runs the impact at finer and finer resolution until the figures settle.
+template <class Contact>
+Refinement refine(const ImpactCase& impact, Contact& contact, const Options& options, Track& track) {
+  Refinement refinement(impact.impactor, options.tolerance);
+  March<Contact> march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
+  for (double resolution = Refinement::first_resolution;
+       !refinement.settled() && refinement.runs() < Refinement::most_runs; resolution /= 2) {
+    const Figures run = march.run(resolution, track);
+    refinement.add(run);
+    // The next run would cost four times as much.
+    if (run.ending == Ending::too_many_steps || run.updates > most_updates_before_last) break;
+  }
+  return refinement;
+}
+
+}  // namespace
 
 struct Solver::Memory {
+  Track track;
+  /// Of each law with memory, from its first impact on.
+  std::tuple<std::optional<ColumnField<LinearViscoelastic>>, std::optional<ColumnField<NineParameter>>,
+             std::optional<ColumnField<TwentyOneParameter>>>
+      fields;
   Solution solution;
+
+  Refinement refine_law(const ImpactCase& impact, const Options& options) {
+    const double thickness = impact.pad.thickness;
+    const double radius = impact.impactor.radius;
+    const ColumnMath math = options.plain ? ColumnMath::plain : ColumnMath::vector;
+    const auto of_law = [&](const auto& law) {
+      using Law = std::decay_t<decltype(law)>;
+      if constexpr (IsMemoryless<Law>) {
+        CurveContact contact(law.curve(), Law::recovers, thickness, radius);
+        return refine(impact, contact, options, track);
+      } else {
+        auto& field = std::get<std::optional<ColumnField<Law>>>(fields);
+        if (field)
+          field->set(law, thickness, radius, math);
+        else
+          field.emplace(law, thickness, radius, math);
+        return refine(impact, *field, options, track);
+      }
+    };
+    return std::visit(of_law, impact.pad.material.law);
+  }
 };
 
-Solver::Solver() : memory_(std::make_unique<Memory>()) {}
+Solver::Solver() : memory_(std::make_unique<Memory>()) { memory_->track.reserve(usual_entries); }
 Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 
 const Solution& Solver::solve(const ImpactCase& impact, const Options& options) {
-  memory_->solution = dashpad::solve(impact, options);
-  return memory_->solution;
+  const auto start = std::chrono::steady_clock::now();
+  check(impact, options);
+  const Refinement refinement = memory_->refine_law(impact, options);
+  Solution& solution = memory_->solution;
+  solution.summary = summarise(impact, refinement);
+  solution.summary.tolerance = options.tolerance;
+  solution.summary.steps = memory_->track.size() - 1;
+  std::swap(solution.history, memory_->track.history);
+  solution.summary.wall_time =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return solution;
 }
 
 }  // namespace dashpad

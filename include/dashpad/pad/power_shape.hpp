@@ -17,6 +17,7 @@ namespace dashpad {
 struct PowerExponents {
   double m = 1;  ///< exponent at first contact
   double n = 0;  ///< exponent at full compression
+  friend bool operator==(const PowerExponents&, const PowerExponents&) = default;
 };
 
 class PowerShape {
@@ -33,19 +34,26 @@ class PowerShape {
   explicit PowerShape(PowerExponents exponents);
 
   [[nodiscard]] Value at(Strain strain) const;
+  /// w alone, from a value of which all else is known; strain > 0.
+  [[nodiscard]] double measure(Strain strain, const Value& value) const;
   [[nodiscard]] PowerExponents exponents() const { return exponents_; }
   /// A'/A = m/e + n/(1 - e), for e > 0.
   [[nodiscard]] double log_slope(Strain strain) const {
     return exponents_.m / strain.value + exponents_.n / strain.complement;
   }
 
- private:
   static constexpr int terms = 16;
+  /// The expansions by which w is computed, for whoever computes it at many strains at once: as polynomials
+  /// in 4x - 1, w = e A p(e) up to a half, w = offset - (1-e) A p(1-e) - log_weight ln(1-e) above.
+  [[nodiscard]] const std::array<double, terms>& near_contact() const { return near_contact_; }
+  [[nodiscard]] const std::array<double, terms>& near_bottom() const { return near_bottom_; }
+  [[nodiscard]] double offset() const { return offset_; }
+  [[nodiscard]] double log_weight() const { return log_weight_; }
+
+ private:
   PowerExponents exponents_;
-  double measure_at_half_ = 0;  ///< w(1/2), where the two expansions meet
-  double offset_ = 0;           ///< of the expansion about full compression
-  double log_weight_ = 0;       ///< of the logarithmic term, present where n is a whole number
-  /// Both expansions as polynomials on [0, 1/2]: w = e^(m+1) p(e) and w = offset - (1-e)^(1-n) p(1-e).
+  double offset_ = 0;      ///< of the expansion about full compression
+  double log_weight_ = 0;  ///< of the logarithmic term, present where n is a whole number
   std::array<double, terms> near_contact_{};
   std::array<double, terms> near_bottom_{};
 };

@@ -1,0 +1,72 @@
+#pragma once
+/// The columns of a contact, one array a quantity, so that several columns fit one vector register.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+
+namespace dashpad {
+
+/// Where the state of the columns is; `part` is the law's strain part, number by number.
+struct Columns {
+  double* stress = nullptr;
+  std::array<double*, 3> part{};
+  double* shape = nullptr;    ///< A
+  double* measure = nullptr;  ///< w
+  double* ratio = nullptr;    ///< g, stress over A times (R - s); of the columns under strain only
+};
+
+/// Depths and two states, in memory taken once. Behind the last column there is room for a vector's worth of
+/// columns that are computed and thrown away.
+class ColumnStorage {
+ public:
+  static constexpr std::size_t most = 20'000;
+
+  ColumnStorage() {
+    double* next = memory_.get();
+    const auto take = [&next] {
+      double* array = next;
+      next += stride;
+      return array;
+    };
+    depth_ = take();
+    for (Columns* columns : {&now, &next_state}) {
+      columns->stress = take();
+      for (double*& part : columns->part) part = take();
+      columns->shape = take();
+      columns->measure = take();
+      columns->ratio = take();
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] const double* depth() const { return depth_; }
+  void clear() { size_ = 0; }
+
+  /// Moves the columns from `at` on outwards by one; their state `now` goes along. The new column is at rest.
+  void insert(std::size_t at, double depth) {
+    for (double* array : {depth_, now.stress, now.part[0], now.part[1], now.part[2], now.shape, now.measure})
+      std::copy_backward(array + at, array + size_, array + size_ + 1);
+    ++size_;
+    depth_[at] = depth;
+    for (double* array : {now.stress, now.part[0], now.part[1], now.part[2], now.shape, now.measure})
+      array[at] = 0;
+    std::fill_n(depth_ + size_, spare, depth_[size_ - 1]);
+    for (double* array : {now.stress, now.part[0], now.part[1], now.part[2], now.shape, now.measure})
+      std::fill_n(array + size_, spare, 0.0);
+  }
+
+  Columns now;
+  Columns next_state;
+
+ private:
+  static constexpr std::size_t spare = 64;  ///< lanes of the widest vector that is known
+  static constexpr std::size_t stride = most + spare;
+
+  std::unique_ptr<double[]> memory_ = std::make_unique_for_overwrite<double[]>(15 * stride);
+  double* depth_ = nullptr;  ///< s, increasing
+  std::size_t size_ = 0;
+};
+
+}  // namespace dashpad

@@ -1,0 +1,102 @@
+#pragma once
+/// The contact force of the 9-parameter law while the pad is only loaded: a closed form, without columns.
+///
+///   K(Y) = 2 pi int A((Y - s) / L) (R - s) ds, over s in [0, min(Y, R)]              (theory.md, Eq. 27)
+///   F1 = B K(Y1) + (F0 - B K(Y0)) exp(-dt / tau)                                    (theory.md, Eq. 28)
+///
+/// All columns share the relaxation, so their integral obeys the law of one column, A replaced by K.
+
+#include <algorithm>
+#include <numbers>
+#include <vector>
+
+#include "dashpad/pad/nine_parameter.hpp"
+
+namespace dashpad {
+
+/// K(Y): with (R - s) = (R - Y) + L e the integral is that of A and of e A over the strain e, both of the
+/// kind of Eq. 22.
+class ContactShape {
+ public:
+  ContactShape(PowerExponents exponents, double thickness, double radius) {
+    set(exponents, thickness, radius);
+  }
+  void set(PowerExponents exponents, double thickness, double radius) {
+    thickness_ = thickness;
+    radius_ = radius;
+    if (exponents != power_.exponents()) {
+      power_ = PowerShape(exponents);
+      moment_ = PowerShape({exponents.m + 1, exponents.n});
+    }
+  }
+  [[nodiscard]] const PowerShape& power() const { return power_; }
+
+  /// Pa m2 per Pa of B.
+  [[nodiscard]] double at(double penetration) const {
+    if (penetration <= 0) return 0;
+    double sum =
+        between_axis_and(penetration, {penetration / thickness_, (thickness_ - penetration) / thickness_});
+    if (penetration > radius_)
+      sum -= between_axis_and(penetration, {(penetration - radius_) / thickness_,
+                                            ((thickness_ - penetration) + radius_) / thickness_});
+    return 2 * std::numbers::pi * thickness_ * sum;
+  }
+
+ private:
+  [[nodiscard]] double between_axis_and(double penetration, Strain strain) const {
+    const PowerShape::Value at = power_.at(strain);
+    return (radius_ - penetration) * at.measure +
+           thickness_ *
+               moment_.measure(strain, {strain.value * at.shape, 0, at.log_strain, at.log_complement});
+  }
+
+  double thickness_ = 0;
+  double radius_ = 0;
+  PowerShape power_;
+  PowerShape moment_{{2, 0}};
+};
+
+/// What the columns need to know of the loading when they are called for.
+struct LoadingStep {
+  double penetration = 0;  ///< at its end, m
+  double modulus = 0;      ///< B, Pa
+  double decay = 1;        ///< exp(-dt / tau)
+};
+
+class LoadingForce {
+ public:
+  LoadingForce() { steps_.reserve(100'000); }
+
+  void start() {
+    steps_.clear();
+    force_ = shape_force_ = 0;
+  }
+  double trial(const ContactShape& shape, const NineParameter& law, double penetration,
+               const NineParameter::RatePart& rate, const NineParameter::TimePart& time) {
+    trial_shape_ = shape.at(penetration);
+    trial_ = {penetration, rate.modulus, time.decay};
+    trial_force_ = rate.modulus * trial_shape_ + (force_ - rate.modulus * shape_force_) * time.decay;
+    held_rate_ = (law.asymptotic_modulus * trial_shape_ - trial_force_) / law.relaxation_time;
+    return trial_force_;
+  }
+  /// dF/dt if the penetration of the last trial were held.
+  [[nodiscard]] double force_rate_when_held() const { return held_rate_; }
+  void accept() {
+    steps_.push_back(trial_);
+    force_ = trial_force_;
+    shape_force_ = trial_shape_;
+  }
+  [[nodiscard]] double force() const { return force_; }
+  [[nodiscard]] const std::vector<LoadingStep>& steps() const { return steps_; }
+
+ private:
+  std::vector<LoadingStep> steps_;
+  LoadingStep trial_;
+  double force_ = 0;
+  double shape_force_ = 0;  ///< K
+  double trial_force_ = 0;
+  double trial_shape_ = 0;
+  double held_rate_ = 0;
+};
+
+}  // namespace dashpad

@@ -1,0 +1,85 @@
+#include "impact/summarise.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace dashpad {
+namespace {
+
+std::vector<std::string> extrapolations(const ImpactCase& impact, const Summary& summary) {
+  std::vector<std::string> reasons =
+      extrapolations(impact.pad.material, summary.peak_strain, summary.peak_strain_rate);
+  // A linear support has one point, which only says its slope.
+  const auto& points = impact.support.points();
+  if (points.size() > 1 && summary.peak_force && *summary.peak_force > points.back().force)
+    reasons.push_back(fmt::format("the support's force reaches {:.4g} N; its curve ends at {:.4g} N",
+                                  *summary.peak_force, points.back().force));
+  return reasons;
+}
+
+Status status_of(const Refinement& refinement) {
+  if (!refinement.settled()) return Status::tolerance_not_met;
+  switch (refinement.figures().ending) {
+    case Ending::released: return Status::released;
+    case Ending::bottomed_out: return Status::bottomed_out;
+    case Ending::time_limit: return Status::time_limit;
+    default: return Status::tolerance_not_met;
+  }
+}
+
+EnergyLedger ledger_of(const Impactor& impactor, const Figures& figures) {
+  EnergyLedger energy;
+  energy.initial = impactor.mass * impactor.speed * impactor.speed / 2;
+  energy.kinetic = impactor.mass * figures.final_velocity * figures.final_velocity / 2;
+  energy.support = figures.support_energy;
+  energy.pad = figures.pad_work;
+  energy.residual = energy.initial - energy.kinetic - energy.support - energy.pad;
+  return energy;
+}
+
+}  // namespace
+
+std::string to_string(Status status) {
+  switch (status) {
+    case Status::released: return "released";
+    case Status::bottomed_out: return "bottomed out";
+    case Status::time_limit: return "time limit";
+    case Status::tolerance_not_met: return "tolerance not met";
+    case Status::not_run: break;
+  }
+  return "not run";
+}
+
+Summary summarise(const ImpactCase& impact, const Refinement& refinement) {
+  const Figures& figures = refinement.figures();
+  const Impactor& impactor = impact.impactor;
+  Summary s;
+  s.status = status_of(refinement);
+  if (figures.ending != Ending::bottomed_out) {
+    s.peak_force = figures.peak_force;
+    s.time_of_peak_force = figures.time_of_peak_force;
+    s.peak_acceleration = figures.peak_force / impactor.mass;
+  }
+  s.peak_motion = figures.peak_motion;
+  s.peak_penetration = figures.bottomed ? impact.pad.thickness : figures.peak_penetration;
+  s.peak_strain = s.peak_penetration / impact.pad.thickness;
+  s.peak_strain_rate = figures.peak_pad_rate / impact.pad.thickness;
+  s.weight = figures.weight;
+  s.release = figures.release;
+  s.bottomed = figures.bottomed;
+  if (figures.release) {
+    s.rebound_speed = std::abs(figures.release->velocity);
+    s.restitution = *s.rebound_speed / impactor.speed;
+  }
+  s.energy = ledger_of(impactor, figures);
+  s.energy_absorbed_fraction = 1 - (s.energy.kinetic + s.energy.support) / s.energy.initial;
+  s.extrapolations = extrapolations(impact, s);
+  s.extrapolated = !s.extrapolations.empty();
+  s.errors = refinement.errors();
+  s.stations = figures.stations;
+  s.runs = refinement.runs();
+  return s;
+}
+
+}  // namespace dashpad

@@ -1,0 +1,13 @@
+#pragma once
+/// The summary of an impact from the figures of its runs.
+
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
+#include "impact/refinement.hpp"
+
+namespace dashpad {
+
+/// All but steps, tolerance and wall time.
+Summary summarise(const ImpactCase& impact, const Refinement& refinement);
+
+}  // namespace dashpad
