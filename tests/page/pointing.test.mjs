@@ -17,7 +17,8 @@ const time = (text) => Number(/Time\s+([\d.]+)/.exec(text)[1]);
 
 test("the mouse over a curve shows its values there, and in the other plots", async () => {
   const page = await open(file);
-  assert.equal(time(await legend(page, "force")), 13.054);
+  const rest = time(await legend(page, "force"));  // the step of the largest force
+  assert.ok(Math.abs(rest - 13.033) < 0.05, rest);
   await page.mouse.move(...(await at(page, "force", 0.25)));
   await settled(page);
   const quarter = time(await legend(page, "force"));
@@ -27,7 +28,7 @@ test("the mouse over a curve shows its values there, and in the other plots", as
   assert.ok(await page.locator("#force-motion .marker").isVisible());
   await page.mouse.move(2, 2);
   await settled(page);
-  assert.equal(time(await legend(page, "energy")), 13.054);
+  assert.equal(time(await legend(page, "energy")), rest);
   assert.ok(!(await page.locator("#force-motion .marker").isVisible()));
 });
 
@@ -55,14 +56,15 @@ test("the mouse over the contact shows the stress at that radius", async () => {
 test("arrow keys move along a curve", async () => {
   const page = await open(file);
   for (const name of ["energy", "force-motion"]) {
+    const rest = time(await legend(page, name));
     await page.locator(`#${name} .plot`).focus();
     await page.keyboard.press("ArrowRight");
     const next = time(await legend(page, name));
-    assert.ok(next > 13.054, `${name} ${next}`);
+    assert.ok(next > rest, `${name} ${next}`);
     await page.keyboard.press("End");
     assert.ok(Math.abs(time(await legend(page, name)) - 24.284) < 0.002);
     await page.keyboard.press("Escape");
-    assert.equal(time(await legend(page, name)), 13.054);
+    assert.equal(time(await legend(page, name)), rest);
   }
 });
 
