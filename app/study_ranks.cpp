@@ -105,13 +105,14 @@ int run_on(const Ranks& ranks, const StudyRequest& request, const std::filesyste
       throw Refused({"--threads: under mpirun each rank computes on one core; choose the number of ranks"});
     study = study::read_study(request.study_file, materials);
   };
-  if (!is_agreed(ranks, complaints_of(read))) return exit_refused;
+  // Silent ranks end well: mpirun ends all at the first exit code that is not 0, and the message must be out.
+  if (!is_agreed(ranks, complaints_of(read))) return exit_done;
   const bool same = ranks.is_same_for_all(std::hash<std::string>{}(study->text));
   const auto open = [&] {
     if (!same) throw Refused({request.study_file + ": is not the same file for all ranks"});
     if (ranks.is_first()) store.emplace(open_store(*study, request.store_file));
   };
-  if (!is_agreed(ranks, complaints_of(open))) return exit_refused;
+  if (!is_agreed(ranks, complaints_of(open))) return exit_done;
 
   const std::uint64_t batch_size = ranks.of_first(store ? store->batch_size() : 0);
   const StopSignal stop;

@@ -203,7 +203,7 @@ constexpr WrongText wrong_texts[] = {
      "the plate is linear: one point"},
 };
 INSTANTIATE_TEST_SUITE_P(each, measured_tests_rules, ::testing::ValuesIn(wrong_texts),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& rule) { return std::string(rule.param.name); });
 
 TEST(measured_tests, constant_that_the_study_needs) {
   Data data;

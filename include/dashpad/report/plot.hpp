@@ -43,8 +43,8 @@ struct Axis {
 /// One pair of axes. The series are drawn in their order, bands first; those without a point are left out.
 struct Panel {
   std::string title = {};
-  Axis x;
-  Axis y;
+  Axis x = {};
+  Axis y = {};
   std::vector<Series> series = {};
 };
 

@@ -24,12 +24,12 @@ struct MeasuredTest {
   TestSupport support = TestSupport::load_cell;
   double speed_mph = 0;
   double energy_in_lb = 0;
-  std::optional<double> rebound_mph;
-  std::optional<double> time_to_peak_ms;
-  std::optional<double> total_time_ms;
-  std::optional<double> peak_force_lb;
-  std::optional<double> plug_strain;      ///< by the clay plug
-  std::optional<double> diameter_strain;  ///< by the contact diameter
+  std::optional<double> rebound_mph = {};
+  std::optional<double> time_to_peak_ms = {};
+  std::optional<double> total_time_ms = {};
+  std::optional<double> peak_force_lb = {};
+  std::optional<double> plug_strain = {};      ///< by the clay plug
+  std::optional<double> diameter_strain = {};  ///< by the contact diameter
 };
 
 /// The peak strain of a test: the mean of both methods where both are there (report, section 3.3).

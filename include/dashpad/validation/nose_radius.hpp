@@ -19,17 +19,17 @@ std::vector<double> radii_of_the_study();
 
 /// A criterion's misfit over the radius: root mean square of the residuals.
 struct RadiusCriterion {
-  std::string name;            ///< "strains on the plate", "forces on the load cell", ...
-  std::string remark;          ///< which tests, which program
-  std::string unit;            ///< of the misfit
-  std::vector<double> misfit;  ///< one for each radius of the study; NaN where a run has no figure
+  std::string name = {};            ///< "strains on the plate", "forces on the load cell", ...
+  std::string remark = {};          ///< which tests, which program
+  std::string unit = {};            ///< of the misfit
+  std::vector<double> misfit = {};  ///< one for each radius of the study; NaN where a run has no figure
   double favoured_in =
       0;  ///< least misfit, by a parabola through three radii, to 0.01 in; NaN without any misfit
   /// The least misfit is at an end of the range, or of its radii with a figure: a bound, no estimate.
   bool at_an_end = false;
   /// Radii whose misfit is not significantly larger (95 %, F test with one parameter; the whole range where
   /// the data cannot tell).
-  Interval admitted;
+  Interval admitted = {};
   int readings = 0;
   bool of_the_report = false;  ///< its statements on its own simulations, by the program that it used
 };

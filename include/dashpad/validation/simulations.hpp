@@ -47,7 +47,7 @@ struct Prediction {
   bool bottomed = false;  ///< the accurate solver: the pad was fully compressed
   double error =
       0;  ///< the solver's estimate for the peak force, relative; 0 for the program of 1984, which has none
-  std::string remark;  ///< why figures are missing or doubtful: an ABEND, a tolerance not met
+  std::string remark = {};  ///< why figures are missing or doubtful: an ABEND, a tolerance not met
 };
 
 /// Throws std::invalid_argument for a setup that is no sound case (impact_case.hpp).

@@ -32,7 +32,7 @@ struct FittedConstant {
   Interval over_placings;
   /// From the lowest to the highest end of the 95 % intervals of all placings. The certain rows are no random
   /// sample of all, so this says more than `confidence` where many readings are lost.
-  Interval confidence_over_placings;
+  Interval confidence_over_placings = {};
   long placings = 0;
   bool printed_in_confidence = false;
   bool printed_in_placings = false;

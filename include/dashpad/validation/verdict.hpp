@@ -53,7 +53,7 @@ struct Score {
   TestSupport support = TestSupport::load_cell;
   Quantity quantity = Quantity::peak_force;
   double radius_in = 0;
-  std::optional<Projectile> projectile;  ///< absent: both
+  std::optional<Projectile> projectile = {};  ///< absent: both
   std::vector<TestError> errors;         ///< of the tests with a certain reading and a prediction
   int missing = 0;                       ///< tests with a certain reading, but no prediction
   double bias = 0;                       ///< exp(mean of ln ratio) - 1, or mean difference
@@ -117,9 +117,9 @@ struct ForceTrend {
   double radius_in = 0;
   int tests = 0;     ///< both projectiles, load cell, with force and prediction
   double slope = 0;  ///< one line through all of them
-  Interval slope_confidence;
+  Interval slope_confidence = {};
   double aluminium_slope = 0;  ///< of the aluminium projectile alone; the steel one spans 1.5 mph
-  Interval aluminium_slope_confidence;
+  Interval aluminium_slope_confidence = {};
   double aluminium_low = 0, aluminium_high = 0;  ///< ratio to curve "A" at 10 and 20 mph
   double steel_low = 0, steel_high = 0;          ///< at 10 and 15 mph
 };
