@@ -7,7 +7,7 @@
 ///
 /// s is the depth at which the sphere's surface meets a column: the column is touched when Y passes s. g is
 /// smooth in w at the contact edge and at full compression alike; it is taken as linear between stations.
-/// Stations follow the contact edge as it moves out and are graded towards the axis as the gap L - Y closes.
+/// Stations lie closer towards the axis, and are added there as the gap L - Y closes.
 ///
 /// A step is tried (any number of times) and then accepted; only acceptance changes the state. By vectors the
 /// 9-parameter law has no columns until the pad is unloaded for the first time (contact/loading_force.hpp).
@@ -67,17 +67,18 @@ class ColumnField {
     return {depth, (penetration_ - depth) / thickness_, columns_.now.stress[j]};
   }
 
-  /// `resolution` is the relative spacing of stations aimed at.
-  void start(double resolution) {
+  /// `resolution` is the relative spacing of stations aimed at; `expected` the largest penetration that is
+  /// expected, m, over which they are spread.
+  void start(double resolution, double expected = std::numeric_limits<double>::infinity()) {
     resolution_ = resolution;
     penetration_ = largest_penetration_ = 0;
     live_ = 0;
     updates_ = 0;
     correction_ = 1;
     columns_.clear();
-    add_at_rest(0, 0.0);
     loading_.start();
     without_columns_ = skips_columns && math_ == ColumnMath::vector;
+    if (!without_columns_) lay_columns(expected, std::min(thickness_, radius_));
   }
 
   /// Pad force after the penetration has advanced by `advance` from the accepted state, evenly over
@@ -88,7 +89,7 @@ class ColumnField {
     trial_ = penetration;
     const auto time_part = law_.time_part(from, from + step);
     if constexpr (skips_columns) {
-      if (without_columns_ && rate < 0) lay_columns();
+      if (without_columns_ && rate < 0) replay_loading();
       if (without_columns_) {
         ++updates_;
         rate_part_ = law_.rate_part(rate);
@@ -122,9 +123,9 @@ class ColumnField {
     return correction_ * 2 * std::numbers::pi * thickness_ * sum;
   }
 
-  /// Largest stress of any column after a step, tension negative: contact is lost where it crosses zero.
-  double largest_stress(double advance, double from, double step) {
-    trial(advance, from, step);
+  /// Largest stress of any column after the last trial, tension negative: contact is lost where it crosses
+  /// zero.
+  [[nodiscard]] double largest_stress() const {
     if (without_columns_) return 1;
     if (trial_live_ == 0) return -std::numeric_limits<double>::min();
     return *std::max_element(columns_.next_state.stress, columns_.next_state.stress + trial_live_);
@@ -138,10 +139,7 @@ class ColumnField {
     for (std::size_t j = trial_live_; j < columns_.size(); ++j) set_at_rest(columns_.next_state, j);
     std::swap(columns_.now, columns_.next_state);
     live_ = trial_live_;
-    if (penetration_ == largest_penetration_) {
-      follow_edge();
-      grade_axis();
-    }
+    if (penetration_ == largest_penetration_) grade_axis();
   }
 
   /// Outer radius of the stressed area, m.
@@ -190,11 +188,6 @@ class ColumnField {
   void set_at_rest(const Columns& columns, std::size_t j) const {
     set_column(columns, j, 0, law_.strain_part({}, {}), {});
   }
-  void add_at_rest(std::size_t at, double depth) {
-    columns_.insert(at, depth);
-    set_at_rest(columns_.now, at);
-  }
-
   /// The plain form of the sweep over the columns.
   void step_one_by_one(const typename Law::TimePart& time_part) {
     for (std::size_t j = 0; j < trial_live_; ++j) {
@@ -208,9 +201,13 @@ class ColumnField {
           columns_.now.stress[j] - law_.envelope(part_of(columns_.now, j), rate_part_, before, largest);
       set_column(columns_.next_state, j,
                  law_.envelope(part, rate_part_, strain.value, largest) +
-                     remainder * law_.decay(time_part, before, strain.value),
+                     remainder * law_.decay(time_part, before, strain.value, share_of_step(depth)),
                  part, power);
     }
+  }
+  /// For how much of the trial step the sphere touches a column.
+  [[nodiscard]] double share_of_step(double depth) const {
+    return depth > penetration_ ? (trial_ - depth) / (trial_ - penetration_) : 1;
   }
   double held_one_by_one(double time, double& edge) const {
     const Columns& next = columns_.next_state;
@@ -290,12 +287,19 @@ class ColumnField {
     return std::min(cell, 1.5 * top * (std::min(outer_depth, radius_) - depth[a]) / thickness_);
   }
 
-  /// A new station at the contact edge when it has moved on far enough.
-  void follow_edge() {
-    const std::size_t count = columns_.size();
-    if (penetration_ >= radius_ || count >= ColumnStorage::most) return;
-    if (penetration_ - columns_.depth()[count - 1] < 0.2 * resolution_ * penetration_) return;
-    add_at_rest(count, penetration_);
+  /// Columns at rest from the axis on to the depth `end`: evenly as far as the contact is expected to grow,
+  /// closer towards the axis, which is touched first and carries the steepest stress when the gap closes.
+  void lay_columns(double expected, double end) {
+    const double widest = 0.8 * resolution_ * std::min(expected, end);
+    const double gap = thickness_ - penetration_;
+    columns_.append(0);
+    for (double depth = std::min(0.2 * widest, 8 * resolution_ * gap);
+         depth < end * (1 - 1e-9) && columns_.size() < ColumnStorage::most;
+         depth += std::min({std::max(widest, resolution_ * (depth - expected)),
+                            8 * resolution_ * (gap + depth), 3 * resolution_ * depth}))
+      columns_.append(depth);
+    columns_.fill_spare();
+    for (std::size_t j = 0; j < columns_.size(); ++j) set_at_rest(columns_.now, j);
   }
 
   /// Near the axis the stress varies over the gap: cells there are split as the gap closes.
@@ -333,16 +337,10 @@ class ColumnField {
 
   /// Columns for the unloading, brought to where the loading has left them. Their integral, which has the
   /// error of the stations, is made to go on from the force of the loading.
-  void lay_columns() {
+  void replay_loading() {
     without_columns_ = false;
+    lay_columns(penetration_, std::min(penetration_, radius_));
     if (penetration_ <= 0) return;
-    const double gap = thickness_ - penetration_;
-    const double end = std::min(penetration_, radius_);
-    const double widest = 0.5 * resolution_ * end;
-    for (double depth = std::min(widest, 8 * resolution_ * gap);
-         depth < end * (1 - 1e-9) && columns_.size() < ColumnStorage::most;
-         depth += std::min(widest, 8 * resolution_ * (gap + depth)))
-      columns_.insert(columns_.size(), depth);
     live_ = columns_.size();
     SweepStep step{columns_.depth(), live_, thickness_, radius_, 0, penetration_, penetration_};
     replay(law_, shape_.power(), loading_.steps(), step, columns_.now);

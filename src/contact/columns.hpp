@@ -44,17 +44,26 @@ class ColumnStorage {
   [[nodiscard]] const double* depth() const { return depth_; }
   void clear() { size_ = 0; }
 
+  /// A column at rest behind the others; after the last of several fill_spare() is due.
+  void append(double depth) {
+    depth_[size_] = depth;
+    for (double* array : state()) array[size_] = 0;
+    ++size_;
+  }
+  void fill_spare() {
+    std::fill_n(depth_ + size_, spare, depth_[size_ - 1]);
+    for (double* array : state()) std::fill_n(array + size_, spare, 0.0);
+  }
   /// Moves the columns from `at` on outwards by one; their state `now` goes along. The new column is at rest.
   void insert(std::size_t at, double depth) {
-    for (double* array : {depth_, now.stress, now.part[0], now.part[1], now.part[2], now.shape, now.measure})
-      std::copy_backward(array + at, array + size_, array + size_ + 1);
-    ++size_;
+    std::copy_backward(depth_ + at, depth_ + size_, depth_ + size_ + 1);
     depth_[at] = depth;
-    for (double* array : {now.stress, now.part[0], now.part[1], now.part[2], now.shape, now.measure})
+    for (double* array : state()) {
+      std::copy_backward(array + at, array + size_, array + size_ + 1);
       array[at] = 0;
-    std::fill_n(depth_ + size_, spare, depth_[size_ - 1]);
-    for (double* array : {now.stress, now.part[0], now.part[1], now.part[2], now.shape, now.measure})
-      std::fill_n(array + size_, spare, 0.0);
+    }
+    ++size_;
+    fill_spare();
   }
 
   Columns now;
@@ -63,6 +72,10 @@ class ColumnStorage {
  private:
   static constexpr std::size_t spare = 64;  ///< lanes of the widest vector that is known
   static constexpr std::size_t stride = most + spare;
+
+  [[nodiscard]] std::array<double*, 6> state() const {
+    return {now.stress, now.part[0], now.part[1], now.part[2], now.shape, now.measure};
+  }
 
   std::unique_ptr<double[]> memory_ = std::make_unique_for_overwrite<double[]>(15 * stride);
   double* depth_ = nullptr;  ///< s, increasing

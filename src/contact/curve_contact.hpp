@@ -26,7 +26,7 @@ class CurveContact {
   [[nodiscard]] std::size_t stations() const { return 0; }
   [[nodiscard]] std::size_t updates() const { return 0; }
 
-  void start(double) { penetration_ = 0; }
+  void start(double, double = 0) { penetration_ = 0; }
 
   /// Force after an advance from the accepted penetration; the times do not matter, the law has no memory.
   double trial(double advance, double, double) {
@@ -36,11 +36,9 @@ class CurveContact {
   [[nodiscard]] double force_rate_when_held(double) const { return 0; }
   void accept() { penetration_ = trial_; }
 
-  /// Tensile when negative: contact is lost where it crosses zero.
-  double largest_stress(double advance, double from, double step) {
-    trial(advance, from, step);
-    return trial_;
-  }
+  /// Of the last trial's stress, tensile when negative, no more than the sign: contact is lost where it
+  /// crosses zero.
+  [[nodiscard]] double largest_stress() const { return trial_; }
 
   /// Contact radius, m.
   [[nodiscard]] double contact_radius() const {

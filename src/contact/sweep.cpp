@@ -94,18 +94,18 @@ struct UnloadingFactor {
 /// are strains.
 struct LinearLanes {
   static constexpr std::size_t parts = 1;
-  V modulus, viscous, decay_factor;
+  V modulus, viscous, duration;
   LinearLanes(const LinearViscoelastic& law, const PowerShape&, const LinearViscoelastic::RatePart& rate,
               const LinearViscoelastic::TimePart& time)
       : modulus(set(law.asymptotic_modulus)),
         viscous(set(rate.viscous_stress)),
-        decay_factor(set(time.decay)) {}
+        duration(set(-time.duration)) {}
   HWY_INLINE Shape strain_part(Strains e, V* part) const {
     part[0] = hn::Mul(modulus, e.value);
     return {e.value, hn::Mul(set(0.5), hn::Mul(e.value, e.value)), e.value};
   }
   HWY_INLINE V envelope(const V* part, V, V) const { return hn::Add(part[0], viscous); }
-  HWY_INLINE V decay(V, V) const { return decay_factor; }
+  HWY_INLINE V decay(V, V, V share) const { return exp(hn::Mul(duration, share)); }
 };
 
 struct NineLanes {
@@ -127,7 +127,7 @@ struct NineLanes {
   HWY_INLINE V envelope(const V* part, V strain, V largest) const {
     return factor.of(hn::Mul(part[0], modulus), strain, largest);
   }
-  HWY_INLINE V decay(V, V) const { return decay_factor; }
+  HWY_INLINE V decay(V, V, V) const { return decay_factor; }
 };
 
 struct TwentyOneLanes {
@@ -162,7 +162,7 @@ struct TwentyOneLanes {
     const V sensitive = hn::Mul(hn::Mul(moving, part[1]), exp(hn::Mul(part[2], log_rate)));
     return factor.of(hn::Add(part[0], sensitive), strain, largest);
   }
-  HWY_INLINE V decay(V before, V after) const {
+  HWY_INLINE V decay(V before, V after, V) const {
     const V strain = hn::MulAdd(centre, hn::Sub(after, before), before);
     return exp(hn::Mul(scale, exp(hn::Mul(log_base, strain))));
   }
@@ -173,6 +173,8 @@ HWY_INLINE void sweep_columns(const Lanes& law, const SweepStep& step, const Col
                               const Columns& next) {
   const V per_thickness = set(1 / step.thickness);
   const V least = set(least_strain);
+  const bool loading = step.after > step.before;
+  const V per_advance = set(loading ? 1 / (step.after - step.before) : 0);
   for (std::size_t j = 0; j < step.count; j += hn::Lanes(Tag())) {
     const V depth = load(step.depth + j);
     const auto strain_at = [&](double penetration) {
@@ -187,7 +189,10 @@ HWY_INLINE void sweep_columns(const Lanes& law, const SweepStep& step, const Col
     for (std::size_t k = 0; k < Lanes::parts; ++k) part_before[k] = load(now.part[k] + j);
     const Shape at = law.strain_part({strain, complement}, part);
     const V remainder = hn::Sub(load(now.stress + j), law.envelope(part_before, before, largest));
-    const V stress = hn::MulAdd(remainder, law.decay(before, strain), law.envelope(part, strain, largest));
+    V share = set(1);
+    if (loading) share = hn::Min(share, hn::Mul(hn::Sub(set(step.after), depth), per_advance));
+    const V stress =
+        hn::MulAdd(remainder, law.decay(before, strain, share), law.envelope(part, strain, largest));
     store(stress, next.stress + j);
     for (std::size_t k = 0; k < Lanes::parts; ++k) store(part[k], next.part[k] + j);
     store(at.shape, next.shape + j);

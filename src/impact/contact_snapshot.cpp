@@ -94,7 +94,7 @@ template <class Law>
 std::vector<ContactSnapshot> replayed(const Law& law, const ImpactCase& impact, const History& history) {
   const double thickness = impact.pad.thickness;
   ColumnField<Law> field(law, thickness, impact.impactor.radius, ColumnMath::plain);
-  field.start(resolution);
+  field.start(resolution, *std::max_element(history.penetration.begin(), history.penetration.end()));
   std::vector<ContactSnapshot> snapshots;
   std::size_t now = 0;
   for (const std::size_t entry : chosen_entries(history)) {

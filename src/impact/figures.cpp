@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cstdint>
 
 namespace dashpad {
 namespace {
@@ -39,6 +41,33 @@ void for_each_stretch(const Track& track, Visit&& visit) {
     if (last > first) visit(first, last);
   }
 }
+
+/// The force between entry i and the next of a track: the mean of the parabolas through either and one more
+/// of the same stretch, or a line.
+class ForceCurve {
+ public:
+  ForceCurve(const Track& track, std::size_t i)
+      : time_(track.history.time), force_(track.history.force), i_(i) {
+    for_each_stretch(track, [&](std::size_t first, std::size_t last) {
+      if (i < first || i >= last) return;
+      behind_ = i > first;
+      ahead_ = i + 2 <= last;
+    });
+  }
+  [[nodiscard]] double at(double t) const {
+    const auto with = [&](std::size_t first) { return Parabola(time_, force_, first).at(t); };
+    if (behind_ && ahead_) return (with(i_ - 1) + with(i_)) / 2;
+    if (behind_ || ahead_) return with(behind_ ? i_ - 1 : i_);
+    return force_[i_] + (force_[i_ + 1] - force_[i_]) * (t - time_[i_]) / (time_[i_ + 1] - time_[i_]);
+  }
+
+ private:
+  const std::vector<double>& time_;
+  const std::vector<double>& force_;
+  std::size_t i_;
+  bool behind_ = false;
+  bool ahead_ = false;
+};
 
 void read_peak_force(const History& h, std::size_t first, std::size_t last, Figures& figures) {
   std::size_t top = first;
@@ -78,6 +107,34 @@ void read_peaks(const Track& track, Figures& figures) {
                           step * u * v * (h.velocity[i - 1] * v - h.velocity[i] * u);
     figures.peak_motion = std::max(figures.peak_motion, motion);
   }
+}
+
+void read_weight(const Track& track, double mass, Figures& figures) {
+  const History& h = track.history;
+  const double weight = mass * standard_gravity;
+  std::size_t i = 1;
+  while (i < h.size() && !(h.velocity[i] < 0 && h.force[i] < weight)) ++i;
+  if (i == h.size()) {
+    figures.weight = figures.release;
+    return;
+  }
+  if (h.force[i - 1] <= weight) {
+    // Light from the start of the rebound.
+    const double v = h.velocity[i - 1];
+    const double share = v > 0 ? v / (v - h.velocity[i]) : 0;
+    figures.weight = Moment{h.time[i - 1] + share * (h.time[i] - h.time[i - 1]), std::min(v, 0.0)};
+    return;
+  }
+  const ForceCurve force(track, i - 1);
+  std::uintmax_t most = 60;
+  const auto excess = [&](double t) { return force.at(t) - weight; };
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      excess, h.time[i - 1], h.time[i], h.force[i - 1] - weight, h.force[i] - weight,
+      boost::math::tools::eps_tolerance<double>(40), most);
+  const double time = (low + high) / 2;
+  const double duration = time - h.time[i - 1];
+  const double impulse = duration / 6 * (h.force[i - 1] + 4 * force.at(time - duration / 2) + force.at(time));
+  figures.weight = Moment{time, h.velocity[i - 1] - impulse / mass};
 }
 
 double work_on_pad(const Track& track) {

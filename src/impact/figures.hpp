@@ -31,6 +31,10 @@ struct Figures {
 /// Peak force and motion between the entries of a track: parabolas and cubics within each smooth stretch.
 void read_peaks(const Track& track, Figures& figures);
 
+/// The moment when the force falls below the impactor's weight on rebound, between the entries of a track;
+/// the release, if it never was above. `mass` in kg.
+void read_weight(const Track& track, double mass, Figures& figures);
+
 /// Integral of F dY over the track, by local parabolas of F(t) and Y(t) within each smooth stretch: of higher
 /// order than the step, so that it audits the step's energy (theory.md, Eq. 24).
 double work_on_pad(const Track& track);

@@ -17,6 +17,7 @@
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "impact/figures.hpp"
+#include "impact/rate_trend.hpp"
 #include "impact/root.hpp"
 #include "impact/track.hpp"
 
@@ -35,19 +36,21 @@ class March {
         contact_(contact),
         options_(options) {}
 
-  /// Runs the impact with steps of about `resolution` radians of the momentary oscillation.
-  Figures run(double resolution, Track& track) {
+  /// Runs the impact with steps of about `resolution` radians of the momentary oscillation. `expected` is the
+  /// peak penetration, m, as far as it is known.
+  Figures run(double resolution, Track& track, double expected = infinity) {
     resolution_ = resolution;
     figures_ = {};
     reloadings_ = 0;
     track.clear();
-    contact_.start(resolution);
+    contact_.start(resolution, expected);
     now_ = {};
     now_.velocity = now_.drive = speed_;
     pad_rate_ = speed_;
-    pad_stiffness_ = force_rate_ = drive_rate_ = pad_acceleration_ = 0;
-    pad_jerk_ = last_step_ = step_before_ = tried_step_ = 0;
+    pad_stiffness_ = force_rate_ = drive_rate_ = last_step_ = tried_step_ = 0;
     stiffening_ = 1;
+    trend_.restart();
+    smooth_force_ = false;
     phase_ = Phase::loading;
     record(track);
     double step = first_step();
@@ -80,6 +83,7 @@ class March {
     figures_.final_velocity = now_.velocity;
     figures_.support_energy = support_.energy(now_.force);
     read_peaks(track, figures_);
+    read_weight(track, mass_, figures_);
     if constexpr (closed_form)
       figures_.pad_work = contact_.energy(now_.penetration);
     else
@@ -134,17 +138,33 @@ class March {
   /// Fills `end` for a trial penetration; returns the residual of Eq. 19, m.
   double residual(double penetration, double force, double step, State& end) const {
     const double motion = penetration + support_.deflection(force);
-    const double mean = mean_force(penetration, force, motion);
     end.penetration = penetration;
     end.force = force;
     end.time = now_.time + step;
-    end.velocity = now_.velocity - mean * step / mass_;
-    end.motion = now_.motion + (now_.velocity + end.velocity) / 2 * step;
+    if constexpr (closed_form) {
+      const double mean = mean_force(penetration, force, motion);
+      end.velocity = now_.velocity - mean * step / mass_;
+      end.motion = now_.motion + (now_.velocity + end.velocity) / 2 * step;
+    } else {
+      const double rise = force - now_.force;
+      const double bend = share_of_bend(step) * (rise - force_rate_ * step);
+      end.velocity = now_.velocity - (now_.force + rise / 2 - bend / 6) * step / mass_;
+      end.motion =
+          now_.motion + (now_.velocity - (now_.force / 2 + rise / 6 - bend / 12) * step / mass_) * step;
+    }
     return motion - end.motion;
+  }
+  /// Of the parabola of F(t) through the last three moments, where these lie in one smooth stretch; else 0.
+  [[nodiscard]] double share_of_bend(double step) const {
+    return smooth_force_ ? step / (step + last_step_) : 0;
+  }
+  /// -dX1/dF1 of Eq. 17.
+  [[nodiscard]] double inertial_compliance(double step) const {
+    return step * step / mass_ * (closed_form ? 0.25 : 1.0 / 6 - share_of_bend(step) / 12);
   }
 
   [[nodiscard]] double root_tolerance(double scale) const {
-    return std::max(closed_form ? 0 : 2e-3 * resolution_ * resolution_ * resolution_,
+    return std::max(0.1 * resolution_ * resolution_ * resolution_,
                     4 * std::numeric_limits<double>::epsilon()) *
            scale;
   }
@@ -163,24 +183,41 @@ class March {
     }
     const double scale = std::max(std::abs(now_.motion), std::abs(unhindered));
     const double slope =
-        1 + pad_stiffness_ * stiffening_ * (support_.compliance(now_.force) + step * step / (4 * mass_));
-    double advance = guess_rate(step) * step;
+        1 + pad_stiffness_ * stiffening_ * (support_.compliance(now_.force) + inertial_compliance(step));
+    double advance = guess_rate(step, slope) * step;
     RootSearch search;
-    search.tolerance = root_tolerance(scale);
     search.resolution = 2 * std::numeric_limits<double>::epsilon() * (scale + thickness_);
     result.pad_stiffness = pad_stiffness_ * stiffening_;
     double advanced_before = 0;
     double force_before = 0;
-    bool tried = false;
+    int trials = 0;
     const auto at = [&](double advanced) {
       result.advance = advanced;
       const double force = contact_.trial(advanced, now_.time, step);
       const double distance = advanced - advanced_before;
-      if (tried && std::abs(distance) > 1e-9 * std::abs(advanced) &&
+      if (trials > 0 && std::abs(distance) > 1e-9 * std::abs(advanced) &&
           std::abs(force - force_before) > 1e-12 * std::abs(force))
         result.pad_stiffness = std::max((force - force_before) / distance, force / thickness_);
-      tried = true, advanced_before = advanced, force_before = force;
+      ++trials, advanced_before = advanced, force_before = force;
       return residual(now_.penetration + advanced, force, step, result.end);
+    };
+    // What is left of the residual is taken up by the force, in proportion: Eq. 19 then holds but for the
+    // curvature, and the columns stay where they were tried.
+    const auto near = [&](double left) {
+      // Without force the pad stays without it on the way to the root: the step passes the release.
+      if (!loading && result.end.force <= 0 && left >= 0) return true;
+      if constexpr (closed_form) return std::abs(left) <= 4 * std::numeric_limits<double>::epsilon() * scale;
+      const double flexibility = support_.compliance(result.end.force) + inertial_compliance(step);
+      const double missing = -left / (1 + result.pad_stiffness * flexibility);
+      const double allowed = root_tolerance(scale) * (trials > 1 ? 1 : 0.2);
+      if (std::abs(left) > allowed) return false;
+      if (std::abs(missing) > 0.05 * resolution_ * std::abs(result.advance))
+        return std::abs(left) < 0.1 * allowed;
+      const double force = result.end.force;
+      if (force > 0)
+        residual(result.end.penetration, std::max(force + result.pad_stiffness * missing, force / 2), step,
+                 result.end);
+      return true;
     };
     Root root;
     if (loading) {
@@ -190,7 +227,7 @@ class March {
       search.guess = fourth_root(advance);
       search.slope = slope * fourth_power_slope(search.guess);
       search.resolution = 1e-14 * search.high;
-      root = find_root([&](double z) { return at(z * z * z * z); }, search);
+      root = find_root([&](double z) { return at(z * z * z * z); }, near, search);
       if (root.place == RootPlace::at_or_above_high) result.obstacle = Event::lock;
       if (root.place == RootPlace::at_or_below_low) result.obstacle = Event::turning;
     } else {
@@ -202,7 +239,7 @@ class March {
       search.slope = slope;
       // Short strides: of several roots, the one next to where the pad is belongs to the branch.
       search.stride = 0.2 * std::abs(advance) + search.resolution;
-      root = find_root(at, search);
+      root = find_root(at, near, search);
       if (result.advance >= 0) {
         // The pad, by the error of the contact integral, carries less than the support asks for: it is held
         // until the support has come down to it.
@@ -215,15 +252,16 @@ class March {
     return result;
   }
   /// Mean rate of the penetration over a step: by its trend, or between the rate now and that of the last
-  /// step that was tried from here, of which events take many.
-  [[nodiscard]] double guess_rate(double step) const {
-    const double ahead = (last_step_ + step) / 2;
-    const double trend =
-        pad_rate_ + ahead * (pad_acceleration_ + pad_jerk_ * (ahead + (step_before_ + last_step_) / 2));
-    if (tried_step_ == 0) return trend;
-    if (pad_acceleration_ == 0) return tried_rate_;
-    const double now = pad_rate_ + pad_acceleration_ * last_step_ / 2;
-    return now + (tried_rate_ - now) * step / tried_step_;
+  /// step that was tried from here, of which events take many. After an event the pad is taken as a spring;
+  /// `slope` is that of Eq. 19.
+  [[nodiscard]] double guess_rate(double step, double slope) const {
+    if (tried_step_ != 0) {
+      if (!trend_.is_known()) return tried_rate_;
+      const double now = trend_.now();
+      return now + (tried_rate_ - now) * step / tried_step_;
+    }
+    if (trend_.is_known()) return trend_.over(step);
+    return phase_ == Phase::loading ? std::max(now_.velocity, 0.0) / slope : -std::abs(now_.velocity) / slope;
   }
   static double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
   static double fourth_power_slope(double z) { return 4 * z * z * z; }
@@ -235,11 +273,10 @@ class March {
     search.low = -infinity;
     search.high = infinity;
     const double y = now_.penetration;
-    const double flexibility = support_.compliance(now_.force) + step * step / (4 * mass_);
+    const double flexibility = support_.compliance(now_.force) + inertial_compliance(step);
     search.guess = now_.force + now_.velocity * step / flexibility;
     search.slope = flexibility;
     const double scale = std::abs(now_.motion) + std::abs(now_.velocity) * step;
-    search.tolerance = 4 * std::numeric_limits<double>::epsilon() * scale;
     search.resolution = 4 * std::numeric_limits<double>::epsilon() * std::abs(now_.force);
     search.stride = std::abs(now_.force);
     // Below zero the support's line goes on: the release is located by the sign.
@@ -248,8 +285,23 @@ class March {
       return residual(y, force, step, result.end) + extended;
     };
     search.high = std::max(now_.force, 0.0) + 2 * (std::abs(now_.velocity) * step + scale) / flexibility;
-    find_root(f, search);
+    const auto near = [&](double left) {
+      return std::abs(left) <= 4 * std::numeric_limits<double>::epsilon() * scale;
+    };
+    find_root(f, near, search);
     result.held_force = contact_.trial(0, now_.time, step);
+    result.end.drive = drive(result.end);
+    return result;
+  }
+
+  /// Without force the motion is known, and with it the penetration of an unloaded support.
+  Attempt attempt_release(double step) {
+    Attempt result;
+    residual(0, 0, step, result.end);
+    result.end.penetration = result.end.motion;
+    result.advance = result.end.penetration - now_.penetration;
+    result.pad_stiffness = pad_stiffness_;
+    contact_.trial(result.advance, now_.time, step);
     result.end.drive = drive(result.end);
     return result;
   }
@@ -327,38 +379,32 @@ class March {
       const bool goes_on = o.event != Event::release && o.event != Event::lock;
       if (goes_on && step < shortest) return change_phase(o.event);
       step = std::max(step, shortest);
-      a = attempt(step);
+      a = !closed_form && o.event == Event::release && phase_ != Phase::held ? attempt_release(step)
+                                                                             : attempt(step);
       if (a.obstacle != Event::none && a.obstacle != Event::lock) return change_phase(o.event);
     }
     if (o.event == Event::lock) lock(step, a);
-    note_weight(a, step);
     if (o.event == Event::release) a.end.force = 0;
     contact_.accept();
     const double pad_rate = a.advance / step;
-    follow_trend(pad_rate, step, o.event == Event::none);
+    last_step_ = step;
     tried_step_ = 0;
+    if (phase_ == Phase::loading && pad_rate > 0.4 * pad_rate_) spring_ = a.pad_stiffness;
     pad_rate_ = pad_rate;
     if (phase_ != Phase::held) {
-      const bool smooth = o.event == Event::none && pad_acceleration_ != 0;
-      stiffening_ = smooth ? std::clamp(a.pad_stiffness / pad_stiffness_, 0.5, 2.0) : 1;
+      stiffening_ = trend_.is_known() ? std::clamp(a.pad_stiffness / pad_stiffness_, 0.5, 2.0) : 1;
       pad_stiffness_ = a.pad_stiffness;
     }
+    if (o.event == Event::none && pad_rate != 0)
+      trend_.add(pad_rate, step);
+    else
+      trend_.restart();
     force_rate_ = (a.end.force - now_.force) / step;
+    smooth_force_ = o.event == Event::none;
     drive_rate_ = (a.end.drive - now_.drive) / step;
     now_ = a.end;
     if (o.event == Event::none) return true;
     return change_phase(o.event);
-  }
-
-  /// Divided differences of the mean rates of the last three steps.
-  void follow_trend(double pad_rate, double step, bool smooth) {
-    const double acceleration =
-        smooth && last_step_ > 0 ? (pad_rate - pad_rate_) * 2 / (last_step_ + step) : 0;
-    const bool known = acceleration != 0 && pad_acceleration_ != 0;
-    pad_jerk_ = known ? (acceleration - pad_acceleration_) * 2 / (step_before_ + 2 * last_step_ + step) : 0;
-    pad_acceleration_ = acceleration;
-    step_before_ = last_step_;
-    last_step_ = step;
   }
 
   /// Neither phase has a solution from here, as at a corner of the support from which loading and unloading
@@ -368,7 +414,9 @@ class March {
     const Attempt a = attempt_held(step);
     contact_.accept();
     now_ = a.end;
-    pad_rate_ = pad_acceleration_ = pad_jerk_ = tried_step_ = 0;
+    pad_rate_ = tried_step_ = 0;
+    trend_.restart();
+    smooth_force_ = false;
     last_step_ = step;
     if (now_.force <= 0)
       finish(Ending::released);
@@ -387,21 +435,23 @@ class March {
         return residual_at_lock(x, end);
       }
       if (!closed_form && o.event == Event::release && phase_ != Phase::held) {
-        // Without force the motion is known, and with it the penetration of an unloaded support.
-        const double motion = now_.motion + (now_.velocity - now_.force * x / (4 * mass_)) * x;
-        return contact_.largest_stress(motion - now_.penetration, now_.time, x);
+        attempt_release(x);
+        return contact_.largest_stress();
       }
       const Attempt a = attempt(x);
       static_cast<void>(passes(o.event, a, o.corner, value));
-      if (o.event == Event::release && a.obstacle == Event::none && a.end.force <= 0 && phase_ != Phase::held)
-        value = contact_.largest_stress(a.advance, now_.time, x);
+      if (o.event == Event::release && a.end.force <= 0 && phase_ != Phase::held)
+        value = contact_.largest_stress();
       return std::clamp(value, -1e300, 1e300);
     };
     // Regula falsi with halved end values (Illinois): the values may jump to a bound where no step exists.
     double f_low = o.event == Event::turning && now_.drive > 0 ? now_.drive : infinity;
     double f_high = value_at(high);
-    const double precision = std::max(1e-3 * resolution_ * resolution_ * step,
-                                      4 * std::numeric_limits<double>::epsilon() * (now_.time + step));
+    // The pad turns at a rate near zero: a little early or late changes nothing of first order.
+    const double share =
+        o.event == Event::turning && !closed_form ? 2e-2 * resolution_ : 1e-3 * resolution_ * resolution_;
+    const double precision =
+        std::max(share * step, 4 * std::numeric_limits<double>::epsilon() * (now_.time + step));
     int side = 0;
     double before = high;
     for (int i = 0; i < 80 && high - low > precision; ++i) {
@@ -457,6 +507,8 @@ class March {
         if (contact_.recovers()) {
           phase_ = Phase::unloading;
           pad_rate_ = std::min(now_.velocity, 0.0);
+          pad_stiffness_ = spring_;
+          stiffening_ = 1;
         } else if (support_.is_rigid()) {
           now_.velocity = 0;
           finish(Ending::released);
@@ -483,40 +535,7 @@ class March {
     figures_.ending = ending;
     if (ending == Ending::released) {
       figures_.release = Moment{now_.time, now_.velocity};
-      if (!figures_.weight) figures_.weight = figures_.release;
     }
-  }
-
-  /// The force falls below the impactor's weight on rebound within this step.
-  void note_weight(const Attempt& a, double step) {
-    const double weight = mass_ * standard_gravity;
-    if (figures_.weight || !(a.end.velocity < 0) || !(a.end.force < weight)) return;
-    if (now_.force <= weight) {
-      // Light from the start of the rebound.
-      const double share = now_.velocity > 0 ? now_.velocity / (now_.velocity - a.end.velocity) : 0;
-      figures_.weight = Moment{now_.time + share * step, std::min(now_.velocity, 0.0)};
-      return;
-    }
-    double low = 0;
-    double high = step;
-    double f_low = now_.force - weight;
-    double f_high = a.end.force - weight;
-    State at = a.end;
-    const double precision = 1e-3 * resolution_ * resolution_;
-    const double close = precision * (f_low - f_high);
-    for (int i = 0; i < 40 && high - low > precision * step; ++i) {
-      double x = (f_low * high - f_high * low) / (f_low - f_high);
-      if (i % 3 == 2) x = low + (high - low) / 2;
-      const Attempt trial = attempt(x);
-      if (trial.obstacle != Event::none) break;
-      at = trial.end;
-      const double f = at.force - weight;
-      (f > 0 ? low : high) = x;
-      (f > 0 ? f_low : f_high) = f;
-      if (std::abs(f) <= close) break;
-    }
-    figures_.weight = Moment{at.time, at.velocity};
-    attempt(step);
   }
 
   // ------------------------------------------------------------------ step length
@@ -556,7 +575,7 @@ class March {
     for (int i = 0; i < 400; ++i, y /= 2) {
       const double step = y / speed_;
       const double force = contact_.trial(y, 0, step);
-      pad_stiffness_ = 2 * force / y;
+      pad_stiffness_ = spring_ = 2 * force / y;
       if (!(step > 0.25 * longest_step(pad_stiffness_, {}, speed_))) return step;
     }
     return y / speed_;
@@ -588,15 +607,15 @@ class March {
   State now_;
   double pad_rate_ = 0;
   double pad_stiffness_ = 0;
+  double spring_ = 0;      ///< stiffness before the rate broke down towards the turning point
   double stiffening_ = 1;  ///< of the pad from the step before to the last
   double force_rate_ = 0;
   double drive_rate_ = 0;
-  double pad_acceleration_ = 0;
-  double pad_jerk_ = 0;  ///< second divided difference
+  RateTrend trend_;
   double last_step_ = 0;
-  double step_before_ = 0;
-  double tried_step_ = 0;  ///< the last that was tried from the state now and had a solution; 0: none
-  double tried_rate_ = 0;  ///< mean rate of the penetration over it
+  double tried_step_ = 0;      ///< the last that was tried from the state now and had a solution; 0: none
+  double tried_rate_ = 0;      ///< mean rate of the penetration over it
+  bool smooth_force_ = false;  ///< the last step and the next are in one smooth stretch
   int reloadings_ = 0;
   Figures figures_;
 };

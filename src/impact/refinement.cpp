@@ -1,6 +1,7 @@
 #include "impact/refinement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +10,10 @@ namespace {
 
 /// Relative to the time of release.
 constexpr double loosest_time_of_peak = 0.01;
+
+/// Two runs may agree by chance: below the tolerance no error is said to be smaller than this many times what
+/// the runs show.
+constexpr double prudence = 3;
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
@@ -33,6 +38,12 @@ void for_each_number(Visit&& visit, Run&... runs) {
   moment(runs.bottomed...);
 }
 
+std::array<double*, 9> all(ErrorEstimates& e) {
+  return {&e.peak_force,       &e.time_of_peak_force, &e.peak_motion,
+          &e.peak_penetration, &e.rebound_speed,      &e.release_time,
+          &e.weight,           &e.bottomed,           &e.energy_absorbed};
+}
+
 bool same_kind(const Figures& a, const Figures& b) {
   return a.ending == b.ending && a.weight.has_value() == b.weight.has_value() &&
          a.bottomed.has_value() == b.bottomed.has_value();
@@ -51,10 +62,7 @@ Refinement::Refinement(const Impactor& impactor, double tolerance)
     : speed_(impactor.speed),
       energy_(impactor.mass * impactor.speed * impactor.speed / 2),
       tolerance_(tolerance) {
-  for (double* error : {&errors_.peak_force, &errors_.time_of_peak_force, &errors_.peak_motion,
-                        &errors_.peak_penetration, &errors_.rebound_speed, &errors_.release_time,
-                        &errors_.weight, &errors_.bottomed, &errors_.energy_absorbed})
-    *error = unknown;
+  for (double* of : all(errors_)) *of = unknown;
 }
 
 void Refinement::add(const Figures& run) {
@@ -64,7 +72,7 @@ void Refinement::add(const Figures& run) {
   extrapolated_ = comparable ? extrapolate(run, last_run_) : run;
   last_run_ = run;
   settled_ = false;
-  if (comparable && runs_ > 2 && same_kind(run, before)) judge(run, before);
+  if (comparable && same_kind(run, before)) judge(run, before);
 }
 
 void Refinement::judge(const Figures& run, const Figures& before) {
@@ -114,6 +122,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   worst = std::max({worst, errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)), residual});
   // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.
   settled_ = worst <= tolerance_ && errors_.time_of_peak_force <= loosest_time_of_peak;
+  for (double* of : all(errors_)) *of = std::max(*of, std::min(prudence * *of, tolerance_));
 }
 
 }  // namespace dashpad

@@ -5,8 +5,10 @@
 ///
 ///   x_k* = x_k + (x_k - x_(k-1)) / 3,     error estimate of x_k*:  max(|x_k* - x_(k-1)*|, |x_k* - x_k|)
 ///
-/// The second term, the last correction itself, keeps a chance agreement of two extrapolations from passing
-/// for accuracy. It is an estimate, on the safe side where the order is 2, and no bound.
+/// with the first run's figures as they are for x_1*. The second term, the last correction itself, keeps a
+/// chance agreement of two extrapolations from passing for accuracy. What is below the tolerance is then
+/// taken three times, but for no more than the tolerance. It is an estimate, on the safe side where the order
+/// is 2, and no bound.
 
 #include <array>
 #include <cstddef>
@@ -19,8 +21,8 @@ namespace dashpad {
 
 class Refinement {
  public:
-  static constexpr int most_runs = 9;
-  static constexpr double first_resolution = 0.2;  ///< of the coarsest run
+  static constexpr int most_runs = 10;
+  static constexpr double first_resolution = 0.4;  ///< of the coarsest run
 
   Refinement(const Impactor& impactor, double tolerance);
 

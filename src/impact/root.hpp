@@ -16,7 +16,6 @@ struct RootSearch {
   bool high_is_positive = false;  ///< whether f(high) >= 0 is
   double guess = 0;
   double slope = 1;       ///< estimate of df/dx at the guess, > 0
-  double tolerance = 0;   ///< on |f|
   double resolution = 0;  ///< of x: rounding
   double stride = 0;      ///< first stride in search of a finite lower end
 };
@@ -29,10 +28,11 @@ struct Root {
   RootPlace place = RootPlace::inside;
 };
 
-/// f increasing on [low, high] (where it is not, some root is found). The last call of f is at the returned
-/// x.
-template <class F>
-Root find_root(F&& f, RootSearch s) {
+/// f increasing on [low, high] (where it is not, some root is found). `near(value)` says whether f = value is
+/// near enough to zero; it is asked after every call of f but those of TOMS 748. The last call of f is at the
+/// returned x.
+template <class F, class Near>
+Root find_root(F&& f, Near&& near, RootSearch s) {
   constexpr int most_secants = 10;
   Root root{std::clamp(s.guess, s.low, s.high), s.slope, RootPlace::inside};
   double f_low = 0;
@@ -51,7 +51,7 @@ Root find_root(F&& f, RootSearch s) {
   double value = f(x);
   for (int i = 0; i < most_secants; ++i) {
     if (i > 0 && x != before) root.slope = (value - f_before) / (x - before);
-    if (std::abs(value) <= s.tolerance) return root.x = x, root;
+    if (near(value)) return root.x = x, root;
     note(x, value);
     before = x, f_before = value;
     double next = root.slope > 0 ? x - value / root.slope : (value > 0 ? s.low : s.high);
@@ -77,7 +77,7 @@ Root find_root(F&& f, RootSearch s) {
     if (at_high && value <= 0) return root.x = x, root.place = RootPlace::at_or_above_high, root;
     if (at_low && value >= 0) return root.x = x, root.place = RootPlace::at_or_below_low, root;
   }
-  if (std::abs(value) <= s.tolerance) return root.x = x, root;
+  if (near(value)) return root.x = x, root;
   // Not settled: make the bracket sure, then close it.
   if (!have_low) {
     while (!std::isfinite(s.low)) {

@@ -43,10 +43,12 @@ template <class Contact>
 Refinement refine(const ImpactCase& impact, Contact& contact, const Options& options, Track& track) {
   Refinement refinement(impact.impactor, options.tolerance);
   March<Contact> march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
+  double expected = impact.pad.thickness;
   for (double resolution = Refinement::first_resolution;
        !refinement.settled() && refinement.runs() < Refinement::most_runs; resolution /= 2) {
-    const Figures run = march.run(resolution, track);
+    const Figures run = march.run(resolution, track, expected);
     refinement.add(run);
+    if (run.peak_penetration > 0) expected = run.peak_penetration;
     // The next run would cost four times as much.
     if (run.ending == Ending::too_many_steps || run.updates > most_updates_before_last) break;
   }

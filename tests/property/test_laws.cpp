@@ -163,7 +163,7 @@ TYPED_TEST(LawTable, OnlyEverForgets) {
       for (const double step : {1e-12, 1e-6, 1e-3, 0.1, 100.0})
         for (const double from : {0.0, 0.3, 0.9})
           for (const double to : {0.0, 0.31, 0.999}) {
-            const double decay = law.decay(law.time_part(start, start + step), from, to);
+            const double decay = law.decay(law.time_part(start, start + step), from, to, 1);
             EXPECT_GE(decay, 0);
             EXPECT_LE(decay, 1) << start << " + " << step << ": " << from << " to " << to;
           }

@@ -111,7 +111,7 @@ class Column {
     const auto step = law_.time_part(time_, time);
     const double end = law_.envelope(part(strain), rate, strain, largest_);
     const double start = law_.envelope(part(strain_), rate, strain_, largest_);
-    stress_ = end + (stress_ - start) * law_.decay(step, strain_, strain);
+    stress_ = end + (stress_ - start) * law_.decay(step, strain_, strain, 1);
     strain_ = strain, time_ = time;
     largest_ = std::max(largest_, strain);
   }

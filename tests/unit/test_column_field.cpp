@@ -17,8 +17,7 @@ constexpr double speed = 2;  // of the penetration, m/s
 /// Drives a field to a depth at constant speed, in even steps; returns the force and the time.
 template <class Law>
 double drive(ColumnField<Law>& field, double depth, double resolution) {
-  field.start(resolution);
-  // From small steps on, so that stations follow the edge from the start.
+  field.start(resolution, depth);
   double at = 0;
   double force = 0;
   while (at < depth) {

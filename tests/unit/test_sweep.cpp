@@ -56,6 +56,7 @@ void expect_alike(double before, double after, double largest) {
     const Strain strain{(after - depth) / thickness, ((thickness - after) + depth) / thickness};
     const double strain_before = std::max((before - depth) / thickness, 0.0);
     const double largest_strain = (largest - depth) / thickness;
+    const double share_of_step = depth > before ? (after - depth) / (after - before) : 1;
     Numbers stored;
     for (std::size_t k = 0; k < stored.size(); ++k) stored[k] = columns.now.part[k][j];
     const auto value = power.at(strain);
@@ -63,7 +64,8 @@ void expect_alike(double before, double after, double largest) {
     const double envelope = law.envelope(part, rate, strain.value, largest_strain);
     const double remainder = columns.now.stress[j] -
                              law.envelope(std::bit_cast<Part>(stored), rate, strain_before, largest_strain);
-    const double expected = envelope + remainder * law.decay(time, strain_before, strain.value);
+    const double expected =
+        envelope + remainder * law.decay(time, strain_before, strain.value, share_of_step);
     const double size = std::abs(envelope) + std::abs(remainder);
     EXPECT_NEAR(columns.next_state.stress[j], expected, 1e-12 * size) << "column " << j;
     expect_relative(columns.next_state.shape[j], value.shape, 1e-13, "A");

@@ -40,7 +40,7 @@ struct Elastic {
   [[nodiscard]] RatePart rate_part(double) const { return {}; }
   [[nodiscard]] double envelope(StrainPart part, RatePart, double, double) const { return part.stress; }
   [[nodiscard]] TimePart time_part(double, double) const { return {}; }
-  [[nodiscard]] double decay(TimePart, double, double) const { return 0; }
+  [[nodiscard]] double decay(TimePart, double, double, double) const { return 0; }
 };
 
 inline constexpr std::array<Parameter<Elastic>, 1> Elastic::parameters{{

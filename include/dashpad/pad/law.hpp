@@ -40,8 +40,9 @@ concept IsPadLaw = requires(const L law, Strain strain, PowerShape::Value power,
   /// G at a strain, given the largest strain that the column has seen.
   { law.envelope(strain_part, rate_part, x, x) } -> std::same_as<double>;
   { law.time_part(x, x) } -> std::same_as<typename L::TimePart>;
-  /// exp(-H) over a step in which the strain goes linearly from one value to another.
-  { law.decay(time_part, x, x) } -> std::same_as<double>;
+  /// exp(-H) over a step in which the strain goes linearly from one value to another, and of which the column
+  /// is in contact for a share.
+  { law.decay(time_part, x, x, x) } -> std::same_as<double>;
 };
 
 /// A law whose stress is its envelope at once: it needs no columns, its contact force is a closed form.

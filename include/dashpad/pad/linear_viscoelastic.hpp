@@ -31,6 +31,7 @@ struct LinearViscoelastic {
   };
   struct TimePart {
     double decay = 1;
+    double duration = 0;  ///< in relaxation times
   };
 
   [[nodiscard]] PowerExponents exponents() const { return {1, 0}; }
@@ -48,9 +49,13 @@ struct LinearViscoelastic {
     return asymptotic_modulus;
   }
   [[nodiscard]] TimePart time_part(double from, double to) const {
-    return {std::exp((from - to) / relaxation_time)};
+    const double duration = (to - from) / relaxation_time;
+    return {std::exp(-duration), duration};
   }
-  [[nodiscard]] double decay(TimePart time, double, double) const { return time.decay; }
+  /// A column that is touched within the step relaxes for its share of it: G is not 0 there.
+  [[nodiscard]] double decay(TimePart time, double, double, double share) const {
+    return share < 1 ? std::exp(-time.duration * share) : time.decay;
+  }
   [[nodiscard]] double relaxation_rate(double, double) const { return 1 / relaxation_time; }
   /// Limit of stress / A at the contact edge, where the strain has just begun to grow.
   [[nodiscard]] double edge_ratio(RatePart) const { return initial_modulus; }

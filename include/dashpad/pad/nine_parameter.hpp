@@ -72,7 +72,7 @@ struct NineParameter {
   [[nodiscard]] TimePart time_part(double from, double to) const {
     return {std::exp((from - to) / relaxation_time)};
   }
-  [[nodiscard]] double decay(TimePart time, double, double) const { return time.decay; }
+  [[nodiscard]] double decay(TimePart time, double, double, double) const { return time.decay; }
   [[nodiscard]] double relaxation_rate(double, double) const { return 1 / relaxation_time; }
   [[nodiscard]] double edge_ratio(RatePart rate) const { return rate.modulus; }
 };

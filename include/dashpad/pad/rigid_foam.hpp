@@ -53,7 +53,7 @@ struct RigidFoam {
     return rate.unloading ? 0 : part.crush;
   }
   [[nodiscard]] TimePart time_part(double, double) const { return {}; }
-  [[nodiscard]] double decay(TimePart, double, double) const { return 0; }
+  [[nodiscard]] double decay(TimePart, double, double, double) const { return 0; }
 };
 
 inline constexpr std::array<Parameter<RigidFoam>, 4> RigidFoam::parameters{{

@@ -118,7 +118,7 @@ struct TwentyOneParameter {
       centre = ((late * to - early * from) * a / ((a + 1) * (late - early)) - from) / step;
     return {(late - early) / relaxation_scale, centre, std::log(relaxation_strain_base)};
   }
-  [[nodiscard]] double decay(TimePart time, double strain_from, double strain_to) const {
+  [[nodiscard]] double decay(TimePart time, double strain_from, double strain_to, double) const {
     const double strain = strain_from + time.centre * (strain_to - strain_from);
     return std::exp(-time.scale * std::exp(-time.log_base * strain));
   }
