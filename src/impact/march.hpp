@@ -41,7 +41,6 @@ class March {
   Figures run(double resolution, Track& track, double expected = infinity) {
     resolution_ = resolution;
     figures_ = {};
-    reloadings_ = 0;
     track.clear();
     contact_.start(resolution, expected);
     now_ = {};
@@ -51,6 +50,7 @@ class March {
     stiffening_ = 1;
     trend_.restart();
     smooth_force_ = false;
+    turning_time_ = infinity;
     phase_ = Phase::loading;
     record(track);
     double step = first_step();
@@ -99,9 +99,8 @@ class March {
   static constexpr std::size_t most_updates = 50'000'000;
   /// Phases may change at one moment, but not for ever.
   static constexpr int most_idle_events = 16;
-  /// Where unloading brings the drive back above zero at once, the rule of Eq. 20 alternates without end:
-  /// after this many reloadings the unloading branch is followed as far as it exists.
-  static constexpr int most_reloadings = 4;
+  /// Reloadings count from this drive on, in impact speeds; below, they may come from rounding.
+  static constexpr double least_drive = 1e-3;
 
   enum class Phase { loading, unloading, held, over };
   /// Why a step must end where it ends, in the order in which they count when they coincide.
@@ -234,7 +233,7 @@ class March {
       if (!(advance < 0)) advance = std::min(pad_rate_, -std::abs(now_.velocity)) * step / 2;
       search.low = -infinity;
       search.high = 0;
-      search.high_is_positive = true;
+      search.high_is_positive = now_.drive < 0;
       search.guess = advance;
       search.slope = slope;
       // Short strides: of several roots, the one next to where the pad is belongs to the branch.
@@ -243,7 +242,11 @@ class March {
       if (result.advance >= 0) {
         // The pad, by the error of the contact integral, carries less than the support asks for: it is held
         // until the support has come down to it.
-        if (now_.drive < 0 && !support_.is_rigid()) return attempt_held(step);
+        // Likewise just after the turning, where the drive is 0 but for an error of either sign.
+        if (!support_.is_rigid() && (now_.drive < 0 || now_.time == turning_time_)) {
+          const Attempt held = attempt_held(step);
+          if (now_.drive < 0 || held.end.drive < 0) return held;
+        }
         result.obstacle = Event::reloading;
       }
     }
@@ -328,9 +331,8 @@ class March {
         value = a.obstacle == Event::turning ? -infinity : a.end.drive;
         return phase_ == Phase::loading && value <= 0 && (now_.drive > 0 || a.obstacle == Event::turning);
       case Event::reloading:
-        value = a.obstacle == Event::reloading ? -infinity : -a.end.drive;
-        return phase_ == Phase::unloading && value < 0 &&
-               ((now_.drive < 0 && reloadings_ < most_reloadings) || a.obstacle == Event::reloading);
+        value = a.obstacle == Event::reloading ? -infinity : 1;
+        return a.obstacle == Event::reloading;
       case Event::corner:
         value = (a.end.force - corner) * (now_.force < corner ? -1 : 1);
         return std::abs(now_.force - corner) > 1e-9 * corner && value < 0;
@@ -374,10 +376,14 @@ class March {
       o = obstruction(a);
     }
     if (o.event != Event::none) {
+      const double too_short = 1e-2 * resolution_ * step;
       step = locate(o, step);
       // At once: the phase changes where it stands. What ends or locks the run is still gone up to.
       const bool goes_on = o.event != Event::release && o.event != Event::lock;
       if (goes_on && step < shortest) return change_phase(o.event);
+      // Nothing but what the last root has left over would move in so short a step.
+      const bool branch_ends = o.event == Event::turning || o.event == Event::reloading;
+      if (branch_ends && step < too_short) return change_phase(o.event);
       step = std::max(step, shortest);
       a = !closed_form && o.event == Event::release && phase_ != Phase::held ? attempt_release(step)
                                                                              : attempt(step);
@@ -506,6 +512,7 @@ class March {
       case Event::turning:
         if (contact_.recovers()) {
           phase_ = Phase::unloading;
+          turning_time_ = now_.time;
           pad_rate_ = std::min(now_.velocity, 0.0);
           pad_stiffness_ = spring_;
           stiffening_ = 1;
@@ -517,7 +524,7 @@ class March {
         }
         break;
       case Event::reloading:
-        ++reloadings_;
+        if (now_.drive > least_drive * speed_) ++figures_.reloadings;
         phase_ = Phase::loading;
         pad_rate_ = std::max(now_.velocity, 0.0);
         break;
@@ -558,8 +565,11 @@ class March {
     }
     return step;
   }
-  /// Towards the release steps shrink: the force vanishes there with a power of the time left.
+  /// Towards the release steps shrink: the force vanishes there with a power of the time left. Likewise where
+  /// the unloading may end any moment: there the pad's rate changes with the square root of the time left.
   [[nodiscard]] double approach(double step) const {
+    if (phase_ == Phase::unloading && now_.drive > 0)
+      step = std::min(step, resolution_ * std::max(step, trend_.time_scale()));
     if (phase_ == Phase::unloading && force_rate_ < 0)
       return std::min(step, std::max(resolution_ * step, -0.7 * now_.force / force_rate_));
     return step;
@@ -616,7 +626,7 @@ class March {
   double tried_step_ = 0;      ///< the last that was tried from the state now and had a solution; 0: none
   double tried_rate_ = 0;      ///< mean rate of the penetration over it
   bool smooth_force_ = false;  ///< the last step and the next are in one smooth stretch
-  int reloadings_ = 0;
+  double turning_time_ = infinity;  ///< the last
   Figures figures_;
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dashpad {
 
@@ -35,6 +36,10 @@ class RateTrend {
     const double ahead = (step_ + step) / 2;
     const double change = ahead * (slope_ + bend_ * (ahead + (step_before_ + step_) / 2));
     return rate_ * std::exp(std::clamp(change, -most_change, most_change));
+  }
+  /// In which the rate changes by a factor of e, s; infinite while that is not known.
+  [[nodiscard]] double time_scale() const {
+    return slope_ != 0 ? 1 / std::abs(slope_) : std::numeric_limits<double>::infinity();
   }
   /// Rate at the end of the last step.
   [[nodiscard]] double now() const { return rate_ * std::exp(std::clamp(slope_ * step_ / 2, -1.0, 1.0)); }

@@ -5,7 +5,8 @@
 ///
 ///   x_k* = x_k + (x_k - x_(k-1)) / 3,     error estimate of x_k*:  max(|x_k* - x_(k-1)*|, |x_k* - x_k|)
 ///
-/// with the first run's figures as they are for x_1*. The second term, the last correction itself, keeps a
+/// with the first run's figures as they are for x_1*; two runs will do only where they agree to half of the
+/// tolerance. The second term, the last correction itself, keeps a
 /// chance agreement of two extrapolations from passing for accuracy. What is below the tolerance is then
 /// taken three times, but for no more than the tolerance. It is an estimate, on the safe side where the order
 /// is 2, and no bound.
@@ -21,8 +22,8 @@ namespace dashpad {
 
 class Refinement {
  public:
-  static constexpr int most_runs = 10;
-  static constexpr double first_resolution = 0.4;  ///< of the coarsest run
+  static constexpr int most_runs = 9;
+  static constexpr double first_resolution = 0.2;  ///< of the coarsest run
 
   Refinement(const Impactor& impactor, double tolerance);
 

@@ -49,8 +49,9 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
     const Figures run = march.run(resolution, track, expected);
     refinement.add(run);
     if (run.peak_penetration > 0) expected = run.peak_penetration;
-    // The next run would cost four times as much.
-    if (run.ending == Ending::too_many_steps || run.updates > most_updates_before_last) break;
+    // The next run would cost four times as much. A run that gave up early may do better with finer steps.
+    const bool too_long = track.size() > options.most_steps;
+    if (too_long || run.updates > most_updates_before_last) break;
   }
   return refinement;
 }
