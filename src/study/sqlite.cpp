@@ -30,7 +30,10 @@ std::string advice(int code, int system_error, const std::string& message) {
     case SQLITE_PERM: return "it cannot be written to: its file or its folder is read-only";
     case SQLITE_CANTOPEN: return "it cannot be opened" + reason;
     case SQLITE_IOERR:
-      return "the disk refuses to read or write" + reason + "; all rows written so far are kept";
+      return "the disk refuses to read or write" + reason +
+             "; all rows written so far are kept: see to the disk (its room, limits on the size of files) "
+             "and "
+             "give the same command again";
     default: return message;
   }
 }
