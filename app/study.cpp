@@ -32,7 +32,8 @@ A study file names a base case, factors that vary (lists, ranges, distributions)
 same study gives the same rows on any number of cores or machines. The store is an SQLite file.
 
 Interrupted (Ctrl-C, SIGTERM, a crash, a full disk): the same command goes on where it stopped; no row is lost
-and none is computed twice. Under mpirun each rank computes on one core. docs/studies.md tells all.
+and none is computed twice. While it runs, summary, export and any SQLite tool read the rows that are there.
+Under mpirun each rank computes on one core. docs/studies.md tells all.
 
 Exit codes: 0 all rows are there, 1 a result could not be written, 2 refused and nothing was run, 3 all rows
 are there but some miss the tolerance, 130 or 143 stopped by Ctrl-C or SIGTERM: the same command goes on.)";

@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 
 #include "dashpad/study/batch.hpp"
+#include "dashpad/study/resolved_study.hpp"
 #include "dashpad/study/study_file.hpp"
+#include "dashpad/version.hpp"
 #include "ranks.hpp"
 #include "stop_signal.hpp"
 #include "streams.hpp"
@@ -65,6 +67,21 @@ bool is_agreed(const Ranks& ranks, std::vector<std::string> complaints) {
   throw Refused(std::move(complaints));
 }
 
+/// Called by all: what is not the same on all ranks, and would give rows that do not belong together.
+std::vector<std::string> differences(const Ranks& ranks, const study::Study& study,
+                                     const std::string& study_file) {
+  const auto same = [&](std::string_view text) {
+    return ranks.is_same_for_all(std::hash<std::string_view>{}(text));
+  };
+  const bool one_program = same(fmt::format("{} {}", version(), build_facts().git_commit));
+  const bool one_text = same(study.text), one_study = same(study::resolved_text(study));
+  if (!one_program) return {"dashpad: is not the same version and commit for all ranks"};
+  if (!one_text) return {study_file + ": is not the same file for all ranks"};
+  if (one_study) return {};
+  return {study_file +
+          ": its base case, or a card or a data file that it names, is not the same for all ranks"};
+}
+
 Message numbers_of(const std::string& text) { return {text.begin(), text.end()}; }
 
 /// What all ranks but the first do.
@@ -107,9 +124,9 @@ int run_on(const Ranks& ranks, const StudyRequest& request, const std::filesyste
   };
   // Silent ranks end well: mpirun ends all at the first exit code that is not 0, and the message must be out.
   if (!is_agreed(ranks, complaints_of(read))) return exit_done;
-  const bool same = ranks.is_same_for_all(std::hash<std::string>{}(study->text));
+  const std::vector<std::string> differing = differences(ranks, *study, request.study_file);
   const auto open = [&] {
-    if (!same) throw Refused({request.study_file + ": is not the same file for all ranks"});
+    if (!differing.empty()) throw Refused(differing);
     if (ranks.is_first()) store.emplace(open_store(*study, request.store_file));
   };
   if (!is_agreed(ranks, complaints_of(open))) return exit_done;

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <stdexcept>
 
+#include "injury/attainable.hpp"
+#include "injury/hump.hpp"
 #include "injury/magnitude.hpp"
 
 namespace dashpad {
@@ -14,13 +15,6 @@ namespace {
 void check_input(const Pulse& pulse, double duration) {
   check(pulse);
   if (!(duration > 0)) throw std::invalid_argument("clip: the duration must be positive");
-}
-
-/// The duration less the rounding of the times: a plateau from 3.5 to 6.5 ms lasts 3 ms, although the
-/// difference of the two doubles is less than the double 0.003.
-double attainable(const Pulse& pulse, double duration) {
-  const double latest = std::max(std::abs(pulse.time.front()), std::abs(pulse.time.back()));
-  return std::max(0.0, duration - 8 * std::numeric_limits<double>::epsilon() * latest);
 }
 
 double length_of(const Pulse& pulse) { return pulse.time.back() - pulse.time.front(); }
@@ -101,6 +95,7 @@ Clip contiguous_clip(const Pulse& pulse, double duration) {
   check_input(pulse, duration);
   const double wanted = attainable(pulse, duration);
   if (wanted > length_of(pulse)) return {};
+  if (const std::optional<Hump> hump = hump_of(pulse)) return clip_of(*hump, pulse, duration);
   const Magnitude line = magnitude_of(pulse);
   Clip best{-1, 0, 0};
   Window window(line, wanted);
@@ -116,6 +111,7 @@ Clip cumulative_clip(const Pulse& pulse, double duration) {
   check_input(pulse, duration);
   const double wanted = attainable(pulse, duration);
   if (wanted > length_of(pulse)) return {};
+  if (const std::optional<Hump> hump = hump_of(pulse)) return clip_of(*hump, pulse, duration);
   const Magnitude line = magnitude_of(pulse);
   const auto time_at = [&](double level) {
     double sum = 0;

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "dashpad/impact/solution.hpp"
 #include "injury/hic_blocks.hpp"
 #include "injury/hic_candidates.hpp"
+#include "injury/hump.hpp"
 
 namespace dashpad {
 namespace {
@@ -80,8 +80,9 @@ Hic hic(const Pulse& pulse, double longest_window) {
   const auto [lowest, highest] = std::minmax_element(pulse.acceleration.begin(), pulse.acceleration.end());
   const double largest = std::max(*highest, -*lowest);
   if (largest == 0) return {0, pulse.time.front(), pulse.time.front()};
-  // Levels near 1, so that no power overflows.
-  const double scale = std::ldexp(1.0, -std::ilogb(largest));
+  const double scale = scale_for(largest);
+  if (const std::optional<Hump> hump = hump_of(pulse))
+    return hic_of(*hump, Curve(pulse, hump->sign * scale), scale, longest_window);
   Best best;
   for (const double sign : {1.0, -1.0}) {
     if (!(std::max(sign * *highest, sign * *lowest) > 0)) continue;
@@ -89,7 +90,7 @@ Hic hic(const Pulse& pulse, double longest_window) {
     if (longest_window < unlimited_window) offer_all_longest(curve, longest_window, best);
     Search(curve, longest_window, best).run();
   }
-  return {best.value() * std::pow(scale * standard_gravity, -2.5), best.begin(), best.end()};
+  return {hic_from(best.value(), scale), best.begin(), best.end()};
 }
 
 double hic_d(double hic36) { return 0.75446 * hic36 + 166.4; }

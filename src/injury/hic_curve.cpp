@@ -2,15 +2,16 @@
 
 namespace dashpad::hic_search {
 
-Curve::Curve(const Pulse& pulse, double factor) : time_(&pulse.time) {
-  level_.reserve(samples());
-  velocity_.reserve(samples());
-  for (const double a : pulse.acceleration) level_.push_back(factor * a);
+void Curve::assign(const Pulse& pulse, double factor) {
+  time_ = &pulse.time;
+  level_.resize(samples());
+  velocity_.resize(samples());
+  for (std::size_t i = 0; i < samples(); ++i) level_[i] = factor * pulse.acceleration[i];
   AccurateSum sum;
-  velocity_.push_back({0, 0});
+  velocity_[0] = {0, 0};
   for (std::size_t i = 0; i + 1 < samples(); ++i) {
     sum.add(length(i) * (level_[i] + level_[i + 1]) / 2);
-    velocity_.push_back({sum.high(), sum.low()});
+    velocity_[i + 1] = {sum.high(), sum.low()};
   }
 }
 

@@ -20,8 +20,11 @@ struct Window {
 /// The pulse times a factor, and its integral at the samples.
 class Curve {
  public:
-  /// Keeps a reference to `pulse`. A power of two as factor is exact.
-  Curve(const Pulse& pulse, double factor);
+  Curve() = default;
+  Curve(const Pulse& pulse, double factor) { assign(pulse, factor); }
+
+  /// Keeps a reference to `pulse`. A power of two as factor is exact. Memory is used again.
+  void assign(const Pulse& pulse, double factor);
 
   [[nodiscard]] std::size_t samples() const { return time_->size(); }
   [[nodiscard]] double time(std::size_t sample) const { return (*time_)[sample]; }
@@ -47,7 +50,7 @@ class Curve {
   struct Velocity {
     double high, low;  // the integral is their sum
   };
-  const std::vector<double>* time_;
+  const std::vector<double>* time_ = nullptr;
   std::vector<double> level_;
   std::vector<Velocity> velocity_;
 };

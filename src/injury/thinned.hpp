@@ -10,14 +10,20 @@ namespace dashpad {
 /// With fewer samples nothing is left out, and a comparison says nothing.
 inline constexpr std::size_t fewest_to_compare = 4;
 
-/// Every second sample, both ends kept.
-inline Pulse thinned(const Pulse& pulse) {
-  Pulse half;
+/// Every second sample, both ends kept, into a pulse whose memory is used again.
+inline void thin(const Pulse& pulse, Pulse& half) {
+  half.time.clear();
+  half.acceleration.clear();
   const std::size_t last = pulse.time.size() - 1;
   for (std::size_t i = 0; i <= last; i += i + 1 == last ? 1 : 2) {
     half.time.push_back(pulse.time[i]);
     half.acceleration.push_back(pulse.acceleration[i]);
   }
+}
+
+inline Pulse thinned(const Pulse& pulse) {
+  Pulse half;
+  thin(pulse, half);
   return half;
 }
 

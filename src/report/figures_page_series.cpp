@@ -26,6 +26,7 @@ const char* name_of(SeriesStyle style) {
     case SeriesStyle::dashed_line: return "dashed";
     case SeriesStyle::points: return "points";
     case SeriesStyle::band: return "band";
+    case SeriesStyle::area: return "area";
     case SeriesStyle::vertical_line: return "vertical";
     case SeriesStyle::horizontal_line: return "horizontal";
   }
@@ -47,7 +48,7 @@ std::vector<PlotRun> thinned(std::vector<PlotRun> runs, SeriesStyle style, const
       y.include(row.y);
     }
   }
-  if (size <= most_points) return runs;
+  if (size <= most_points || style == SeriesStyle::area) return runs;
   x = {.low = panel.x.low.value_or(x.low), .high = panel.x.high.value_or(x.high)};
   y = {.low = panel.y.low.value_or(y.low), .high = panel.y.high.value_or(y.high)};
   for (PlotRun& run : runs)
@@ -108,6 +109,7 @@ Json panel_json(const Panel& panel, Turns& turns) {
     Json item{{"label", one_line(series.label)}, {"style", name_of(series.style)}};
     const bool is_grey = is_marker(series.style) && !series.turn;
     item["turn"] = is_grey ? Json(nullptr) : Json(turns.turn_of(series));
+    if (series.shade) item["colour"] = colour_of_shade(*series.shade);
     item.update(*numbers);
     list.push_back(std::move(item));
   }

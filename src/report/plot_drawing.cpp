@@ -36,7 +36,7 @@ SeriesDrawing drawing_of(const Series& series, const Panel& panel) {
 /// Those points of a line that have a gap on either side, which no line can show.
 PlotRun lone_points(const SeriesDrawing& drawing) {
   PlotRun points;
-  if (drawing.style == SeriesStyle::points || drawing.style == SeriesStyle::band) return points;
+  if (drawing.style == SeriesStyle::points || is_ground(drawing.style)) return points;
   for (const PlotRun& run : drawing.runs) {
     if (run.size() == 1) points.push_back(run.front());
   }
@@ -61,6 +61,7 @@ void thin(PanelDrawing& drawing, const Panel& panel) {
   x = with_limits(x, panel.x);
   y = with_limits(y, panel.y);
   for (SeriesDrawing& series : drawing.series) {
+    if (series.style == SeriesStyle::area) continue;
     for (PlotRun& run : series.runs) {
       run = series.style == SeriesStyle::points ? thinned_points(run, panel.x, x, panel.y, y)
                                                 : thinned_line(run, panel.x, x);
@@ -88,7 +89,7 @@ PanelDrawing drawing_of(const Panel& panel, Turns& turns, Legend& legend) {
     result.series.push_back(std::move(drawing));
   }
   std::stable_partition(result.series.begin(), result.series.end(),
-                        [](const SeriesDrawing& series) { return series.style == SeriesStyle::band; });
+                        [](const SeriesDrawing& series) { return is_ground(series.style); });
   thin(result, panel);
   return result;
 }

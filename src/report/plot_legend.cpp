@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ constexpr std::array shapes{7, 5, 9, 13, 11, 6};
 
 constexpr auto marker_colour = "#555555";
 
-std::string line(const char* colour, double width, const char* dash) {
+std::string line(const std::string& colour, double width, const char* dash) {
   return fmt::format("with lines linewidth {} linecolor rgb '{}' dashtype {}", width, colour, dash);
 }
 
@@ -28,6 +29,28 @@ std::string line(const char* colour, double width, const char* dash) {
 
 bool is_marker(SeriesStyle style) {
   return style == SeriesStyle::vertical_line || style == SeriesStyle::horizontal_line;
+}
+
+bool is_ground(SeriesStyle style) { return style == SeriesStyle::band || style == SeriesStyle::area; }
+
+std::string colour_of_shade(double shade) {
+  using Colour = std::array<double, 3>;
+  constexpr std::array<Colour, 9> scale{{{68, 1, 84},
+                                         {71, 44, 122},
+                                         {59, 81, 139},
+                                         {44, 113, 142},
+                                         {33, 144, 141},
+                                         {39, 173, 129},
+                                         {92, 200, 99},
+                                         {170, 220, 50},
+                                         {253, 231, 37}}};
+  const double place = std::clamp(shade, 0.0, 1.0) * (scale.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), scale.size() - 2);
+  const double part = place - static_cast<double>(below);
+  const auto mixed = [&](std::size_t i) {
+    return static_cast<int>(std::lround(std::lerp(scale[below][i], scale[below + 1][i], part)));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2));
 }
 
 Turns::Turns(const Plot& plot) {
@@ -55,7 +78,7 @@ std::size_t Turns::next() {
 std::string looks(const Series& series, std::size_t turn) {
   // Lines that lie on each other stay visible: the later ones are narrower, and only the first is solid.
   const double width = std::max(1.6, 2.8 - 0.24 * static_cast<double>(turn));
-  const char* colour = colours[turn % colours.size()];
+  const std::string colour = series.shade ? colour_of_shade(*series.shade) : colours[turn % colours.size()];
   switch (series.style) {
     case SeriesStyle::line: return line(colour, width, dashes[turn % dashes.size()]);
     case SeriesStyle::solid_line: return line(colour, 2.2, "solid");
@@ -66,6 +89,11 @@ std::string looks(const Series& series, std::size_t turn) {
     case SeriesStyle::band:
       return fmt::format("with filledcurves fillstyle transparent solid 0.22 noborder fillcolor rgb '{}'",
                          colour);
+    // The border closes the seams between outlines.
+    case SeriesStyle::area:
+      return fmt::format(
+          "with filledcurves closed fillcolor rgb '{0}' fillstyle solid 1 border linecolor rgb '{0}'",
+          colour);
     case SeriesStyle::vertical_line:
     case SeriesStyle::horizontal_line: return line(series.turn ? colour : marker_colour, 1.4, "(5,3)");
   }

@@ -27,6 +27,13 @@ class Turns {
 /// Whether it is a line across the whole panel.
 bool is_marker(SeriesStyle style);
 
+/// Behind everything else.
+bool is_ground(SeriesStyle style);
+
+/// "#rrggbb" of a shade, between the colours of viridis (Smith, van der Walt 2015): as light as it is high,
+/// so that the colour-blind and grey prints tell the order.
+std::string colour_of_shade(double shade);
+
 /// gnuplot's words for the looks of a series: "with lines linewidth 2 ...".
 std::string looks(const Series& series, std::size_t turn);
 

@@ -119,7 +119,7 @@ std::vector<PlotRun> drawable_runs(const Series& series, const Axis& x, const Ax
       runs.emplace_back();
   }
   std::erase_if(runs, [&](const PlotRun& run) { return run.empty() || is_beyond(run, x, y); });
-  if (series.style != SeriesStyle::points) {
+  if (series.style != SeriesStyle::points && series.style != SeriesStyle::area) {
     for (PlotRun& run : runs) run = with_crossings(run, x, y);
   }
   return runs;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "report/filled_map.hpp"
 #include "report/study_figures.hpp"
 #include "report/study_grid.hpp"
 #include "report/study_words.hpp"
@@ -14,7 +15,6 @@ namespace dashpad {
 namespace {
 
 constexpr std::size_t most_lines = 8;
-constexpr std::size_t map_levels = 9;
 
 std::vector<double> scaled(std::vector<double> values, double scale) {
   for (double& value : values) value *= scale;
@@ -66,47 +66,6 @@ Plot curves(const StudyAnswers& answers, const GridPlane& plane, std::size_t res
           .source = study_source(answers)};
 }
 
-/// Where the response takes a level between neighbours of the grid, by linear interpolation.
-Series points_at(const GridPlane& plane, double level, double x_scale, double y_scale) {
-  Series points{.style = SeriesStyle::points};
-  const auto try_between = [&](double a, double b, double x1, double y1, double x2, double y2) {
-    if (!(std::min(a, b) <= level && level < std::max(a, b))) return;
-    const double part = (level - a) / (b - a);
-    points.x.push_back(x_scale * (x1 + part * (x2 - x1)));
-    points.y.push_back(y_scale * (y1 + part * (y2 - y1)));
-  };
-  for (std::size_t line = 0; line < plane.values.size(); ++line)
-    for (std::size_t place = 0; place < plane.values[line].size(); ++place) {
-      const double x = plane.across_levels[place], y = plane.line_levels[line],
-                   value = plane.values[line][place];
-      if (place > 0)
-        try_between(plane.values[line][place - 1], value, plane.across_levels[place - 1], y, x, y);
-      if (line > 0) try_between(plane.values[line - 1][place], value, x, plane.line_levels[line - 1], x, y);
-    }
-  return points;
-}
-
-/// Round values over the range of the responses: steps of 1, 2 or 5 times a power of ten.
-std::vector<double> round_levels(const GridPlane& plane, double scale) {
-  double least = HUGE_VAL, greatest = -HUGE_VAL;
-  for (const auto& line : plane.values)
-    for (const double value : line) {
-      if (!std::isfinite(value)) continue;
-      least = std::min(least, scale * value);
-      greatest = std::max(greatest, scale * value);
-    }
-  if (!(greatest > least)) return {};
-  const double rough = (greatest - least) / static_cast<double>(map_levels);
-  const double power = std::pow(10, std::floor(std::log10(rough)));
-  double step = 10 * power;
-  for (const double part : {5.0, 2.0, 1.0})
-    if (part * power >= rough) step = part * power;
-  std::vector<double> levels;
-  for (double count = std::ceil(least / step); count * step < greatest; ++count)
-    levels.push_back(count * step);
-  return levels;
-}
-
 Plot map_of(const StudyAnswers& answers, const GridPlane& plane, std::size_t response,
             const UnitSystem& units) {
   const std::string name = name_of(answers, response);
@@ -114,15 +73,24 @@ Plot map_of(const StudyAnswers& answers, const GridPlane& plane, std::size_t res
                       &up = answers.study.factors[*plane.lines];
   const ShownUnit shown = shown_as(si_unit_of(name), units);
   Panel panel{.title = meaning_of(name), .x = axis_of(across, units), .y = axis_of(up, units), .series = {}};
-  std::size_t turn = 0;
-  for (const double level : round_levels(plane, shown.scale)) {
-    Series points = points_at(plane, level / shown.scale, shown_as(across.unit, units).scale,
-                              shown_as(up.unit, units).scale);
-    points.label = four_digits(level) + (shown.unit.empty() ? "" : " " + shown.unit);
-    points.turn = turn++;
-    panel.series.push_back(std::move(points));
+  std::vector<std::vector<double>> values;
+  double least = HUGE_VAL, greatest = -HUGE_VAL;
+  for (const std::vector<double>& line : plane.values) {
+    values.push_back(scaled(line, shown.scale));
+    for (const double value : values.back()) {
+      if (!std::isfinite(value)) continue;
+      least = std::min(least, value);
+      greatest = std::max(greatest, value);
+    }
   }
-  return {.title = fmt::format("Where {} has the same value", name),
+  const std::vector<double> x = scaled(plane.across_levels, shown_as(across.unit, units).scale),
+                            y = scaled(plane.line_levels, shown_as(up.unit, units).scale);
+  panel.x.low = x.front();
+  panel.x.high = x.back();
+  panel.y.low = y.front();
+  panel.y.high = y.back();
+  panel.series = filled_areas(x, y, values, round_levels(least, greatest), shown.unit);
+  return {.title = fmt::format("{} over {} and {}", name, across.key, up.key),
           .panels = {panel},
           .source = study_source(answers)};
 }

@@ -1,5 +1,7 @@
 // A study as a page, and its leading figure as a still.
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "dashpad/version.hpp"
@@ -52,7 +54,9 @@ FiguresPage study_page(const StudyAnswers& answers, const UnitSystem& units) {
                            .figures = {}});
   add(page, "Cushion curves", cushion_figures(answers, units));
   add(page, "Curves", curve_figures(answers, units));
-  add(page, "Maps", map_figures(answers, units));
+  std::vector<PageFigure> maps = map_figures(answers, units);
+  for (PageFigure& figure : coloured_scatter_figures(answers, units)) maps.push_back(std::move(figure));
+  add(page, "Maps", std::move(maps));
   add(page, "Which factor matters", index_figures(answers));
   if (drawn) add(page, "Distributions", distribution_figures(answers, units));
   add(page, "Scatter", scatter_figures(answers, units));
@@ -61,8 +65,12 @@ FiguresPage study_page(const StudyAnswers& answers, const UnitSystem& units) {
 
 Plot study_plot(const StudyAnswers& answers, const UnitSystem& units) {
   const std::string title = answers.study.title.empty() ? "Study" : one_line(answers.study.title);
+  // One map alone: its legend would be lost among those of others.
+  std::vector<PageFigure> maps = map_figures(answers, units);
+  if (maps.size() > 1) maps.erase(maps.begin() + 1, maps.end());
   for (std::vector<PageFigure> figures :
-       {cushion_figures(answers, units), curve_figures(answers, units), distribution_figures(answers, units)})
+       {cushion_figures(answers, units), std::move(maps), curve_figures(answers, units),
+        distribution_figures(answers, units)})
     if (!figures.empty()) return together(std::move(figures), title);
   return {};
 }

@@ -22,8 +22,8 @@ const ImpactCase& Worker::case_of(std::uint64_t row) {
 
 Solution Worker::replay(std::uint64_t row) { return solver_.solve(case_of(row), study_.options); }
 
-StoredRow Worker::compute_row(std::uint64_t row) {
-  StoredRow result{.row = row, .factors = {}, .outcome = {}};
+void Worker::compute_row(std::uint64_t row, StoredRow& result) {
+  result.row = row;
   try {
     responses_(solver_.solve(case_of(row), study_.options), result.outcome);
   } catch (const std::invalid_argument&) {
@@ -31,16 +31,19 @@ StoredRow Worker::compute_row(std::uint64_t row) {
     result.outcome.values.assign(study_.responses.size(), std::numeric_limits<double>::quiet_NaN());
   }
   result.factors = factors_;
-  return result;
+}
+
+void Worker::compute(std::uint64_t batch, std::uint64_t size, std::vector<StoredRow>& rows) {
+  const std::uint64_t total = design_.rows();
+  const std::uint64_t begin = size == 0 || batch > total / size ? total : batch * size;
+  const std::uint64_t end = begin + std::min(size, total - begin);
+  rows.resize(end - begin);
+  for (std::uint64_t row = begin; row < end; ++row) compute_row(row, rows[row - begin]);
 }
 
 std::vector<StoredRow> Worker::compute(std::uint64_t batch, std::uint64_t size) {
   std::vector<StoredRow> rows;
-  const std::uint64_t total = design_.rows();
-  const std::uint64_t begin = size == 0 || batch > total / size ? total : batch * size;
-  const std::uint64_t end = begin + std::min(size, total - begin);
-  rows.reserve(end - begin);
-  for (std::uint64_t row = begin; row < end; ++row) rows.push_back(compute_row(row));
+  compute(batch, size, rows);
   return rows;
 }
 

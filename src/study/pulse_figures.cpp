@@ -1,6 +1,5 @@
 #include "study/pulse_figures.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -18,31 +17,55 @@ constexpr double hic_power = 2.5;
 
 }  // namespace
 
-PulseFigures::PulseFigures(const Solution& solution) : force_error_(solution.summary.errors.peak_force) {
-  const auto finite = [](double value) { return std::isfinite(value); };
-  whole_ = solution.summary.release && solution.history.size() >= 2 &&
-           std::ranges::all_of(solution.history.acceleration, finite);
+void PulseFigures::take(const Solution& solution) {
+  const History& history = solution.history;
+  force_error_ = solution.summary.errors.peak_force;
+  whole_window_.reset();
+  clip_.reset();
+  whole_ = solution.summary.release && history.size() >= 2;
   if (!whole_) return;
-  pulse_ = pulse_of(solution.history);
-  if (pulse_.time.size() >= fewest_to_compare) coarser_ = thinned(pulse_);
+  double doubt = 0;  // a number less itself is 0 where it is finite
+  for (const double value : history.acceleration) doubt += value - value;
+  whole_ = doubt == 0;
+  if (!whole_) return;
+  fine_.pulse.time = history.time;
+  fine_.pulse.acceleration = history.acceleration;
+  check(fine_.pulse);
+  fine_.prepare();
+  has_coarse_ = history.size() >= fewest_to_compare;
+  if (!has_coarse_) return;
+  thin(fine_.pulse, coarse_.pulse);
+  coarse_.prepare();
+}
+
+void PulseFigures::Sampled::prepare() {
+  hump = hump_of(pulse);
+  scale.reset();
+}
+
+double PulseFigures::Sampled::hic(double longest_window) {
+  if (!hump) return dashpad::hic(pulse, longest_window).value;
+  if (!scale) {
+    scale = scale_for(std::abs(pulse.acceleration[hump->peak]));
+    curve.assign(pulse, hump->sign * *scale);
+  }
+  return hic_of(*hump, curve, *scale, longest_window).value;
 }
 
 /// The difference from every second sample, and the error of the force to the power that it has in the
 /// figure.
 template <class Figure>
 FigureWithError PulseFigures::with_error(Figure figure, double power) {
-  const double value = figure(pulse_);
-  if (coarser_.time.empty()) return {value, std::numeric_limits<double>::infinity()};
-  const double coarse = figure(coarser_);
+  const double value = figure(fine_);
+  if (!has_coarse_) return {value, std::numeric_limits<double>::infinity()};
+  const double coarse = figure(coarse_);
   return {value, (value == 0 ? std::abs(coarse) : std::abs(coarse / value - 1)) + power * force_error_};
 }
 
 /// A window longer than the pulse is none: HIC15 of a short pulse is its HIC36, and computed once.
 FigureWithError PulseFigures::hic(double longest_window) {
-  const auto figure = [](double window) {
-    return [window](const Pulse& pulse) { return dashpad::hic(pulse, window).value; };
-  };
-  if (pulse_.time.back() - pulse_.time.front() > longest_window)
+  const auto figure = [](double window) { return [window](Sampled& of) { return of.hic(window); }; };
+  if (fine_.pulse.time.back() - fine_.pulse.time.front() > longest_window)
     return with_error(figure(longest_window), hic_power);
   if (!whole_window_) whole_window_ = with_error(figure(unlimited_window), hic_power);
   return *whole_window_;
@@ -58,19 +81,27 @@ FigureWithError PulseFigures::hic_d() {
 }
 
 FigureWithError PulseFigures::contiguous_3ms() {
-  return with_error([](const Pulse& pulse) { return contiguous_clip(pulse, three_milliseconds).level; }, 1);
+  const auto figure = [](const Sampled& of) {
+    return of.hump ? clip_of(*of.hump, of.pulse, three_milliseconds).level
+                   : contiguous_clip(of.pulse, three_milliseconds).level;
+  };
+  const bool humps = fine_.hump && (coarse_.hump || !has_coarse_);
+  if (!humps) return with_error(figure, 1);
+  if (!clip_) clip_ = with_error(figure, 1);
+  return *clip_;
 }
 
 FigureWithError PulseFigures::cumulative_3ms() {
-  return with_error([](const Pulse& pulse) { return cumulative_clip(pulse, three_milliseconds).level; }, 1);
+  if (fine_.hump && (coarse_.hump || !has_coarse_)) return contiguous_3ms();
+  return with_error([](const Sampled& of) { return cumulative_clip(of.pulse, three_milliseconds).level; }, 1);
 }
 
 FigureWithError PulseFigures::severity_index() {
-  return with_error([](const Pulse& pulse) { return dashpad::severity_index(pulse); }, hic_power);
+  return with_error([](const Sampled& of) { return dashpad::severity_index(of.pulse); }, hic_power);
 }
 
 FigureWithError PulseFigures::velocity_change() {
-  return with_error([](const Pulse& pulse) { return dashpad::velocity_change(pulse); }, 1);
+  return with_error([](const Sampled& of) { return dashpad::velocity_change(of.pulse); }, 1);
 }
 
 }  // namespace dashpad::study

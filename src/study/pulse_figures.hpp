@@ -6,6 +6,8 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/hic.hpp"
 #include "dashpad/injury/pulse.hpp"
+#include "injury/hic_curve.hpp"
+#include "injury/hump.hpp"
 
 namespace dashpad::study {
 
@@ -14,11 +16,13 @@ struct FigureWithError {
   double error = 0;  ///< relative
 };
 
-/// The same numbers and errors as injury_figures() of dashpad/injury/figures.hpp.
+/// The same numbers and errors as injury_figures() of dashpad/injury/figures.hpp, of one solution after the
+/// other.
 class PulseFigures {
  public:
-  /// Not whole: the impactor did not leave the pad, or a value is not finite. Nothing may be asked then.
-  explicit PulseFigures(const Solution& solution);
+  /// Takes no memory once it has held a pulse as long.
+  void take(const Solution& solution);
+  /// False: the impactor did not leave the pad, or a value is not finite. Nothing may be asked then.
   [[nodiscard]] bool whole() const { return whole_; }
 
   FigureWithError hic(double longest_window);
@@ -29,13 +33,25 @@ class PulseFigures {
   FigureWithError velocity_change();
 
  private:
+  /// A pulse, and what several figures need of it.
+  struct Sampled {
+    Pulse pulse;
+    std::optional<Hump> hump;
+    std::optional<double> scale;  ///< of the curve, once it is there
+    hic_search::Curve curve;
+
+    void prepare();
+    double hic(double longest_window);
+  };
   template <class Figure>
   FigureWithError with_error(Figure figure, double power);
 
-  Pulse pulse_, coarser_;
+  Sampled fine_, coarse_;
+  bool has_coarse_ = false;
   double force_error_ = 0;
   bool whole_ = false;
   std::optional<FigureWithError> whole_window_;  ///< HIC with a window that is no limit
+  std::optional<FigureWithError> clip_;          ///< of a hump: contiguous and cumulative are the same
 };
 
 }  // namespace dashpad::study

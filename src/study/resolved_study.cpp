@@ -1,4 +1,4 @@
-#include "study/resolved_study.hpp"
+#include "dashpad/study/resolved_study.hpp"
 
 #include "io/json_values.hpp"
 #include "io/parameter_values.hpp"

@@ -111,23 +111,26 @@ ResponseReader::ResponseReader(std::span<const std::string> names) {
         std::ranges::find_if(kinds, [&](const ResponseKind& kind) { return name == kind.name; });
     if (found == kinds.end()) throw std::invalid_argument("no response: " + name);
     kinds_.push_back(static_cast<std::size_t>(found - kinds.begin()));
-    of_pulse_ |= found->of_pulse;
+    if (found->of_pulse && !pulse_) pulse_ = std::make_unique<PulseFigures>();
   }
 }
 
-void ResponseReader::operator()(const Solution& solution, Outcome& outcome) const {
+ResponseReader::~ResponseReader() = default;
+ResponseReader::ResponseReader(ResponseReader&&) noexcept = default;
+ResponseReader& ResponseReader::operator=(ResponseReader&&) noexcept = default;
+
+void ResponseReader::operator()(const Solution& solution, Outcome& outcome) {
   const Summary& summary = solution.summary;
   outcome.status = summary.status;
   outcome.extrapolated = summary.extrapolated;
   outcome.bottomed = summary.bottomed.has_value();
   outcome.error = 0;
   outcome.values.assign(kinds_.size(), no_value);
-  std::optional<PulseFigures> pulse;
-  if (of_pulse_) pulse.emplace(solution);
+  if (pulse_) pulse_->take(solution);
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
     const Recipe& recipe = recipes[kinds_[i]];
-    if (recipe.of_pulse && !pulse->whole()) continue;
-    const FigureWithError figure = recipe.of_pulse ? recipe.of_pulse(*pulse) : recipe.of_summary(summary);
+    if (recipe.of_pulse && !pulse_->whole()) continue;
+    const FigureWithError figure = recipe.of_pulse ? recipe.of_pulse(*pulse_) : recipe.of_summary(summary);
     outcome.values[i] = figure.value;
     // An estimate that is no number bounds nothing.
     outcome.error = std::max(outcome.error, std::isnan(figure.error) ? infinity : figure.error);

@@ -1,5 +1,8 @@
 #include "study/run_batches.hpp"
 
+#include <utility>
+
+#include <oneapi/tbb/concurrent_queue.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
@@ -26,6 +29,7 @@ bool run_batches(std::span<const std::uint64_t> batches, int threads, const std:
   const tbb::global_control allowed{tbb::global_control::max_allowed_parallelism, workers};
   tbb::enumerable_thread_specific<BatchWork::Compute> compute{[&work] { return work.worker(); }};
 
+  tbb::concurrent_queue<std::vector<StoredRow>> written;  // whose memory is free
   std::size_t begun = 0;
   const auto next = tbb::make_filter<void, std::uint64_t>(
       tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) -> std::uint64_t {
@@ -37,11 +41,16 @@ bool run_batches(std::span<const std::uint64_t> batches, int threads, const std:
       });
   const auto compute_rows =
       tbb::make_filter<std::uint64_t, Computed>(tbb::filter_mode::parallel, [&](std::uint64_t batch) {
-        return Computed{batch, compute.local()(batch)};
+        Computed result{.batch = batch, .rows = {}};
+        written.try_pop(result.rows);
+        compute.local()(batch, result.rows);
+        return result;
       });
   // In order: the file grows at its end, which is fastest, and holds the same bytes whatever the threads.
-  const auto write = tbb::make_filter<Computed, void>(
-      tbb::filter_mode::serial_in_order, [&](const Computed& done) { work.write(done.batch, done.rows); });
+  const auto write = tbb::make_filter<Computed, void>(tbb::filter_mode::serial_in_order, [&](Computed done) {
+    work.write(done.batch, done.rows);
+    written.push(std::move(done.rows));
+  });
 
   tbb::task_arena arena{threads};
   arena.execute([&] { tbb::parallel_pipeline(batches_a_thread * workers, next & compute_rows & write); });

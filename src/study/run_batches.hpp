@@ -12,7 +12,8 @@
 namespace dashpad::study {
 
 struct BatchWork {
-  using Compute = std::function<std::vector<StoredRow>(std::uint64_t batch)>;
+  /// Into rows of a batch that is written, whose memory is used again.
+  using Compute = std::function<void(std::uint64_t batch, std::vector<StoredRow>& rows)>;
   /// Called once a thread: what it returns serves that thread alone.
   std::function<Compute()> worker;
   /// Called for each batch in the order of the list, from one thread at a time.

@@ -32,8 +32,9 @@ bool run(const Study& study, Store& store, const RunSettings& settings) {
   const BatchWork work{.worker =
                            [&] {
                              auto worker = std::make_shared<Worker>(study, design);
-                             return
-                                 [worker, size](std::uint64_t batch) { return worker->compute(batch, size); };
+                             return [worker, size](std::uint64_t batch, std::vector<StoredRow>& rows) {
+                               worker->compute(batch, size, rows);
+                             };
                            },
                        .write =
                            [&](std::uint64_t batch, std::span<const StoredRow> rows) {

@@ -21,8 +21,7 @@ std::string advice(int code, int system_error, const std::string& message) {
   switch (code & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      return "another program has it open, such as a running study: wait for its end, or stop it, and try "
-             "again";
+      return "another program has it open: wait for its end, or close it there, and try again";
     case SQLITE_FULL:
       return "the disk is full; all rows written so far are kept: make room and give the same command again";
     case SQLITE_NOTADB: return "it is no store of a study: give another name";
@@ -31,7 +30,10 @@ std::string advice(int code, int system_error, const std::string& message) {
     case SQLITE_PERM: return "it cannot be written to: its file or its folder is read-only";
     case SQLITE_CANTOPEN: return "it cannot be opened" + reason;
     case SQLITE_IOERR:
-      return "the disk refuses to read or write" + reason + "; all rows written so far are kept";
+      return "the disk refuses to read or write" + reason +
+             "; all rows written so far are kept: see to the disk (its room, limits on the size of files) "
+             "and "
+             "give the same command again";
     default: return message;
   }
 }
@@ -45,7 +47,7 @@ std::string sql_name(std::string_view name) {
 }
 
 Database::Database(const std::filesystem::path& file, Access access) : name_(file.string()) {
-  constexpr int milliseconds_for_others = 500;
+  constexpr int milliseconds_for_others = 2000;
   // Also to read: what a killed run left is put in order first. SQLite does without where it may not write.
   const int flags = SQLITE_OPEN_READWRITE | (access == Access::write ? SQLITE_OPEN_CREATE : 0);
   sqlite3* handle = nullptr;
@@ -101,6 +103,11 @@ Statement& Statement::bind(int parameter, std::int64_t value) {
 
 Statement& Statement::bind(int parameter, std::string_view text) {
   sqlite3_bind_text64(handle_.get(), parameter + 1, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
+  return *this;
+}
+
+Statement& Statement::bind_lasting(int parameter, std::string_view text) {
+  sqlite3_bind_text64(handle_.get(), parameter + 1, text.data(), text.size(), SQLITE_STATIC, SQLITE_UTF8);
   return *this;
 }
 

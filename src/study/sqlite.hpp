@@ -49,6 +49,8 @@ class Statement {
   Statement& bind(int parameter, double value);  ///< NaN becomes NULL
   Statement& bind(int parameter, std::int64_t value);
   Statement& bind(int parameter, std::string_view text);
+  /// A text that outlives the statement, and is not copied.
+  Statement& bind_lasting(int parameter, std::string_view text);
   /// The next row; false after the last.
   bool next();
   /// Runs a statement that has no rows, ready for other parameters.

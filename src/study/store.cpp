@@ -3,12 +3,13 @@
 #include "dashpad/study/store.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "study/resolved_study.hpp"
+#include "dashpad/study/resolved_study.hpp"
 #include "study/store_file.hpp"
 
 namespace dashpad::study {
@@ -25,9 +26,17 @@ void check_rows(std::uint64_t batch, std::span<const StoredRow> rows, const Stor
   }
 }
 
+/// In the order of Status.
+const std::string& lasting_name(Status status) {
+  static const std::array names{to_string(Status::not_run), to_string(Status::released),
+                                to_string(Status::bottomed_out), to_string(Status::time_limit),
+                                to_string(Status::tolerance_not_met)};
+  return names.at(static_cast<std::size_t>(status));
+}
+
 void bind(Statement& insert, const StoredRow& row) {
   insert.bind(0, static_cast<std::int64_t>(row.row))
-      .bind(1, std::string_view{to_string(row.outcome.status)})
+      .bind_lasting(1, lasting_name(row.outcome.status))
       .bind(2, std::int64_t{row.outcome.extrapolated})
       .bind(3, std::int64_t{row.outcome.bottomed})
       .bind(4, row.outcome.error);
@@ -42,8 +51,8 @@ Store::Store(std::unique_ptr<File> file) : file_(std::move(file)) {}
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 
-/// A store that was written becomes one plain file, readable in a folder that is not. Where that fails (a
-/// full disk), the log stays beside the file and nothing is lost.
+/// A store that was written becomes one plain file, that can be read from a read-only folder. Where that
+/// fails (a full disk, a reader), the log stays beside the file and nothing is lost.
 Store::~Store() {
   if (!file_ || !file_->insert_row) return;
   file_->insert_row.reset();

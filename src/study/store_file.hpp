@@ -8,12 +8,14 @@
 #include "dashpad/study/store.hpp"
 #include "study/sqlite.hpp"
 #include "study/store_layout.hpp"
+#include "study/writer_lock.hpp"
 
 namespace dashpad::study {
 
 struct Store::File {
   File(Database opened, StoreHeading read) : database(std::move(opened)), heading(std::move(read)) {}
 
+  std::optional<WriterLock> writer_lock;  ///< of a store to write; before the database, to outlive it
   Database database;
   StoreHeading heading;
   std::uint64_t rows_done = 0;

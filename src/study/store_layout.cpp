@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "dashpad/study/design.hpp"
+#include "dashpad/study/resolved_study.hpp"
 #include "dashpad/version.hpp"
-#include "study/resolved_study.hpp"
 
 namespace dashpad::study {
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "study/resolved_study.hpp"
+#include "dashpad/study/resolved_study.hpp"
 #include "study/store_file.hpp"
 
 namespace dashpad::study {
@@ -45,26 +45,28 @@ void check_place(const fs::path& file, const StoreHeading& heading) {
                        needed / 1'000'000 + 1, space.available / 1'000'000));
 }
 
+/// Rows of two programs are never mixed: they may differ in the last digits, or by a mended fault.
+std::string of_another_program(const Database& database, const StoreHeading& stored,
+                               const StoreHeading& wanted) {
+  return fmt::format(
+      "Dashpad {} computed its {} of {} rows, and this is Dashpad {}; one store holds rows of one program "
+      "only. To keep them, go on with that program; to compute all rows with this one, give another name or "
+      "delete the file. Any program may read it (summary, export)",
+      stored.program, count_rows(database, stored), stored.rows, wanted.program);
+}
+
 void check_same(const Database& database, const StoreHeading& stored, const StoreHeading& wanted) {
   const auto refuse_for = [&](const std::string& why) {
     throw std::runtime_error(database.name() + ": " + why);
   };
   if (stored.text != wanted.text)
     refuse_for("it is the store of another study (its text differs): give another name");
-  if (stored.program != wanted.program)
-    refuse_for(fmt::format("Dashpad {} made it and this is {}: go on with that one, or give another name",
-                           stored.program, wanted.program));
+  if (stored.program != wanted.program) refuse_for(of_another_program(database, stored, wanted));
   if (stored.resolved != wanted.resolved)
     refuse_for(
         "it is the store of this study, but the base case, a card or a data file that the study names has "
         "changed since: undo the change, or give another name");
   if (stored.rows != wanted.rows) database.damaged("another number of rows");
-}
-
-/// One writer, and nobody else meanwhile: the lock is the system's, so that it goes with the process, and no
-/// memory is shared between processes, which network disks cannot do.
-void prepare_writing(Database& database) {
-  database.execute("PRAGMA locking_mode = EXCLUSIVE; PRAGMA page_size = 16384; PRAGMA cache_size = -16000;");
 }
 
 /// Synchronous NORMAL: a kill loses nothing that was committed. A power cut may lose the last batches, which
@@ -74,6 +76,7 @@ void start_log(Database& database) {
       fmt::format("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; "
                   "PRAGMA wal_autocheckpoint = {}; PRAGMA journal_size_limit = {};",
                   log_bytes / 16384, log_bytes));
+  Transaction{database, "BEGIN IMMEDIATE"}.commit();  // where it cannot be used, that is known now
 }
 
 std::string insert_text(const StoreHeading& heading) {
@@ -86,10 +89,8 @@ std::string insert_text(const StoreHeading& heading) {
   return "INSERT INTO samples (" + columns + ") VALUES (" + marks + ")";
 }
 
-/// `locked` is set once no other process can be writing the file.
-void make_or_check(Database& database, const Study& study, StoreHeading& heading, bool& locked) {
-  Transaction transaction{database, "BEGIN EXCLUSIVE"};
-  locked = true;
+void make_or_check(Database& database, const Study& study, StoreHeading& heading) {
+  Transaction transaction{database, "BEGIN IMMEDIATE"};
   if (is_empty(database)) {
     create_tables(database, study, heading);
   } else {
@@ -100,10 +101,29 @@ void make_or_check(Database& database, const Study& study, StoreHeading& heading
   transaction.commit();
 }
 
+/// The write-ahead log lets others read while this one writes: they share its index in memory (FILE-shm). On
+/// a disk where that cannot be, the index is this process's own, and nobody reads until it ends.
+Database open_to_write(const fs::path& file, const Study& study, StoreHeading& heading) {
+  const auto open = [&](bool shared) {
+    Database database{file, Access::write};
+    if (database.is_read_only()) database.fail(SQLITE_READONLY);
+    if (!shared) database.execute("PRAGMA locking_mode = EXCLUSIVE");
+    database.execute("PRAGMA page_size = 16384; PRAGMA cache_size = -16000;");
+    make_or_check(database, study, heading);
+    start_log(database);
+    return database;
+  };
+  try {
+    return open(true);
+  } catch (const std::runtime_error&) {
+    return open(false);  // what else is wrong is said now
+  }
+}
+
 /// Of a store that could not be made.
 void remove_new_file(const fs::path& file) {
   std::error_code ignored;
-  for (const char* suffix : {"", "-wal", "-journal"}) fs::remove(file.string() + suffix, ignored);
+  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(file.string() + suffix, ignored);
 }
 
 }  // namespace
@@ -129,20 +149,17 @@ Store Store::open_for(const Study& study, const fs::path& file) {
   StoreHeading heading = heading_of(study);
   check_place(file, heading);
   const bool is_new = !fs::exists(file);
-  bool locked = false;
+  WriterLock lock{file};
   try {
-    Database database{file, Access::write};
-    if (database.is_read_only()) database.fail(SQLITE_READONLY);
-    prepare_writing(database);
-    make_or_check(database, study, heading, locked);
-    start_log(database);
+    Database database = open_to_write(file, study, heading);
     auto opened = std::make_unique<File>(std::move(database), std::move(heading));
+    opened->writer_lock.emplace(std::move(lock));
     opened->rows_done = count_rows(opened->database, opened->heading);
     opened->insert_row.emplace(opened->database, insert_text(opened->heading));
     opened->insert_batch.emplace(opened->database, "INSERT INTO batches (batch, rows) VALUES (?, ?)");
     return Store{std::move(opened)};
   } catch (...) {
-    if (is_new && locked) remove_new_file(file);
+    if (is_new) remove_new_file(file);
     throw;
   }
 }
@@ -152,6 +169,8 @@ Store Store::open_to_read(const fs::path& file) {
   if (!fs::exists(file, error)) refuse(file, "there is no such file");
   if (!fs::is_regular_file(file, error)) refuse(file, "it is no file");
   Database database{file, Access::read};
+  // One view of the file as long as the store is open, whatever a running study adds to it.
+  database.execute("BEGIN");
   if (is_empty(database)) refuse(file, "it is no store of a study: it is empty");
   StoreHeading heading = read_heading(database);
   auto opened = std::make_unique<File>(std::move(database), std::move(heading));

@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "dashpad/study/resolved_study.hpp"
 #include "io/json_values.hpp"
-#include "study/resolved_study.hpp"
 
 namespace dashpad::study {
 

@@ -144,6 +144,37 @@ TEST_F(StudyTest, ASignalStopsItAndTheSameCommandGoesOn) {
   EXPECT_THAT(whole.out, AllOf(HasSubstr("80000 rows in"), Not(HasSubstr("80000 computed"))));
 }
 
+/// The run is stopped in the middle (SIGSTOP), so that it is there for certain while others read.
+TEST_F(StudyTest, IsReadWhileItRuns) {
+  write_file(file("long.toml"), with(drawn_study, "samples = 200", "samples = 50000"));
+  const std::string store = file("long.db");
+  const Outcome reads = shell("$DASHPAD study " + file("long.toml") + " --out " + store + " --quiet &\n" +
+                              "until $DASHPAD study summary " + store + " >" + file("summary") +
+                              " 2>/dev/null; do sleep 0.05; done; kill -STOP $!\n" +
+                              "$DASHPAD study summary " + store + "; $DASHPAD study export " + store +
+                              " --csv " + file("rows.csv") + "; $DASHPAD study " + file("long.toml") +
+                              " --out " + store + "; echo second $?; kill -CONT $!; kill -TERM $!; wait $!");
+  EXPECT_EQ(reads.exit_code, 128 + SIGTERM) << reads.err;
+  EXPECT_THAT(reads.out, AllOf(HasSubstr("NOT COMPLETE: "), HasSubstr("second 2")));
+  EXPECT_THAT(reads.err, HasSubstr("another run is writing it"));
+  EXPECT_THAT(read_file(file("summary")), HasSubstr("NOT COMPLETE: "));
+  EXPECT_GT(fs::file_size(file("rows.csv")), 0U);
+}
+
+/// Another program's SQLite, with no knowledge of ours.
+TEST_F(StudyTest, IsReadByOtherToolsWhileItRuns) {
+  if (shell("command -v sqlite3").exit_code != 0) GTEST_SKIP() << "sqlite3 is not installed";
+  write_file(file("long.toml"), with(drawn_study, "samples = 200", "samples = 50000"));
+  const std::string store = file("long.db");
+  const std::string count = "sqlite3 " + store + " 'SELECT count(*) FROM samples'";
+  const Outcome reads =
+      shell("$DASHPAD study " + file("long.toml") + " --out " + store + " --quiet &\n" + "until [ \"$(" +
+            count + " 2>/dev/null || echo 0)\" -gt 0 ]; do sleep 0.05; done; kill -STOP $!\n" + count +
+            "; echo code $?; kill -CONT $!; kill -TERM $!; wait $!");
+  EXPECT_EQ(reads.exit_code, 128 + SIGTERM) << reads.err;
+  EXPECT_THAT(reads.out, ContainsRegex("^[1-9][0-9]*\ncode 0\n$"));
+}
+
 TEST_F(StudyTest, ReplaysARowWithoutTheFilesOfTheStudy) {
   compute("drawn");
   fs::remove(file("drawn.toml"));

@@ -41,6 +41,14 @@ class StudyMpiTest : public CommandTest {
     return shell("RANKS='mpirun --oversubscribe --allow-run-as-root -n " + std::to_string(ranks) + "'\n" +
                  script);
   }
+  /// One message and no store.
+  void expect_refused(const Outcome& outcome, const std::string& words) const {
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << words << "\n" << outcome.err;
+    EXPECT_EQ(outcome.err.find("1 fault"), outcome.err.rfind("1 fault")) << outcome.err;
+    EXPECT_NE(outcome.err.find("1 fault; nothing was run"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(file("new.db")));
+  }
   std::string rows_of(const std::string& store) {
     const Outcome outcome = dashpad({"study", "export", file(store), "--csv", "-"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -92,13 +100,74 @@ TEST_F(StudyMpiTest, AFaultIsSaidOnceAndEndsAllRanks) {
   const std::string missing = with(command("new.db"), "study.toml", "missing.toml");
   for (const auto& [arguments, words] :
        {std::pair{command("one.db"), "another study"}, std::pair{missing, "missing.toml"},
-        std::pair{command("new.db") + " --threads 2", "--threads"}}) {
-    const Outcome outcome = with_ranks(3, "$RANKS " + arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
-    EXPECT_EQ(outcome.err.find("1 fault"), outcome.err.rfind("1 fault")) << outcome.err;
+        std::pair{command("new.db") + " --threads 2", "--threads"},
+        std::pair{command("no/such/folder.db"), "no folder"}, std::pair{command("study.toml"), "no store"}})
+    expect_refused(with_ranks(3, "$RANKS " + arguments), words);
+}
+
+TEST_F(StudyMpiTest, RefusesBadStudiesWithOneMessage) {
+  const std::string speed = "[factors.\"impactor.speed\"]\n";
+  const std::string drawn = with(study, "SAMPLES", "100");
+  const std::string grid = "case = \"case.toml\"\n" + speed;
+  for (const auto& [text, words] :
+       {std::pair{with(drawn, "impactor.speed", "impactor.sped"), "did you mean \"impactor.speed\"?"},
+        std::pair{with(drawn, "3 m/s", "3 kg"), "\"kg\" gives a mass"},
+        std::pair{with(drawn, "hic15", "hic51"), "hic51"},
+        std::pair{with(drawn, "samples = 100", "samples = 1000000000000"), "from 1 to 1000000000"},
+        std::pair{grid + "values = []\n", "must hold one value or more"},
+        std::pair{grid + "from = \"1 m/s\"\nto = \"2 m/s\"\ncount = 0\n", "count = 0"},
+        std::pair{grid + "from = \"1 m/s\"\nto = \"2 m/s\"\ncount = 1000000000000\n", "from 2 to 1000000"}}) {
+    write_file(file("study.toml"), text);
+    expect_refused(with_ranks(2, "$RANKS " + command("new.db")), words);
+    expect_refused(shell(command("new.db")), words);
   }
-  EXPECT_FALSE(fs::exists(file("new.db")));
+}
+
+TEST_F(StudyMpiTest, RefusesAReadOnlyFolder) {
+  write_study("100");
+  fs::create_directory(file("closed"));
+  fs::permissions(file("closed"), fs::perms::owner_read | fs::perms::owner_exec);
+  if (::access(file("closed").c_str(), W_OK) == 0) GTEST_SKIP() << "this user may write everywhere";
+  expect_refused(with_ranks(2, "$RANKS " + command("closed/new.db")), "its folder is read-only");
+  expect_refused(shell(command("closed/new.db")), "its folder is read-only");
+}
+
+/// Two ranks, the second one with another word in its command.
+TEST_F(StudyMpiTest, RefusesRanksThatWouldComputeSomethingElse) {
+  write_file(file("study.toml"), with(with(study, "case.toml", "foam.toml"), "SAMPLES", "100"));
+  write_file(file("other.toml"), with(with(study, "case.toml", "foam.toml"), "SAMPLES", "101"));
+  const std::string card = "law = \"elastic\"\n[parameters]\nmodulus = \"300 kPa\"\n";
+  const std::string inline_law = "law = \"elastic\"\n[pad.parameters]\nmodulus = \"300 kPa\"\n";
+  write_file(file("foam.toml"), with(elastic_case(), inline_law, "material = \"foam\"\n"));
+  for (const char* folder : {"cards", "others"}) fs::create_directory(file(folder));
+  write_file(file("cards/foam.toml"), "title = \"Foam\"\nsource = \"made up\"\n" + card);
+  write_file(file("others/foam.toml"),
+             "title = \"Foam\"\nsource = \"made up\"\n" + with(card, "300 kPa", "301 kPa"));
+  const std::string first = command("new.db") + " --materials " + file("cards");
+  const std::string start = "mpirun --oversubscribe --allow-run-as-root -n 1 ";
+  for (const auto& [second, words] :
+       {std::pair{with(first, "/cards", "/others"), "a card or a data file that it names, is not the same"},
+        std::pair{with(first, "study.toml", "other.toml"), "is not the same file for all ranks"},
+        std::pair{with(first, "study.toml", "missing.toml"), "rank 1: "}})
+    expect_refused(shell(start + first + " : -n 1 " + second), words);
+  EXPECT_EQ(shell(start + first + " : -n 1 " + first).exit_code, 0);
+}
+
+/// A limit on file sizes stands in for a full disk; MPI keeps its own files out of its way.
+TEST_F(StudyMpiTest, AFullDiskKeepsTheRowsAndTheStudyGoesOn) {
+  write_study("6000");
+  const Outcome full = with_ranks(2, "export OMPI_MCA_btl=self,tcp\n$RANKS sh -c 'ulimit -f 600; exec " +
+                                         with(command("full.db"), "$DASHPAD", "\"$0\"") + "' \"$DASHPAD\"");
+  EXPECT_EQ(full.exit_code, 1) << full.err;
+  const std::string words = "all rows written so far are kept";
+  EXPECT_NE(full.err.find(words), std::string::npos) << full.err;
+  EXPECT_EQ(full.err.find(words), full.err.rfind(words)) << full.err;
+  const Outcome kept = dashpad({"study", "export", file("full.db"), "--csv", "-"});
+  EXPECT_THAT(kept.err, AllOf(HasSubstr("NOT COMPLETE"), testing::Not(testing::StartsWith("0 rows"))));
+  const Outcome whole = with_ranks(2, "$RANKS " + command("full.db"));
+  EXPECT_EQ(whole.exit_code, 0) << whole.err;
+  ASSERT_EQ(shell(command("one.db")).exit_code, 0);
+  EXPECT_EQ(rows_of("full.db"), rows_of("one.db"));
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ TEST(responses, have_no_value_where_the_impact_has_none) {
 
 /// What is left of an earlier row must not show.
 TEST(responses, are_filled_afresh) {
-  const ResponseReader reader(std::vector<std::string>{"rebound_speed"});
+  ResponseReader reader(std::vector<std::string>{"rebound_speed"});
   Outcome outcome;
   reader(dashboard(), outcome);
   const Solution bottomed =

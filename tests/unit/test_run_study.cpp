@@ -106,9 +106,9 @@ TEST(RunBatches, computes_each_once_and_writes_in_order) {
   std::atomic<int> computed = 0;
   const study::BatchWork work{.worker =
                                   [&] {
-                                    return [&](std::uint64_t batch) {
+                                    return [&](std::uint64_t batch, std::vector<StoredRow>& rows) {
                                       ++computed;
-                                      return std::vector<StoredRow>{made_up_row(batch)};
+                                      rows.assign(1, made_up_row(batch));
                                     };
                                   },
                               .write =
@@ -126,6 +126,21 @@ TEST(RunBatches, computes_each_once_and_writes_in_order) {
   EXPECT_TRUE(study::run_batches({}, 2, nullptr, work));
 }
 
+/// Rows come back to be filled again: no more lists are made than batches are under way.
+TEST(RunBatches, uses_the_memory_of_written_rows_again) {
+  std::atomic<int> fresh = 0;
+  const study::BatchWork work{.worker =
+                                  [&] {
+                                    return [&](std::uint64_t batch, std::vector<StoredRow>& rows) {
+                                      if (rows.capacity() == 0) ++fresh;
+                                      rows.assign(1, made_up_row(batch));
+                                    };
+                                  },
+                              .write = [](std::uint64_t, std::span<const StoredRow>) {}};
+  EXPECT_TRUE(study::run_batches(numbers(1000), 3, nullptr, work));
+  EXPECT_LE(fresh, 12);
+}
+
 TEST(RunBatches, gives_each_thread_a_worker_of_its_own) {
   std::atomic<int> workers = 0;
   std::mutex mutex;
@@ -134,7 +149,8 @@ TEST(RunBatches, gives_each_thread_a_worker_of_its_own) {
   const study::BatchWork work{.worker =
                                   [&] {
                                     ++workers;
-                                    return [&, owner = std::this_thread::get_id()](std::uint64_t batch) {
+                                    return [&, owner = std::this_thread::get_id()](
+                                               std::uint64_t batch, std::vector<StoredRow>& rows) {
                                       EXPECT_EQ(owner, std::this_thread::get_id());
                                       // The first one waits for company, so that it cannot do all the work
                                       // itself.
@@ -142,7 +158,7 @@ TEST(RunBatches, gives_each_thread_a_worker_of_its_own) {
                                         std::this_thread::sleep_for(std::chrono::milliseconds(1));
                                       const std::lock_guard lock(mutex);
                                       threads.insert(owner);
-                                      return std::vector<StoredRow>{made_up_row(batch)};
+                                      rows.assign(1, made_up_row(batch));
                                     };
                                   },
                               .write = [](std::uint64_t, std::span<const StoredRow>) {}};
@@ -156,9 +172,9 @@ TEST(RunBatches, holds_a_few_batches_in_memory_however_slow_the_disk) {
   std::atomic<int> waiting = 0, most = 0;
   const study::BatchWork work{.worker =
                                   [&] {
-                                    return [&](std::uint64_t batch) {
+                                    return [&](std::uint64_t batch, std::vector<StoredRow>& rows) {
                                       most = std::max(most.load(), ++waiting);
-                                      return std::vector<StoredRow>{made_up_row(batch)};
+                                      rows.assign(1, made_up_row(batch));
                                     };
                                   },
                               .write =
@@ -175,10 +191,10 @@ TEST(RunBatches, ends_with_the_exception_of_the_writer_or_of_a_worker) {
     std::vector<std::uint64_t> written;
     const study::BatchWork work{.worker =
                                     [&] {
-                                      return [&](std::uint64_t batch) {
+                                      return [&](std::uint64_t batch, std::vector<StoredRow>& rows) {
                                         if (!writer_fails && batch == 20)
                                           throw std::runtime_error("no memory");
-                                        return std::vector<StoredRow>{made_up_row(batch)};
+                                        rows.assign(1, made_up_row(batch));
                                       };
                                     },
                                 .write =
@@ -201,9 +217,9 @@ TEST(RunBatches, writes_what_is_computed_when_it_is_told_to_stop) {
   std::atomic<std::uint64_t> computed = 0, written = 0;
   const study::BatchWork work{.worker =
                                   [&] {
-                                    return [&](std::uint64_t batch) {
+                                    return [&](std::uint64_t batch, std::vector<StoredRow>& rows) {
                                       if (++computed == 10) stop = true;
-                                      return std::vector<StoredRow>{made_up_row(batch)};
+                                      rows.assign(1, made_up_row(batch));
                                     };
                                   },
                               .write = [&](std::uint64_t, std::span<const StoredRow>) { ++written; }};

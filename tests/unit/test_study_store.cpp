@@ -142,14 +142,54 @@ TEST_F(StudyStore, of_another_study_is_refused_and_left_alone) {
   EXPECT_FALSE(Store::open_to_read(file()).is_of(other));
   EXPECT_TRUE(Store::open_to_read(file()).is_of(small_study()));
   edit(file(), "UPDATE study SET value = '0.0.1 (abc)' WHERE key = 'program'");
-  EXPECT_THAT(refusal(), HasSubstr("Dashpad 0.0.1 (abc) made it"));
+  EXPECT_THAT(refusal(), AllOf(HasSubstr("Dashpad 0.0.1 (abc) computed its 1000 of 1000 rows"),
+                               HasSubstr("give another name or delete the file")));
   EXPECT_EQ(Store::open_to_read(file()).rows_done(), 1000U);
 }
 
 TEST_F(StudyStore, has_one_writer) {
   const Store store = Store::open_for(small_study(), file());
-  EXPECT_THAT(refusal(), HasSubstr("another program has it open"));
-  EXPECT_THAT(refusal_to_read(), HasSubstr("another program has it open"));
+  EXPECT_THAT(refusal(), HasSubstr("another run is writing it"));
+}
+
+TEST_F(StudyStore, is_read_while_it_is_written) {
+  {
+    Store store = Store::open_for(small_study(), file());
+    store.write_batch(0, made_up_batch(store, 0));
+    const Store reader = Store::open_to_read(file());
+    store.write_batch(1, made_up_batch(store, 1));
+    EXPECT_EQ(reader.rows_done(), store.batch_size());
+    EXPECT_EQ(reader.column("row").size(), store.batch_size()) << "what was there when it was opened";
+    EXPECT_EQ(Store::open_to_read(file()).column("row").size(), 2 * store.batch_size());
+    EXPECT_THAT(refusal(), HasSubstr("another run is writing it"))
+        << "also after a reader has closed the file";
+  }
+  EXPECT_THAT(files(), ElementsAre("study.db"));
+}
+
+TEST_F(StudyStore, with_a_reader_at_its_end_loses_nothing) {
+  {
+    std::optional<Store> store = Store::open_for(small_study(), file());
+    store->write_batch(0, made_up_batch(*store, 0));
+    const Store reader = Store::open_to_read(file());
+    store->write_batch(1, made_up_batch(*store, 1));
+    store.reset();
+    EXPECT_EQ(reader.column("row").size(), reader.batch_size());
+  }
+  Store store = Store::open_for(small_study(), file());
+  EXPECT_EQ(store.rows_done(), 2 * store.batch_size());
+}
+
+/// A folder in the place of FILE-shm: as on a disk without memory that processes share.
+TEST_F(StudyStore, without_shared_memory_is_written_all_the_same) {
+  std::filesystem::create_directory(file().string() + "-shm");
+  {
+    Store store = Store::open_for(small_study(), file());
+    fill(store);
+    EXPECT_THAT(refusal(), HasSubstr("another run is writing it"));
+    EXPECT_THAT(refusal_to_read(), HasSubstr("another program has it open"));
+  }
+  EXPECT_EQ(Store::open_to_read(file()).rows_done(), 1000U);
 }
 
 TEST_F(StudyStore, of_another_kind_is_refused_and_left_alone) {

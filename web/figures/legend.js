@@ -2,13 +2,13 @@
 
 import { onChange } from "../both/colours.js";
 import { element } from "../both/text.js";
-import { drawPoints, fillBand, setStroke } from "./looks.js";
+import { drawPoints, fillArea, fillBand, setStroke } from "./looks.js";
 
 const width = 40;
 const height = 14;
 
 // Series that look alike and have the same label are one entry.
-const keyOf = ({ label, style, turn }) => JSON.stringify([label, style, turn]);
+const keyOf = ({ label, style, turn, colour }) => JSON.stringify([label, style, turn, colour]);
 
 function sample(series) {
   const canvas = element("canvas", { className: "sample" });
@@ -20,8 +20,9 @@ function sample(series) {
     context.clearRect(0, 0, canvas.width, canvas.height);
     context.beginPath();
     if (series.style === "points") return drawPoints(context, [[canvas.width / 2, canvas.height / 2]], series, ratio);
-    if (series.style === "band") {
+    if (series.style === "area" || series.style === "band") {
       context.rect(0, 0, canvas.width, canvas.height);
+      if (series.style === "area") return fillArea(context, series, ratio);
       return fillBand(context, series);
     }
     context.moveTo(0, canvas.height / 2);

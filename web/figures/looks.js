@@ -9,7 +9,8 @@ const dashesAcross = [5, 3];
 const shapes = [disc, square, (...place) => triangle(...place, 1), diamond, (...place) => triangle(...place, -1), disc];
 const ring = 5;
 
-export const colourOf = ({ turn }) => colour(turn === null ? "across" : `turn-${turn % colours}`);
+// A series may bring a colour of its own, from a scale.
+export const colourOf = ({ turn, colour: own }) => own ?? colour(turn === null ? "across" : `turn-${turn % colours}`);
 
 // Lines that lie on each other stay visible: the later ones are narrower, and only the first is solid.
 export function stroke({ style, turn }) {
@@ -60,6 +61,15 @@ export function setStroke(context, series, ratio) {
   context.lineWidth = width * ratio;
   context.lineJoin = "round";
   context.setLineDash(dash.map((length) => length * ratio));
+}
+
+// The line closes the seams between outlines.
+export function fillArea(context, series, ratio) {
+  context.fillStyle = context.strokeStyle = colourOf(series);
+  context.lineWidth = 0.6 * ratio;
+  context.setLineDash([]);
+  context.fill();
+  context.stroke();
 }
 
 export function fillBand(context, series) {

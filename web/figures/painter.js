@@ -1,7 +1,7 @@
 // Draws the series of a panel, in the order in which they are given, on the axes that uPlot has drawn.
 
 import { clipped } from "./clip.js";
-import { colourOf, drawPoints, fillBand, setStroke } from "./looks.js";
+import { colourOf, drawPoints, fillArea, fillBand, setStroke } from "./looks.js";
 
 // The parts of a column of places without a gap.
 export function runs(places) {
@@ -22,15 +22,26 @@ export function paint(plot, series) {
   ctx.beginPath();
   ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
   ctx.clip();
-  // Bands lie behind everything else, and lines across behind the data.
+  // Areas and bands lie behind everything else, and lines across behind the data.
+  for (const each of series) if (each.style === "area") area(ctx, each, at(each.x, each.y), ratio);
   for (const each of series) if (each.style === "band") band(ctx, each, at(each.x, each.y), at(each.x, each.y2));
   for (const each of series)
     if (each.style === "vertical" || each.style === "horizontal") across(plot, each, ratio);
   for (const each of series) {
     if (each.style === "points") drawPoints(ctx, at(each.x, each.y).filter(Boolean), each, ratio);
-    else if (each.y && each.x && each.style !== "band") line(plot, each, at(each.x, each.y), ratio);
+    else if (each.y && each.x && !["area", "band"].includes(each.style)) line(plot, each, at(each.x, each.y), ratio);
   }
   ctx.restore();
+}
+
+function area(ctx, series, places, ratio) {
+  ctx.beginPath();
+  for (const run of runs(places)) {
+    ctx.moveTo(...run[0]);
+    for (const place of run.slice(1)) ctx.lineTo(...place);
+    ctx.closePath();
+  }
+  fillArea(ctx, series, ratio);
 }
 
 function band(ctx, series, edge, other) {

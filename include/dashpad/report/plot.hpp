@@ -16,6 +16,7 @@ enum class SeriesStyle {
   dashed_line,      ///< in the colour of its turn
   points,           ///< in the colour and shape of its turn
   band,             ///< the area from y to y2, pale, behind everything else
+  area,             ///< closed outlines, one after each gap, filled, behind everything else
   vertical_line,    ///< across the whole panel, at each x
   horizontal_line,  ///< across the whole panel, at each y
 };
@@ -31,6 +32,8 @@ struct Series {
   /// next one that is free; the same label has the same turn in all panels. Vertical and horizontal lines are
   /// grey without it.
   std::optional<std::size_t> turn = {};
+  /// A place on a scale of colours from 0 (dark blue) to 1 (yellow), instead of the colour of the turn.
+  std::optional<double> shade = {};
 };
 
 struct Axis {

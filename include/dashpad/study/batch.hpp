@@ -20,6 +20,8 @@ class Worker {
   /// Rows batch * size to (batch + 1) * size - 1, as far as the design has them. A row whose factors make no
   /// valid case has the status not_run and the value NaN everywhere; it does not stop the others.
   std::vector<StoredRow> compute(std::uint64_t batch, std::uint64_t size);
+  /// The same into rows that were used before, whose memory is used again.
+  void compute(std::uint64_t batch, std::uint64_t size, std::vector<StoredRow>& rows);
   /// One row with its history. Throws std::invalid_argument where its factors make no valid case, and
   /// std::out_of_range for a row that the design has not.
   Solution replay(std::uint64_t row);
@@ -27,7 +29,7 @@ class Worker {
   const ImpactCase& case_of(std::uint64_t row);
 
  private:
-  StoredRow compute_row(std::uint64_t row);
+  void compute_row(std::uint64_t row, StoredRow& result);
 
   const Study& study_;
   const Design& design_;

@@ -2,6 +2,7 @@
 /// What a study keeps of each impact: figures of the summary and of the pulse, by name.
 
 #include <limits>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,17 +35,23 @@ struct Outcome {
   std::vector<double> values;
 };
 
-/// Fills an outcome with the responses of these names. Made once, used for many rows, by several threads at
-/// once if need be. Only what is asked for is computed.
+class PulseFigures;
+
+/// Fills an outcome with the responses of these names. Made once, used for many rows: it keeps its memory,
+/// and one is needed for each thread. Only what is asked for is computed.
 class ResponseReader {
  public:
   /// Throws std::invalid_argument for a name that is none of response_kinds().
   explicit ResponseReader(std::span<const std::string> names);
-  void operator()(const Solution& solution, Outcome& outcome) const;
+  ~ResponseReader();
+  ResponseReader(ResponseReader&&) noexcept;
+  ResponseReader& operator=(ResponseReader&&) noexcept;
+
+  void operator()(const Solution& solution, Outcome& outcome);
 
  private:
-  std::vector<std::size_t> kinds_;  ///< numbers in response_kinds()
-  bool of_pulse_ = false;
+  std::vector<std::size_t> kinds_;       ///< numbers in response_kinds()
+  std::unique_ptr<PulseFigures> pulse_;  ///< where a figure of the pulse is asked for
 };
 
 /// The same for one solution.

@@ -36,9 +36,11 @@ struct StoredColumn {
 class Store {
  public:
   /// Creates the file, or opens one of the very same study to go on: its text, what it names, the program's
-  /// version and commit. Until the store is closed no other process can open it.
-  /// Throws std::runtime_error in the user's words: another study, no store, read-only, locked, full disk.
+  /// version and commit. Until the store is closed nobody else can write it; all may read.
+  /// Throws std::runtime_error in the user's words: another study, no store, read-only, written by another,
+  /// full disk.
   static Store open_for(const Study& study, const std::filesystem::path& file);
+  /// The rows that are there now: what a running study adds later is not seen.
   static Store open_to_read(const std::filesystem::path& file);
 
   /// The study's text, for reading it again.

@@ -1,0 +1,80 @@
+/// Areas of a map: what they cover, in which class, and how they are drawn.
+
+#include "report/filled_map.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "report/plot_legend.hpp"
+#include "report/plot_script.hpp"
+
+namespace dashpad {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// The area of all outlines of a series (shoelace formula).
+double area_of(const Series& series) {
+  double sum = 0;
+  for (std::size_t begin = 0, end = 0; begin < series.x.size(); begin = end + 1) {
+    for (end = begin; end < series.x.size() && std::isfinite(series.x[end]); ++end) {
+    }
+    double doubled = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t next = i + 1 == end ? begin : i + 1;
+      doubled += series.x[i] * series.y[next] - series.x[next] * series.y[i];
+    }
+    sum += std::abs(doubled) / 2;
+  }
+  return sum;
+}
+
+TEST(FilledMap, LevelsAreRoundAndCoverTheRange) {
+  EXPECT_THAT(round_levels(0.3, 8.9), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 9));
+  EXPECT_THAT(round_levels(-12, 31), ElementsAre(-15, -10, -5, 0, 5, 10, 15, 20, 25, 30, 35));
+  EXPECT_THAT(round_levels(2, 2), IsEmpty());
+  EXPECT_THAT(round_levels(2, std::numeric_limits<double>::infinity()), IsEmpty());
+}
+
+/// A plane over a grid of uneven steps: the area of each class is known.
+TEST(FilledMap, EachClassCoversItsPart) {
+  const std::vector<double> across{0, 1, 3, 10}, up{0, 0.5, 4};
+  std::vector<std::vector<double>> values;
+  for (std::size_t line = 0; line < up.size(); ++line) values.push_back(across);
+  const std::vector<Series> areas = filled_areas(across, up, values, {0, 2, 7, 10}, "g");
+  ASSERT_EQ(areas.size(), 3U);
+  EXPECT_NEAR(area_of(areas[0]), 2 * 4, 1e-12);
+  EXPECT_NEAR(area_of(areas[1]), 5 * 4, 1e-12);
+  EXPECT_NEAR(area_of(areas[2]), 3 * 4, 1e-12);
+  EXPECT_EQ(areas[1].label, "2 to 7 g");
+  EXPECT_EQ(areas[0].shade, 0);
+  EXPECT_EQ(areas[2].shade, 1);
+}
+
+TEST(FilledMap, ACellWithoutAValueStaysEmpty) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Series> areas =
+      filled_areas({0, 1, 2}, {0, 1}, {{1, 1.5, none}, {1, 1.5, 2}}, {0, 5, 10}, "");
+  ASSERT_EQ(areas.size(), 1U);
+  EXPECT_NEAR(area_of(areas[0]), 1, 1e-12);
+  EXPECT_EQ(areas[0].label, "0 to 5");
+}
+
+TEST(FilledMap, IsDrawnInTheColourOfItsShade) {
+  EXPECT_EQ(colour_of_shade(0), "#440154");
+  EXPECT_EQ(colour_of_shade(1), "#fde725");
+  EXPECT_EQ(colour_of_shade(-3), colour_of_shade(0));
+  const Plot plot{.title = "Map",
+                  .panels = {{.series = filled_areas({0, 1}, {0, 1}, {{0, 1}, {1, 2}}, {0, 1, 2}, "g")}}};
+  const std::string script = plot_script(plot, PictureFormat::svg);
+  EXPECT_THAT(script, HasSubstr("with filledcurves closed fillcolor rgb '#440154' fillstyle solid 1"));
+  EXPECT_THAT(script, HasSubstr("title '1 to 2 g'"));
+}
+
+}  // namespace
+}  // namespace dashpad
