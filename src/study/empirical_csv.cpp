@@ -8,12 +8,12 @@
 #include "io/pulse_csv_rows.hpp"
 #include "io/pulse_units.hpp"
 #include "io/spelling.hpp"
+#include "io/text_file.hpp"
 #include "study/factor_table.hpp"
 
 namespace dashpad::study {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 constexpr std::size_t most_values = 1'000'000;
 
 /// That of the header: a semicolon, a tab, or else a comma.
