@@ -13,12 +13,6 @@ namespace dashpad {
 
 namespace {
 
-/// Characters, not bytes: units have a · and a ³.
-std::size_t width_of(const std::string& utf8) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(utf8, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
 /// The words of a heading, one below the other.
 std::vector<std::string> stacked(const std::string& heading) {
   std::vector<std::string> lines;

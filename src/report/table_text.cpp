@@ -1,23 +1,15 @@
-// A table as Markdown, and in columns of even width.
+#include "report/table_text.hpp"
 
 #include <algorithm>
-
-#include <fmt/format.h>
+#include <vector>
 
 #include "io/text.hpp"
-#include "report/validation_tables.hpp"
 
 namespace dashpad {
 
 namespace {
 
 using Row = std::vector<std::string>;
-
-/// UTF-8 characters.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));
-}
 
 std::string markdown_row(const Row& row) {
   std::string line = "|";
