@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/io/strain_csv.hpp"
+#include "dashpad/measurement/strain_csv.hpp"
 #include "dashpad/units/quantity.hpp"
 
 namespace dashpad {

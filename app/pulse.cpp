@@ -8,8 +8,8 @@
 
 #include "command.hpp"
 #include "dashpad/injury/dwell.hpp"
-#include "dashpad/io/iso_mme.hpp"
-#include "dashpad/io/pulse_csv.hpp"
+#include "dashpad/iso_mme/iso_mme.hpp"
+#include "dashpad/measurement/pulse_csv.hpp"
 #include "dashpad/report/pulse_text.hpp"
 #include "output.hpp"
 #include "pulse_request.hpp"

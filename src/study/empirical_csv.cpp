@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include "dashpad/units/quantity.hpp"
-#include "io/measurement_text.hpp"
-#include "io/pulse_csv_rows.hpp"
-#include "io/pulse_units.hpp"
 #include "io/spelling.hpp"
 #include "io/text_file.hpp"
+#include "measurement/column_units.hpp"
+#include "measurement/csv_rows.hpp"
+#include "measurement/measurement_text.hpp"
 #include "study/factor_table.hpp"
 
 namespace dashpad::study {

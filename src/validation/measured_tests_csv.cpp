@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
-#include "io/measurement_text.hpp"
-#include "io/pulse_csv_rows.hpp"
 #include "io/spelling.hpp"
 #include "io/text_file.hpp"
+#include "measurement/csv_rows.hpp"
+#include "measurement/measurement_text.hpp"
 
 namespace dashpad::validation {
 

@@ -1,4 +1,4 @@
-#include "io/measurement_text.hpp"
+#include "measurement/measurement_text.hpp"
 
 #include <algorithm>
 #include <array>

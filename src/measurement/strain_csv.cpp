@@ -1,4 +1,4 @@
-#include "dashpad/io/strain_csv.hpp"
+#include "dashpad/measurement/strain_csv.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "io/pulse_csv_columns.hpp"
-#include "io/pulse_csv_rows.hpp"
-#include "io/pulse_units.hpp"
 #include "io/text_file.hpp"
+#include "measurement/column_units.hpp"
+#include "measurement/csv_columns.hpp"
+#include "measurement/csv_rows.hpp"
 
 namespace dashpad {
 

@@ -1,9 +1,10 @@
-#include "io/iso_mme_text.hpp"
-#include "io/text_file.hpp"
+#include "iso_mme/text.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
+
+#include "io/text_file.hpp"
 
 namespace dashpad {
 

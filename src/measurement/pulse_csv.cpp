@@ -1,4 +1,4 @@
-#include "dashpad/io/pulse_csv.hpp"
+#include "dashpad/measurement/pulse_csv.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "io/pulse_csv_columns.hpp"
-#include "io/pulse_csv_rows.hpp"
-#include "io/pulse_gaps.hpp"
 #include "io/text_file.hpp"
+#include "measurement/csv_columns.hpp"
+#include "measurement/csv_rows.hpp"
+#include "measurement/pulse_gaps.hpp"
 
 namespace dashpad {
 
