@@ -13,11 +13,6 @@ namespace {
 constexpr std::string_view no_value = "NOVALUE";
 constexpr std::size_t most_labels = 10'000;
 
-std::string_view without_mark(std::string_view text) {
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-  return text;
-}
-
 /// Takes the labels off; false once `line` is none.
 bool take_label(std::string_view line, std::size_t number, MmeLabels& labels) {
   const auto colon = line.find(':');
@@ -60,9 +55,8 @@ MmeLabels read_mme_labels(std::string_view text) {
 }
 
 MmeChannelText read_mme_channel(std::string_view text, MeasurementFaults& faults) {
-  if (const auto problem = why_not_text(text)) faults.refuse(problem->line, "", "", problem->rule);
   MmeChannelText channel;
-  LineReader lines(without_mark(text));
+  LineReader lines(text_in(text, faults));
   std::string_view line;
   bool in_labels = true;
   std::size_t blank_line = 0;

@@ -8,6 +8,7 @@
 #include "dashpad/version.hpp"
 #include "io/text.hpp"
 #include "report/material_test_words.hpp"
+#include "report/table_text.hpp"
 
 namespace dashpad {
 
@@ -49,9 +50,7 @@ std::vector<Line> heading_lines(const PageTable& table) {
 std::string laid_out(const PageTable& table) {
   std::vector<Line> lines = heading_lines(table);
   lines.insert(lines.end(), table.rows.begin(), table.rows.end());
-  std::vector<std::size_t> width(table.columns.size());
-  for (const Line& line : lines)
-    for (std::size_t i = 0; i < width.size(); ++i) width[i] = std::max(width[i], width_of(line[i]));
+  const std::vector<std::size_t> width = column_widths(lines);
   std::string text;
   for (const Line& line : lines) {
     std::string row;

@@ -1,7 +1,6 @@
 #include "report/table_text.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include "io/text.hpp"
 
@@ -33,12 +32,17 @@ std::string markdown(const PageTable& table) {
   return text;
 }
 
+std::vector<std::size_t> column_widths(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.empty() ? 0 : rows.front().size());
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+  return widths;
+}
+
 std::string plain_text(const PageTable& table) {
   std::vector<Row> rows{table.columns};
   rows.insert(rows.end(), table.rows.begin(), table.rows.end());
-  std::vector<std::size_t> widths(table.columns.size());
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+  const std::vector<std::size_t> widths = column_widths(rows);
   std::string text;
   for (const Row& row : rows) {
     std::string line;

@@ -17,10 +17,6 @@ Json array(const Values& values, ToJson to_json) {
   return all;
 }
 
-Json numbers(const std::vector<double>& values) {
-  return array(values, [](double value) { return number(value); });
-}
-
 Json interval(const Interval& of) { return {{"low", number(of.low)}, {"high", number(of.high)}}; }
 
 Json test_json(const MeasuredTest& test) {

@@ -5,7 +5,6 @@
 
 #include "dashpad/units/quantity.hpp"
 #include "io/spelling.hpp"
-#include "io/text_file.hpp"
 #include "measurement/column_units.hpp"
 #include "measurement/csv_rows.hpp"
 #include "measurement/measurement_text.hpp"
@@ -84,9 +83,7 @@ std::vector<double> read_empirical(const std::filesystem::path& file, const std:
                                    const std::string& unit) {
   MeasurementFaults faults(file.string());
   const std::string content = read_measurement(file);
-  if (const auto problem = why_not_text(content)) faults.refuse(problem->line, "", "", problem->rule);
-  std::string_view text = content;
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const std::string_view text = text_in(content, faults);
   const char separator = separator_of(text);
   CsvRows rows(text, separator);
   CsvRow row;
