@@ -28,8 +28,7 @@ void add_result_files(CLI::App& app, ResultFiles& files) {
   app.add_option("--json", files.json, "Write the summary as JSON (- for standard output)")
       ->type_name("FILE");
   app.add_option("--csv", files.csv, "Write the history as CSV (- for standard output)")->type_name("FILE");
-  app.add_option("--report", files.report, "Write a page to look at in a browser, as one HTML file")
-      ->type_name("FILE");
+  add_report(app, files.report);
   app.add_option("--png", files.png, "Draw acceleration and hysteresis as a still; needs gnuplot")
       ->type_name("FILE");
   add_units(app, files.units);
@@ -37,7 +36,7 @@ void add_result_files(CLI::App& app, ResultFiles& files) {
 
 std::vector<std::string> complaints(const ResultFiles& files, const std::filesystem::path& input) {
   std::vector<std::string> wrong = complaints(targets(files), input, files.force);
-  if (files.report && !has_page()) wrong.push_back(std::string{"--report: "} + no_page);
+  judge_report(files.report, wrong);
   return wrong;
 }
 

@@ -37,18 +37,9 @@ struct Request {
   std::string materials;
 };
 
-/// The case, with the command line's changes. Throws Refused with all that is wrong with both.
-CaseFile read_and_check(const Request& request, const std::filesystem::path& materials) {
-  std::vector<std::string> wrong = complaints(request.files, request.case_file);
-  const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
-  std::optional<CaseFile> input = read_case(request.case_file, materials, wrong);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
-  if (tolerance) input->options.tolerance = *tolerance;
-  return *std::move(input);
-}
-
 int run(const Request& request, const std::filesystem::path& materials) {
-  const CaseFile input = read_and_check(request, materials);
+  const CaseFile input = read_case(request.case_file, materials, request.tolerance,
+                                   complaints(request.files, request.case_file));
   const Solution solution = solve(input.impact, input.options);
   publish(request.files, {input.impact, input.options, solution});
   return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
@@ -61,10 +52,8 @@ void add_run(CLI::App& app, Action& action, const std::filesystem::path& executa
   const auto request = std::make_shared<Request>();
   sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
   add_result_files(*sub, request->files);
-  sub->add_option("--tolerance", request->tolerance,
-                  "Relative error to keep to, from 1e-8 to 1e-2 (default: the case's, else 1e-4)")
-      ->type_name("X");
-  sub->add_flag("--force", request->files.force, "Overwrite existing files")->disable_flag_override();
+  add_tolerance(*sub, request->tolerance);
+  add_force(*sub, request->files.force);
   add_material_folder(*sub, request->materials);
   sub->footer(footer);
   sub->callback([request, &action, executable] {

@@ -123,7 +123,7 @@ void add_study_replay(CLI::App& study, Action& action) {
   sub->add_option("FILE", request->store_file, "The store of a study")->required()->type_name("");
   sub->add_option("ROW", request->row, "Which row, from 0")->required()->type_name("");
   add_result_files(*sub, request->files);
-  sub->add_flag("--force", request->files.force, "Overwrite existing files")->disable_flag_override();
+  add_force(*sub, request->files.force);
   sub->footer(footer);
   sub->callback([request, &action] { action = [request] { return run_replay(*request); }; });
 }
