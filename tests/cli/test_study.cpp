@@ -219,6 +219,25 @@ TEST_F(StudyTest, Exports) {
   EXPECT_EQ(dashpad({"study", "export", file("grid.db"), "--csv", file("grid.csv"), "--force"}).exit_code, 0);
 }
 
+TEST_F(StudyTest, ExportsIntoPipesAndThroughLinks) {
+  compute("grid");
+  const std::string rows = csv_of("grid.db");
+  const Outcome piped = shell("mkfifo '" + file("pipe") + "'; cat '" + file("pipe") + "' > '" + file("got") +
+                              "' & \"$DASHPAD\" study export '" + file("grid.db") + "' --force --csv '" +
+                              file("pipe") + "'; code=$?; wait; exit $code");
+  EXPECT_EQ(piped.exit_code, 0) << piped.err;
+  EXPECT_TRUE(fs::is_fifo(file("pipe")));
+  EXPECT_EQ(read_file(file("got")), rows);
+  expect_refused({"export", file("grid.db"), "--force", "--hdf5", file("pipe")}, "needs the name of a file");
+  EXPECT_TRUE(fs::is_fifo(file("pipe")));
+
+  write_file(file("kept.csv"), "old");
+  fs::create_symlink(file("kept.csv"), file("link.csv"));
+  EXPECT_EQ(dashpad({"study", "export", file("grid.db"), "--force", "--csv", file("link.csv")}).exit_code, 0);
+  EXPECT_TRUE(fs::is_symlink(file("link.csv")));
+  EXPECT_EQ(read_file(file("kept.csv")), rows);
+}
+
 TEST_F(StudyTest, RefusesWhatIsNoRequest) {
   compute("drawn");
   const std::string store = file("drawn.db");
