@@ -21,7 +21,7 @@ constexpr hsize_t rows_a_chunk = 16384;
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
-  Handle(hid_t id, Close close) : id_(id), close_(close) {
+  Handle(hid_t id, Close closed_by) : id_(id), close_(closed_by) {
     if (id < 0) throw std::runtime_error("HDF5 refuses to write");
   }
   ~Handle() {
