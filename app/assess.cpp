@@ -11,7 +11,6 @@
 #include "dashpad/injury/standard_file.hpp"
 #include "dashpad/io/case_file.hpp"
 #include "dashpad/report/assessment_text.hpp"
-#include "dashpad/units/quantity.hpp"
 #include "output.hpp"
 #include "streams.hpp"
 
@@ -71,14 +70,9 @@ using Complaints = std::vector<std::string>;
 
 std::optional<double> read_option(const char* option, const std::optional<std::string>& text,
                                   const std::string& si_unit, Complaints& wrong) {
-  if (!text) return std::nullopt;
-  try {
-    const double value = to_si(*text, si_unit);
-    if (value > 0) return value;
-    wrong.push_back(fmt::format("{} {}: must be more than 0", option, *text));
-  } catch (const UnitError& error) {
-    wrong.push_back(fmt::format("{} {}: {}", option, *text, error.what()));
-  }
+  const std::optional<double> value = quantity_of(option, text, si_unit, wrong);
+  if (!value || *value > 0) return value;
+  wrong.push_back(fmt::format("{} {}: must be more than 0", option, *text));
   return std::nullopt;
 }
 
@@ -97,7 +91,7 @@ void noting_faults(Complaints& wrong, Reader read) {
   try {
     read();
   } catch (const InputError& error) {
-    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+    add_lines(error.faults(), wrong);
   } catch (const std::invalid_argument& error) {
     wrong.push_back(fmt::format("--standard: {}", error.what()));
   }
@@ -155,10 +149,8 @@ void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
   sub->add_option("--json", request->json, "Write the assessment as JSON, SI and g (- for standard output)")
       ->type_name("FILE");
   add_units(*sub, request->units);
-  sub->add_option("--tolerance", request->tolerance,
-                  "Relative error to keep to, from 1e-8 to 1e-2 (default: the case's, else 1e-4)")
-      ->type_name("X");
-  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  add_tolerance(*sub, request->tolerance);
+  add_force(*sub, request->force);
   add_standard_folder(*sub, request->standards);
   add_material_folder(*sub, request->materials);
   sub->footer(footer);

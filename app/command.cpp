@@ -6,6 +6,9 @@
 
 #include "command.hpp"
 #include "dashpad/io/unit_system.hpp"
+#include "dashpad/report/page.hpp"
+#include "dashpad/report/plot.hpp"
+#include "dashpad/units/quantity.hpp"
 #include "material_folder.hpp"
 #include "streams.hpp"
 
@@ -20,6 +23,12 @@ void add_units(CLI::App& app, std::string& units) {
       ->type_name("SYSTEM");
 }
 
+void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance) {
+  app.add_option("--tolerance", tolerance,
+                 "Relative error to keep to, from 1e-8 to 1e-2 (default: the case's, else 1e-4)")
+      ->type_name("X");
+}
+
 std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& wrong) {
   if (!text) return std::nullopt;
   constexpr double lowest = 1e-8, highest = 1e-2;
@@ -30,6 +39,35 @@ std::optional<double> tolerance_of(const std::optional<std::string>& text, std::
   wrong.push_back(
       fmt::format("--tolerance {}: must be a number from {} to {}, such as 1e-5", *text, lowest, highest));
   return std::nullopt;
+}
+
+void add_force(CLI::App& app, bool& force) {
+  app.add_flag("--force", force, "Overwrite existing files")->disable_flag_override();
+}
+
+void add_report(CLI::App& app, std::optional<std::string>& file) {
+  app.add_option("--report", file, "Write a page to look at in a browser, as one HTML file")
+      ->type_name("FILE");
+}
+
+void judge_report(const std::optional<std::string>& file, std::vector<std::string>& wrong) {
+  if (file && !has_page()) wrong.push_back(std::string{"--report: "} + no_page);
+}
+
+void judge_picture(const std::optional<std::string>& file, std::vector<std::string>& wrong) {
+  if (file && !picture_format(*file))
+    wrong.push_back(fmt::format("--picture {}: must end in .svg, .png or .pdf", *file));
+}
+
+std::optional<double> quantity_of(const char* option, const std::optional<std::string>& text,
+                                  const std::string& si_unit, std::vector<std::string>& wrong) {
+  if (!text) return std::nullopt;
+  try {
+    return to_si(*text, si_unit);
+  } catch (const UnitError& error) {
+    wrong.push_back(fmt::format("{} {}: {}", option, *text, error.what()));
+    return std::nullopt;
+  }
 }
 
 void add_material_folder(CLI::App& app, std::string& folder) {
@@ -56,9 +94,18 @@ std::optional<CaseFile> read_case(const std::string& file, const std::filesystem
   try {
     return read_case(file, materials);
   } catch (const InputError& error) {
-    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+    add_lines(error.faults(), wrong);
     return std::nullopt;
   }
+}
+
+CaseFile read_case(const std::string& file, const std::filesystem::path& materials,
+                   const std::optional<std::string>& tolerance, std::vector<std::string> wrong) {
+  const std::optional<double> chosen = tolerance_of(tolerance, wrong);
+  std::optional<CaseFile> input = read_case(file, materials, wrong);
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  if (chosen) input->options.tolerance = *chosen;
+  return *std::move(input);
 }
 
 int list_cards(std::string heading, const std::vector<std::filesystem::path>& cards,
@@ -69,7 +116,7 @@ int list_cards(std::string heading, const std::vector<std::filesystem::path>& ca
     try {
       text += line_of(card);
     } catch (const InputError& error) {
-      for (std::string& line : lines(error.faults())) faults.push_back(std::move(line));
+      add_lines(error.faults(), faults);
     }
   }
   write_output(text);
@@ -79,8 +126,12 @@ int list_cards(std::string heading, const std::vector<std::filesystem::path>& ca
 
 std::vector<std::string> lines(const std::vector<Fault>& faults) {
   std::vector<std::string> text;
-  for (const Fault& fault : faults) text.push_back(to_string(fault));
+  add_lines(faults, text);
   return text;
+}
+
+void add_lines(const std::vector<Fault>& faults, std::vector<std::string>& wrong) {
+  for (const Fault& fault : faults) wrong.push_back(to_string(fault));
 }
 
 }  // namespace dashpad

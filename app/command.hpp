@@ -42,8 +42,22 @@ void add_study(CLI::App& app, Action& action, const std::filesystem::path& execu
 
 /// Adds --units; the help names the systems on offer.
 void add_units(CLI::App& app, std::string& units);
+/// Adds --tolerance.
+void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance);
 /// The tolerance of --tolerance; absent where there is none, or where it is none and `wrong` is told so.
 std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& wrong);
+/// Adds --force.
+void add_force(CLI::App& app, bool& force);
+/// Adds --report, the file of a page.
+void add_report(CLI::App& app, std::optional<std::string>& file);
+/// Tells `wrong` of a page that this build cannot make.
+void judge_report(const std::optional<std::string>& file, std::vector<std::string>& wrong);
+/// Tells `wrong` of a picture whose name has the ending of no format.
+void judge_picture(const std::optional<std::string>& file, std::vector<std::string>& wrong);
+/// An option's value in SI; absent where there is none, or where it is no such quantity and `wrong` is told
+/// so.
+std::optional<double> quantity_of(const char* option, const std::optional<std::string>& text,
+                                  const std::string& si_unit, std::vector<std::string>& wrong);
 /// Adds --materials; the folder stays empty where the cards that came with the command are meant.
 void add_material_folder(CLI::App& app, std::string& folder);
 /// The folder that was chosen, or the one that came with the command.
@@ -59,6 +73,11 @@ std::filesystem::path find_card(const std::string& name, const std::filesystem::
 std::optional<CaseFile> read_case(const std::string& file, const std::filesystem::path& materials,
                                   std::vector<std::string>& wrong);
 
+/// The case with the tolerance of the command line. Throws Refused with `wrong` and all that is wrong with
+/// both.
+CaseFile read_case(const std::string& file, const std::filesystem::path& materials,
+                   const std::optional<std::string>& tolerance, std::vector<std::string> wrong);
+
 /// Lists cards, a line each below the heading. One with faults does not hide the others; Refused with all of
 /// them.
 int list_cards(std::string heading, const std::vector<std::filesystem::path>& cards,
@@ -66,6 +85,7 @@ int list_cards(std::string heading, const std::vector<std::filesystem::path>& ca
 
 /// One line for each fault.
 std::vector<std::string> lines(const std::vector<Fault>& faults);
+void add_lines(const std::vector<Fault>& faults, std::vector<std::string>& wrong);
 
 /// Facts about this build, for --version.
 std::string version_text();

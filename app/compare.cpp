@@ -49,8 +49,7 @@ std::vector<Target> targets(const Request& request) {
 
 CaseFile read_and_check(const Request& request, const std::filesystem::path& materials) {
   std::vector<std::string> wrong = complaints(targets(request), request.case_file, request.force);
-  if (request.picture && !picture_format(*request.picture))
-    wrong.push_back(fmt::format("--picture {}: must end in .svg, .png or .pdf", *request.picture));
+  judge_picture(request.picture, wrong);
   if (std::isnan(request.time_step_ms)) wrong.emplace_back("--time-step nan: must be a number");
   std::optional<CaseFile> input = read_case(request.case_file, materials, wrong);
   if (input)
@@ -90,7 +89,7 @@ void add_compare(CLI::App& app, Action& action, const std::filesystem::path& exe
   sub->add_option("--time-step", request->time_step_ms, "Of the 1984 program, ms (default 0.1)")
       ->check(CLI::Range(1e-6, 1e3))
       ->type_name("MS");
-  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);
   sub->footer(footer);
   sub->callback([request, &action, executable] {

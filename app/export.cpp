@@ -113,11 +113,7 @@ std::vector<std::string> wrong_curves(const Request& request) {
 CaseFile read_and_check(const Request& request, const std::filesystem::path& materials) {
   std::vector<std::string> wrong = complaints({{"--out", request.out}}, request.case_file, request.force);
   for (std::string& line : wrong_curves(request)) wrong.push_back(std::move(line));
-  const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
-  std::optional<CaseFile> input = read_case(request.case_file, materials, wrong);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
-  if (tolerance) input->options.tolerance = *tolerance;
-  return *std::move(input);
+  return read_case(request.case_file, materials, request.tolerance, std::move(wrong));
 }
 
 CurveFile curves_for(const Request& request, const CaseFile& input, const Solution& solution) {
@@ -183,9 +179,7 @@ void add_options(CLI::App& sub, Request& request) {
   sub.add_option("--points", request.points, "Keep at most N points of a curve; says how far off it is then")
       ->check(CLI::Range(2, most_points))
       ->type_name("N");
-  sub.add_option("--tolerance", request.tolerance,
-                 "Relative error to keep to, from 1e-8 to 1e-2 (default: the case's, else 1e-4)")
-      ->type_name("X");
+  add_tolerance(sub, request.tolerance);
   sub.add_flag("--force", request.force, "Overwrite an existing file")->disable_flag_override();
   add_material_folder(sub, request.materials);
   sub.footer(footer);

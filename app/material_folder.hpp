@@ -15,8 +15,8 @@ std::filesystem::path material_folder(const std::filesystem::path& executable);
 /// The same for the presets of standards: $DASHPAD_STANDARDS, share/dashpad/standards, standards/.
 std::filesystem::path standard_folder(const std::filesystem::path& executable);
 
-/// The same for the measured tests of the validation: $DASHPAD_VALIDATION_DATA, share/dashpad/data/validation,
-/// data/validation/.
+/// The same for the measured tests of the validation: $DASHPAD_VALIDATION_DATA,
+/// share/dashpad/data/validation, data/validation/.
 std::filesystem::path validation_data_folder(const std::filesystem::path& executable);
 
 /// The file of the running program; `argument_zero` where the system does not tell.

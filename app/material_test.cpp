@@ -10,7 +10,6 @@
 
 #include "command.hpp"
 #include "dashpad/report/material_test.hpp"
-#include "dashpad/report/page.hpp"
 #include "material_test_request.hpp"
 #include "output.hpp"
 
@@ -73,7 +72,7 @@ std::optional<Material> read_card(const fs::path& card, Wrong& wrong) {
   try {
     return read_material(card);
   } catch (const InputError& error) {
-    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+    add_lines(error.faults(), wrong);
   }
   return std::nullopt;
 }
@@ -95,9 +94,8 @@ MaterialTestReport run_test(const Request& request, const fs::path& folder) {
   Wrong wrong;
   const std::optional<fs::path> card = card_file(request.test.material, folder, wrong);
   judge_targets(request, card.value_or(fs::path{}), wrong);
-  if (request.picture && !picture_format(*request.picture))
-    wrong.push_back(fmt::format("--picture {}: must end in .svg, .png or .pdf", *request.picture));
-  if (request.report && !has_page()) wrong.push_back(std::string{"--report: "} + no_page);
+  judge_picture(request.picture, wrong);
+  judge_report(request.report, wrong);
   const MaterialTest test = test_of(request.test, wrong);
   const std::optional<Material> material = card ? read_card(*card, wrong) : std::nullopt;
   if (!wrong.empty()) throw Refused(std::move(wrong));
@@ -132,12 +130,11 @@ void add_material_test(CLI::App& app, Action& action, const std::filesystem::pat
       ->type_name("FILE");
   sub->add_option("--csv", request->csv, "Write the stresses as CSV (- for standard output)")
       ->type_name("FILE");
-  sub->add_option("--report", request->report, "Write a page to look at in a browser, as one HTML file")
-      ->type_name("FILE");
+  add_report(*sub, request->report);
   sub->add_option("--picture", request->picture, "Draw stress and efficiency (.svg, .png, .pdf)")
       ->type_name("FILE");
   add_units(*sub, request->units);
-  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);
   sub->footer(footer);
   sub->callback([request, &action, executable] {

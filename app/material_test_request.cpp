@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/io/strain_csv.hpp"
+#include "dashpad/measurement/strain_csv.hpp"
 #include "dashpad/units/quantity.hpp"
 
 namespace dashpad {
@@ -116,7 +116,7 @@ void read_history(const std::string& file, MaterialTest& test, Wrong& wrong) {
     test.history_remarks = std::move(table.remarks);
     judge_rates(test, wrong);
   } catch (const InputError& error) {
-    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+    add_lines(error.faults(), wrong);
   }
 }
 

@@ -123,32 +123,49 @@ std::vector<std::string> complaints(const std::vector<Target>& targets, const fs
   return lines;
 }
 
-PendingFile::PendingFile(const Target& target, std::string_view text, bool force)
+PendingFile::PendingFile(const Target& target, bool force)
     : name_(target.file), target_(target.file), force_(force) {
-  if (is_device(target_)) {
-    device_text_ = text;
-    return;
-  }
+  if (is_device(target_)) return;
   std::error_code error;
   if (const fs::path real = fs::canonical(target_, error); force && !error) target_ = real;
+  descriptor_ = open_draft(folder_of(target_), draft_);
+  if (descriptor_ >= 0) return;
+  draft_.clear();
+  fail(name_, errno);
+}
 
-  const int file = open_draft(folder_of(target_), draft_);
-  if (file < 0) {
-    draft_.clear();
-    fail(name_, errno);
+PendingFile::PendingFile(const Target& target, std::string_view text, bool force)
+    : PendingFile(target, force) {
+  if (draft_.empty())
+    write_device_ = [name = name_, device = target_, held = std::string{text}] {
+      write_device(name, device, held);
+    };
+  else
+    settle(write_all(descriptor_, text));
+}
+
+PendingFile::PendingFile(const Target& target, const WriteFile& write, bool force)
+    : PendingFile(target, force) {
+  if (draft_.empty()) {
+    write_device_ = [write, device = target_] { write(device); };
+    return;
   }
+  write(draft_);
+  settle(0);
+}
+
+/// With the mode of the file that the draft is to replace, on the disk, and closed. `problem` is the error
+/// number of writing it, or 0.
+void PendingFile::settle(int problem) {
   struct stat old {};
-  if (force && ::stat(target_.c_str(), &old) == 0) ::fchmod(file, old.st_mode & 07777);
-  int problem = write_all(file, text);
-  if (problem == 0 && ::fsync(file) != 0) problem = errno;
-  if (::close(file) != 0 && problem == 0) problem = errno;
-  if (problem != 0) {
-    ::unlink(draft_.c_str());
-    fail(name_, problem);
-  }
+  if (force_ && ::stat(target_.c_str(), &old) == 0) ::fchmod(descriptor_, old.st_mode & 07777);
+  if (problem == 0 && ::fsync(descriptor_) != 0) problem = errno;
+  if (::close(std::exchange(descriptor_, -1)) != 0 && problem == 0) problem = errno;
+  if (problem != 0) fail(name_, problem);
 }
 
 PendingFile::~PendingFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
   if (!draft_.empty()) ::unlink(draft_.c_str());
 }
 
@@ -156,12 +173,13 @@ PendingFile::PendingFile(PendingFile&& other) noexcept
     : name_(std::move(other.name_)),
       target_(std::move(other.target_)),
       draft_(std::exchange(other.draft_, {})),
-      device_text_(std::move(other.device_text_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      write_device_(std::move(other.write_device_)),
       force_(other.force_) {}
 
 void PendingFile::publish() {
   if (draft_.empty()) {
-    write_device(name_, target_, device_text_);
+    write_device_();
     return;
   }
   const int error = force_ ? (::rename(draft_.c_str(), target_.c_str()) == 0 ? 0 : errno)

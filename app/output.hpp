@@ -23,14 +23,18 @@ struct Target {
 std::vector<std::string> complaints(const std::vector<Target>& targets,
                                     const std::filesystem::path& case_file, bool force);
 
+/// Fills the file of that name, which is there: for results too large for memory.
+using WriteFile = std::function<void(const std::filesystem::path&)>;
+
 /// A result on its way to its target. The constructor writes it beside the target under another name and
 /// makes sure that it is on the disk; publish() gives it its name in one step, without force only if that
 /// name is still free. Dropped before that, it leaves nothing. With force, a link is followed. A device or
 /// pipe is written to by publish(), as it is. Both throw std::runtime_error that names the file and the
-/// system's reason.
+/// system's reason, and what `write` throws.
 class PendingFile {
  public:
   PendingFile(const Target& target, std::string_view text, bool force);
+  PendingFile(const Target& target, const WriteFile& write, bool force);
   ~PendingFile();
   PendingFile(PendingFile&& other) noexcept;
   PendingFile(const PendingFile&) = delete;
@@ -40,10 +44,14 @@ class PendingFile {
   void publish();
 
  private:
+  PendingFile(const Target& target, bool force);
+  void settle(int problem);
+
   std::string name_;              ///< for messages
   std::filesystem::path target_;  ///< links followed
   std::filesystem::path draft_;   ///< empty once published, or for a device
-  std::string device_text_;
+  int descriptor_ = -1;           ///< of the draft while it is being written
+  std::function<void()> write_device_ = {};
   bool force_ = false;
 };
 

@@ -10,7 +10,6 @@
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/io/case_file.hpp"
 #include "dashpad/report/post_impact_text.hpp"
-#include "dashpad/units/quantity.hpp"
 #include "output.hpp"
 #include "streams.hpp"
 
@@ -42,17 +41,6 @@ std::vector<Target> targets(const Request& request) {
   return request.json ? std::vector<Target>{{"--json", *request.json}} : std::vector<Target>{};
 }
 
-double quantity(const char* option, const std::optional<std::string>& text, const char* si_unit,
-                double otherwise, std::vector<std::string>& wrong) {
-  if (!text) return otherwise;
-  try {
-    return to_si(*text, si_unit);
-  } catch (const UnitError& error) {
-    wrong.push_back(fmt::format("{} {}: {}", option, *text, error.what()));
-    return otherwise;
-  }
-}
-
 struct Input {
   CaseFile file;
   Body first, second;
@@ -62,8 +50,8 @@ Input read_and_check(const Request& request, const std::filesystem::path& materi
   std::vector<std::string> wrong = complaints(targets(request), request.case_file, request.force);
   Input input;
   constexpr double held = std::numeric_limits<double>::infinity();
-  input.second.mass = quantity("--other-mass", request.other_mass, "kg", held, wrong);
-  input.second.velocity = quantity("--other-velocity", request.other_velocity, "m/s", 0, wrong);
+  input.second.mass = quantity_of("--other-mass", request.other_mass, "kg", wrong).value_or(held);
+  input.second.velocity = quantity_of("--other-velocity", request.other_velocity, "m/s", wrong).value_or(0);
   if (!(input.second.mass > 0))
     wrong.push_back(fmt::format("--other-mass {}: must be more than 0", *request.other_mass));
   if (auto file = read_case(request.case_file, materials, wrong)) {
@@ -114,7 +102,7 @@ void add_post_impact(CLI::App& app, Action& action, const std::filesystem::path&
   sub->add_option("--json", request->json, "Write the result as JSON, SI (- for standard output)")
       ->type_name("FILE");
   add_units(*sub, request->units);
-  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);
   sub->footer(footer);
   sub->callback([request, &action, executable] {

@@ -5,24 +5,21 @@
 #include <mutex>
 #include <string>
 
+#include "terminal_line.hpp"
+
 namespace dashpad {
 
 class ProgressLine {
  public:
   explicit ProgressLine(std::string what);
-  /// Wipes the line.
-  ~ProgressLine();
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
 
   /// `done` of `all`; from any thread.
   void show(std::size_t done, std::size_t all);
 
  private:
   std::string what_;
-  bool terminal_ = false;
   std::mutex mutex_;
-  std::string shown_;
+  TerminalLine line_;
 };
 
 }  // namespace dashpad

@@ -8,8 +8,8 @@
 
 #include "command.hpp"
 #include "dashpad/injury/dwell.hpp"
-#include "dashpad/io/iso_mme.hpp"
-#include "dashpad/io/pulse_csv.hpp"
+#include "dashpad/iso_mme/iso_mme.hpp"
+#include "dashpad/measurement/pulse_csv.hpp"
 #include "dashpad/report/pulse_text.hpp"
 #include "output.hpp"
 #include "pulse_request.hpp"
@@ -87,7 +87,7 @@ PulseReport report_on(const PulseRequest& request) {
   try {
     report.measured = read(request, is_test);
   } catch (const InputError& error) {
-    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+    add_lines(error.faults(), wrong);
   }
   if (!wrong.empty()) throw Refused(std::move(wrong));
   report.pulse = processed(report.measured, settings, report.filter);
@@ -154,7 +154,7 @@ void add_pulse(CLI::App& app, Action& action, const std::filesystem::path&) {
       ->excludes(list)
       ->type_name("FILE");
   add_units(*sub, request->units);
-  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  add_force(*sub, request->force);
   sub->footer(footer);
   sub->callback([request, &action] {
     action = [request] { return request->list ? show_list(*request) : show_figures(*request); };

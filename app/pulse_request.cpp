@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "command.hpp"
 #include "dashpad/units/quantity.hpp"
 
 namespace dashpad {
@@ -35,15 +36,9 @@ std::optional<PulseFilter> filter_of(const PulseRequest& request) {
 
 PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>& wrong) {
   PulseSettings settings;
-  if (request.resample) {
-    try {
-      settings.interval = to_si(*request.resample, "s");
-      if (!(*settings.interval > 0))
-        wrong.push_back(fmt::format("--resample {}: must be more than 0", *request.resample));
-    } catch (const UnitError& error) {
-      wrong.push_back(fmt::format("--resample {}: {}", *request.resample, error.what()));
-    }
-  }
+  settings.interval = quantity_of("--resample", request.resample, "s", wrong);
+  if (settings.interval && !(*settings.interval > 0))
+    wrong.push_back(fmt::format("--resample {}: must be more than 0", *request.resample));
   for (const double window : request.windows_ms) {
     if (!(window > 0) || !std::isfinite(window))
       wrong.push_back(fmt::format("--window {}: must be more than 0 ms", window));
@@ -77,8 +72,7 @@ std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test)
   } else {
     say(!request.channel.empty(), "--channel", "is for ISO-MME; a table has columns, see --acceleration");
   }
-  say(request.picture && !picture_format(*request.picture), "--picture " + request.picture.value_or(""),
-      "must end in .svg, .png or .pdf");
+  judge_picture(request.picture, wrong);
   say(request.corner && !request.filter, "--corner", "is for a filter; add --filter");
   say(request.ends && !request.filter, "--ends", "is for a filter; add --filter");
   return wrong;

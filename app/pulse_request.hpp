@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "dashpad/io/pulse_csv.hpp"
+#include "dashpad/measurement/pulse_csv.hpp"
 #include "dashpad/report/pulse_text.hpp"
 
 namespace dashpad {

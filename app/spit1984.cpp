@@ -224,7 +224,7 @@ void add_spit1984(CLI::App& app, Action& action, const std::filesystem::path& ex
   sub->add_option("--most-iterations", request->settings.most_iterations, "Trials of a step (default 100)")
       ->check(CLI::Range(1, 100'000))
       ->type_name("N");
-  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);
   sub->footer(footer_with_defects());
   sub->callback([request, &action, executable] {

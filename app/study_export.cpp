@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -52,29 +51,8 @@ std::vector<Target> targets(const Request& request) {
   return wanted;
 }
 
-/// A file too large for memory on its way to its name: written beside it by `write`, then named in one step.
-void write_large(const Target& target, bool force, const std::function<void(const fs::path&)>& write) {
-  const fs::path name{target.file};
-  const fs::path draft = name.parent_path() / fmt::format(".dashpad-{}{}.part", ::getpid(), target.option);
-  std::error_code error;
-  try {
-    write(draft);
-    if (force)
-      fs::rename(draft, name, error);
-    else
-      fs::create_hard_link(draft, name, error);
-  } catch (...) {
-    fs::remove(draft, error);
-    throw;
-  }
-  const std::error_code failure = error;
-  fs::remove(draft, error);
-  if (failure)
-    throw std::runtime_error(fmt::format("could not write {}: {}", target.file, failure.message()));
-}
-
 void write_csv(const study::Store& store, const fs::path& file, const std::string& shown) {
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
   int problem = descriptor < 0 ? errno : 0;
   const auto check = [&] {
     if (problem != 0)
@@ -91,26 +69,42 @@ void write_csv(const study::Store& store, const fs::path& file, const std::strin
     ::close(descriptor);
     throw;
   }
-  if (::fsync(descriptor) != 0) problem = errno;
-  if (::close(descriptor) != 0 && problem == 0) problem = errno;
+  if (::close(descriptor) != 0) problem = errno;
   check();
+}
+
+/// HDF5 cannot be written to a device or pipe.
+bool is_special(const std::string& file) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+/// The files first, then what goes to standard output.
+void write_files(const study::Store& store, const Request& request) {
+  std::vector<PendingFile> files;
+  for (const Target& target : targets(request)) {
+    if (target.is_standard_output()) continue;
+    const bool is_csv = target.option == "--csv";
+    files.emplace_back(
+        target,
+        [&store, is_csv, shown = target.file](const fs::path& file) {
+          (is_csv ? write_csv : write_hdf5)(store, file, shown);
+        },
+        request.force);
+  }
+  for (PendingFile& file : files) file.publish();
+  if (request.csv == "-") study::export_csv(store, [](std::string_view text) { write_output(text); });
 }
 
 int run_export(const Request& request) {
   const study::Store store = open_stored(request.store_file);
   std::vector<std::string> wrong = complaints(targets(request), request.store_file, request.force);
   if (targets(request).empty()) wrong.emplace_back("--csv or --hdf5: one of them is needed");
-  if (request.hdf5 == "-") wrong.emplace_back("--hdf5 -: needs the name of a file");
+  if (request.hdf5 && (*request.hdf5 == "-" || is_special(*request.hdf5)))
+    wrong.push_back(fmt::format("--hdf5 {}: needs the name of a file", *request.hdf5));
   if (!wrong.empty()) throw Refused(std::move(wrong));
-  for (const Target& target : targets(request)) {
-    if (target.is_standard_output())
-      study::export_csv(store, [](std::string_view text) { write_output(text); });
-    else if (target.option == "--csv")
-      write_large(target, request.force,
-                  [&](const fs::path& draft) { write_csv(store, draft, target.file); });
-    else
-      write_large(target, request.force, [&](const fs::path& draft) { write_hdf5(store, draft); });
-  }
+  write_files(store, request);
   std::string line = fmt::format("{} rows", store.rows_done());
   if (store.rows_done() < store.rows()) line += fmt::format("; NOT COMPLETE: the study has {}", store.rows());
   (request.csv == "-" ? write_error : write_output)(line + "\n");
@@ -125,7 +119,7 @@ void add_study_export(CLI::App& study, Action& action) {
   sub->add_option("FILE", request->store_file, "The store of a study")->required()->type_name("");
   sub->add_option("--csv", request->csv, "Write a CSV file (- for standard output)")->type_name("FILE");
   sub->add_option("--hdf5", request->hdf5, "Write an HDF5 file")->type_name("FILE");
-  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  add_force(*sub, request->force);
   sub->footer(footer);
   sub->callback([request, &action] { action = [request] { return run_export(*request); }; });
 }

@@ -21,7 +21,7 @@ constexpr hsize_t rows_a_chunk = 16384;
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
-  Handle(hid_t id, Close close) : id_(id), close_(close) {
+  Handle(hid_t id, Close closed_by) : id_(id), close_(closed_by) {
     if (id < 0) throw std::runtime_error("HDF5 refuses to write");
   }
   ~Handle() {
@@ -173,7 +173,7 @@ void write_columns(const study::Store& store, const std::string& name) {
 
 }  // namespace
 
-void write_hdf5(const study::Store& store, const std::filesystem::path& file) {
+void write_hdf5(const study::Store& store, const std::filesystem::path& file, const std::string& shown) {
   // After a write that the disk refused, HDF5 tries again when the program ends, and crashes.
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // our message, not HDF5's stack of calls
@@ -182,7 +182,7 @@ void write_hdf5(const study::Store& store, const std::filesystem::path& file) {
   } catch (const std::runtime_error& error) {
     std::error_code ignored;
     std::filesystem::remove(file, ignored);
-    throw std::runtime_error(file.string() + ": " + error.what());
+    throw std::runtime_error("could not write " + shown + ": " + error.what());
   }
 }
 

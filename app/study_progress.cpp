@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "streams.hpp"
 
@@ -13,12 +12,6 @@ namespace dashpad {
 namespace {
 
 constexpr double between_drawings = 0.2, first_line = 10, between_lines = 60;  // s
-
-std::string bar(std::uint64_t done, std::uint64_t all) {
-  constexpr std::uint64_t width = 30;
-  const auto filled = static_cast<std::size_t>(all == 0 ? width : width * done / all);
-  return std::string(filled, '#') + std::string(width - filled, '.');
-}
 
 std::string words(const study::Progress& progress) {
   const auto now = static_cast<double>(progress.rows_done - progress.rows_before);
@@ -45,27 +38,19 @@ std::string rate_text(double rows, double seconds) {
   return rate >= 100 ? fmt::format("{:.0f} rows/s", rate) : fmt::format("{:.3g} rows/s", rate);
 }
 
-StudyProgress::StudyProgress(bool quiet) : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) == 1) {
-  if (!terminal_) next_ = first_line;
-}
-
-StudyProgress::~StudyProgress() {
-  if (width_ > 0) write_error("\r" + std::string(width_, ' ') + "\r");
+StudyProgress::StudyProgress(bool quiet) : quiet_(quiet) {
+  if (!line_.is_terminal()) next_ = first_line;
 }
 
 void StudyProgress::show(const study::Progress& progress) {
   if (quiet_ || progress.seconds < next_) return;
-  if (!terminal_) {
+  if (line_.is_terminal()) {
+    next_ = progress.seconds + between_drawings;
+    line_.draw(fmt::format("[{}] {}", progress_bar(progress.rows_done, progress.rows), words(progress)));
+  } else {
     next_ = progress.seconds + between_lines;
     write_error(words(progress) + "\n");
-    return;
   }
-  next_ = progress.seconds + between_drawings;
-  std::string line = fmt::format("[{}] {}", bar(progress.rows_done, progress.rows), words(progress));
-  const std::size_t length = line.size();
-  if (length < width_) line += std::string(width_ - length, ' ');
-  width_ = std::max(width_, length);
-  write_error("\r" + line);
 }
 
 }  // namespace dashpad

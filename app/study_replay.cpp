@@ -6,16 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/io/history_csv.hpp"
-#include "dashpad/io/summary_text.hpp"
-#include "dashpad/report/page.hpp"
-#include "dashpad/report/pulse_text.hpp"
-#include "dashpad/report/result_json.hpp"
-#include "dashpad/report/result_plot.hpp"
 #include "dashpad/report/study_report.hpp"
 #include "dashpad/study/batch.hpp"
 #include "dashpad/study/stored_study.hpp"
-#include "output.hpp"
+#include "result_files.hpp"
 #include "study.hpp"
 
 namespace dashpad {
@@ -37,9 +31,7 @@ run, 3 the row misses the tolerance, or its stored responses did not come back.)
 struct Request {
   std::string store_file;
   std::uint64_t row = 0;
-  std::optional<std::string> json, csv, report, png;
-  std::string units;
-  bool force = false;
+  ResultFiles files;
 };
 
 /// A row as it was and as it is now.
@@ -50,15 +42,6 @@ struct Replay {
   Options options;
   Solution solution;
 };
-
-std::vector<Target> targets(const Request& request) {
-  std::vector<Target> wanted;
-  if (request.json) wanted.push_back({"--json", *request.json});
-  if (request.csv) wanted.push_back({"--csv", *request.csv});
-  if (request.report) wanted.push_back({"--report", *request.report});
-  if (request.png) wanted.push_back({"--png", *request.png});
-  return wanted;
-}
 
 study::StoredRow stored_row(const study::Store& store, const Request& request) {
   if (request.row >= store.rows())
@@ -123,25 +106,12 @@ std::string verdict(const std::vector<std::string>& differences, const study::St
 
 int run_replay(const Request& request) {
   const study::Store store = open_stored(request.store_file);
-  std::vector<std::string> wrong = complaints(targets(request), request.store_file, request.force);
-  if (request.report && !has_page()) wrong.push_back(std::string{"--report: "} + no_page);
+  std::vector<std::string> wrong = complaints(request.files, request.store_file);
   if (!wrong.empty()) throw Refused(std::move(wrong));
   const Replay result = replay(store, request);
-  const UnitSystem& units = unit_system(request.units);
-  const std::optional<InjuryFigures> injury = whole_pulse_figures(result.solution);
-  const auto text_of = [&](const Target& target) {
-    if (target.option == "--json") return result_json(result.impact, result.solution.summary, injury);
-    if (target.option == "--png")
-      return picture(result_plot(result.impact, result.solution, injury, units), PictureFormat::png);
-    if (target.option == "--csv") return history_csv(result.solution.history, units_of_files(units));
-    return page(result.impact, result.options, result.solution, units,
-                contact_snapshots(result.impact, result.solution.history));
-  };
   const std::vector<std::string> different = differences(result, store);
-  std::string summary =
-      heading(result, store, units) + summary_text(result.impact, result.solution.summary, units);
-  if (injury) summary += "\nThe pulse:\n" + injury_text(*injury, units);
-  publish(targets(request), request.force, text_of, summary + verdict(different, store));
+  publish(request.files, {result.impact, result.options, result.solution},
+          heading(result, store, unit_system(request.files.units)), verdict(different, store));
   return different.empty() && result.solution.summary.trustworthy() ? exit_done : exit_not_trusted;
 }
 
@@ -152,16 +122,8 @@ void add_study_replay(CLI::App& study, Action& action) {
   const auto request = std::make_shared<Request>();
   sub->add_option("FILE", request->store_file, "The store of a study")->required()->type_name("");
   sub->add_option("ROW", request->row, "Which row, from 0")->required()->type_name("");
-  sub->add_option("--json", request->json, "Write the summary as JSON (- for standard output)")
-      ->type_name("FILE");
-  sub->add_option("--csv", request->csv, "Write the history as CSV (- for standard output)")
-      ->type_name("FILE");
-  sub->add_option("--report", request->report, "Write a page to look at in a browser, as one HTML file")
-      ->type_name("FILE");
-  sub->add_option("--png", request->png, "Draw acceleration and hysteresis as a still; needs gnuplot")
-      ->type_name("FILE");
-  add_units(*sub, request->units);
-  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  add_result_files(*sub, request->files);
+  add_force(*sub, request->files.force);
   sub->footer(footer);
   sub->callback([request, &action] { action = [request] { return run_replay(*request); }; });
 }

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/report/page.hpp"
 #include "dashpad/report/study_report.hpp"
 #include "dashpad/study/responses.hpp"
 #include "output.hpp"
@@ -65,9 +64,8 @@ StudyQuestions questions_of(const Request& request, const study::Store& store,
 int summarise(const Request& request) {
   const study::Store store = open_stored(request.store_file);
   std::vector<std::string> wrong = complaints(targets(request), request.store_file, request.force);
-  if (request.report && !has_page()) wrong.push_back(std::string{"--report: "} + no_page);
-  if (request.picture && !picture_format(*request.picture))
-    wrong.push_back(fmt::format("--picture {}: must end in .svg, .png or .pdf", *request.picture));
+  judge_report(request.report, wrong);
+  judge_picture(request.picture, wrong);
   const StudyQuestions questions = questions_of(request, store, wrong);
   if (wrong.empty() && store.rows_done() == 0)
     wrong.push_back(request.store_file + ": has no rows yet; run dashpad study first");
@@ -101,14 +99,13 @@ void add_study_summary(CLI::App& study, Action& action) {
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("LIMIT");
-  sub->add_option("--report", request->report, "Write a page to look at in a browser, as one HTML file")
-      ->type_name("FILE");
+  add_report(*sub, request->report);
   sub->add_option("--json", request->json, "Write all answers as JSON, SI (- for standard output)")
       ->type_name("FILE");
   sub->add_option("--picture", request->picture, "Draw the most telling figure (.svg, .png, .pdf)")
       ->type_name("FILE");
   add_units(*sub, request->units);
-  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  add_force(*sub, request->force);
   sub->footer(footer);
   sub->callback([request, &action] { action = [request] { return summarise(*request); }; });
 }

@@ -10,7 +10,6 @@
 
 #include "command.hpp"
 #include "dashpad/io/case_file.hpp"
-#include "dashpad/report/page.hpp"
 #include "dashpad/report/validation_report.hpp"
 #include "material_folder.hpp"
 #include "output.hpp"
@@ -117,16 +116,16 @@ Input read_and_check(const Request& request, const Folders& folders) {
   if (wrong.empty() && request.figures && fs::is_directory(*request.figures))
     for (Target& still : stills(request)) targets.push_back(std::move(still));
   for (std::string& line : complaints(targets, {}, request.force)) wrong.push_back(std::move(line));
-  if (request.report && !has_page()) wrong.push_back(std::string{"--report: "} + no_page);
+  judge_report(request.report, wrong);
 
   Input input;
   std::vector<Fault> faults;
   input.data = validation::read_validation_data(folders.data, faults);
-  for (std::string& line : lines(faults)) wrong.push_back(std::move(line));
+  add_lines(faults, wrong);
   try {
     input.ensolite = read_material(folders.materials / material);
   } catch (const InputError& error) {
-    for (std::string& line : lines(error.faults())) wrong.push_back(std::move(line));
+    add_lines(error.faults(), wrong);
   }
   if (!wrong.empty()) throw Refused(std::move(wrong));
   return input;
@@ -195,8 +194,7 @@ int run_validation(const Request& request, const Folders& folders) {
 void add_validate(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::App* sub = app.add_subcommand("validate", "Compare with the validation tests of the 1986 report");
   const auto request = std::make_shared<Request>();
-  sub->add_option("--report", request->report, "Write a page to look at in a browser, as one HTML file")
-      ->type_name("FILE");
+  add_report(*sub, request->report);
   sub->add_option("--json", request->json, "Write everything as JSON (- for standard output)")
       ->type_name("FILE");
   CLI::Option* figures =
@@ -211,7 +209,7 @@ void add_validate(CLI::App& app, Action& action, const fs::path& executable) {
       ->type_name("DIR");
   sub->add_flag("--strict", request->strict, "Exit code 4 if the accurate solver misses a rule")
       ->disable_flag_override();
-  sub->add_flag("--force", request->force, "Overwrite existing files")->disable_flag_override();
+  add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);
   sub->footer(footer);
   sub->callback([request, &action, executable] {

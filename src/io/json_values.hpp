@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -17,6 +18,13 @@ using Json = nlohmann::ordered_json;
 inline Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 /// Null where it is absent, too.
 inline Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+/// Null where it is not `present`.
+inline Json number_if(bool present, double value) { return present ? number(value) : Json(nullptr); }
+inline Json numbers(const std::vector<double>& values) {
+  Json array = Json::array();
+  for (const double value : values) array.push_back(number(value));
+  return array;
+}
 
 /// The program that made it.
 inline Json program_json() {

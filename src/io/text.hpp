@@ -1,6 +1,7 @@
 #pragma once
 /// Numbers and foreign text as people read them.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,9 @@ std::string percentage(double fraction);
 
 /// A unit as it is shown: "in.lbf" gives "in·lbf"; "1" gives "".
 std::string shown_unit(const std::string& unit);
+
+/// UTF-8 characters, which is what a column of a terminal holds: units have a · and a ³.
+std::size_t width_of(std::string_view text);
 
 /// Text from a file, safe for a terminal: line breaks and other control characters become spaces.
 std::string one_line(std::string_view text);

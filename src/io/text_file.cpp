@@ -36,6 +36,11 @@ void require_text(const std::filesystem::path& file, const std::string& content)
 
 }  // namespace
 
+std::string_view without_mark(std::string_view text) {
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  return text;
+}
+
 std::string read_text_file(const std::filesystem::path& file) {
   require_regular(file);
   std::ifstream stream(file, std::ios::binary);

@@ -9,6 +9,7 @@ namespace dashpad {
 
 /// What some programs write before UTF-8 text; no part of it.
 inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+std::string_view without_mark(std::string_view text);
 
 /// The text of a regular file of at most 1 MiB. Throws InputError with one fault for anything else: missing,
 /// a folder, a pipe or a device, unreadable, larger, or not text.

@@ -1,8 +1,7 @@
 #include "dashpad/io/unit_system.hpp"
 
-#include <stdexcept>
-
 #include "dashpad/units/quantity.hpp"
+#include "io/named_system.hpp"
 
 namespace dashpad {
 
@@ -40,12 +39,7 @@ const std::vector<UnitSystem>& unit_systems() {
 }
 
 const UnitSystem& unit_system(std::string_view name) {
-  std::string names;
-  for (const UnitSystem& system : unit_systems()) {
-    if (system.name == name) return system;
-    names += (names.empty() ? "" : ", ") + system.name;
-  }
-  throw std::invalid_argument("unit system \"" + std::string{name} + "\": must be one of " + names);
+  return named_system(unit_systems(), name, [](const UnitSystem& system) { return system.name; });
 }
 
 const UnitSystem& plain_si() {

@@ -1,6 +1,8 @@
 #pragma once
 /// The axis of a quantity: "Force (kN)", with the unit that a system has for it.
 
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "dashpad/io/unit_system.hpp"
@@ -13,6 +15,14 @@ inline Axis axis_with_unit(const char* meaning, const char* si_unit, const UnitS
   Axis axis;
   axis.label = fmt::format("{} ({})", meaning, shown_unit(unit_for(units, si_unit)));
   return axis;
+}
+
+/// SI values in the unit of that axis.
+inline std::vector<double> values_in(const UnitSystem& units, std::vector<double> values,
+                                     const char* si_unit) {
+  const double factor = value_in(units, 1, si_unit);
+  for (double& value : values) value *= factor;
+  return values;
 }
 
 }  // namespace dashpad

@@ -1,8 +1,7 @@
 #include "dashpad/report/consistent_units.hpp"
 
-#include <stdexcept>
-
 #include "dashpad/units/quantity.hpp"
+#include "io/named_system.hpp"
 
 namespace dashpad {
 
@@ -57,12 +56,8 @@ const std::vector<ConsistentUnits>& consistent_systems() {
 }
 
 const ConsistentUnits& consistent_system(std::string_view name) {
-  std::string names;
-  for (const ConsistentUnits& system : consistent_systems()) {
-    if (system.units.name == name) return system;
-    names += (names.empty() ? "" : ", ") + system.units.name;
-  }
-  throw std::invalid_argument("unit system \"" + std::string{name} + "\": must be one of " + names);
+  return named_system(consistent_systems(), name,
+                      [](const ConsistentUnits& system) { return system.units.name; });
 }
 
 std::string unit_for(const ConsistentUnits& units, const std::string& si_unit) {

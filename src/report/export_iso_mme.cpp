@@ -8,7 +8,7 @@
 
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/cfc_filter.hpp"
-#include "dashpad/io/iso_mme.hpp"
+#include "dashpad/iso_mme/iso_mme.hpp"
 #include "dashpad/report/exports.hpp"
 #include "dashpad/version.hpp"
 

@@ -8,22 +8,15 @@ namespace dashpad {
 
 namespace {
 
-Json numbers(const std::vector<double>& values) {
-  Json array = Json::array();
-  for (const double value : values) array.push_back(number(value));
-  return array;
-}
-
 /// Null for what the kind of test has no use for.
 Json test_json(const MaterialTest& of) {
-  const auto if_any = [](bool used, double value) { return used ? number(value) : Json(nullptr); };
   const bool cyclic = of.kind == TestKind::cyclic, creep = of.kind == TestKind::creep,
              measured = of.kind == TestKind::history;
   return {{"kind", to_string(of.kind)},
-          {"strain", if_any(!creep && !measured, of.strain)},
-          {"hold_s", if_any(creep || of.kind == TestKind::relaxation, of.hold)},
-          {"stress_Pa", if_any(creep, of.stress)},
-          {"low_strain", if_any(cyclic, of.low)},
+          {"strain", number_if(!creep && !measured, of.strain)},
+          {"hold_s", number_if(creep || of.kind == TestKind::relaxation, of.hold)},
+          {"stress_Pa", number_if(creep, of.stress)},
+          {"low_strain", number_if(cyclic, of.low)},
           {"cycles", cyclic ? Json(of.cycles) : Json(nullptr)},
           {"history", measured ? Json(of.history_name) : Json(nullptr)},
           {"history_remarks", of.history_remarks},
@@ -44,8 +37,8 @@ Json figures(const MaterialTestRun& run) {
   return {{"peak_stress_Pa", number(of.peak_stress)},
           {"peak_stress_strain", number(of.strain_at_peak)},
           {"energy_in_J_per_m3", number(of.energy_in)},
-          {"energy_returned_J_per_m3", run.unloads ? number(of.energy_returned) : Json(nullptr)},
-          {"hysteresis", run.unloads ? number(of.hysteresis) : Json(nullptr)},
+          {"energy_returned_J_per_m3", number_if(run.unloads, of.energy_returned)},
+          {"hysteresis", number_if(run.unloads, of.hysteresis)},
           {"best_efficiency", point(of.best_efficiency)}};
 }
 

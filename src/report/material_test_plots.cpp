@@ -20,12 +20,6 @@ Axis plain_axis(const char* meaning) {
   return of;
 }
 
-std::vector<double> in(const UnitSystem& units, std::vector<double> values, const char* si_unit) {
-  const double factor = value_in(units, 1, si_unit);
-  for (double& value : values) value *= factor;
-  return values;
-}
-
 using Values = std::vector<double>;
 
 Series curve(const MaterialTestReport& report, std::size_t run, Values x, Values y) {
@@ -51,7 +45,7 @@ void add_points_of_1984(Panel& panel, const MaterialTestReport& report, const Un
   if (!report.test.steps_of_1984) return;
   for (std::size_t i = 0; i < report.runs.size(); ++i) {
     const UpdateOf1984& update = *report.runs[i].update_of_1984;
-    Series points = curve(report, i, x_of(update), in(units, update.stress, "Pa"));
+    Series points = curve(report, i, x_of(update), values_in(units, update.stress, "Pa"));
     points.label = fmt::format("1984, {} steps, {}", *report.test.steps_of_1984, points.label);
     points.style = SeriesStyle::points;
     const double peak = value_in(units, report.runs[i].figures.peak_stress, "Pa");
@@ -79,10 +73,10 @@ Axis time_axis(const MaterialTestReport& report, const UnitSystem& units) {
 }
 
 Values time_of(const MaterialTestRun& run, const UnitSystem& units) {
-  return in(units, run.column.time, "s");
+  return values_in(units, run.column.time, "s");
 }
 Values stress_of(const MaterialTestRun& run, const UnitSystem& units) {
-  return in(units, run.column.stress, "Pa");
+  return values_in(units, run.column.stress, "Pa");
 }
 
 }  // namespace
@@ -102,7 +96,8 @@ Panel stress_over_time(const MaterialTestReport& report, const UnitSystem& units
   add_curves(
       panel, report, [&](const auto& run) { return time_of(run, units); },
       [&](const auto& run) { return stress_of(run, units); });
-  add_points_of_1984(panel, report, units, [&](const UpdateOf1984& of) { return in(units, of.time, "s"); });
+  add_points_of_1984(panel, report, units,
+                     [&](const UpdateOf1984& of) { return values_in(units, of.time, "s"); });
   return panel;
 }
 
@@ -121,7 +116,7 @@ Panel energy_over_strain(const MaterialTestReport& report, const UnitSystem& uni
   panel.x.low = panel.y.low = 0;
   add_curves(
       panel, report, [](const auto& run) { return run.cushion.strain; },
-      [&](const auto& run) { return in(units, run.cushion.energy, "Pa"); });
+      [&](const auto& run) { return values_in(units, run.cushion.energy, "Pa"); });
   return panel;
 }
 
@@ -154,7 +149,7 @@ Panel efficiency_over_stress(const MaterialTestReport& report, const UnitSystem&
   for (const MaterialTestRun& run : report.runs) most = std::max(most, run.figures.peak_stress);
   panel.x.low = value_in(units, 1e-3 * most, "Pa");
   add_curves(
-      panel, report, [&](const auto& run) { return in(units, run.cushion.stress, "Pa"); },
+      panel, report, [&](const auto& run) { return values_in(units, run.cushion.stress, "Pa"); },
       [](const auto& run) { return run.cushion.efficiency; });
   for (const double limit : report.test.stress_limits) {
     Series line;

@@ -8,16 +8,11 @@
 #include "dashpad/version.hpp"
 #include "io/text.hpp"
 #include "report/material_test_words.hpp"
+#include "report/table_text.hpp"
 
 namespace dashpad {
 
 namespace {
-
-/// Characters, not bytes: units have a · and a ³.
-std::size_t width_of(const std::string& utf8) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(utf8, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
 
 /// The words of a heading, one below the other.
 std::vector<std::string> stacked(const std::string& heading) {
@@ -55,9 +50,7 @@ std::vector<Line> heading_lines(const PageTable& table) {
 std::string laid_out(const PageTable& table) {
   std::vector<Line> lines = heading_lines(table);
   lines.insert(lines.end(), table.rows.begin(), table.rows.end());
-  std::vector<std::size_t> width(table.columns.size());
-  for (const Line& line : lines)
-    for (std::size_t i = 0; i < width.size(); ++i) width[i] = std::max(width[i], width_of(line[i]));
+  const std::vector<std::size_t> width = column_widths(lines);
   std::string text;
   for (const Line& line : lines) {
     std::string row;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "io/text.hpp"
 #include "report/plot_text.hpp"
 
 namespace dashpad {
@@ -113,7 +114,7 @@ void Legend::add(const LegendEntry& entry) {
 int Legend::columns() const {
   constexpr double room = 790, width_of_sample = 70, width_of_character = 8.2;  // pixels; a wide font
   std::size_t longest = 1;
-  for (const LegendEntry& entry : entries) longest = std::max(longest, character_count(entry.label));
+  for (const LegendEntry& entry : entries) longest = std::max(longest, width_of(entry.label));
   const double width = width_of_sample + width_of_character * static_cast<double>(longest);
   return std::max(1, static_cast<int>(room / width));
 }

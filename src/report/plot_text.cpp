@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "io/text.hpp"
+
 namespace dashpad {
 
 namespace {
@@ -66,7 +68,7 @@ std::string readable(std::string_view text) {
 
 std::string shortened(std::string_view text, std::size_t length) {
   std::string result = readable(text);
-  if (character_count(result) <= length) return result;
+  if (width_of(result) <= length) return result;
   return result.substr(0, bytes_of(result, length - 1)) + "…";
 }
 
@@ -74,7 +76,7 @@ std::vector<std::string> lines_of(std::string_view text, std::size_t length) {
   const std::string whole = readable(text);
   std::string_view rest = whole;
   std::vector<std::string> lines;
-  while (character_count(rest) > length) {
+  while (width_of(rest) > length) {
     const std::size_t room = bytes_of(rest, length);
     const std::size_t space = rest.substr(0, room + 1).rfind(' ');
     const bool breaks_at_space = space != std::string_view::npos && space > 0;
@@ -83,11 +85,6 @@ std::vector<std::string> lines_of(std::string_view text, std::size_t length) {
   }
   if (!rest.empty()) lines.emplace_back(rest);
   return lines;
-}
-
-std::size_t character_count(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));
 }
 
 std::string literal(std::string_view text) {

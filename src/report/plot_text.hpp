@@ -17,9 +17,6 @@ std::string shortened(std::string_view text, std::size_t length);
 /// `text`, readable, in lines of at most `length` characters, where possible broken at spaces.
 std::vector<std::string> lines_of(std::string_view text, std::size_t length);
 
-/// Number of characters of valid UTF-8.
-std::size_t character_count(std::string_view text);
-
 /// `text`, readable, as an expression of gnuplot's language in which no character has a meaning.
 std::string literal(std::string_view text);
 

@@ -32,15 +32,14 @@ Json energy(const EnergyLedger& ledger) {
 /// Null for the error of a figure that is absent.
 Json errors(const Summary& summary) {
   const ErrorEstimates& of = summary.errors;
-  const auto error = [](bool present, double value) { return present ? number(value) : Json(nullptr); };
-  return {{"peak_force", error(summary.peak_force.has_value(), of.peak_force)},
-          {"time_of_peak_force", error(summary.time_of_peak_force.has_value(), of.time_of_peak_force)},
+  return {{"peak_force", number_if(summary.peak_force.has_value(), of.peak_force)},
+          {"time_of_peak_force", number_if(summary.time_of_peak_force.has_value(), of.time_of_peak_force)},
           {"peak_motion", number(of.peak_motion)},
           {"peak_penetration", number(of.peak_penetration)},
-          {"rebound_speed", error(summary.rebound_speed.has_value(), of.rebound_speed)},
-          {"release_time", error(summary.release.has_value(), of.release_time)},
-          {"weight", error(summary.weight.has_value(), of.weight)},
-          {"bottomed", error(summary.bottomed.has_value(), of.bottomed)},
+          {"rebound_speed", number_if(summary.rebound_speed.has_value(), of.rebound_speed)},
+          {"release_time", number_if(summary.release.has_value(), of.release_time)},
+          {"weight", number_if(summary.weight.has_value(), of.weight)},
+          {"bottomed", number_if(summary.bottomed.has_value(), of.bottomed)},
           {"energy_absorbed", number(of.energy_absorbed)}};
 }
 

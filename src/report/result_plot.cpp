@@ -12,12 +12,6 @@ namespace dashpad {
 
 namespace {
 
-std::vector<double> in(const UnitSystem& units, std::vector<double> values, const char* si_unit) {
-  const double factor = value_in(units, 1, si_unit);
-  for (double& value : values) value *= factor;
-  return values;
-}
-
 Series line(std::string label, std::vector<double> x, std::vector<double> y) {
   Series series;
   series.label = std::move(label);
@@ -40,7 +34,7 @@ Panel acceleration_panel(const History& history, const std::optional<InjuryFigur
     window.label = fmt::format("HIC15 {}", significant(injury->hic15.value));
     window.style = SeriesStyle::band;
     window.turn = 0;
-    window.x = in(units, {injury->hic15.begin, injury->hic15.end}, "s");
+    window.x = values_in(units, {injury->hic15.begin, injury->hic15.end}, "s");
     window.y = {0, 0};
     const double top = injury->peak.magnitude / standard_gravity;
     window.y2 = {top, top};
@@ -51,7 +45,7 @@ Panel acceleration_panel(const History& history, const std::optional<InjuryFigur
     level.y = {injury->contiguous_3ms.level / standard_gravity};
     panel.series.push_back(level);
   }
-  panel.series.push_back(line("acceleration", in(units, history.time, "s"), std::move(deceleration)));
+  panel.series.push_back(line("acceleration", values_in(units, history.time, "s"), std::move(deceleration)));
   panel.series.back().turn = 0;
   return panel;
 }
@@ -62,10 +56,10 @@ Panel loop_panel(const History& history, const UnitSystem& units) {
               axis_with_unit("Force", "N", units),
               {}};
   panel.x.low = panel.y.low = 0;
-  panel.series.push_back(
-      line("over the motion of the impactor", in(units, history.motion, "m"), in(units, history.force, "N")));
-  panel.series.push_back(line("over the penetration of the pad", in(units, history.penetration, "m"),
-                              in(units, history.force, "N")));
+  panel.series.push_back(line("over the motion of the impactor", values_in(units, history.motion, "m"),
+                              values_in(units, history.force, "N")));
+  panel.series.push_back(line("over the penetration of the pad", values_in(units, history.penetration, "m"),
+                              values_in(units, history.force, "N")));
   return panel;
 }
 

@@ -5,7 +5,7 @@
 #include "io/text.hpp"
 #include "report/study_tables.hpp"
 #include "report/study_words.hpp"
-#include "report/validation_tables.hpp"
+#include "report/table_text.hpp"
 
 namespace dashpad {
 

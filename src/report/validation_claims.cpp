@@ -1,13 +1,9 @@
 // The report's statements that can be computed again.
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "dashpad/validation/claims.hpp"
 #include "io/text.hpp"
-#include "report/validation_json_parts.hpp"
 #include "report/validation_tables.hpp"
 
 namespace dashpad {
@@ -23,20 +19,6 @@ PageTable claims_table(const Study& study) {
                           claim.remark});
   }
   return table;
-}
-
-Json claims_json(const Study& study) {
-  Json claims = Json::array();
-  for (const ReportClaim& claim : check_claims(study.data))
-    claims.push_back({{"where", claim.where},
-                      {"claim", claim.claim},
-                      {"unit", claim.unit},
-                      {"printed", number(claim.printed)},
-                      {"computed", number(claim.computed)},
-                      {"tolerance", number(claim.tolerance)},
-                      {"agrees", claim.agrees},
-                      {"remark", claim.remark}});
-  return claims;
 }
 
 }  // namespace dashpad

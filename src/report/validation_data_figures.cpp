@@ -15,10 +15,6 @@ using namespace validation;
 
 namespace {
 
-constexpr TestGroup aluminium{Projectile::aluminium, TestSupport::load_cell};
-constexpr TestGroup steel{Projectile::steel, TestSupport::load_cell};
-constexpr TestGroup on_plate{Projectile::aluminium, TestSupport::plate};
-
 const Axis speed_axis{.label = "Initial speed (mph)", .low = least_speed, .high = greatest_speed};
 
 /// T = travel / V, in ms for in and mph.
@@ -97,8 +93,8 @@ ValidationFigure time_to_peak(const Study& study) {
   return {.name = "Figure 3-4",
           .slug = "figure-3-4",
           .plot = {.title = "Time to peak force over initial speed, load cell",
-                   .panels = {time_panel(study, "Aluminium projectile, 4.13 lb", aluminium),
-                              time_panel(study, "Steel projectile, 7.7 lb", steel)},
+                   .panels = {time_panel(study, "Aluminium projectile, 4.13 lb", test_group::aluminium),
+                              time_panel(study, "Steel projectile, 7.7 lb", test_group::steel)},
                    .source = source_line("Table 3-1 and section 3.3")},
           .note = lost_readings(study, {"time_to_peak_ms"}, "time to peak") + radius_note(study)};
 }
@@ -154,8 +150,8 @@ ValidationFigure force_over_speed(const Study& study) {
     panel.series.push_back(
         measured_points(study, group, Quantity::peak_force, std::string{"measured, "} + name, turn));
   };
-  add(aluminium, "aluminium", turn::accurate);
-  add(steel, "steel", turn::printed_1984);
+  add(test_group::aluminium, "aluminium", turn::accurate);
+  add(test_group::steel, "steel", turn::printed_1984);
   return {.name = "Figure 3-6",
           .slug = "figure-3-6",
           .plot = {.title = "Peak force over initial speed, load cell",
@@ -182,9 +178,9 @@ ValidationFigure rebound_over_speed(const Study& study) {
   const auto add = [&](TestGroup group, const char* label, std::size_t turn) {
     panel.series.push_back(measured_points(study, group, Quantity::rebound_speed, label, turn));
   };
-  add(aluminium, "aluminium on load cell", turn::accurate);
-  add(steel, "steel on load cell", turn::second);
-  add(on_plate, "aluminium on plate", turn::printed_1984);
+  add(test_group::aluminium, "aluminium on load cell", turn::accurate);
+  add(test_group::steel, "steel on load cell", turn::second);
+  add(test_group::on_plate, "aluminium on plate", turn::printed_1984);
   return {
       .name = "Figure 3-7",
       .slug = "figure-3-7",

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "io/text.hpp"
+#include "report/table_text.hpp"
 #include "report/validation_tables.hpp"
 
 namespace dashpad {

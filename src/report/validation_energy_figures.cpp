@@ -109,8 +109,8 @@ ValidationFigure curves_a_and_b(const Study& study) {
               .series = curve_a(study, Projectile::aluminium, turn::accurate)};
   for (Series& series : curve_b(study, Projectile::aluminium, turn::printed_1984))
     panel.series.push_back(std::move(series));
-  panel.series.push_back(measured_points(study, {Projectile::aluminium, TestSupport::load_cell},
-                                         Quantity::peak_force, "measured on the load cell", turn::measured));
+  panel.series.push_back(measured_points(study, test_group::aluminium, Quantity::peak_force,
+                                         "measured on the load cell", turn::measured));
   return {.name = "Figure 3-9",
           .slug = "figure-3-9",
           .plot = {.title = "Peak force over initial speed, aluminium projectile",

@@ -1,6 +1,7 @@
 // The validation as JSON.
 
-#include "report/validation_json_parts.hpp"
+#include "dashpad/validation/claims.hpp"
+#include "io/json_values.hpp"
 #include "report/validation_tables.hpp"
 
 namespace dashpad {
@@ -14,10 +15,6 @@ Json array(const Values& values, ToJson to_json) {
   Json all = Json::array();
   for (const auto& value : values) all.push_back(to_json(value));
   return all;
-}
-
-Json numbers(const std::vector<double>& values) {
-  return array(values, [](double value) { return number(value); });
 }
 
 Json interval(const Interval& of) { return {{"low", number(of.low)}, {"high", number(of.high)}}; }
@@ -150,6 +147,17 @@ Json trend_json(const ForceTrend& trend) {
           {"ratio_steel_15_mph", number(trend.steel_high)}};
 }
 
+Json claim_json(const ReportClaim& claim) {
+  return {{"where", claim.where},
+          {"claim", claim.claim},
+          {"unit", claim.unit},
+          {"printed", number(claim.printed)},
+          {"computed", number(claim.computed)},
+          {"tolerance", number(claim.tolerance)},
+          {"agrees", claim.agrees},
+          {"remark", claim.remark}};
+}
+
 Json prediction_json(const Prediction& prediction) {
   const Setup& setup = prediction.setup;
   return {{"program", to_string(prediction.program)},
@@ -190,7 +198,7 @@ std::string validation_json(const Study& study) {
                       {"criteria", array(study.radius.criteria, criterion_json)}}},
                     {"constants", array(study.constants, constant_json)},
                     {"nominal_stress", nominal_stress_json(study.nominal_stress)},
-                    {"claims", claims_json(study)},
+                    {"claims", array(check_claims(study.data), claim_json)},
                     {"tests", array(study.data.measured.tests, test_json)},
                     {"lost_readings", array(study.data.measured.unplaced, unplaced_json)},
                     {"predictions_of_the_tests", array(study.at_tests, prediction_json)},

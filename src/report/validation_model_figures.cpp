@@ -15,10 +15,6 @@ using namespace validation;
 
 namespace {
 
-constexpr TestGroup aluminium{Projectile::aluminium, TestSupport::load_cell};
-constexpr TestGroup steel{Projectile::steel, TestSupport::load_cell};
-constexpr TestGroup on_plate{Projectile::aluminium, TestSupport::plate};
-
 const std::vector<Program> all_programs(std::begin(programs), std::end(programs));
 /// On the plate, which is linear, the support defect and the first slope change nothing.
 const std::vector<Program> programs_on_plate{Program::accurate, Program::printed_1984};
@@ -125,22 +121,22 @@ ValidationFigure figure(const char* number, const char* title, std::vector<Panel
 
 ValidationFigure predicted_time(const Study& study) {
   return figure("4-1", "Predicted time to peak force, load cell",
-                {time_panel(study, "Aluminium projectile, 4.13 lb", aluminium),
-                 time_panel(study, "Steel projectile, 7.7 lb", steel)},
+                {time_panel(study, "Aluminium projectile, 4.13 lb", test_group::aluminium),
+                 time_panel(study, "Steel projectile, 7.7 lb", test_group::steel)},
                 "section 4", radius_note(study) + "Measured times: Figure 3-4.");
 }
 
 ValidationFigure predicted_force_on_load_cell(const Study& study) {
   return figure("4-2", "Predicted peak force, load cell",
-                {force_panel(study, "Aluminium projectile, 4.13 lb", aluminium),
-                 force_panel(study, "Steel projectile, 7.7 lb", steel)},
+                {force_panel(study, "Aluminium projectile, 4.13 lb", test_group::aluminium),
+                 force_panel(study, "Steel projectile, 7.7 lb", test_group::steel)},
                 "Table 3-1 and section 4",
                 lost_readings(study, {"peak_force_lb"}, "peak force") + radius_note(study) + curve_note);
 }
 
 ValidationFigure predicted_force_on_plate(const Study& study) {
   Panel panel = speed_panel("", Quantity::peak_force);
-  add(panel, predicted_lines(study, programs_on_plate, on_plate, Quantity::peak_force));
+  add(panel, predicted_lines(study, programs_on_plate, test_group::on_plate, Quantity::peak_force));
   add(panel, curve_b(study, Projectile::aluminium, turn::report));
   return figure("4-3", "Predicted peak force, flexible plate, aluminium projectile", {panel}, "section 4",
                 radius_note(study) + curve_note +
@@ -150,8 +146,8 @@ ValidationFigure predicted_force_on_plate(const Study& study) {
 ValidationFigure predicted_rebound_on_load_cell(const Study& study) {
   return figure(
       "4-4", "Predicted rebound speed, load cell",
-      {rebound_panel(study, "Aluminium projectile, 4.13 lb", aluminium),
-       rebound_panel(study, "Steel projectile, 7.7 lb", steel)},
+      {rebound_panel(study, "Aluminium projectile, 4.13 lb", test_group::aluminium),
+       rebound_panel(study, "Steel projectile, 7.7 lb", test_group::steel)},
       "Tables 3-1 and 3-2, section 4",
       lost_readings(study, {"rebound_mph"}, "rebound speed") + radius_note(study) +
           "\"Expected at most\": the support absorbs all that it stores; for energies above 300 in·lb.");
@@ -159,7 +155,7 @@ ValidationFigure predicted_rebound_on_load_cell(const Study& study) {
 
 ValidationFigure predicted_rebound_on_plate(const Study& study) {
   return figure("4-5", "Predicted rebound speed, flexible plate, aluminium projectile",
-                {rebound_panel(study, "", on_plate)}, "Table 3-1 and section 4",
+                {rebound_panel(study, "", test_group::on_plate)}, "Table 3-1 and section 4",
                 radius_note(study) +
                     "\"Expected at most\" follows Table 3-2 with the force of curve B, but never above the "
                     "initial speed: the plate stores so much that this bound says little.");

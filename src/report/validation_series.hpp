@@ -22,6 +22,12 @@ struct TestGroup {
   validation::TestSupport support = validation::TestSupport::load_cell;
 };
 
+namespace test_group {
+inline constexpr TestGroup aluminium{validation::Projectile::aluminium, validation::TestSupport::load_cell};
+inline constexpr TestGroup steel{validation::Projectile::steel, validation::TestSupport::load_cell};
+inline constexpr TestGroup on_plate{validation::Projectile::aluminium, validation::TestSupport::plate};
+}  // namespace test_group
+
 /// "Peak force (lb)".
 std::string axis_label(validation::Quantity quantity);
 

@@ -39,10 +39,6 @@ struct NamedTable {
 /// All of them, for the document.
 std::vector<NamedTable> validation_tables(const validation::Study& study);
 
-std::string markdown(const PageTable& table);
-/// Columns of even width, for a terminal.
-std::string plain_text(const PageTable& table);
-
 /// "explains it", "explains it in part", "does not explain it".
 const char* words(validation::Explanation explanation);
 

@@ -4,16 +4,15 @@
 #include <fmt/format.h>
 
 #include "dashpad/units/quantity.hpp"
-#include "io/measurement_text.hpp"
-#include "io/pulse_csv_rows.hpp"
-#include "io/pulse_units.hpp"
 #include "io/spelling.hpp"
+#include "measurement/column_units.hpp"
+#include "measurement/csv_rows.hpp"
+#include "measurement/measurement_text.hpp"
 #include "study/factor_table.hpp"
 
 namespace dashpad::study {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 constexpr std::size_t most_values = 1'000'000;
 
 /// That of the header: a semicolon, a tab, or else a comma.
@@ -84,9 +83,7 @@ std::vector<double> read_empirical(const std::filesystem::path& file, const std:
                                    const std::string& unit) {
   MeasurementFaults faults(file.string());
   const std::string content = read_measurement(file);
-  if (const auto problem = why_not_text(content)) faults.refuse(problem->line, "", "", problem->rule);
-  std::string_view text = content;
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const std::string_view text = text_in(content, faults);
   const char separator = separator_of(text);
   CsvRows rows(text, separator);
   CsvRow row;

@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
-#include "io/measurement_text.hpp"
-#include "io/pulse_csv_rows.hpp"
 #include "io/spelling.hpp"
 #include "io/text_file.hpp"
+#include "measurement/csv_rows.hpp"
+#include "measurement/measurement_text.hpp"
 
 namespace dashpad::validation {
 
@@ -45,9 +45,7 @@ CsvTable::CsvTable(const std::filesystem::path& file, std::vector<std::string> c
 }
 
 void CsvTable::read(const std::string& text) {
-  std::string_view rest{text};
-  if (rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());
-  CsvRows rows(rest, ',');
+  CsvRows rows(without_mark(text), ',');
   CsvRow row;
   if (!rows.next(row) || texts_of(row) != columns_)
     throw InputError(

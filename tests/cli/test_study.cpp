@@ -228,9 +228,10 @@ TEST_F(StudyTest, PageAndStill) {
                                        file(name + std::string{".svg"})});
       EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     }
-  if (fs::exists(file("grid.svg")))
+  if (fs::exists(file("grid.svg"))) {
     EXPECT_THAT(read_file(file("grid.svg")),
                 HasSubstr("weight over contact area at the largest penetration"));
+  }
   const Outcome report = dashpad({"study", "summary", file("drawn.db"), "--report", file("drawn.html")});
   if (report.exit_code == 2 && report.err.find("without the page") != std::string::npos)
     GTEST_SKIP() << report.err;
@@ -248,6 +249,25 @@ TEST_F(StudyTest, Exports) {
   EXPECT_THAT(read_file(file("grid.h5")), HasSubstr("HDF"));
   expect_refused({"export", file("grid.db"), "--csv", file("grid.csv")}, "exists already");
   EXPECT_EQ(dashpad({"study", "export", file("grid.db"), "--csv", file("grid.csv"), "--force"}).exit_code, 0);
+}
+
+TEST_F(StudyTest, ExportsIntoPipesAndThroughLinks) {
+  compute("grid");
+  const std::string rows = csv_of("grid.db");
+  const Outcome piped = shell("mkfifo '" + file("pipe") + "'; cat '" + file("pipe") + "' > '" + file("got") +
+                              "' & \"$DASHPAD\" study export '" + file("grid.db") + "' --force --csv '" +
+                              file("pipe") + "'; code=$?; wait; exit $code");
+  EXPECT_EQ(piped.exit_code, 0) << piped.err;
+  EXPECT_TRUE(fs::is_fifo(file("pipe")));
+  EXPECT_EQ(read_file(file("got")), rows);
+  expect_refused({"export", file("grid.db"), "--force", "--hdf5", file("pipe")}, "needs the name of a file");
+  EXPECT_TRUE(fs::is_fifo(file("pipe")));
+
+  write_file(file("kept.csv"), "old");
+  fs::create_symlink(file("kept.csv"), file("link.csv"));
+  EXPECT_EQ(dashpad({"study", "export", file("grid.db"), "--force", "--csv", file("link.csv")}).exit_code, 0);
+  EXPECT_TRUE(fs::is_symlink(file("link.csv")));
+  EXPECT_EQ(read_file(file("kept.csv")), rows);
 }
 
 TEST_F(StudyTest, RefusesWhatIsNoRequest) {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "dashpad/io/fault.hpp"
-#include "dashpad/io/iso_mme.hpp"
+#include "dashpad/iso_mme/iso_mme.hpp"
 #include "temporary_folder.hpp"
 
 namespace dashpad::testing {

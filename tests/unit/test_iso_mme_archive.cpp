@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/iso_mme_members.hpp"
+#include "iso_mme/members.hpp"
 #include "sample_mme.hpp"
 
 namespace dashpad {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "dashpad/io/fault.hpp"
-#include "dashpad/io/pulse_csv.hpp"
+#include "dashpad/measurement/pulse_csv.hpp"
 #include "temporary_folder.hpp"
 
 namespace dashpad {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/io/fault.hpp"
-#include "dashpad/io/strain_csv.hpp"
+#include "dashpad/measurement/strain_csv.hpp"
 #include "temporary_folder.hpp"
 
 namespace dashpad {

@@ -1,4 +1,4 @@
-/// Foreign text on one line of a terminal.
+/// Text for a terminal: on one line, and how much room it takes.
 
 #include "io/text.hpp"
 
@@ -22,6 +22,12 @@ TEST(OneLine, HasNoUnseenCharacters) {
 TEST(OneLine, KeepsEverythingElse) {
   for (const char* text : {"Schaum, 30 mm, äöü", "泡沫", "a\u2013b \u00a0 \u2070", "\xff\xc2", "\xe2", ""})
     EXPECT_EQ(one_line(text), text);
+}
+
+TEST(WidthOf, CountsCharactersNotBytes) {
+  EXPECT_EQ(width_of(""), 0);
+  EXPECT_EQ(width_of("in·lbf"), 6);
+  EXPECT_EQ(width_of("kJ/m³ 泡沫"), 8);
 }
 
 }  // namespace

@@ -210,7 +210,9 @@ TEST(Creep, OfTheLinearSolidIsAClosedForm) {
     const double t = test->time[i] - test->time[loaded];
     const double exact = lasting - (lasting - first) * std::exp(-t * 140e3 / (420e3 * 5e-3));
     EXPECT_NEAR(test->strain[i], exact, 1e-14);
-    if (i > loaded) EXPECT_EQ(test->stress[i], 5e4);
+    if (i > loaded) {
+      EXPECT_EQ(test->stress[i], 5e4);
+    }
   }
   EXPECT_NEAR(test->strain.back(), lasting, 0.01);
 }

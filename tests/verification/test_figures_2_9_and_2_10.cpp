@@ -123,10 +123,11 @@ TEST(Parabola, IsStifferInTheNineParameterLawAtHighStrainOnly) {
       const double difference =
           one.exact[static_cast<std::size_t>(k)] - other.exact[static_cast<std::size_t>(k)];
       const double crossing = rate == 1 ? 0.90 : 0.485;
-      if (strain > crossing + 0.01)
+      if (strain > crossing + 0.01) {
         EXPECT_GT(difference, 0) << "rate " << rate << ", strain " << strain;
-      else if (strain < 0.12)
+      } else if (strain < 0.12) {
         EXPECT_LT(difference, 0) << "rate " << rate << ", strain " << strain;
+      }
     }
   }
   const double nine_peak = analyse(nine(), true, 100).figures.peak_stress;

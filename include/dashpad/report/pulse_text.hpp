@@ -7,8 +7,8 @@
 
 #include "dashpad/injury/cfc_filter.hpp"
 #include "dashpad/injury/figures.hpp"
-#include "dashpad/io/measured_pulse.hpp"
 #include "dashpad/io/unit_system.hpp"
+#include "dashpad/measurement/measured_pulse.hpp"
 #include "dashpad/report/plot.hpp"
 
 namespace dashpad {

@@ -54,9 +54,9 @@ struct Score {
   Quantity quantity = Quantity::peak_force;
   double radius_in = 0;
   std::optional<Projectile> projectile = {};  ///< absent: both
-  std::vector<TestError> errors;         ///< of the tests with a certain reading and a prediction
-  int missing = 0;                       ///< tests with a certain reading, but no prediction
-  double bias = 0;                       ///< exp(mean of ln ratio) - 1, or mean difference
+  std::vector<TestError> errors;              ///< of the tests with a certain reading and a prediction
+  int missing = 0;                            ///< tests with a certain reading, but no prediction
+  double bias = 0;                            ///< exp(mean of ln ratio) - 1, or mean difference
   double scatter = 0;  ///< standard deviation of ln ratio, or of the difference; 0 below two tests
   /// By the rule, and with no prediction missing: a program cannot pass by ending in an ABEND.
   bool passed = false;

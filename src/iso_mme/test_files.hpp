@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "io/iso_mme_members.hpp"
+#include "iso_mme/members.hpp"
 
 namespace dashpad {
 

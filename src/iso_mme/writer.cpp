@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/io/iso_mme.hpp"
+#include "dashpad/iso_mme/iso_mme.hpp"
 #include "io/text.hpp"
 
 namespace dashpad {

@@ -1,6 +1,6 @@
-#include <cmath>
+#include "dashpad/measurement/measured_pulse.hpp"
 
-#include "dashpad/io/measured_pulse.hpp"
+#include <cmath>
 
 namespace dashpad {
 

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,12 +39,8 @@ std::string read_descriptor(int descriptor, const std::string& name, std::size_t
 /// All bytes of a regular file of at most largest_measurement. Throws InputError.
 std::string read_measurement(const std::filesystem::path& file);
 
-/// "is UTF-16", "is not text": why these bytes are no lines of text, and in which line. Nothing if they are.
-struct NotText {
-  std::size_t line = 0;
-  std::string rule;
-};
-std::optional<NotText> why_not_text(std::string_view content);
+/// The bytes of a file as text, without a byte order mark. Refuses what is UTF-16 or no text at all.
+std::string_view text_in(std::string_view content, MeasurementFaults& faults);
 
 /// Takes lines off a text, one after the other, whatever they end in: LF, CR LF or CR.
 class LineReader {

@@ -1,4 +1,4 @@
-#include "dashpad/io/pulse_csv.hpp"
+#include "dashpad/measurement/pulse_csv.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "io/pulse_csv_columns.hpp"
-#include "io/pulse_csv_rows.hpp"
-#include "io/pulse_gaps.hpp"
-#include "io/text_file.hpp"
+#include "measurement/csv_columns.hpp"
+#include "measurement/csv_rows.hpp"
+#include "measurement/pulse_gaps.hpp"
 
 namespace dashpad {
 
@@ -169,10 +168,8 @@ struct Table {
 
 void read_table(const std::filesystem::path& file, MeasurementFaults& faults, Table& table) {
   table.content = read_measurement(file);
-  if (const auto problem = why_not_text(table.content)) faults.refuse(problem->line, "", "", problem->rule);
-  table.text = table.content;
-  table.has_mark = table.text.starts_with(byte_order_mark);
-  if (table.has_mark) table.text.remove_prefix(byte_order_mark.size());
+  table.text = text_in(table.content, faults);
+  table.has_mark = table.text.size() < table.content.size();
   if (without_blanks(table.text).empty()) faults.refuse(0, "", "", "is empty");
   table.separator = find_separator(table.text);
   table.header = read_csv_header(table.text, table.separator);

@@ -1,4 +1,4 @@
-#include "dashpad/io/iso_mme.hpp"
+#include "dashpad/iso_mme/iso_mme.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "dashpad/io/fault.hpp"
-#include "io/iso_mme_choice.hpp"
-#include "io/iso_mme_test.hpp"
-#include "io/iso_mme_text.hpp"
-#include "io/pulse_units.hpp"
+#include "iso_mme/choice.hpp"
+#include "iso_mme/test_files.hpp"
+#include "iso_mme/text.hpp"
+#include "measurement/column_units.hpp"
 
 namespace dashpad {
 

@@ -1,4 +1,4 @@
-#include "io/pulse_csv_columns.hpp"
+#include "measurement/csv_columns.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "io/pulse_csv_rows.hpp"
-#include "io/pulse_units.hpp"
+#include "measurement/column_units.hpp"
+#include "measurement/csv_rows.hpp"
 
 namespace dashpad {
 

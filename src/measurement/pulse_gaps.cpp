@@ -1,4 +1,4 @@
-#include "io/pulse_gaps.hpp"
+#include "measurement/pulse_gaps.hpp"
 
 #include <algorithm>
 #include <cmath>

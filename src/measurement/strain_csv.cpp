@@ -1,4 +1,4 @@
-#include "dashpad/io/strain_csv.hpp"
+#include "dashpad/measurement/strain_csv.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "io/pulse_csv_columns.hpp"
-#include "io/pulse_csv_rows.hpp"
-#include "io/pulse_units.hpp"
-#include "io/text_file.hpp"
+#include "measurement/column_units.hpp"
+#include "measurement/csv_columns.hpp"
+#include "measurement/csv_rows.hpp"
 
 namespace dashpad {
 
@@ -166,9 +165,7 @@ class StrainReader {
 StrainTable read_strain_csv(const std::filesystem::path& file) {
   MeasurementFaults faults(file.string());
   const std::string content = read_measurement(file);
-  if (const auto problem = why_not_text(content)) faults.refuse(problem->line, "", "", problem->rule);
-  std::string_view text = content;
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const std::string_view text = text_in(content, faults);
   if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
   const char separator = find_separator(text);
   const CsvHeader header = read_csv_header(text, separator);

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "dashpad/io/pulse_csv.hpp"
-#include "io/measurement_text.hpp"
+#include "dashpad/measurement/pulse_csv.hpp"
+#include "measurement/measurement_text.hpp"
 
 namespace dashpad {
 

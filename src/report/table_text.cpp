@@ -1,23 +1,14 @@
-// A table as Markdown, and in columns of even width.
+#include "report/table_text.hpp"
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "io/text.hpp"
-#include "report/validation_tables.hpp"
 
 namespace dashpad {
 
 namespace {
 
 using Row = std::vector<std::string>;
-
-/// UTF-8 characters.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));
-}
 
 std::string markdown_row(const Row& row) {
   std::string line = "|";
@@ -41,12 +32,17 @@ std::string markdown(const PageTable& table) {
   return text;
 }
 
+std::vector<std::size_t> column_widths(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.empty() ? 0 : rows.front().size());
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+  return widths;
+}
+
 std::string plain_text(const PageTable& table) {
   std::vector<Row> rows{table.columns};
   rows.insert(rows.end(), table.rows.begin(), table.rows.end());
-  std::vector<std::size_t> widths(table.columns.size());
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+  const std::vector<std::size_t> widths = column_widths(rows);
   std::string text;
   for (const Row& row : rows) {
     std::string line;

@@ -10,8 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "io/iso_mme_members.hpp"
-#include "io/measurement_text.hpp"
+#include "iso_mme/members.hpp"
+#include "measurement/measurement_text.hpp"
 
 namespace dashpad {
 

@@ -1,4 +1,4 @@
-#include "io/pulse_units.hpp"
+#include "measurement/column_units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/units/quantity.hpp"
-#include "io/measurement_text.hpp"
+#include "measurement/measurement_text.hpp"
 #include "units/unit_factor.hpp"
 #include "units/unit_text.hpp"
 

@@ -1,4 +1,4 @@
-#include "io/iso_mme_test.hpp"
+#include "iso_mme/test_files.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "io/measurement_text.hpp"
+#include "measurement/measurement_text.hpp"
 
 namespace dashpad {
 

@@ -1,9 +1,10 @@
-#include "io/iso_mme_text.hpp"
-#include "io/text_file.hpp"
+#include "iso_mme/text.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
+
+#include "io/text_file.hpp"
 
 namespace dashpad {
 
@@ -11,11 +12,6 @@ namespace {
 
 constexpr std::string_view no_value = "NOVALUE";
 constexpr std::size_t most_labels = 10'000;
-
-std::string_view without_mark(std::string_view text) {
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-  return text;
-}
 
 /// Takes the labels off; false once `line` is none.
 bool take_label(std::string_view line, std::size_t number, MmeLabels& labels) {
@@ -59,9 +55,8 @@ MmeLabels read_mme_labels(std::string_view text) {
 }
 
 MmeChannelText read_mme_channel(std::string_view text, MeasurementFaults& faults) {
-  if (const auto problem = why_not_text(text)) faults.refuse(problem->line, "", "", problem->rule);
   MmeChannelText channel;
-  LineReader lines(without_mark(text));
+  LineReader lines(text_in(text, faults));
   std::string_view line;
   bool in_labels = true;
   std::size_t blank_line = 0;

@@ -1,4 +1,4 @@
-#include "io/pulse_csv_rows.hpp"
+#include "measurement/csv_rows.hpp"
 
 #include <algorithm>
 

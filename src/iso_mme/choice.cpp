@@ -1,4 +1,4 @@
-#include "io/iso_mme_choice.hpp"
+#include "iso_mme/choice.hpp"
 
 #include <algorithm>
 #include <charconv>

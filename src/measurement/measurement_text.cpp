@@ -1,4 +1,4 @@
-#include "io/measurement_text.hpp"
+#include "measurement/measurement_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "io/text_file.hpp"
 
 namespace dashpad {
 
@@ -109,17 +111,18 @@ std::string read_measurement(const std::filesystem::path& file) {
   return read_descriptor(descriptor, file.string(), largest_measurement);
 }
 
-std::optional<NotText> why_not_text(std::string_view content) {
+std::string_view text_in(std::string_view content, MeasurementFaults& faults) {
   if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff"))
-    return NotText{1, "is UTF-16; save it as UTF-8"};
+    faults.refuse(1, "", "", "is UTF-16; save it as UTF-8");
   const auto is_binary = [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f' && c != '\x1a';
   };
   const auto found = std::ranges::find_if(content, is_binary);
-  if (found == content.end()) return std::nullopt;
+  if (found == content.end()) return without_mark(content);
   const auto line = static_cast<std::size_t>(std::count(content.begin(), found, '\n')) + 1;
-  return NotText{line, fmt::format("is not text: it holds the byte {}", static_cast<unsigned char>(*found))};
+  faults.refuse(line, "", "",
+                fmt::format("is not text: it holds the byte {}", static_cast<unsigned char>(*found)));
 }
 
 bool LineReader::next(std::string_view& line) {

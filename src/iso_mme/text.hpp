@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/measurement_text.hpp"
+#include "measurement/measurement_text.hpp"
 
 namespace dashpad {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/io/measured_pulse.hpp"
+#include "dashpad/measurement/measured_pulse.hpp"
 
 namespace dashpad {
 

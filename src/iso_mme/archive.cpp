@@ -16,9 +16,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "io/iso_mme_members.hpp"
-#include "io/measurement_text.hpp"
 #include "io/text.hpp"
+#include "iso_mme/members.hpp"
+#include "measurement/measurement_text.hpp"
 
 namespace dashpad {
 

@@ -6,7 +6,7 @@
 #include <archive.h>
 #include <archive_entry.h>
 
-#include "dashpad/io/iso_mme.hpp"
+#include "dashpad/iso_mme/iso_mme.hpp"
 
 namespace dashpad {
 

@@ -1,0 +1,61 @@
+#include "result_files.hpp"
+
+#include "dashpad/injury/figures.hpp"
+#include "dashpad/io/history_csv.hpp"
+#include "dashpad/io/summary_text.hpp"
+#include "dashpad/report/page.hpp"
+#include "dashpad/report/pulse_text.hpp"
+#include "dashpad/report/result_json.hpp"
+#include "dashpad/report/result_plot.hpp"
+#include "output.hpp"
+
+namespace dashpad {
+
+namespace {
+
+std::vector<Target> targets(const ResultFiles& files) {
+  std::vector<Target> wanted;
+  if (files.json) wanted.push_back({"--json", *files.json});
+  if (files.csv) wanted.push_back({"--csv", *files.csv});
+  if (files.report) wanted.push_back({"--report", *files.report});
+  if (files.png) wanted.push_back({"--png", *files.png});
+  return wanted;
+}
+
+}  // namespace
+
+void add_result_files(CLI::App& app, ResultFiles& files) {
+  app.add_option("--json", files.json, "Write the summary as JSON (- for standard output)")
+      ->type_name("FILE");
+  app.add_option("--csv", files.csv, "Write the history as CSV (- for standard output)")->type_name("FILE");
+  add_report(app, files.report);
+  app.add_option("--png", files.png, "Draw acceleration and hysteresis as a still; needs gnuplot")
+      ->type_name("FILE");
+  add_units(app, files.units);
+}
+
+std::vector<std::string> complaints(const ResultFiles& files, const std::filesystem::path& input) {
+  std::vector<std::string> wrong = complaints(targets(files), input, files.force);
+  judge_report(files.report, wrong);
+  return wrong;
+}
+
+void publish(const ResultFiles& files, const SolvedCase& solved, std::string_view heading,
+             std::string_view after) {
+  const ImpactCase& impact = solved.impact;
+  const Solution& solution = solved.solution;
+  const UnitSystem& units = unit_system(files.units);
+  const std::optional<InjuryFigures> injury = whole_pulse_figures(solution);
+  const auto text_of = [&](const Target& target) {
+    if (target.option == "--json") return result_json(impact, solution.summary, injury);
+    if (target.option == "--png")
+      return picture(result_plot(impact, solution, injury, units), PictureFormat::png);
+    if (target.option == "--csv") return history_csv(solution.history, units_of_files(units));
+    return page(impact, solved.options, solution, units, contact_snapshots(impact, solution.history));
+  };
+  std::string summary = std::string{heading} + summary_text(impact, solution.summary, units);
+  if (injury) summary += "\nThe pulse:\n" + injury_text(*injury, units);
+  publish(targets(files), files.force, text_of, summary.append(after));
+}
+
+}  // namespace dashpad

@@ -1,0 +1,41 @@
+#pragma once
+/// The result of one solved impact, as dashpad run and dashpad study replay give it: files, and a summary for
+/// people.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "command.hpp"
+#include "dashpad/impact/solution.hpp"
+
+namespace dashpad {
+
+/// What the user wants written, and how.
+struct ResultFiles {
+  std::optional<std::string> json, csv, report, png;
+  std::string units;
+  bool force = false;
+};
+
+/// Adds --json, --csv, --report, --png and --units.
+void add_result_files(CLI::App& app, ResultFiles& files);
+
+/// What forbids writing them, a line each. None may be the input.
+std::vector<std::string> complaints(const ResultFiles& files, const std::filesystem::path& input);
+
+/// A case, and what came of it.
+struct SolvedCase {
+  const ImpactCase& impact;
+  const Options& options;
+  const Solution& solution;
+};
+
+/// Writes the files, then shows the summary between a heading and what follows it. Throws as PendingFile
+/// does.
+void publish(const ResultFiles& files, const SolvedCase& solved, std::string_view heading = "",
+             std::string_view after = "");
+
+}  // namespace dashpad
