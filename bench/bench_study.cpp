@@ -169,7 +169,7 @@ int measure_studies(int count, char** arguments) {
   app.add_option("--scaling-samples", settings.scaling_samples, "Samples of the study on 1 to all cores")
       ->capture_default_str();
   app.add_option("--most-samples", settings.most_samples, "Largest study")->capture_default_str();
-  app.add_option("--repetitions", settings.repetitions, "Of each run of up to 100,000 samples")
+  app.add_option("--repetitions", settings.repetitions, "Of each run of less than 100,000 samples")
       ->capture_default_str();
   app.add_option("--csv", settings.csv, "File for all measurements");
   CLI11_PARSE(app, count, arguments);
@@ -177,7 +177,7 @@ int measure_studies(int count, char** arguments) {
   const std::vector<Job> jobs = jobs_of(settings);
   for (int repetition = 0; repetition < settings.repetitions; ++repetition)
     for (const Job& job : jobs) {
-      if (job.samples > 100'000 && repetition > 0) continue;
+      if (job.samples >= 100'000 && repetition > 0) continue;
       results.push_back(run(job, repetition, settings.command));
       print(results.back());
     }

@@ -60,11 +60,13 @@ PageTable scaling_table(const Costs& costs) {
   for (const auto& [key, cost] : costs) {
     const auto& [study, launcher, workers, samples] = key;
     const Scaling scaling = scaling_of(costs, key);
-    table.rows.push_back({law_of(study), fmt::format("{} {}", workers, launcher),
-                          fmt::format("{:.0f}", samples / cost.wall), fmt::format("{:.2f}", scaling.speed_up),
-                          fmt::format("{:.0f} %", 100 * scaling.wall_efficiency),
-                          fmt::format("{:.0f} %", 100 * scaling.cpu_efficiency),
-                          fmt::format("{:.0f} us", 1e6 * cost.cpu / samples)});
+    table.rows.push_back(
+        {law_of(study),
+         fmt::format("{} {}", workers, workers == 1 ? launcher.substr(0, launcher.size() - 1) : launcher),
+         fmt::format("{:.0f}", samples / cost.wall), fmt::format("{:.2f}", scaling.speed_up),
+         fmt::format("{:.0f} %", 100 * scaling.wall_efficiency),
+         fmt::format("{:.0f} %", 100 * scaling.cpu_efficiency),
+         fmt::format("{:.0f} us", 1e6 * cost.cpu / samples)});
   }
   return table;
 }
@@ -136,7 +138,7 @@ PageFigure samples_figure(const RawResults& results, const Costs& costs) {
              .series = {}};
   Panel cpu{
       .title = "CPU time a row", .x = samples_axis, .y = {.label = "Time (us)", .low = 0}, .series = {}};
-  Panel memory{.title = "Peak memory and store",
+  Panel memory{.title = "Peak memory by law, and the store on disk",
                .x = samples_axis,
                .y = {.label = "Size (MB)", .logarithmic = true},
                .series = {}};
@@ -146,7 +148,7 @@ PageFigure samples_figure(const RawResults& results, const Costs& costs) {
     const double samples = std::get<3>(key);
     add(wall, law, turn, samples, cost.wall);
     add(cpu, law, turn, samples, 1e6 * cost.cpu / samples);
-    add(memory, law + ", memory", turn + 4, samples, cost.memory / 1e6);
+    add(memory, law, turn, samples, cost.memory / 1e6);
     if (turn == 0) add(memory, "store on disk", 2, samples, cost.store / 1e6);
   }
   return {.name = "Size",

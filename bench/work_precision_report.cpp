@@ -69,7 +69,7 @@ Panel panel_of(const RawResults& results, const CaseText& of, Measure measure, c
                const char* axis) {
   Panel panel{.title = title,
               .x = {.label = axis, .logarithmic = true},
-              .y = {.label = "CPU time an impact (us)", .logarithmic = true},
+              .y = {.label = "CPU time an impact (us)", .logarithmic = true, .low = 1},
               .series = {}};
   for (const Solver& solver : solvers) {
     Series line{.style = SeriesStyle::solid_line, .turn = solver.turn};
@@ -107,7 +107,7 @@ PageFigure figure_of(const RawResults& results, const CaseText& of) {
 }
 
 PageTable precision_table(const RawResults& results, const CaseText& of) {
-  constexpr std::array wanted{1e-2, 1e-3, 1e-4, 1e-5};
+  constexpr std::array wanted{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
   PageTable table{
       .caption = fmt::format("{}: {}. Fastest setting with at most this true error", of.id, of.title),
       .columns = {"solver"},
