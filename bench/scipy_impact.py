@@ -177,7 +177,8 @@ class Impact:
     def force(self, state):
         return self.stiffness * (state[MOTION] - state[PENETRATION])
 
-    def solve(self, rtol):
+    def solve(self, rtol, method):
+        """Peak force, peak penetration, rebound speed. Raises ArithmeticError or ValueError where it gives up."""
         self.rtol = rtol
         size = COLUMNS + len(self.s)
         state = np.zeros(size)
@@ -187,7 +188,7 @@ class Impact:
                                              np.full(size - COLUMNS, stress_scale)])
 
         def run(begin, state, events):
-            return solve_ivp(self.derivative, (begin, begin + 1.0), state, method=METHOD, rtol=rtol, atol=atol,
+            return solve_ivp(self.derivative, (begin, begin + 1.0), state, method=method, rtol=rtol, atol=atol,
                              events=events, max_step=1e-3)
 
         loading = run(0, state, [self.turning, self.peak])
@@ -203,9 +204,6 @@ class Impact:
         return (max(peaks + [self.force_at_turning]), turned[PENETRATION], -back.y_events[0][0][VELOCITY])
 
 
-METHOD = "RK45"
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--case", required=True, help="JSON file: law, parameters, mass, radius, ... in SI")
@@ -213,16 +211,15 @@ def main():
     parser.add_argument("--rtol", type=float, required=True)
     parser.add_argument("--repeat", type=int, default=1, help="solutions at full speed")
     parser.add_argument("--shares", type=float, nargs="*", default=[], help="other speeds, as shares of the full")
-    parser.add_argument("--method", default=METHOD, help="of solve_ivp")
+    parser.add_argument("--method", default="RK45", help="of solve_ivp")
     arguments = parser.parse_args()
-    globals()["METHOD"] = arguments.method
     with open(arguments.case) as file:
         case = json.load(file)
     for share in arguments.shares + [1.0] * arguments.repeat:
         impact = Impact(case, arguments.columns, share * case["speed"])
         begin = time.process_time()
         try:
-            figures = impact.solve(arguments.rtol)
+            figures = impact.solve(arguments.rtol, arguments.method)
         except (ArithmeticError, ValueError) as error:
             print(f"scipy_impact: {error}", file=sys.stderr)
             figures = (math.nan,) * 3

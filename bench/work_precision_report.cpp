@@ -84,7 +84,7 @@ Panel panel_of(const RawResults& results, const CaseText& of, Measure measure, c
     panel.series.push_back(std::move(points));
   }
   if (of.goal_us > 0 && measure == Measure::force_and_rebound) {
-    panel.series.push_back({.label = fmt::format("goal: {} us at {:.0e}", of.goal_us, goal_error),
+    panel.series.push_back({.label = fmt::format("goal: {} us at {}", of.goal_us, goal_error),
                             .style = SeriesStyle::horizontal_line,
                             .y = {of.goal_us}});
     panel.series.push_back({.style = SeriesStyle::vertical_line, .x = {goal_error}});
