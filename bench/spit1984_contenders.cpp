@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "contenders.hpp"
 #include "dashpad/impact/solution.hpp"
@@ -38,8 +39,11 @@ std::vector<Contender> spit1984_contenders(const ImpactCase& impact) {
     const char* name;
     spit1984::Defects defects;
   };
+  // With all mended, law 5 ends in an ABEND.
+  const bool law_5 = std::holds_alternative<TwentyOneParameter>(impact.pad.material.law);
+  const spit1984::Defects mended = law_5 ? spit1984::Defects{.edge_residue = false} : spit1984::all_mended;
   std::vector<Contender> contenders;
-  for (const Version& version : {Version{"1984 as printed", {}}, {"1984 mended", spit1984::all_mended}})
+  for (const Version& version : {Version{"1984 as printed", {}}, {"1984 mended", mended}})
     for (const double step_ms : {0.4, 0.2, 0.1, 0.05, 0.025}) {
       spit1984::Settings settings;
       settings.arithmetic = spit1984::Arithmetic::binary32;

@@ -55,9 +55,10 @@ std::vector<WorkPoint> front_of(const RawResults& results, const std::string& id
 
 /// The fastest point of a front that is as accurate as that.
 std::optional<WorkPoint> fastest(const std::vector<WorkPoint>& front, double error) {
-  for (auto point = front.rbegin(); point != front.rend(); ++point)
-    if (point->error <= error) return *point;
-  return std::nullopt;
+  std::optional<WorkPoint> last;
+  for (const WorkPoint& point : front)
+    if (point.error <= error) last = point;
+  return last;
 }
 
 std::string in_words(double time_us) {
@@ -159,9 +160,9 @@ Chapter work_precision_chapter(const RawResults& results) {
   Chapter chapter;
   chapter.section.heading = "Work and precision";
   chapter.section.paragraphs = {facts_text(results)};
-  for (const auto& [key, value] : results.facts())
-    if (std::ranges::any_of(cases, [&](const CaseText& of) { return key == of.id; }))
-      chapter.section.paragraphs.push_back(key + ": " + value);
+  for (const auto& fact : results.facts())
+    if (std::ranges::any_of(cases, [&](const CaseText& of) { return fact.first == of.id; }))
+      chapter.section.paragraphs.push_back(fmt::format("{}: {}", fact.first, fact.second));
   chapter.section.tables.push_back(goal_table(results));
   chapter.table_names.emplace_back("goal");
   for (const CaseText& of : cases) {
