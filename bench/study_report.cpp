@@ -98,8 +98,10 @@ void add(Panel& panel, const std::string& label, std::size_t turn, double x, dou
 }
 
 PageFigure scaling_figure(const RawResults& results, const Costs& costs) {
+  double most = 1;
+  for (const auto& [key, cost] : costs) most = std::max<double>(most, std::get<int>(key));
   Panel speed_up{.title = "Speed-up",
-                 .x = {.label = "Cores", .low = 1},
+                 .x = {.label = "Cores", .low = 0.5, .high = most + 0.5},
                  .y = {.label = "Times one worker", .low = 0},
                  .series = {}};
   Panel wall{.title = "Efficiency in wall time",
@@ -107,7 +109,6 @@ PageFigure scaling_figure(const RawResults& results, const Costs& costs) {
              .y = {.label = "Efficiency (%)", .low = 0},
              .series = {}};
   Panel cpu{.title = "Efficiency in CPU time", .x = speed_up.x, .y = wall.y, .series = {}};
-  double most = 1;
   for (const auto& [key, cost] : costs) {
     const auto& [study, launcher, workers, samples] = key;
     const std::string label = fmt::format("{}, {}", law_of(study), launcher);
@@ -116,7 +117,6 @@ PageFigure scaling_figure(const RawResults& results, const Costs& costs) {
     add(speed_up, label, turn, workers, scaling.speed_up);
     add(wall, label, turn, workers, 100 * scaling.wall_efficiency);
     add(cpu, label, turn, workers, 100 * scaling.cpu_efficiency);
-    most = std::max(most, static_cast<double>(workers));
   }
   speed_up.series.push_back(
       {.label = "ideal", .style = SeriesStyle::dashed_line, .x = {1, most}, .y = {1, most}, .turn = 6});
@@ -131,7 +131,7 @@ PageFigure scaling_figure(const RawResults& results, const Costs& costs) {
 }
 
 PageFigure samples_figure(const RawResults& results, const Costs& costs) {
-  const Axis samples_axis{.label = "Samples", .logarithmic = true};
+  const Axis samples_axis{.label = "Samples", .logarithmic = true, .low = 50, .high = 2e6};
   Panel wall{.title = "Wall time, all cores",
              .x = samples_axis,
              .y = {.label = "Time (s)", .logarithmic = true},
