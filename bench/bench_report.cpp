@@ -84,7 +84,9 @@ int report(int count, char** arguments) {
   if (readme.empty()) return 0;
   const std::string text = read(readme), fresh = with_blocks(text, blocks_of(chapters));
   if (check && fresh != text)
-    throw std::runtime_error(readme.string() + " does not say what the raw results say: ./do bench report");
+    throw std::runtime_error(readme.string() +
+                             " does not say what the raw results say: ./do bench report "
+                             "bench/results --readme bench/README.md");
   if (!check) write(readme, fresh);
   return 0;
 }
