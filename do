@@ -13,9 +13,11 @@ Usage: ./do TASK [arguments]
   run [CASE] [arguments]   build the command and solve CASE (default: examples/dashboard-20mph.toml)
   test [PRESET] [ctest arguments]
                            build and run the tests (default: release; also dev, asan-ubsan, coverage)
-  bench [--record]         build and run the benchmarks; raw results go to build/bench, or to bench/results
+  bench [--record]         build and run the benchmarks; results, stills and a page go to build/bench, or to
+                           bench/results (and the tables of bench/README.md are brought up to date)
   bench PROGRAM [arguments]
-                           only impact, spit1984, injury or against-cvode, with arguments of its own
+                           only impact, injury, work-precision, study or report, with arguments of its own
+  bench --check            whether the tables of bench/README.md are those of bench/results
   format                   lay out the C++ code with clang-format
   lint                     check layout, clang-tidy, cppcheck and shellcheck; changes nothing
   coverage                 run the tests and report the lines they reach
@@ -149,27 +151,30 @@ task_bench() {
   say "Building the benchmarks ..."
   configure release -DDASHPAD_BUILD_BENCH=ON
   build release dashpad-bench
-  local programs="$root/build/release/bench" results="$root/build/bench"
+  local programs="$root/build/release/bench" results="$root/build/bench" readme=()
   case "${1:-all}" in
-    impact | spit1984 | injury | against-cvode)
+    impact | injury | work-precision | study | report)
       local program="bench_${1//-/_}"
       shift
       exec "$programs/$program" "$@"
       ;;
-    --record) results="$root/bench/results" ;;
+    --check) exec "$programs/bench_report" "$root/bench/results" --readme "$root/bench/README.md" --check ;;
+    --record) results="$root/bench/results" readme=(--readme "$root/bench/README.md") ;;
     all) ;;
-    *) fail "no benchmark '$1': impact, spit1984, injury or against-cvode" ;;
+    *) fail "no benchmark '$1': impact, injury, work-precision, study or report" ;;
   esac
   mkdir -p "$results"
   local program
-  for program in impact spit1984 injury; do
-    "$programs/bench_$program" --benchmark_repetitions=9 --benchmark_min_time=0.2 \
+  for program in impact injury; do
+    "$programs/bench_$program" --benchmark_repetitions=5 --benchmark_min_time=0.1 \
       --benchmark_enable_random_interleaving=true --benchmark_display_aggregates_only=true \
       --benchmark_out="$results/$program.json" --benchmark_out_format=json
     sed -i -e '/"host_name":/d' -e '/"executable":/d' "$results/$program.json"
   done
-  "$programs/bench_against_cvode" --csv "$results/against-cvode.csv" | tee "$results/against-cvode.txt"
-  say "Raw results: ${results#"$root"/}"
+  "$programs/bench_work_precision" --csv "$results/work-precision.csv"
+  "$programs/bench_study" --csv "$results/study.csv"
+  "$programs/bench_report" "$results" "${readme[@]}"
+  say "Raw results, stills and benchmarks.html: ${results#"$root"/}"
 }
 
 # Paths of the C++ files, relative to the root.
