@@ -24,6 +24,7 @@ struct Figures {
   double final_velocity = 0;
   double support_energy = 0;  ///< J, at the end
   double pad_work = 0;        ///< J, integral of F dY
+  int reloadings = 0;
   std::size_t stations = 0;
   std::size_t updates = 0;  ///< of columns, in all trials
 };

@@ -39,7 +39,6 @@ class March {
   Figures run(double resolution, Track& track) {
     resolution_ = resolution;
     figures_ = {};
-    reloadings_ = 0;
     track.clear();
     contact_.start(resolution);
     now_ = {};
@@ -51,7 +50,7 @@ class March {
     phase_ = Phase::loading;
     record(track);
     double step = first_step();
-    double longest = longest_step();
+    double longest = usual_step_ = longest_step();
     int idle = 0;
     while (phase_ != Phase::over) {
       if (now_.time >= options_.time_limit) {
@@ -71,7 +70,8 @@ class March {
       if (!smooth && phase_ != Phase::over && track.phase_starts.back() != track.size() - 1)
         track.phase_starts.push_back(track.size() - 1);
       // After an event, where the strain rate may jump, steps grow from small ones.
-      longest = std::min(longest_step(), 1.5 * longest);
+      usual_step_ = longest_step();
+      longest = std::min(usual_step_, 1.5 * longest);
       step = std::min({1.5 * std::max(last_step_, resolution_ * longest), approach(longest),
                        options_.time_limit - now_.time});
     }
@@ -95,9 +95,6 @@ class March {
   static constexpr std::size_t most_updates = 50'000'000;
   /// Phases may change at one moment, but not for ever.
   static constexpr int most_idle_events = 16;
-  /// Where unloading brings the drive back above zero at once, the rule of Eq. 20 alternates without end:
-  /// after this many reloadings the unloading branch is followed as far as it exists.
-  static constexpr int most_reloadings = 4;
 
   enum class Phase { loading, unloading, held, over };
   /// Why a step must end where it ends, in the order in which they count when they coincide.
@@ -107,6 +104,7 @@ class March {
     double time = 0, motion = 0, velocity = 0, penetration = 0, force = 0;
     /// Speed by which the support outruns a pad held still; > 0 loads the pad (theory.md, Eq. 20).
     double drive = 0;
+    double residual = 0;  ///< of Eq. 19, within the tolerance of the root
   };
   struct Attempt {
     State end;
@@ -140,8 +138,11 @@ class March {
     end.time = now_.time + step;
     end.velocity = now_.velocity - mean * step / mass_;
     end.motion = now_.motion + (now_.velocity + end.velocity) / 2 * step;
-    return motion - end.motion;
+    end.residual = motion - end.motion;
+    // What is left of the last step is made good over a step of usual length, not at once by a short one.
+    return end.residual - now_.residual * (1 - share_of_usual(step));
   }
+  [[nodiscard]] double share_of_usual(double step) const { return std::min(1.0, step / usual_step_); }
 
   [[nodiscard]] double root_tolerance(double scale) const {
     return std::max(closed_form ? 0 : 2e-3 * resolution_ * resolution_ * resolution_,
@@ -166,7 +167,7 @@ class March {
         1 + pad_stiffness_ * stiffening_ * (support_.compliance(now_.force) + step * step / (4 * mass_));
     double advance = guess_rate(step) * step;
     RootSearch search;
-    search.tolerance = root_tolerance(scale);
+    search.tolerance = root_tolerance(scale) * share_of_usual(step);
     search.resolution = 2 * std::numeric_limits<double>::epsilon() * (scale + thickness_);
     result.pad_stiffness = pad_stiffness_ * stiffening_;
     double advanced_before = 0;
@@ -197,7 +198,7 @@ class March {
       if (!(advance < 0)) advance = std::min(pad_rate_, -std::abs(now_.velocity)) * step / 2;
       search.low = -infinity;
       search.high = 0;
-      search.high_is_positive = true;
+      search.high_is_positive = now_.drive < 0;
       search.guess = advance;
       search.slope = slope;
       // Short strides: of several roots, the one next to where the pad is belongs to the branch.
@@ -206,7 +207,12 @@ class March {
       if (result.advance >= 0) {
         // The pad, by the error of the contact integral, carries less than the support asks for: it is held
         // until the support has come down to it.
-        if (now_.drive < 0 && !support_.is_rigid()) return attempt_held(step);
+        // Likewise just after the turning, where the drive is 0 but for an error of either sign.
+        const bool turned = now_.time == turning_time_;
+        if (!support_.is_rigid() && (now_.drive < 0 || turned)) {
+          const Attempt held = attempt_held(step);
+          if (now_.drive < 0 || held.end.drive < 0) return held;
+        }
         result.obstacle = Event::reloading;
       }
     }
@@ -276,9 +282,8 @@ class March {
         value = a.obstacle == Event::turning ? -infinity : a.end.drive;
         return phase_ == Phase::loading && value <= 0 && (now_.drive > 0 || a.obstacle == Event::turning);
       case Event::reloading:
-        value = a.obstacle == Event::reloading ? -infinity : -a.end.drive;
-        return phase_ == Phase::unloading && value < 0 &&
-               ((now_.drive < 0 && reloadings_ < most_reloadings) || a.obstacle == Event::reloading);
+        value = a.obstacle == Event::reloading ? -infinity : 1;
+        return a.obstacle == Event::reloading;
       case Event::corner:
         value = (a.end.force - corner) * (now_.force < corner ? -1 : 1);
         return std::abs(now_.force - corner) > 1e-9 * corner && value < 0;
@@ -456,6 +461,7 @@ class March {
       case Event::turning:
         if (contact_.recovers()) {
           phase_ = Phase::unloading;
+          turning_time_ = now_.time;
           pad_rate_ = std::min(now_.velocity, 0.0);
         } else if (support_.is_rigid()) {
           now_.velocity = 0;
@@ -465,7 +471,7 @@ class March {
         }
         break;
       case Event::reloading:
-        ++reloadings_;
+        ++figures_.reloadings;
         phase_ = Phase::loading;
         pad_rate_ = std::max(now_.velocity, 0.0);
         break;
@@ -592,12 +598,13 @@ class March {
   double force_rate_ = 0;
   double drive_rate_ = 0;
   double pad_acceleration_ = 0;
-  double pad_jerk_ = 0;  ///< second divided difference
+  double pad_jerk_ = 0;             ///< second divided difference
+  double turning_time_ = infinity;  ///< the last
+  double usual_step_ = infinity;    ///< that the resolution asks for
   double last_step_ = 0;
   double step_before_ = 0;
   double tried_step_ = 0;  ///< the last that was tried from the state now and had a solution; 0: none
   double tried_rate_ = 0;  ///< mean rate of the penetration over it
-  int reloadings_ = 0;
   Figures figures_;
 };
 

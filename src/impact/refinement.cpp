@@ -35,7 +35,7 @@ void for_each_number(Visit&& visit, Run&... runs) {
 
 bool same_kind(const Figures& a, const Figures& b) {
   return a.ending == b.ending && a.weight.has_value() == b.weight.has_value() &&
-         a.bottomed.has_value() == b.bottomed.has_value();
+         a.bottomed.has_value() == b.bottomed.has_value() && a.reloadings == b.reloadings;
 }
 
 Figures extrapolate(const Figures& fine, const Figures& coarse) {

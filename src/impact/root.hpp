@@ -59,6 +59,11 @@ Root find_root(F&& f, RootSearch s) {
       next = s.high - s.stride;
       s.stride *= 2;
     }
+    // Towards an end of unknown sign not far at once either: between here and there may be two roots.
+    if (s.stride > 0 && value <= 0 && !have_high && !s.high_is_positive && next > x + s.stride) {
+      next = x + s.stride;
+      s.stride *= 2;
+    }
     if (next >= s.high) {
       if (!have_high && !s.high_is_positive) {
         // The end itself may be the answer: the function is asked there once.
