@@ -545,8 +545,12 @@ class March {
     }
     return step;
   }
-  /// Towards the release steps shrink: the force vanishes there with a power of the time left.
+  /// Towards the release steps shrink: the force vanishes there with a power of the time left. Likewise where
+  /// the unloading may end any moment: there the pad's rate changes with the square root of the time left.
   [[nodiscard]] double approach(double step) const {
+    if (phase_ == Phase::unloading && now_.drive > 0 && pad_acceleration_ != 0)
+      step = std::min(step, std::max(resolution_ * resolution_ * step,
+                                     resolution_ * std::abs(pad_rate_ / pad_acceleration_)));
     if (phase_ == Phase::unloading && force_rate_ < 0)
       return std::min(step, std::max(resolution_ * step, -0.7 * now_.force / force_rate_));
     return step;
