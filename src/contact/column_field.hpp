@@ -267,12 +267,20 @@ class ColumnField {
       // these may lie close together.
       edge = last;
       if (live > 1) {
-        sum = cells(columns, live - 2) +
-              bounded(cell(columns, live - 2), columns, live - 2, live - 1, columns_.depth()[live - 1]);
-        edge += (last - columns.ratio[live - 2]) * width /
-                (columns.measure[live - 2] - columns.measure[live - 1]);
+        const std::size_t j = live - 2;
+        const double* g = columns.ratio;
+        const double* w = columns.measure;
+        // A column in tension lets go with a stress without bound: for the cell inside it that counts no more
+        // than the line through the next two columns, so that the force does not jump when it is gone.
+        double outer = last;
+        if (last < 0 && j > 0)
+          outer =
+              std::max(last, std::min(0.0, g[j] + (g[j] - g[j - 1]) * (w[j] - w[j + 1]) / (w[j - 1] - w[j])));
+        sum = cells(columns, j) + bounded(positive_part(g[j], outer, w[j] - w[j + 1]), columns, j, j + 1,
+                                          columns_.depth()[j + 1]);
+        edge += (last - g[j]) * width / (w[j] - w[j + 1]);
       }
-      edge = penetration > radius_ ? 0 : std::min(edge, 2 * std::max(last, 0.0));
+      edge = std::min(edge, 0.0);
       sum += bounded(positive_part(last, edge, width), columns, live - 1, live - 1, penetration);
     } else {
       sum = cells(columns, live - 1) + positive_part(last, edge, width);

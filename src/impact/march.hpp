@@ -50,7 +50,7 @@ class March {
     phase_ = Phase::loading;
     record(track);
     double step = first_step();
-    double longest = usual_step_ = longest_step();
+    double longest = longest_step();
     int idle = 0;
     while (phase_ != Phase::over) {
       if (now_.time >= options_.time_limit) {
@@ -70,8 +70,7 @@ class March {
       if (!smooth && phase_ != Phase::over && track.phase_starts.back() != track.size() - 1)
         track.phase_starts.push_back(track.size() - 1);
       // After an event, where the strain rate may jump, steps grow from small ones.
-      usual_step_ = longest_step();
-      longest = std::min(usual_step_, 1.5 * longest);
+      longest = std::min(longest_step(), 1.5 * longest);
       step = std::min({1.5 * std::max(last_step_, resolution_ * longest), approach(longest),
                        options_.time_limit - now_.time});
     }
@@ -96,6 +95,9 @@ class March {
   /// Phases may change at one moment, but not for ever.
   static constexpr int most_idle_events = 16;
 
+  /// Reloadings count from this drive on, in impact speeds; below, they may come from rounding.
+  static constexpr double least_drive = 1e-3;
+
   enum class Phase { loading, unloading, held, over };
   /// Why a step must end where it ends, in the order in which they count when they coincide.
   enum class Event { none, release, lock, unlock, turning, reloading, corner };
@@ -104,7 +106,6 @@ class March {
     double time = 0, motion = 0, velocity = 0, penetration = 0, force = 0;
     /// Speed by which the support outruns a pad held still; > 0 loads the pad (theory.md, Eq. 20).
     double drive = 0;
-    double residual = 0;  ///< of Eq. 19, within the tolerance of the root
   };
   struct Attempt {
     State end;
@@ -138,11 +139,8 @@ class March {
     end.time = now_.time + step;
     end.velocity = now_.velocity - mean * step / mass_;
     end.motion = now_.motion + (now_.velocity + end.velocity) / 2 * step;
-    end.residual = motion - end.motion;
-    // What is left of the last step is made good over a step of usual length, not at once by a short one.
-    return end.residual - now_.residual * (1 - share_of_usual(step));
+    return motion - end.motion;
   }
-  [[nodiscard]] double share_of_usual(double step) const { return std::min(1.0, step / usual_step_); }
 
   [[nodiscard]] double root_tolerance(double scale) const {
     return std::max(closed_form ? 0 : 2e-3 * resolution_ * resolution_ * resolution_,
@@ -167,7 +165,7 @@ class March {
         1 + pad_stiffness_ * stiffening_ * (support_.compliance(now_.force) + step * step / (4 * mass_));
     double advance = guess_rate(step) * step;
     RootSearch search;
-    search.tolerance = root_tolerance(scale) * share_of_usual(step);
+    search.tolerance = root_tolerance(scale);
     search.resolution = 2 * std::numeric_limits<double>::epsilon() * (scale + thickness_);
     result.pad_stiffness = pad_stiffness_ * stiffening_;
     double advanced_before = 0;
@@ -471,7 +469,7 @@ class March {
         }
         break;
       case Event::reloading:
-        ++figures_.reloadings;
+        if (now_.drive > least_drive * speed_) ++figures_.reloadings;
         phase_ = Phase::loading;
         pad_rate_ = std::max(now_.velocity, 0.0);
         break;
@@ -604,7 +602,6 @@ class March {
   double pad_acceleration_ = 0;
   double pad_jerk_ = 0;             ///< second divided difference
   double turning_time_ = infinity;  ///< the last
-  double usual_step_ = infinity;    ///< that the resolution asks for
   double last_step_ = 0;
   double step_before_ = 0;
   double tried_step_ = 0;  ///< the last that was tried from the state now and had a solution; 0: none
