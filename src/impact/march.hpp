@@ -547,8 +547,7 @@ class March {
   /// the unloading may end any moment: there the pad's rate changes with the square root of the time left.
   [[nodiscard]] double approach(double step) const {
     if (phase_ == Phase::unloading && now_.drive > 0 && pad_acceleration_ != 0)
-      step = std::min(step, std::max(resolution_ * resolution_ * step,
-                                     resolution_ * std::abs(pad_rate_ / pad_acceleration_)));
+      step = std::min(step, resolution_ * std::max(step, std::abs(pad_rate_ / pad_acceleration_)));
     if (phase_ == Phase::unloading && force_rate_ < 0)
       return std::min(step, std::max(resolution_ * step, -0.7 * now_.force / force_rate_));
     return step;
