@@ -325,10 +325,14 @@ class March {
       o = obstruction(a);
     }
     if (o.event != Event::none) {
+      const double too_short = 1e-2 * resolution_ * step;
       step = locate(o, step);
       // At once: the phase changes where it stands. What ends or locks the run is still gone up to.
       const bool goes_on = o.event != Event::release && o.event != Event::lock;
       if (goes_on && step < shortest) return change_phase(o.event);
+      // Nothing but what the last root has left over would move in so short a step.
+      const bool branch_ends = o.event == Event::turning || o.event == Event::reloading;
+      if (branch_ends && step < too_short) return change_phase(o.event);
       step = std::max(step, shortest);
       a = attempt(step);
       if (a.obstacle != Event::none && a.obstacle != Event::lock) return change_phase(o.event);
