@@ -91,7 +91,88 @@ Support random_support(Draw& draw) {
   }
 }
 
+constexpr double psi = 6894.757293168361;
+
+PadLaw ordinary_law(Draw& draw, double rate) {
+  const auto about = [&draw](double value, double factor) {
+    return value * draw.decades(1 / factor, factor);
+  };
+  switch (draw.choice(5)) {
+    case 0: return Elastic{draw.decades(3e4, 3e6)};
+    case 1: {
+      const double lasting = draw.decades(3e4, 1e6);
+      return LinearViscoelastic{lasting, lasting * draw.uniform(1.2, 8), draw.decades(1e-3, 0.1)};
+    }
+    case 2: {
+      const double stress = draw.decades(5e4, 2e6);
+      const double strain = draw.uniform(0.3, 0.7);
+      return RigidFoam{stress, strain, stress * draw.uniform(1, 5), strain + draw.uniform(0.05, 0.25)};
+    }
+    case 3:
+      return NineParameter{about(7.96 * psi, 3),
+                           draw.uniform(0.4, 1),
+                           draw.uniform(0.5, 1.5),
+                           about(8.81e-3, 3),
+                           about(5.45 * psi, 3),
+                           about(0.166, 2),
+                           std::min(about(9.76e-6, 3), 0.3 / rate),
+                           about(0.0987, 2)};
+    default: {
+      const double m = draw.uniform(0.4, 1);
+      return TwentyOneParameter{about(7.96 * psi, 3),
+                                m,
+                                draw.uniform(0.5, 1.5),
+                                about(0.13, 1.5),
+                                about(0.156, 2),
+                                about(3.08, 1.5),
+                                about(4.153 * psi, 2),
+                                about(0.19, 1.5),
+                                about(3.17, 1.2),
+                                about(0.58, 1.2),
+                                about(2.57, 1.2),
+                                about(0.296, 1.2),
+                                about(2.23, 1.2),
+                                about(1.64e-3, 2),
+                                std::min(about(9.76e-6, 3), 0.3 / rate),
+                                about(0.0987, 2)};
+    }
+  }
+}
+
+/// Rigid, linear, or a curve that stiffens or softens from corner to corner.
+Support ordinary_support(Draw& draw) {
+  switch (draw.choice(4)) {
+    case 0: return Support::rigid();
+    case 1: return Support::linear(draw.decades(1e4, 1e7));
+    default: {
+      std::vector<Support::Point> points;
+      double deflection = 0;
+      double force = 0;
+      const int count = 2 + draw.choice(4);
+      for (int i = 0; i < count; ++i) {
+        const double advance = draw.decades(1e-3, 2e-2);
+        deflection += advance;
+        force += advance * draw.decades(1e4, 1e6);
+        points.push_back({deflection, force});
+      }
+      return Support::through(points);
+    }
+  }
+}
+
 }  // namespace
+
+ImpactCase ordinary_case(std::uint64_t seed) {
+  Draw draw(seed);
+  ImpactCase impact;
+  impact.title = "ordinary case " + std::to_string(seed);
+  impact.impactor = {draw.decades(0.5, 50), draw.decades(0.03, 0.5), draw.decades(0.5, 15)};
+  impact.pad.thickness = draw.decades(0.01, 0.1);
+  impact.pad.material.name = "in line";
+  impact.pad.material.law = ordinary_law(draw, impact.impactor.speed / impact.pad.thickness);
+  impact.support = ordinary_support(draw);
+  return impact;
+}
 
 ImpactCase random_case(std::uint64_t seed) {
   Draw draw(seed);

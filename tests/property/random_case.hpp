@@ -1,6 +1,6 @@
 #pragma once
-/// Random valid impact cases: every law, every kind of support, extreme ratios. One seed, one case: a case
-/// that fails is repeated from its seed alone.
+/// Random valid impact cases: every law, every kind of support. One seed, one case: a case that fails is
+/// repeated from its seed alone.
 
 #include <cstdint>
 
@@ -8,6 +8,11 @@
 
 namespace dashpad::test {
 
+/// Extreme ratios of everything: most of these impacts could not be built.
 ImpactCase random_case(std::uint64_t seed);
+
+/// A part of a body or a test head on the padding of a vehicle: masses of 0.5 to 50 kg at 0.5 to 15 m/s on 1
+/// to 10 cm of foam. Laws 4 and 5 are the Ensolite cards, each parameter varied about its value.
+ImpactCase ordinary_case(std::uint64_t seed);
 
 }  // namespace dashpad::test
