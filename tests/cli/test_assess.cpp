@@ -93,7 +93,7 @@ TEST_F(AssessTest, IsUndecidedWithExitCode3) {
 }
 
 TEST_F(AssessTest, AMissedToleranceIsExitCode3WhateverTheVerdict) {
-  const Outcome outcome = dashpad({"assess", examples + "dashboard-20mph.toml", "--standard",
+  const Outcome outcome = dashpad({"assess", examples + "dashboard-20mph-21-parameter.toml", "--standard",
                                    standard("mild", peak_standard("100000")), "--tolerance", "1e-8"});
   EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("TOLERANCE NOT MET"));

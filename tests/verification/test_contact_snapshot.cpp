@@ -18,7 +18,9 @@ void expect_sound(const ImpactCase& impact, double tolerance = 1e-4) {
   ASSERT_GE(snapshots.size(), 4U) << impact.title;
   for (const ContactSnapshot& snapshot : snapshots) {
     SCOPED_TRACE(impact.title + ", " + snapshot.when + ", at " + std::to_string(snapshot.time));
-    if (snapshot.determined) expect_relative(snapshot.force_of_stress(), snapshot.force, 0.01, "force");
+    // Two integrals of different stations, the run's own good to its tolerance.
+    if (snapshot.determined)
+      expect_relative(snapshot.force_of_stress(), snapshot.force, std::max(0.01, 2 * tolerance), "force");
     ASSERT_EQ(snapshot.radius.size(), snapshot.strain.size());
     ASSERT_EQ(snapshot.radius.size(), snapshot.stress.size());
     EXPECT_EQ(snapshot.radius.front(), 0);

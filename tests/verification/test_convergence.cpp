@@ -26,9 +26,9 @@ const std::vector<Figure> figures_read{
      3.2},  // errors cancel in law 5
 };
 
-constexpr double coarsest = 0.1;  // radians of the momentary oscillation
-constexpr int runs = 5;           // compared
-constexpr double exact = 1e-11;   // a pad without memory gets its peaks from the energy: no order to observe
+constexpr double coarsest = 0.05;  // radians of the momentary oscillation
+constexpr int runs = 5;            // compared
+constexpr double exact = 1e-11;    // a pad without memory gets its peaks from the energy: no order to observe
 
 /// Slope of log2(error) over the halvings, by least squares: single steps depend on where in them the events
 /// fall.
