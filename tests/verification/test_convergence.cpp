@@ -21,7 +21,8 @@ const std::vector<Figure> figures_read{
     {"peak force", [](const Figures& f) { return f.peak_force; }, 1.6, 2.5},
     {"time of peak force", [](const Figures& f) { return f.time_of_peak_force; }, 1.3,
      2.8},  // of a flat peak
-    {"peak motion", [](const Figures& f) { return f.peak_motion; }, 1.6, 2.5},
+    {"peak motion", [](const Figures& f) { return f.peak_motion; }, 1.4,
+     2.5},  // in law 4 parts of orders 2 and 3 have opposite signs
     {"release time", [](const Figures& f) { return f.release.value().time; }, 1.6,
      3.2},  // errors cancel in law 5
 };
@@ -44,10 +45,8 @@ double observed_order(const std::vector<double>& error) {
   return above / below;
 }
 
-/// `best` is the truth.
-void expect_order(const std::vector<Figures>& sequence, double best, const Figure& figure) {
-  std::vector<double> error;
-  for (const Figures& figures : sequence) error.push_back(relative_error(figure.read(figures), best));
+/// `error[i]` at the resolution i.
+void expect_order(const std::vector<double>& error, const Figure& figure) {
   fmt::print("  {:20}", figure.name);
   for (const double e : error) fmt::print(" {:8.1e}", e);
   if (*std::max_element(error.begin(), error.end()) < exact) {
@@ -65,21 +64,29 @@ class Convergence : public testing::Test {};
 using Laws = testing::Types<Elastic, LinearViscoelastic, NineParameter, TwentyOneParameter>;
 TYPED_TEST_SUITE(Convergence, Laws);
 
+/// The largest errors over several speeds, so that none is small because two parts of it happen to cancel.
 TYPED_TEST(Convergence, IsOfSecondOrder) {
   for (const Support& support : {Support::rigid(), Support::linear(2e5)}) {
-    ImpactCase impact = impact_on(sample_law<TypeParam>(), support);
-    impact.impactor.speed = 2;
-    std::vector<Figures> sequence;
-    double resolution = coarsest;
-    for (int i = 0; i < runs; ++i, resolution /= 2) sequence.push_back(run_once(impact, resolution).figures);
-    ASSERT_EQ(sequence.back().ending, Ending::released);
-    const Figures fine = run_once(impact, resolution).figures;
-    const Figures finest = run_once(impact, resolution / 2).figures;
-    fmt::print("{}, {} support: relative errors\n", TypeParam::name, support.is_rigid() ? "rigid" : "linear");
-    for (const Figure& figure : figures_read) {
-      const double best = figure.read(finest) + (figure.read(finest) - figure.read(fine)) / 3;
-      expect_order(sequence, best, figure);
+    std::vector<std::vector<double>> error(figures_read.size(), std::vector<double>(runs, 0.0));
+    for (const double speed : {1.6, 2.0, 2.4, 2.8}) {
+      ImpactCase impact = impact_on(sample_law<TypeParam>(), support);
+      impact.impactor.speed = speed;
+      std::vector<Figures> sequence;
+      double resolution = coarsest;
+      for (int i = 0; i < runs; ++i, resolution /= 2)
+        sequence.push_back(run_once(impact, resolution).figures);
+      ASSERT_EQ(sequence.back().ending, Ending::released);
+      const Figures fine = run_once(impact, resolution).figures;
+      const Figures finest = run_once(impact, resolution / 2).figures;
+      for (std::size_t k = 0; k < figures_read.size(); ++k) {
+        const auto& read = figures_read[k].read;
+        const double best = read(finest) + (read(finest) - read(fine)) / 3;
+        for (std::size_t i = 0; i < runs; ++i)
+          error[k][i] = std::max(error[k][i], relative_error(read(sequence[i]), best));
+      }
     }
+    fmt::print("{}, {} support: relative errors\n", TypeParam::name, support.is_rigid() ? "rigid" : "linear");
+    for (std::size_t k = 0; k < figures_read.size(); ++k) expect_order(error[k], figures_read[k]);
   }
 }
 
