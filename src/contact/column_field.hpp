@@ -74,6 +74,7 @@ class ColumnField {
     penetration_ = largest_penetration_ = 0;
     live_ = 0;
     updates_ = 0;
+    from_ = -1;
     correction_ = 1;
     columns_.clear();
     loading_.start();
@@ -87,13 +88,15 @@ class ColumnField {
     const double penetration = penetration_ + advance;
     const double rate = advance / (thickness_ * step);
     trial_ = penetration;
-    const auto time_part = law_.time_part(from, from + step);
+    // The tries of one step share their time.
+    if (from != from_ || step != step_)
+      from_ = from, step_ = step, time_part_ = law_.time_part(from, from + step);
     if constexpr (skips_columns) {
       if (without_columns_ && rate < 0) replay_loading();
       if (without_columns_) {
         ++updates_;
         rate_part_ = law_.rate_part(rate);
-        return loading_.trial(shape_, law_, penetration, rate_part_, time_part);
+        return loading_.trial(shape_, law_, penetration, rate_part_, time_part_);
       }
     }
     rate_part_ = law_.rate_part(rate);
@@ -103,9 +106,9 @@ class ColumnField {
     updates_ += trial_live_;
     if (trial_live_ == 0) return 0;
     if (math_ == ColumnMath::vector)
-      sweep(law_, shape_.power(), rate_part_, time_part, sweep_step(), columns_.now, columns_.next_state);
+      sweep(law_, shape_.power(), rate_part_, time_part_, sweep_step(), columns_.now, columns_.next_state);
     else
-      step_one_by_one(time_part);
+      step_one_by_one();
     const double edge =
         rate >= 0 ? law_.edge_ratio(rate_part_) * std::max(radius_ - penetration, 0.0) : unknown_edge;
     return correction_ * integrate(columns_.next_state, trial_live_, penetration, edge);
@@ -189,7 +192,7 @@ class ColumnField {
     set_column(columns, j, 0, law_.strain_part({}, {}), {});
   }
   /// The plain form of the sweep over the columns.
-  void step_one_by_one(const typename Law::TimePart& time_part) {
+  void step_one_by_one() {
     for (std::size_t j = 0; j < trial_live_; ++j) {
       const double depth = columns_.depth()[j];
       const Strain strain = strain_at(trial_, depth);
@@ -201,7 +204,7 @@ class ColumnField {
           columns_.now.stress[j] - law_.envelope(part_of(columns_.now, j), rate_part_, before, largest);
       set_column(columns_.next_state, j,
                  law_.envelope(part, rate_part_, strain.value, largest) +
-                     remainder * law_.decay(time_part, before, strain.value, share_of_step(depth)),
+                     remainder * law_.decay(time_part_, before, strain.value, share_of_step(depth)),
                  part, power);
     }
   }
@@ -367,6 +370,9 @@ class ColumnField {
   double largest_penetration_ = 0;
   double trial_ = 0;
   typename Law::RatePart rate_part_{};  ///< of the last trial
+  double from_ = -1;  ///< of the last trial, with its length and what the law makes of the two
+  double step_ = 0;
+  typename Law::TimePart time_part_{};
   bool without_columns_ = false;
   double correction_ = 1;       ///< of the contact integral
   std::size_t live_ = 0;        ///< columns under strain in the accepted state
