@@ -1,10 +1,9 @@
 #pragma once
 /// One run through an impact at one resolution: the step, its events, and the figures read off.
 ///
-///   V1 = V0 - Fm dt / M,   X1 = X0 + (V0 + V1) dt / 2                              (theory.md, Eq. 17)
-///   Fm = (F0 + F1) / 2, or for a pad without memory the mean whose work is exact   (theory.md, Eq. 18)
 ///   0 = Y1 + Xs(F(Y1)) - X1(F(Y1))        the unknown is the penetration           (theory.md, Eq. 19)
 ///
+/// with the motion of impact/motion.hpp.
 /// The run goes through phases: loading, unloading, held (a rigid foam off its crush curve, or a fully
 /// compressed pad on a yielding support: Eq. 26; a pad is also held for a moment where the contact integral's
 /// error leaves neither of the other two). They end at events, which are located within the step.
@@ -16,7 +15,9 @@
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
+#include "impact/event_search.hpp"
 #include "impact/figures.hpp"
+#include "impact/motion.hpp"
 #include "impact/rate_trend.hpp"
 #include "impact/root.hpp"
 #include "impact/track.hpp"
@@ -34,7 +35,10 @@ class March {
         thickness_(thickness),
         support_(support),
         contact_(contact),
-        options_(options) {}
+        options_(options),
+        motion_(impactor.mass, support) {}
+  March(const March&) = delete;
+  March& operator=(const March&) = delete;
 
   /// Runs the impact with steps of about `resolution` radians of the momentary oscillation. `expected` is the
   /// peak penetration, m, as far as it is known.
@@ -43,13 +47,11 @@ class March {
     figures_ = {};
     track.clear();
     contact_.start(resolution, expected);
-    now_ = {};
-    now_.velocity = now_.drive = speed_;
+    motion_.start(speed_);
     pad_rate_ = speed_;
-    pad_stiffness_ = force_rate_ = drive_rate_ = last_step_ = tried_step_ = 0;
+    pad_stiffness_ = drive_rate_ = tried_step_ = 0;
     stiffening_ = 1;
     trend_.restart();
-    smooth_force_ = false;
     turning_time_ = infinity;
     phase_ = Phase::loading;
     record(track);
@@ -75,7 +77,7 @@ class March {
         track.phase_starts.push_back(track.size() - 1);
       // After an event, where the strain rate may jump, steps grow from small ones.
       longest = std::min(longest_step(), 1.5 * longest);
-      step = std::min({1.5 * std::max(last_step_, resolution_ * longest), approach(longest),
+      step = std::min({1.5 * std::max(motion_.last_step(), resolution_ * longest), approach(longest),
                        options_.time_limit - now_.time});
     }
     figures_.stations = contact_.stations();
@@ -92,7 +94,7 @@ class March {
   }
 
  private:
-  static constexpr bool closed_form = requires(const Contact contact) { contact.energy(0.0); };
+  static constexpr bool closed_form = HasEnergy<Contact>;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   /// Column updates of one run, some seconds' worth; a run that asks for more is given up.
@@ -106,11 +108,6 @@ class March {
   /// Why a step must end where it ends, in the order in which they count when they coincide.
   enum class Event { none, release, lock, unlock, turning, reloading, corner };
 
-  struct State {
-    double time = 0, motion = 0, velocity = 0, penetration = 0, force = 0;
-    /// Speed by which the support outruns a pad held still; > 0 loads the pad (theory.md, Eq. 20).
-    double drive = 0;
-  };
   struct Attempt {
     State end;
     double advance = 0;            ///< of the penetration
@@ -123,44 +120,10 @@ class March {
 
   Attempt attempt(double step) { return phase_ == Phase::held ? attempt_held(step) : attempt_moving(step); }
 
-  [[nodiscard]] double mean_force(double penetration, double force, double motion) const {
-    if constexpr (closed_form) {
-      const double distance = motion - now_.motion;
-      if (std::abs(distance) > 1e-7 * (std::abs(motion) + std::abs(now_.motion)))
-        return (support_.energy(force) - support_.energy(now_.force) + contact_.energy(penetration) -
-                contact_.energy(now_.penetration)) /
-               distance;
-    }
-    return (now_.force + force) / 2;
-  }
-
-  /// Fills `end` for a trial penetration; returns the residual of Eq. 19, m.
   double residual(double penetration, double force, double step, State& end) const {
-    const double motion = penetration + support_.deflection(force);
-    end.penetration = penetration;
-    end.force = force;
-    end.time = now_.time + step;
-    if constexpr (closed_form) {
-      const double mean = mean_force(penetration, force, motion);
-      end.velocity = now_.velocity - mean * step / mass_;
-      end.motion = now_.motion + (now_.velocity + end.velocity) / 2 * step;
-    } else {
-      const double rise = force - now_.force;
-      const double bend = share_of_bend(step) * (rise - force_rate_ * step);
-      end.velocity = now_.velocity - (now_.force + rise / 2 - bend / 6) * step / mass_;
-      end.motion =
-          now_.motion + (now_.velocity - (now_.force / 2 + rise / 6 - bend / 12) * step / mass_) * step;
-    }
-    return motion - end.motion;
+    return motion_.residual(contact_, penetration, force, step, end);
   }
-  /// Of the parabola of F(t) through the last three moments, where these lie in one smooth stretch; else 0.
-  [[nodiscard]] double share_of_bend(double step) const {
-    return smooth_force_ ? step / (step + last_step_) : 0;
-  }
-  /// -dX1/dF1 of Eq. 17.
-  [[nodiscard]] double inertial_compliance(double step) const {
-    return step * step / mass_ * (closed_form ? 0.25 : 1.0 / 6 - share_of_bend(step) / 12);
-  }
+  [[nodiscard]] double inertial_compliance(double step) const { return motion_.inertial_compliance(step); }
 
   [[nodiscard]] double root_tolerance(double scale) const {
     return std::max(0.1 * resolution_ * resolution_ * resolution_,
@@ -393,7 +356,6 @@ class March {
     if (o.event == Event::release) a.end.force = 0;
     contact_.accept();
     const double pad_rate = a.advance / step;
-    last_step_ = step;
     tried_step_ = 0;
     if (phase_ == Phase::loading && pad_rate > 0.4 * pad_rate_) spring_ = a.pad_stiffness;
     pad_rate_ = pad_rate;
@@ -405,10 +367,8 @@ class March {
       trend_.add(pad_rate, step);
     else
       trend_.restart();
-    force_rate_ = (a.end.force - now_.force) / step;
-    smooth_force_ = o.event == Event::none;
     drive_rate_ = (a.end.drive - now_.drive) / step;
-    now_ = a.end;
+    motion_.accept(a.end, step, o.event == Event::none);
     if (o.event == Event::none) return true;
     return change_phase(o.event);
   }
@@ -419,11 +379,9 @@ class March {
     if (support_.is_rigid()) return;
     const Attempt a = attempt_held(step);
     contact_.accept();
-    now_ = a.end;
+    motion_.accept(a.end, step, false);
     pad_rate_ = tried_step_ = 0;
     trend_.restart();
-    smooth_force_ = false;
-    last_step_ = step;
     if (now_.force <= 0)
       finish(Ending::released);
     else
@@ -432,8 +390,6 @@ class March {
 
   /// The longest step that does not pass the event.
   double locate(const Obstruction& o, double step) {
-    double low = 0;
-    double high = step;
     const auto value_at = [&](double x) {
       double value = 0;
       if (o.event == Event::lock) {
@@ -450,37 +406,15 @@ class March {
         value = contact_.largest_stress();
       return std::clamp(value, -1e300, 1e300);
     };
-    // Regula falsi with halved end values (Illinois): the values may jump to a bound where no step exists.
-    double f_low = o.event == Event::turning && now_.drive > 0 ? now_.drive : infinity;
-    double f_high = value_at(high);
     // The pad turns at a rate near zero: a little early or late changes nothing of first order.
-    const double share =
-        o.event == Event::turning && !closed_form ? 2e-2 * resolution_ : 1e-3 * resolution_ * resolution_;
-    const double precision =
+    const bool turning = o.event == Event::turning;
+    const double share = turning && !closed_form ? 2e-2 * resolution_ : 1e-3 * resolution_ * resolution_;
+    EventSearch search;
+    search.step = step;
+    search.precision =
         std::max(share * step, 4 * std::numeric_limits<double>::epsilon() * (now_.time + step));
-    int side = 0;
-    double before = high;
-    for (int i = 0; i < 80 && high - low > precision; ++i) {
-      double x = (f_low * high - f_high * low) / (f_low - f_high);
-      // Where the guesses have settled, one just beyond the event closes the bracket.
-      if (std::abs(x - before) < precision / 50) x += (side == 1 ? 1 : -1) * precision / 25;
-      before = x;
-      // No solution at the far end is no number to interpolate with: first the drive's own trend, then
-      // halves.
-      if (f_high < -1e250) x = o.event == Event::turning && i == 0 ? -now_.drive / drive_rate_ : infinity;
-      if (!(x > low && x < high) || i % 8 == 7) x = low + (high - low) / 2;
-      const double f = value_at(x);
-      if (f > 0) {
-        low = x, f_low = f;
-        if (side == 1) f_high /= 2;
-        side = 1;
-      } else {
-        high = x, f_high = f;
-        if (side == -1) f_low /= 2;
-        side = -1;
-        if (f == 0) break;
-      }
-    }
+    if (turning && now_.drive > 0) search.value_now = now_.drive, search.guess = -now_.drive / drive_rate_;
+    const auto [low, high] = bracket_event(value_at, search);
     // A step that has a solution: just before the event where its far side has none.
     const bool far_side = o.event == Event::release || o.event == Event::lock || o.event == Event::unlock ||
                           o.event == Event::corner;
@@ -517,7 +451,7 @@ class March {
           pad_stiffness_ = spring_;
           stiffening_ = 1;
         } else if (support_.is_rigid()) {
-          now_.velocity = 0;
+          motion_.stop();
           finish(Ending::released);
         } else {
           phase_ = Phase::held;
@@ -570,8 +504,8 @@ class March {
   [[nodiscard]] double approach(double step) const {
     if (phase_ == Phase::unloading && now_.drive > 0)
       step = std::min(step, resolution_ * std::max(step, trend_.time_scale()));
-    if (phase_ == Phase::unloading && force_rate_ < 0)
-      return std::min(step, std::max(resolution_ * step, -0.7 * now_.force / force_rate_));
+    if (phase_ == Phase::unloading && motion_.force_rate() < 0)
+      return std::min(step, std::max(resolution_ * step, -0.7 * now_.force / motion_.force_rate()));
     return step;
   }
   [[nodiscard]] double longest_step() const { return longest_step(pad_stiffness_, now_, pad_rate_); }
@@ -614,18 +548,16 @@ class March {
   const Options& options_;
   double resolution_ = 0;
   Phase phase_ = Phase::loading;
-  State now_;
+  Motion<Contact> motion_;
+  const State& now_ = motion_.now();
   double pad_rate_ = 0;
   double pad_stiffness_ = 0;
   double spring_ = 0;      ///< stiffness before the rate broke down towards the turning point
   double stiffening_ = 1;  ///< of the pad from the step before to the last
-  double force_rate_ = 0;
   double drive_rate_ = 0;
   RateTrend trend_;
-  double last_step_ = 0;
-  double tried_step_ = 0;      ///< the last that was tried from the state now and had a solution; 0: none
-  double tried_rate_ = 0;      ///< mean rate of the penetration over it
-  bool smooth_force_ = false;  ///< the last step and the next are in one smooth stretch
+  double tried_step_ = 0;  ///< the last that was tried from the state now and had a solution; 0: none
+  double tried_rate_ = 0;  ///< mean rate of the penetration over it
   double turning_time_ = infinity;  ///< the last
   Figures figures_;
 };

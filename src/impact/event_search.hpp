@@ -1,0 +1,51 @@
+#pragma once
+/// Where within a step something happens: regula falsi with halved end values (Illinois). The values may jump
+/// to a bound where no step exists.
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace dashpad {
+
+struct EventSearch {
+  double step = 0;                                             ///< by which it has happened
+  double precision = 0;                                        ///< of the answer
+  double value_now = std::numeric_limits<double>::infinity();  ///< > 0
+  /// Where it is expected, for a step without a solution, whose value is below -1e250.
+  double guess = std::numeric_limits<double>::infinity();
+};
+
+/// A step before the event, where value_at(step) > 0 or the step is 0, and one after it.
+template <class Value>
+std::pair<double, double> bracket_event(Value&& value_at, const EventSearch& search) {
+  double low = 0;
+  double high = search.step;
+  double f_low = search.value_now;
+  double f_high = value_at(high);
+  int side = 0;
+  double before = high;
+  for (int i = 0; i < 80 && high - low > search.precision; ++i) {
+    double x = (f_low * high - f_high * low) / (f_low - f_high);
+    // Where the guesses have settled, one just beyond the event closes the bracket.
+    if (std::abs(x - before) < search.precision / 50) x += (side == 1 ? 1 : -1) * search.precision / 25;
+    before = x;
+    // No solution at the far end is no number to interpolate with: first the guess, then halves.
+    if (f_high < -1e250) x = i == 0 ? search.guess : std::numeric_limits<double>::infinity();
+    if (!(x > low && x < high) || i % 8 == 7) x = low + (high - low) / 2;
+    const double f = value_at(x);
+    if (f > 0) {
+      low = x, f_low = f;
+      if (side == 1) f_high /= 2;
+      side = 1;
+    } else {
+      high = x, f_high = f;
+      if (side == -1) f_low /= 2;
+      side = -1;
+      if (f == 0) break;
+    }
+  }
+  return {low, high};
+}
+
+}  // namespace dashpad
