@@ -196,7 +196,7 @@ task_lint() {
   cpp_files | xargs -r clang-format --dry-run --Werror
 
   say "Running shellcheck ..."
-  shellcheck ./do ./.ci/run
+  shellcheck ./do ./.ci/run tests/soak/*.sh
 
   say "Building, warnings are errors ..."
   configure dev -DDASHPAD_BUILD_TESTS=ON -DDASHPAD_BUILD_BENCH=ON
