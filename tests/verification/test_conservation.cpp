@@ -90,7 +90,9 @@ TYPED_TEST(ConservationOf, TheImpulseOfTheForceIsTheChangeOfMomentum) {
       EXPECT_TRUE(is_parabola || std::abs(line - change) <= 1e-12 * momentum) << "step " << i;
       parabolas += is_parabola ? 1 : 0;
     }
-    if (!TypeParam::memoryless) EXPECT_GE(parabolas, h.size() - 12) << "of " << h.size();
+    if (!TypeParam::memoryless) {
+      EXPECT_GE(parabolas, h.size() - 12) << "of " << h.size();
+    }
     // Without memory a step takes the mean force whose work is exact.
     expect_relative(impulse, impact.impactor.mass * (h.velocity.front() - h.velocity.back()), 1e-3,
                     fmt::format("impulse at {} m/s", impact.impactor.speed));
