@@ -79,7 +79,9 @@ class ColumnField {
     columns_.clear();
     loading_.start();
     without_columns_ = skips_columns && math_ == ColumnMath::vector;
-    if (!without_columns_) lay_columns(expected, std::min(thickness_, radius_));
+    if (without_columns_) return;
+    lay_columns(expected, std::min(thickness_, radius_));
+    for (std::size_t j = 0; j < columns_.size(); ++j) set_at_rest(columns_.now, j);
   }
 
   /// Pad force after the penetration has advanced by `advance` from the accepted state, evenly over
@@ -298,8 +300,9 @@ class ColumnField {
     return std::min(cell, 1.5 * top * (std::min(outer_depth, radius_) - depth[a]) / thickness_);
   }
 
-  /// Columns at rest from the axis on to the depth `end`: evenly as far as the contact is expected to grow,
-  /// closer towards the axis, which is touched first and carries the steepest stress when the gap closes.
+  /// Columns from the axis on to the depth `end`, their state still to be set: evenly as far as the contact
+  /// is expected to grow, closer towards the axis, which is touched first and carries the steepest stress
+  /// when the gap closes.
   void lay_columns(double expected, double end) {
     const double widest = 0.8 * resolution_ * std::min(expected, end);
     const double gap = thickness_ - penetration_;
@@ -310,7 +313,6 @@ class ColumnField {
                             8 * resolution_ * (gap + depth), 3 * resolution_ * depth}))
       columns_.append(depth);
     columns_.fill_spare();
-    for (std::size_t j = 0; j < columns_.size(); ++j) set_at_rest(columns_.now, j);
   }
 
   /// Near the axis the stress varies over the gap: cells there are split as the gap closes.

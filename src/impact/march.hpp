@@ -4,6 +4,7 @@
 ///   0 = Y1 + Xs(F(Y1)) - X1(F(Y1))        the unknown is the penetration           (theory.md, Eq. 19)
 ///
 /// with the motion of impact/motion.hpp.
+///
 /// The run goes through phases: loading, unloading, held (a rigid foam off its crush curve, or a fully
 /// compressed pad on a yielding support: Eq. 26; a pad is also held for a moment where the contact integral's
 /// error leaves neither of the other two). They end at events, which are located within the step.
@@ -125,6 +126,10 @@ class March {
   }
   [[nodiscard]] double inertial_compliance(double step) const { return motion_.inertial_compliance(step); }
 
+  static bool is_rounding(double left, double scale) {
+    return std::abs(left) <= 4 * std::numeric_limits<double>::epsilon() * scale;
+  }
+  /// Of a pad with memory.
   [[nodiscard]] double root_tolerance(double scale) const {
     return std::max(0.1 * resolution_ * resolution_ * resolution_,
                     4 * std::numeric_limits<double>::epsilon()) *
@@ -168,7 +173,7 @@ class March {
     const auto near = [&](double left) {
       // Without force the pad stays without it on the way to the root: the step passes the release.
       if (!loading && result.end.force <= 0 && left >= 0) return true;
-      if constexpr (closed_form) return std::abs(left) <= 4 * std::numeric_limits<double>::epsilon() * scale;
+      if constexpr (closed_form) return is_rounding(left, scale);
       const double flexibility = support_.compliance(result.end.force) + inertial_compliance(step);
       const double missing = -left / (1 + result.pad_stiffness * flexibility);
       const double allowed = root_tolerance(scale) * (trials > 1 ? 1 : 0.2);
@@ -251,10 +256,8 @@ class March {
       return residual(y, force, step, result.end) + extended;
     };
     search.high = std::max(now_.force, 0.0) + 2 * (std::abs(now_.velocity) * step + scale) / flexibility;
-    const auto near = [&](double left) {
-      return std::abs(left) <= 4 * std::numeric_limits<double>::epsilon() * scale;
-    };
-    find_root(f, near, search);
+    find_root(
+        f, [&](double left) { return is_rounding(left, scale); }, search);
     result.held_force = contact_.trial(0, now_.time, step);
     result.end.drive = drive(result.end);
     return result;
