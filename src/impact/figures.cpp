@@ -69,6 +69,22 @@ class ForceCurve {
   bool ahead_ = false;
 };
 
+/// The moment between entry i and the next at which the force falls below `level`, N. The force is above it
+/// at entry i and at most as large at the next.
+Moment where_force_falls_below(double level, const Track& track, std::size_t i, double mass) {
+  const History& h = track.history;
+  const ForceCurve force(track, i);
+  std::uintmax_t most = 60;
+  const auto excess = [&](double t) { return force.at(t) - level; };
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      excess, h.time[i], h.time[i + 1], h.force[i] - level, h.force[i + 1] - level,
+      boost::math::tools::eps_tolerance<double>(40), most);
+  const double time = (low + high) / 2;
+  const double duration = time - h.time[i];
+  const double impulse = duration / 6 * (h.force[i] + 4 * force.at(time - duration / 2) + force.at(time));
+  return {time, h.velocity[i] - impulse / mass};
+}
+
 void read_peak_force(const History& h, std::size_t first, std::size_t last, Figures& figures) {
   std::size_t top = first;
   for (std::size_t i = first; i <= last; ++i)
@@ -125,16 +141,17 @@ void read_weight(const Track& track, double mass, Figures& figures) {
     figures.weight = Moment{h.time[i - 1] + share * (h.time[i] - h.time[i - 1]), std::min(v, 0.0)};
     return;
   }
-  const ForceCurve force(track, i - 1);
-  std::uintmax_t most = 60;
-  const auto excess = [&](double t) { return force.at(t) - weight; };
-  const auto [low, high] = boost::math::tools::toms748_solve(
-      excess, h.time[i - 1], h.time[i], h.force[i - 1] - weight, h.force[i] - weight,
-      boost::math::tools::eps_tolerance<double>(40), most);
-  const double time = (low + high) / 2;
-  const double duration = time - h.time[i - 1];
-  const double impulse = duration / 6 * (h.force[i - 1] + 4 * force.at(time - duration / 2) + force.at(time));
-  figures.weight = Moment{time, h.velocity[i - 1] - impulse / mass};
+  figures.weight = where_force_falls_below(weight, track, i - 1, mass);
+}
+
+void read_contact_end(const Track& track, double mass, Figures& figures) {
+  figures.contact_end.reset();
+  if (figures.ending != Ending::released) return;
+  const std::vector<double>& force = track.history.force;
+  const double least = contact_end_share * figures.peak_force;
+  std::size_t last = force.size() - 1;
+  while (last > 0 && !(force[last] > least)) --last;
+  if (last + 1 < force.size()) figures.contact_end = where_force_falls_below(least, track, last, mass);
 }
 
 double work_on_pad(const Track& track) {

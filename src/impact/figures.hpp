@@ -19,6 +19,7 @@ struct Figures {
   double peak_penetration = 0;
   double peak_pad_rate = 0;  ///< |dY/dt|, m/s
   std::optional<Moment> weight;
+  std::optional<Moment> contact_end;
   std::optional<Moment> release;
   std::optional<Moment> bottomed;
   double final_velocity = 0;
@@ -35,6 +36,11 @@ void read_peaks(const Track& track, Figures& figures);
 /// The moment when the force falls below the impactor's weight on rebound, between the entries of a track;
 /// the release, if it never was above. `mass` in kg.
 void read_weight(const Track& track, double mass, Figures& figures);
+
+/// The end of contact, between the entries of a track: the force falls below contact_end_share of its peak
+/// for the last time. None unless the impactor was released without force. Reads `peak_force` and `ending`;
+/// `mass` in kg.
+void read_contact_end(const Track& track, double mass, Figures& figures);
 
 /// Integral of F dY over the track, by local parabolas of F(t) and Y(t) within each smooth stretch: of higher
 /// order than the step, so that it audits the step's energy (theory.md, Eq. 24).

@@ -22,7 +22,27 @@ std::string bottoming(const Summary& summary) {
                          : "on its rigid support, so that the force has no finite value there");
 }
 
+/// Differences from 1 that are rounding, also where an estimate says less.
+constexpr double rounding = 1e-9;
+
+double energy_gained(const Summary& summary) { return -summary.energy_absorbed_fraction; }
+
+std::string gain(const Summary& summary) {
+  return fmt::format(
+      "ENERGY GAINED: the pad gave back {:.2g} % of the impact energy more than it took, as no foam does; "
+      "the "
+      "law does not exclude it",
+      100 * energy_gained(summary));
+}
+
 }  // namespace
+
+bool pulse_is_whole(const Summary& summary) { return summary.contact_end.has_value(); }
+
+bool gained_energy(const Summary& summary) {
+  const double of_ledger = std::abs(summary.energy.residual / summary.energy.initial);
+  return energy_gained(summary) > summary.errors.energy_absorbed + of_ledger + rounding;
+}
 
 std::vector<Flag> flags(const Summary& summary) {
   std::vector<Flag> all;
@@ -32,6 +52,13 @@ std::vector<Flag> flags(const Summary& summary) {
     all.push_back({"TOLERANCE NOT MET", missed_tolerance(summary)});
   if (summary.status == Status::time_limit)
     all.push_back({"TIME LIMIT", "TIME LIMIT: the impactor was still on the pad when the time was up"});
+  const bool no_finite_force = summary.bottomed && !summary.peak_force;
+  if (summary.status != Status::not_run && !pulse_is_whole(summary) && !no_finite_force)
+    all.push_back(
+        {"PULSE CUT",
+         "PULSE CUT: the force was still up where it ends; HIC, clips and times of the whole pulse are "
+         "not known"});
+  if (gained_energy(summary)) all.push_back({"ENERGY GAINED", gain(summary)});
   if (summary.bottomed) all.push_back({"BOTTOMED", bottoming(summary)});
   for (const std::string& reason : summary.extrapolations)
     all.push_back({"EXTRAPOLATED", "EXTRAPOLATED: " + reason});

@@ -46,11 +46,12 @@ class March {
   Figures run(double resolution, Track& track, double expected = infinity) {
     resolution_ = resolution;
     figures_ = {};
+    figures_.peak_pad_rate = speed_;
     track.clear();
     contact_.start(resolution, expected);
     motion_.start(speed_);
     pad_rate_ = speed_;
-    pad_stiffness_ = drive_rate_ = tried_step_ = 0;
+    pad_stiffness_ = drive_rate_ = tried_step_ = largest_force_ = 0;
     stiffening_ = 1;
     trend_.restart();
     turning_time_ = infinity;
@@ -74,6 +75,11 @@ class March {
       else if (idle > 1)
         hold_for(0.1 * resolution_ * resolution_ * longest);
       if (now_.time > before) record(track);
+      // In a shorter step the rate is little else than what the roots have left over.
+      const double elapsed = now_.time - before;
+      if (elapsed > 1e-2 * resolution * longest &&
+          std::abs(pad_rate_) * elapsed > root_tolerance(now_.motion))
+        figures_.peak_pad_rate = std::max(figures_.peak_pad_rate, std::abs(pad_rate_));
       if (!smooth && phase_ != Phase::over && track.phase_starts.back() != track.size() - 1)
         track.phase_starts.push_back(track.size() - 1);
       // After an event, where the strain rate may jump, steps grow from small ones.
@@ -87,6 +93,7 @@ class March {
     figures_.support_energy = support_.energy(now_.force);
     read_peaks(track, figures_);
     read_weight(track, mass_, figures_);
+    read_contact_end(track, mass_, figures_);
     if constexpr (closed_form)
       figures_.pad_work = contact_.energy(now_.penetration);
     else
@@ -240,6 +247,7 @@ class March {
   /// The penetration stays; the support's force moves the impactor.
   Attempt attempt_held(double step) {
     Attempt result;
+    result.pad_stiffness = pad_stiffness_;  // an unloading that waits for the support goes on from it
     RootSearch search;
     search.low = -infinity;
     search.high = infinity;
@@ -507,9 +515,11 @@ class March {
   [[nodiscard]] double approach(double step) const {
     if (phase_ == Phase::unloading && now_.drive > 0)
       step = std::min(step, resolution_ * std::max(step, trend_.time_scale()));
-    if (phase_ == Phase::unloading && motion_.force_rate() < 0)
-      return std::min(step, std::max(resolution_ * step, -0.7 * now_.force / motion_.force_rate()));
-    return step;
+    if (phase_ != Phase::unloading || motion_.force_rate() >= 0) return step;
+    // The end of contact is read between the entries, which must come closer as the resolution rises.
+    const bool in_contact = now_.force > contact_end_share * largest_force_;
+    const double fall = in_contact ? std::min(0.7, 7 * resolution_) : 0.7;
+    return std::min(step, std::max(resolution_ * step, -fall * now_.force / motion_.force_rate()));
   }
   [[nodiscard]] double longest_step() const { return longest_step(pad_stiffness_, now_, pad_rate_); }
   [[nodiscard]] double longest_step(const Attempt& a) const {
@@ -529,7 +539,7 @@ class March {
   }
 
   void record(Track& track) {
-    figures_.peak_pad_rate = std::max(figures_.peak_pad_rate, std::abs(pad_rate_));
+    largest_force_ = std::max(largest_force_, now_.force);
     History& h = track.history;
     h.time.push_back(now_.time);
     h.force.push_back(now_.force);
@@ -558,6 +568,7 @@ class March {
   double spring_ = 0;      ///< stiffness before the rate broke down towards the turning point
   double stiffening_ = 1;  ///< of the pad from the step before to the last
   double drive_rate_ = 0;
+  double largest_force_ = 0;  ///< so far
   RateTrend trend_;
   double tried_step_ = 0;  ///< the last that was tried from the state now and had a solution; 0: none
   double tried_rate_ = 0;  ///< mean rate of the penetration over it

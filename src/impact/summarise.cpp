@@ -66,6 +66,7 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement) {
   s.peak_strain = s.peak_penetration / impact.pad.thickness;
   s.peak_strain_rate = figures.peak_pad_rate / impact.pad.thickness;
   s.weight = figures.weight;
+  s.contact_end = figures.contact_end;
   s.release = figures.release;
   s.bottomed = figures.bottomed;
   if (figures.release) {

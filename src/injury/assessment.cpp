@@ -32,7 +32,7 @@ Estimate dwell(const Solution& solution, const InjuryFigures& figures, double le
   const double shorter = cumulative_dwell(pulse, level + shift);
   const double longer = cumulative_dwell(pulse, std::max(level - shift, 0.0));
   const double of_steps = std::abs(cumulative_dwell(thinned(pulse), level) - time);
-  const double of_time = solution.summary.errors.release_time * time;
+  const double of_time = solution.summary.errors.contact_end * time;
   return {time, std::max(time - shorter, longer - time) + of_steps + of_time};
 }
 
@@ -60,7 +60,7 @@ Estimate estimate(const Criterion& criterion, const Solution& solution, const In
 bool has_no_finite_force(const Summary& summary) { return !summary.peak_force.has_value(); }
 
 /// The history goes on until contact is lost, unless something came in between.
-bool is_complete(const Summary& summary) { return summary.release.has_value(); }
+bool is_complete(const Summary& summary) { return pulse_is_whole(summary); }
 
 CriterionResult failed_without_value(const Criterion& criterion) {
   return {.criterion = criterion,

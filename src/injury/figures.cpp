@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dashpad/impact/flags.hpp"
 #include "dashpad/injury/severity_index.hpp"
 #include "injury/thinned.hpp"
 
@@ -77,7 +78,7 @@ InjuryFigures injury_figures(const Solution& solution) {
 
 std::optional<InjuryFigures> whole_pulse_figures(const Solution& solution) {
   const auto finite = [](double value) { return std::isfinite(value); };
-  if (!solution.summary.release || solution.history.size() < 2 ||
+  if (!pulse_is_whole(solution.summary) || solution.history.size() < 2 ||
       !std::ranges::all_of(solution.history.acceleration, finite))
     return std::nullopt;
   return injury_figures(solution);

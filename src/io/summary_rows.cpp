@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/impact/flags.hpp"
 #include "dashpad/version.hpp"
 #include "io/text.hpp"
 
@@ -73,7 +74,9 @@ void add_rebound(Rows& rows, const Summary& summary) {
   if (summary.rebound_speed)
     rows.add("Rebound speed", *summary.rebound_speed, "m/s", summary.errors.rebound_speed,
              summary.restitution ? "restitution " + significant(*summary.restitution) : "");
-  if (summary.release) rows.add("Time of release", summary.release->time, "s", summary.errors.release_time);
+  if (summary.contact_end)
+    rows.add("End of contact", summary.contact_end->time, "s", summary.errors.contact_end,
+             fmt::format("force below {} of its peak", percentage(contact_end_share)));
 }
 
 void add_energy(Rows& rows, const Summary& summary, const UnitSystem& units) {
@@ -104,7 +107,9 @@ std::string duration(double seconds) {
 
 std::string outcome(const Summary& summary) {
   switch (summary.status) {
-    case Status::released: return "The impactor rebounded and left the pad.";
+    case Status::released:
+      return pulse_is_whole(summary) ? "The impactor rebounded and left the pad."
+                                     : "The pad stopped the impactor and does not push it back.";
     case Status::bottomed_out: return "The pad bottomed out on its rigid support: no finite force beyond.";
     case Status::time_limit: return "The impactor was still on the pad when the time was up.";
     case Status::tolerance_not_met:
@@ -117,16 +122,10 @@ std::string outcome(const Summary& summary) {
 
 std::vector<std::string> warnings(const Summary& summary, const UnitSystem& units) {
   std::vector<std::string> lines;
-  if (summary.status == Status::tolerance_not_met)
-    lines.push_back(fmt::format(
-        "TOLERANCE NOT MET: asked for {}; do not rely on these figures beyond their ±, nor on the ± itself",
-        percentage(summary.tolerance)));
-  if (summary.status == Status::time_limit) lines.emplace_back("TIME LIMIT: no rebound figures");
-  if (summary.bottomed) lines.push_back(bottomed_flag(summary, units));
-  for (const std::string& reason : summary.extrapolations)
-    lines.push_back("EXTRAPOLATED: " + one_line(reason));
-  if (summary.extrapolated && summary.extrapolations.empty())
-    lines.emplace_back("EXTRAPOLATED: outside the range in which the material was fitted");
+  for (const Flag& flag : flags(summary)) {
+    if (flag.name == "NOT RUN") continue;
+    lines.push_back(flag.name == "BOTTOMED" ? bottomed_flag(summary, units) : one_line(flag.text));
+  }
   return lines;
 }
 

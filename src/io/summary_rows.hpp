@@ -22,8 +22,8 @@ struct SummaryRow {
 /// How it ended, in one sentence.
 std::string outcome(const Summary& summary);
 
-/// What to beware of, each beginning with a word in capitals: EXTRAPOLATED, BOTTOMED, TIME LIMIT, TOLERANCE
-/// NOT MET.
+/// What to beware of, each beginning with a word in capitals: the flags of
+/// dashpad/impact/flags.hpp, with moments in the units of the reader.
 std::vector<std::string> warnings(const Summary& summary, const UnitSystem& units);
 
 /// The figures, those that a designer asks for first on top; none if nothing was run.

@@ -37,7 +37,7 @@ Json errors(const Summary& summary) {
           {"peak_motion", number(of.peak_motion)},
           {"peak_penetration", number(of.peak_penetration)},
           {"rebound_speed", number_if(summary.rebound_speed.has_value(), of.rebound_speed)},
-          {"release_time", number_if(summary.release.has_value(), of.release_time)},
+          {"contact_end", number_if(summary.contact_end.has_value(), of.contact_end)},
           {"weight", number_if(summary.weight.has_value(), of.weight)},
           {"bottomed", number_if(summary.bottomed.has_value(), of.bottomed)},
           {"energy_absorbed", number(of.energy_absorbed)}};
@@ -119,6 +119,7 @@ std::string result_json(const ImpactCase& impact, const Summary& summary,
   result["peak_strain_rate_per_s"] = number(summary.peak_strain_rate);
   result["peak_acceleration_g"] = number(in_g(summary.peak_acceleration));
   result["weight"] = moment(summary.weight);
+  result["contact_end"] = moment(summary.contact_end);
   result["release"] = moment(summary.release);
   result["rebound_speed_m_per_s"] = number(summary.rebound_speed);
   result["restitution"] = number(summary.restitution);

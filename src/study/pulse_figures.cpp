@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dashpad/impact/flags.hpp"
 #include "dashpad/injury/clip.hpp"
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/injury/peak.hpp"
@@ -22,7 +23,7 @@ void PulseFigures::take(const Solution& solution) {
   force_error_ = solution.summary.errors.peak_force;
   whole_window_.reset();
   clip_.reset();
-  whole_ = solution.summary.release && history.size() >= 2;
+  whole_ = pulse_is_whole(solution.summary) && history.size() >= 2;
   if (!whole_) return;
   double doubt = 0;  // a number less itself is 0 where it is finite
   for (const double value : history.acceleration) doubt += value - value;

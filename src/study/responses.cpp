@@ -51,10 +51,14 @@ const Recipe recipes[] = {
      [](const Summary& of) { return present(of.rebound_speed, of.errors.rebound_speed); }},
     {{"restitution", "1", "rebound speed over impact speed", false},
      [](const Summary& of) { return present(of.restitution, of.errors.rebound_speed); }},
-    {{"release_time", "s", "when the impactor leaves the pad", false},
+    {{"contact_end_time", "s", "end of contact: the force falls below 0.1 % of its peak", false},
      [](const Summary& of) {
-       return of.release ? FigureWithError{of.release->time, of.errors.release_time}
-                         : FigureWithError{no_value, 0};
+       return of.contact_end ? FigureWithError{of.contact_end->time, of.errors.contact_end}
+                             : FigureWithError{no_value, 0};
+     }},
+    {{"release_time", "s", "when the last column is without pressure; has no error estimate", false},
+     [](const Summary& of) {
+       return FigureWithError{of.release ? of.release->time : no_value, 0};
      }},
     {{"energy_absorbed_fraction", "1", "part of the impact energy that the pad absorbs", false},
      [](const Summary& of) {

@@ -73,6 +73,8 @@ Differences compare(const Summary& summary, const CvodeImpact& oracle) {
   result.peak_penetration = relative(summary.peak_penetration, oracle.peak_penetration);
   result.weight_time = relative(time_of(summary.weight), time_of(oracle.weight));
   result.weight_velocity = relative(velocity_of(summary.weight), velocity_of(oracle.weight));
+  result.contact_end_time = relative(time_of(summary.contact_end), time_of(oracle.contact_end));
+  result.contact_end_velocity = relative(velocity_of(summary.contact_end), velocity_of(oracle.contact_end));
   result.release_time = relative(time_of(summary.release), time_of(oracle.release));
   result.release_velocity = relative(velocity_of(summary.release), velocity_of(oracle.release));
   return result;
@@ -80,8 +82,9 @@ Differences compare(const Summary& summary, const CvodeImpact& oracle) {
 
 double Differences::largest() const {
   double result = 0;
-  for (const auto& entry : {peak_force, time_of_peak_force, peak_motion, peak_penetration, weight_time,
-                            weight_velocity, release_time, release_velocity})
+  for (const auto& entry :
+       {peak_force, time_of_peak_force, peak_motion, peak_penetration, weight_time, weight_velocity,
+        contact_end_time, contact_end_velocity, release_time, release_velocity})
     if (entry) result = std::max(result, std::abs(*entry));
   return result;
 }
@@ -98,7 +101,8 @@ std::string Differences::text() const {
   };
   add("peak force", peak_force), add("its time", time_of_peak_force), add("motion", peak_motion);
   add("penetration", peak_penetration), add("weight time", weight_time);
-  add("weight velocity", weight_velocity), add("release time", release_time);
+  add("weight velocity", weight_velocity), add("contact end time", contact_end_time);
+  add("contact end velocity", contact_end_velocity), add("release time", release_time);
   add("release velocity", release_velocity);
   return line;
 }

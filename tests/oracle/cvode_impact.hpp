@@ -50,6 +50,8 @@ struct CvodeImpact {
   double time_of_turning = 0;     ///< s: loading ends
   double turning_speed = 0;       ///< m/s, of penetration just after: the finite jump
   std::optional<Moment> weight;   ///< force below the weight on rebound
+  /// Force below a thousandth of its peak, for the last time.
+  std::optional<Moment> contact_end;
   std::optional<Moment> release;
   std::optional<Moment> bottomed;
   double energy_absorbed = 0;  ///< 1 - (release speed / impact speed)^2
@@ -68,7 +70,8 @@ CvodeImpact solve_with_cvode(const ImpactCase& impact, const CvodeOptions& optio
 /// figure.
 struct Differences {
   std::optional<double> peak_force, time_of_peak_force, peak_motion, peak_penetration;
-  std::optional<double> weight_time, weight_velocity, release_time, release_velocity;
+  std::optional<double> weight_time, weight_velocity, contact_end_time, contact_end_velocity, release_time,
+      release_velocity;
   /// Largest magnitude of those present.
   [[nodiscard]] double largest() const;
   /// One line for a test's message.

@@ -30,6 +30,7 @@ class ElasticPhase final : public OdeSystem {
         break;
       }
       if (crossed[event_weight] < 0) run_.result.weight = Moment{session.time(), state[velocity]};
+      if (crossed[event_contact_end] < 0) run_.result.contact_end = Moment{session.time(), state[velocity]};
       if (crossed[event_above] != 0 || crossed[event_below] != 0) {
         crossed[event_above] != 0 ? run_.support.next_segment() : run_.support.last_segment();
         session.restart();
@@ -63,12 +64,13 @@ class ElasticPhase final : public OdeSystem {
     allowance[velocity] = rtol * std::fabs(state[velocity]) + atol * run_.speed;
     allowance[penetration] = rtol * std::fabs(state[penetration]) + atol * run_.thickness;
   }
-  [[nodiscard]] int event_count() const override { return 6; }
+  [[nodiscard]] int event_count() const override { return 7; }
   void events(double, const double* state, double* values) override {
     const bool rebound = state[velocity] < 0;
     const double deflection = state[motion] - state[penetration];
     values[event_turning] = state[velocity];
     values[event_weight] = rebound ? force_of(state) - run_.mass * run_.options.gravity : 1;
+    values[event_contact_end] = rebound ? force_of(state) - contact_end_share * run_.result.peak_force : 1;
     values[event_release] = rebound ? state[penetration] : 1;
     values[event_bottom] = run_.thickness - state[penetration];
     values[event_above] = run_.support.rigid() ? 1 : run_.support.to_corner_above(deflection);
@@ -76,7 +78,15 @@ class ElasticPhase final : public OdeSystem {
   }
 
  private:
-  enum : std::size_t { event_turning, event_weight, event_release, event_bottom, event_above, event_below };
+  enum : std::size_t {
+    event_turning,
+    event_weight,
+    event_contact_end,
+    event_release,
+    event_bottom,
+    event_above,
+    event_below
+  };
 
   /// 2 pi (E/L) integral of (Y - s)(R - s) ds over the contact; deeper than R, over the whole nose.
   [[nodiscard]] double pad_force(double deep) const {

@@ -58,6 +58,7 @@ ReferenceCase case_of(const std::vector<std::string>& fields) {
   result.weight = {number(15) * 1e-3, -number(14) * mile_per_hour};
   result.release = {number(17) * 1e-3, -number(16) * mile_per_hour};
   result.energy_loss = number(18);
+  result.contact_end = {number(20) * 1e-3, -number(19) * mile_per_hour};
   return result;
 }
 

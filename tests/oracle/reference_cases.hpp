@@ -22,6 +22,7 @@ struct ReferenceCase {
   double peak_penetration = 0;    ///< m
   Moment weight;                  ///< rebound speeds are negative velocities
   Moment release;
+  Moment contact_end;  ///< force below a thousandth of its peak
   double energy_loss = 0;
 };
 

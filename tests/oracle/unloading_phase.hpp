@@ -104,12 +104,14 @@ class UnloadingPhase final : public OdeSystem {
     }
   }
 
-  [[nodiscard]] int event_count() const override { return 5; }
+  [[nodiscard]] int event_count() const override { return 6; }
   void events(double time, const double* state, double* values) override {
     prepare(time, state);
     const double force = force_of(state);
     values[event_weight] =
         state[velocity] < 0 ? (force - run_.mass * run_.options.gravity) / force_scale_ : 1;
+    values[event_contact_end] =
+        state[velocity] < 0 ? (force - contact_end_share * run_.result.peak_force) / force_scale_ : 1;
     values[event_release] = largest_stress(state) / stress_scale_;
     values[event_peak_motion] = state[velocity];
     values[event_peak_force] = force_rate_now(state);
@@ -118,7 +120,14 @@ class UnloadingPhase final : public OdeSystem {
   }
 
  private:
-  enum : std::size_t { event_weight, event_release, event_peak_motion, event_peak_force, event_corner };
+  enum : std::size_t {
+    event_weight,
+    event_contact_end,
+    event_release,
+    event_peak_motion,
+    event_peak_force,
+    event_corner
+  };
   static constexpr double no_limit = 1e30;
   static constexpr double rounding = 1e-6;  ///< of the turning point rule, in impact speeds
   using Rate = typename Formulas::Rate;
@@ -202,6 +211,7 @@ class UnloadingPhase final : public OdeSystem {
     if (crossed[event_peak_force] != 0) run_.note_force(session.time(), force_of(state));
     if (crossed[event_weight] < 0 && !run_.result.weight)
       run_.result.weight = Moment{session.time(), state[velocity]};
+    if (crossed[event_contact_end] < 0) run_.result.contact_end = Moment{session.time(), state[velocity]};
     if (crossed[event_release] < 0) {
       released(session);
       return true;

@@ -53,8 +53,8 @@ PathComparison compare_paths(Solver& solver, const ImpactCase& impact, double to
       b.errors.peak_penetration);
   add(comparison, "rebound speed", a.rebound_speed, b.rebound_speed, 1e-3 * impact.impactor.speed,
       a.errors.rebound_speed, b.errors.rebound_speed);
-  add(comparison, "release time", time_of(a.release), time_of(b.release), 0, a.errors.release_time,
-      b.errors.release_time);
+  add(comparison, "end of contact", time_of(a.contact_end), time_of(b.contact_end), 0, a.errors.contact_end,
+      b.errors.contact_end);
   return comparison;
 }
 

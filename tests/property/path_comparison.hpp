@@ -27,7 +27,7 @@ struct PathComparison {
   Status fast = Status::not_run;
   Status plain = Status::not_run;
   /// Of impacts that both paths call trustworthy with the same status: peak force, peak penetration, rebound
-  /// speed, release time, where there are such.
+  /// speed, end of contact, where there are such.
   std::vector<PathFigure> figures;
   bool same_figures = true;  ///< none is there on one path only
   double fast_time = 0;      ///< s

@@ -47,6 +47,7 @@ void expect_numbers(const Summary& s) {
   expect_finite("peak strain", s.peak_strain);
   expect_finite("peak strain rate", s.peak_strain_rate);
   expect_finite("weight", s.weight);
+  expect_finite("contact end", s.contact_end);
   expect_finite("release", s.release);
   expect_finite("bottomed", s.bottomed);
   expect_finite("rebound speed", s.rebound_speed);
@@ -104,7 +105,11 @@ void expect_physics(const ImpactCase& impact, const Summary& s) {
     EXPECT_LE(s.restitution.value(), 1 + largest_gain(impact.pad.material.law) + s.errors.rebound_speed);
     EXPECT_LE(s.time_of_peak_force.value(), s.release->time * (1 + 1e-9));
     ASSERT_TRUE(s.weight);
-    EXPECT_LE(s.weight->time, s.release->time * (1 + 1e-9 + s.errors.release_time));
+    EXPECT_LE(s.weight->time, s.release->time * (1 + 1e-9 + s.errors.weight));
+  }
+  if (s.contact_end) {
+    ASSERT_TRUE(s.release);
+    EXPECT_LE(s.time_of_peak_force.value(), s.contact_end->time * (1 + s.errors.contact_end));
   }
 }
 

@@ -60,7 +60,7 @@ std::string text_of(const Summary& s) {
   line("peak_strain_rate", number(s.peak_strain_rate));
   line("peak_acceleration", number(s.peak_acceleration));
   line("weight", words(s.weight));
-  line("release", words(s.release));
+  line("contact_end", words(s.contact_end));
   line("bottomed", words(s.bottomed));
   line("rebound_speed", number(s.rebound_speed));
   line("restitution", number(s.restitution));

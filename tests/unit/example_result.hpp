@@ -32,7 +32,8 @@ inline Summary example_summary() {
   summary.peak_strain_rate = 312.3;
   summary.peak_acceleration = 130 * standard_gravity;
   summary.weight = Moment{.time = 0.0241, .velocity = -8.6025};
-  summary.release = Moment{.time = 0.0242, .velocity = -8.6031};
+  summary.contact_end = Moment{.time = 0.0242, .velocity = -8.6030};
+  summary.release = Moment{.time = 0.0243, .velocity = -8.6031};
   summary.rebound_speed = 8.6031;
   summary.restitution = 0.96223;
   summary.energy_absorbed_fraction = 0.0741472;
@@ -42,7 +43,7 @@ inline Summary example_summary() {
                     .peak_motion = 1e-6,
                     .peak_penetration = 3e-6,
                     .rebound_speed = 1e-5,
-                    .release_time = 4e-5,
+                    .contact_end = 4e-5,
                     .weight = 5e-5,
                     .bottomed = 0,
                     .energy_absorbed = 2e-5};
@@ -62,6 +63,7 @@ inline Summary bottomed_out_summary() {
   summary.time_of_peak_force.reset();
   summary.peak_acceleration.reset();
   summary.weight.reset();
+  summary.contact_end.reset();
   summary.release.reset();
   summary.rebound_speed.reset();
   summary.restitution.reset();

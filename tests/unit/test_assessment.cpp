@@ -272,10 +272,10 @@ TEST(assessment, bottoming_on_a_rigid_support_leaves_lower_bounds_of_times) {
 TEST(assessment, an_impact_that_was_not_computed_to_its_end_cannot_pass) {
   Solution solution = half_sine();
   solution.summary.status = Status::time_limit;
-  solution.summary.release.reset();
+  solution.summary.contact_end.reset();
   const Assessment below = assess_peak(200 * g, solution);
   EXPECT_EQ(below.verdict, Verdict::undecided);
-  EXPECT_THAT(below.reservations, ElementsAre(StartsWith("INCOMPLETE")));
+  EXPECT_THAT(below.reservations, ElementsAre(StartsWith("PULSE CUT"), StartsWith("INCOMPLETE")));
   EXPECT_EQ(assess_peak(50 * g, solution).verdict, Verdict::fail);
 }
 
@@ -320,7 +320,7 @@ TEST(assessment_text, an_unqualified_pass_has_no_reservations) {
 TEST(assessment_text, the_margin_of_a_lower_bound_is_an_upper_bound) {
   Solution solution = half_sine();
   solution.summary.status = Status::time_limit;
-  solution.summary.release.reset();
+  solution.summary.contact_end.reset();
   const Written open = write(standard_with({criterion(Metric::peak, 125 * g)}), solution);
   EXPECT_THAT(open.text, AllOf(HasSubstr("> 100 g"), HasSubstr(" < +25 g (+20.0 %)")));
   EXPECT_EQ(nlohmann::json::parse(open.json)["criteria"][0]["margin_is_upper_bound"], true);

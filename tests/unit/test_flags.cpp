@@ -29,7 +29,9 @@ TEST(Flags, NameWhatIsNotToBeReliedOn) {
   EXPECT_THAT(names(test::example_summary()), ElementsAre());
   Summary summary = test::example_summary();
   summary.status = Status::time_limit;
-  EXPECT_THAT(names(summary), ElementsAre("TIME LIMIT"));
+  summary.contact_end.reset();
+  EXPECT_THAT(names(summary), ElementsAre("TIME LIMIT", "PULSE CUT"));
+  summary = test::example_summary();
   summary.status = Status::tolerance_not_met;
   summary.bottomed = Moment{.time = 0.005, .velocity = 1};
   summary.extrapolated = true;
@@ -37,6 +39,27 @@ TEST(Flags, NameWhatIsNotToBeReliedOn) {
   summary.extrapolations = {"one", "two"};
   EXPECT_THAT(names(summary), ElementsAre("TOLERANCE NOT MET", "BOTTOMED", "EXTRAPOLATED", "EXTRAPOLATED"));
   EXPECT_EQ(flags(summary)[3].text, "EXTRAPOLATED: two");
+}
+
+/// A rigid foam on a rigid support: the impactor comes to rest and the force stays up.
+TEST(Flags, SayThatAPulseWithoutItsFallingFlankIsCut) {
+  Summary summary = test::example_summary();
+  EXPECT_TRUE(pulse_is_whole(summary));
+  summary.contact_end.reset();
+  EXPECT_FALSE(pulse_is_whole(summary));
+  EXPECT_THAT(names(summary), ElementsAre("PULSE CUT"));
+  EXPECT_THAT(names(test::bottomed_out_summary()), ElementsAre("BOTTOMED"));
+}
+
+TEST(Flags, SayThatEnergyWasGainedWhereItIsMoreThanTheErrors) {
+  Summary summary = test::example_summary();
+  const double error = summary.errors.energy_absorbed + summary.energy.residual / summary.energy.initial;
+  summary.energy_absorbed_fraction = -0.9 * error;
+  EXPECT_THAT(names(summary), ElementsAre());
+  summary.energy_absorbed_fraction = -1.1 * error;
+  EXPECT_THAT(names(summary), ElementsAre("ENERGY GAINED"));
+  summary.energy_absorbed_fraction = -0.0652;
+  EXPECT_THAT(flags(summary)[0].text, HasSubstr("6.5 % of the impact energy more than it took"));
 }
 
 TEST(Flags, TellARigidSupportFromOneThatYields) {

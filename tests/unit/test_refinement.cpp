@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <vector>
 
 namespace dashpad {
 namespace {
@@ -25,6 +27,7 @@ Figures figures_with(double error) {
   f.peak_penetration = off(0.02, 0.3);
   f.peak_pad_rate = off(3, 0.1);
   f.weight = Moment{off(0.02, 1), off(-1.9, 0.4)};
+  f.contact_end = Moment{off(0.0205, -1), off(-1.99, 0.6)};
   f.release = Moment{off(0.021, -1), off(-rebound, 0.7)};
   f.final_velocity = f.release->velocity;
   f.pad_work = off(impact_energy - impactor.mass * rebound * rebound / 2, 1.5);
@@ -127,6 +130,48 @@ TEST(refinement, does_not_compare_runs_that_end_differently) {
     refinement.add(run);
     EXPECT_FALSE(refinement.settled()) << k;
   }
+}
+
+/// Numbers of a run, each of which would be passed over by a comparison with one that is not a number.
+TEST(refinement, does_not_settle_on_what_is_no_number) {
+  constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::function<void(Figures&)>> spoilers{
+      [](Figures& f) { f.peak_force = no_number; },
+      [](Figures& f) { f.time_of_peak_force = no_number; },
+      [](Figures& f) { f.peak_motion = no_number; },
+      [](Figures& f) { f.peak_penetration = no_number; },
+      [](Figures& f) { f.peak_pad_rate = no_number; },
+      [](Figures& f) { f.weight->velocity = no_number; },
+      [](Figures& f) { f.contact_end->time = no_number; },
+      [](Figures& f) { f.contact_end->velocity = no_number; },
+      [](Figures& f) { f.release->velocity = no_number; },
+      [](Figures& f) { f.final_velocity = no_number; },
+      [](Figures& f) { f.pad_work = std::numeric_limits<double>::infinity(); },
+  };
+  for (std::size_t i = 0; i < spoilers.size(); ++i) {
+    Refinement refinement(impactor, 1e-2);
+    for (int k = 0; k < 4; ++k) {
+      Figures run = figures_with(0);
+      spoilers[i](run);
+      refinement.add(run);
+      EXPECT_FALSE(refinement.settled()) << "number " << i << ", run " << k;
+    }
+  }
+}
+
+TEST(refinement, holds_the_end_of_contact_to_the_tolerance_but_not_the_time_of_release) {
+  Refinement refinement(impactor, 1e-3);
+  for (int k = 0; k < 3; ++k) {
+    Figures run = figures_with(0);
+    run.release->time = 0.021 + 0.005 * (k % 2);
+    refinement.add(run);
+  }
+  EXPECT_TRUE(refinement.settled());
+  Figures late = figures_with(0);
+  late.contact_end->time = 0.025;
+  refinement.add(late);
+  EXPECT_FALSE(refinement.settled());
+  EXPECT_GT(refinement.errors().contact_end, 0.01);
 }
 
 TEST(refinement, does_not_settle_while_energy_is_missing) {

@@ -39,7 +39,8 @@ TEST(responses, are_the_figures_of_the_summary) {
       {"peak_strain_rate", {summary.peak_strain_rate, 0}},
       {"rebound_speed", {*summary.rebound_speed, summary.errors.rebound_speed}},
       {"restitution", {*summary.restitution, summary.errors.rebound_speed}},
-      {"release_time", {summary.release->time, summary.errors.release_time}},
+      {"contact_end_time", {summary.contact_end->time, summary.errors.contact_end}},
+      {"release_time", {summary.release->time, 0}},
       {"energy_absorbed_fraction", {summary.energy_absorbed_fraction, summary.errors.energy_absorbed}}};
   EXPECT_EQ(default_responses().size(), expected.size());
   for (const std::string& name : default_responses()) {

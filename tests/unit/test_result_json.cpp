@@ -25,9 +25,12 @@ TEST(ResultJson, HasTheFiguresInSI) {
   EXPECT_EQ(result["time_of_peak_force_s"], 0.0130234567);
   EXPECT_DOUBLE_EQ(result["peak_acceleration_g"], 130);
   EXPECT_EQ(result["weight"], (json{{"time_s", 0.0241}, {"velocity_m_per_s", -8.6025}}));
+  EXPECT_EQ(result["contact_end"]["time_s"], 0.0242);
+  EXPECT_EQ(result["contact_end"]["velocity_m_per_s"], -8.6030);
   EXPECT_EQ(result["release"]["velocity_m_per_s"], -8.6031);
   EXPECT_EQ(result["energy_residual_fraction"], 0.009 / 180);
-  EXPECT_EQ(result["errors"]["release_time"], 4e-5);
+  EXPECT_EQ(result["errors"]["contact_end"], 4e-5);
+  EXPECT_FALSE(result["errors"].contains("release_time"));
   EXPECT_EQ(result["solver"]["stations"], 80);
   EXPECT_EQ(result["bottomed"], false);
 }
@@ -72,8 +75,8 @@ TEST(ResultJson, ReadsBackAsTheSameNumbers) {
 TEST(ResultJson, HasNullsWhereThePadBottomedOut) {
   const json result = written(test::bottomed_out_summary());
   EXPECT_EQ(result["status"], "bottomed out");
-  for (const char* key : {"peak_force_N", "time_of_peak_force_s", "peak_acceleration_g", "weight", "release",
-                          "rebound_speed_m_per_s", "restitution"})
+  for (const char* key : {"peak_force_N", "time_of_peak_force_s", "peak_acceleration_g", "weight",
+                          "contact_end", "release", "rebound_speed_m_per_s", "restitution"})
     EXPECT_TRUE(result.at(key).is_null()) << key;
   EXPECT_TRUE(result["errors"]["peak_force"].is_null());
   EXPECT_EQ(result["bottomed"], (json{{"time_s", 0.0059307}, {"velocity_m_per_s", 5.05}}));

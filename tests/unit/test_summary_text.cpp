@@ -55,7 +55,7 @@ TEST(SummaryText, HasEachControlledFigureWithItsError) {
                     ContainsRegex("Peak penetration +20.320 mm +± 0.0003 % +80.000 % of the pad"),
                     ContainsRegex("Peak motion +79.965 mm +± 0.0001 %"),
                     ContainsRegex("Rebound speed +8.6031 m/s +± 0.001 % +restitution 0.96223"),
-                    ContainsRegex("Time of release +24.200 ms +± 0.004 %"),
+                    ContainsRegex("End of contact +24.200 ms +± 0.004 % +force below 0.1 % of its peak"),
                     ContainsRegex("Energy absorbed +7.4147 % +± 0.002 % +of the 180 J"),
                     ContainsRegex("to a tolerance of 0.01 %: 240 steps, 80 stations, 3 runs, 0.8 ms; "
                                   "energy residual 0.005 %")));
@@ -110,7 +110,7 @@ TEST(SummaryText, WarnsOfFiguresThatCannotBeTrusted) {
 TEST(SummaryText, WarnsOfTheTimeLimit) {
   Summary summary = test::example_summary();
   summary.status = Status::time_limit;
-  summary.release.reset();
+  summary.contact_end.reset();
   summary.rebound_speed.reset();
   EXPECT_THAT(shown(summary), HasSubstr("TIME LIMIT"));
 }

@@ -302,6 +302,10 @@ void expect_reference(const CvodeImpact& oracle, const ReferenceCase& reference,
                   "release speed");
   expect_relative(oracle.release.value().time, reference.release.time, tolerances.release_time,
                   "release time");
+  expect_relative(oracle.contact_end.value().velocity, reference.contact_end.velocity, tolerances.figure,
+                  "contact end speed");
+  expect_relative(oracle.contact_end.value().time, reference.contact_end.time, tolerances.time,
+                  "contact end time");
   EXPECT_NEAR(oracle.energy_absorbed, reference.energy_loss, 2 * tolerances.figure) << "energy loss";
 }
 

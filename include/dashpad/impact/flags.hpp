@@ -8,12 +8,21 @@
 
 namespace dashpad {
 
+/// Whether the force rose and fell: contact was lost, and nothing of the pulse is missing. Otherwise HIC,
+/// clips, dwell times and the duration are those of a part of the pulse.
+bool pulse_is_whole(const Summary& summary);
+
+/// Whether the pad and the support gave back more energy than they took, by more than the error estimates.
+bool gained_energy(const Summary& summary);
+
 struct Flag {
-  std::string name;  ///< NOT RUN, TOLERANCE NOT MET, TIME LIMIT, BOTTOMED or EXTRAPOLATED
+  /// NOT RUN, TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, BOTTOMED, ENERGY GAINED or EXTRAPOLATED.
+  std::string name;
   std::string text;  ///< a line that begins with the name
 };
 
-/// None for a result without reservations. EXTRAPOLATED comes once for each reason.
+/// None for a result without reservations. EXTRAPOLATED comes once for each reason. A pad that bottomed out
+/// on a rigid support is BOTTOMED, not PULSE CUT.
 std::vector<Flag> flags(const Summary& summary);
 
 }  // namespace dashpad

@@ -21,6 +21,9 @@ struct Options {
   bool plain = false;
 };
 
+/// Contact ends where the force falls below this share of its peak (theory.md, Eq. 29).
+inline constexpr double contact_end_share = 1e-3;
+
 enum class Status {
   not_run,
   released,           ///< the impactor left the pad
@@ -39,13 +42,13 @@ struct Moment {
 /// Estimated errors, relative to the figure unless it is said otherwise.
 struct ErrorEstimates {
   double peak_force = 0;
-  double time_of_peak_force =
-      0;  ///< relative to the release time; not held to the tolerance: a peak may be flat
+  /// Relative to the time at which contact ends; not held to the tolerance, since a peak may be flat.
+  double time_of_peak_force = 0;
   double peak_motion = 0;
   double peak_penetration = 0;
-  double rebound_speed =
-      0;  ///< relative to the rebound speed, or to 1e-3 of the impact speed where that is more
-  double release_time = 0;
+  /// Relative to the rebound speed, or to 1e-3 of the impact speed where that is more.
+  double rebound_speed = 0;
+  double contact_end = 0;      ///< of time and velocity at the end of contact, the larger
   double weight = 0;           ///< of time and velocity when the force falls below the weight, the larger
   double bottomed = 0;         ///< of time and velocity at bottoming, the larger
   double energy_absorbed = 0;  ///< of the absorbed fraction, relative to the impact energy
@@ -72,7 +75,12 @@ struct Summary {
   std::optional<double> peak_acceleration;   ///< m/s2, magnitude
   /// Force below the impactor's weight on rebound (the report's end of the impact).
   std::optional<Moment> weight;
-  /// Contact lost.
+  /// End of contact: the force falls below contact_end_share of its peak for the last time. Absent where
+  /// contact is not lost: at the time limit, after bottoming out, with a rigid foam that stops the impactor
+  /// on a rigid support.
+  std::optional<Moment> contact_end;
+  /// No column is left under pressure (theory.md, Eq. 21). Its time carries no error estimate: a spot of
+  /// micrometres on the axis, which carries next to nothing, may decide it.
   std::optional<Moment> release;
   /// Pad fully compressed on the axis for the first time.
   std::optional<Moment> bottomed;

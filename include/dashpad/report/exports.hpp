@@ -34,7 +34,7 @@ struct CurveFile {
 /// LS-DYNA asks for less in some places; 8 digits leave a blank in a field of 10.
 inline constexpr int highest_curve_id = 99'999'999;
 
-/// The flags of a result, a line each: TOLERANCE NOT MET, TIME LIMIT, BOTTOMED, EXTRAPOLATED, with what they
+/// The flags of a result, a line each: as dashpad/impact/flags.hpp names them, with what they
 /// mean for its curves.
 std::vector<std::string> flags_of(const Summary& summary);
 
