@@ -27,7 +27,9 @@ Solution solved(const std::string& name, double tolerance) {
 
 struct LateRelease {
   const char* name;
-  double contact_end;  ///< s, by our own solution at 1e-6; an independent one in Python agrees to its digits
+  /// s, by our own solution at 1e-6. Its time of release is that of an independent solver, 2.664864 ms and
+  /// 61.98726 ms.
+  double contact_end;
 };
 
 class EndOfContact : public testing::TestWithParam<LateRelease> {};
