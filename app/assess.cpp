@@ -1,5 +1,7 @@
 // dashpad assess: solves a case with the impactor of a test standard and compares with its limits.
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -7,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/standard_file.hpp"
 #include "dashpad/io/case_file.hpp"
 #include "dashpad/report/assessment_text.hpp"
@@ -98,18 +99,23 @@ void noting_faults(Complaints& wrong, Reader read) {
 }
 
 Input read_and_check(const Request& request, const Folders& folders) {
-  Complaints wrong = complaints(targets(request), request.case_file, request.force);
+  Complaints wrong;
   const UserValues values = read_user_values(request, wrong);
   const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
   Input input;
+  std::vector<InputFile> files;
   noting_faults(wrong, [&] {
     const StandardChoice choice = standard_choice(request.standard);
-    const Standard standard = read_standard(find_standard(choice.name, folders.standards));
+    files.push_back({"the standard", find_standard(choice.name, folders.standards)});
+    const Standard standard = read_standard(files.back().file);
     input.standard = with_user_values(with_variants(standard, choice.variants), values);
   });
-  noting_faults(wrong, [&] { input.given = read_case(request.case_file, folders.materials); });
+  std::optional<CaseFile> given = read_case(request.case_file, folders.materials, wrong);
+  std::ranges::move(files_of(request.case_file, given), std::back_inserter(files));
+  judge_targets(targets(request), files, request.force, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
 
+  input.given = *std::move(given);
   if (tolerance) input.given.options.tolerance = *tolerance;
   input.assessed = with_impactor_of(input.standard, input.given.impact);
   for (const Violation& violation : violations(input.assessed))
@@ -121,7 +127,7 @@ Input read_and_check(const Request& request, const Folders& folders) {
 
 int run_assessment(const Request& request, const Folders& folders) {
   const Input input = read_and_check(request, folders);
-  const Solution solution = solve(input.assessed, input.given.options);
+  const Solution solution = solve_with_progress(input.assessed, input.given.options);
   const Assessment assessment = assess(input.standard, input.assessed, solution);
   const AssessmentReport report{input.standard, input.given.impact, input.assessed, solution, assessment};
   publish(

@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
+#include "dashpad/impact/solve.hpp"
 #include "dashpad/io/unit_system.hpp"
 #include "dashpad/report/page.hpp"
 #include "dashpad/report/plot.hpp"
 #include "dashpad/units/quantity.hpp"
 #include "material_folder.hpp"
+#include "progress_line.hpp"
 #include "streams.hpp"
 
 namespace dashpad {
@@ -99,13 +101,13 @@ std::optional<CaseFile> read_case(const std::string& file, const std::filesystem
   }
 }
 
-CaseFile read_case(const std::string& file, const std::filesystem::path& materials,
-                   const std::optional<std::string>& tolerance, std::vector<std::string> wrong) {
-  const std::optional<double> chosen = tolerance_of(tolerance, wrong);
-  std::optional<CaseFile> input = read_case(file, materials, wrong);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
-  if (chosen) input->options.tolerance = *chosen;
-  return *std::move(input);
+std::vector<InputFile> files_of(const std::string& file, const std::optional<CaseFile>& input) {
+  return input ? input->files : std::vector<InputFile>{{"the case file", file}};
+}
+
+Solution solve_with_progress(const ImpactCase& impact, const Options& options) {
+  const ProgressLine line{"Solving"};
+  return solve(impact, options);
 }
 
 int list_cards(std::string heading, const std::vector<std::filesystem::path>& cards,

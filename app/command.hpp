@@ -73,10 +73,11 @@ std::filesystem::path find_card(const std::string& name, const std::filesystem::
 std::optional<CaseFile> read_case(const std::string& file, const std::filesystem::path& materials,
                                   std::vector<std::string>& wrong);
 
-/// The case with the tolerance of the command line. Throws Refused with `wrong` and all that is wrong with
-/// both.
-CaseFile read_case(const std::string& file, const std::filesystem::path& materials,
-                   const std::optional<std::string>& tolerance, std::vector<std::string> wrong);
+/// The files that the case was read from; of a case with faults at least its own.
+std::vector<InputFile> files_of(const std::string& file, const std::optional<CaseFile>& input);
+
+/// solve(), with a line on standard error where that takes long.
+Solution solve_with_progress(const ImpactCase& impact, const Options& options);
 
 /// Lists cards, a line each below the heading. One with faults does not hide the others; Refused with all of
 /// them.

@@ -11,6 +11,7 @@
 #include "dashpad/report/comparison.hpp"
 #include "dashpad/spit1984/deck.hpp"
 #include "output.hpp"
+#include "progress_line.hpp"
 #include "streams.hpp"
 
 namespace dashpad {
@@ -48,10 +49,11 @@ std::vector<Target> targets(const Request& request) {
 }
 
 CaseFile read_and_check(const Request& request, const std::filesystem::path& materials) {
-  std::vector<std::string> wrong = complaints(targets(request), request.case_file, request.force);
+  std::vector<std::string> wrong;
   judge_picture(request.picture, wrong);
   if (std::isnan(request.time_step_ms)) wrong.emplace_back("--time-step nan: must be a number");
   std::optional<CaseFile> input = read_case(request.case_file, materials, wrong);
+  judge_targets(targets(request), files_of(request.case_file, input), request.force, wrong);
   if (input)
     for (const Violation& violation : spit1984::what_a_deck_cannot_say(input->impact))
       wrong.push_back(fmt::format("{}: {}: {}", request.case_file, violation.key, violation.rule));
@@ -62,7 +64,11 @@ CaseFile read_and_check(const Request& request, const std::filesystem::path& mat
 int run_comparison(const Request& request, const std::filesystem::path& materials) {
   const CaseFile input = read_and_check(request, materials);
   const UnitSystem& units = unit_system(request.units);
-  const Comparison comparison = compare(input.impact, input.options, 1e-3 * request.time_step_ms);
+  const Comparison comparison = [&] {
+    ProgressLine line{"Running the program of 1984"};
+    return compare(input.impact, input.options, 1e-3 * request.time_step_ms,
+                   [&](std::size_t done, std::size_t all) { line.show(done, all); });
+  }();
 
   const auto text_of = [&](const Target& target) {
     return target.option == "--json"

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/impact/solve.hpp"
 #include "dashpad/io/case_file.hpp"
 #include "dashpad/report/exports.hpp"
 #include "output.hpp"
@@ -111,9 +110,13 @@ std::vector<std::string> wrong_curves(const Request& request) {
 
 /// The case, with the command line's changes. Throws Refused with all that is wrong with both.
 CaseFile read_and_check(const Request& request, const std::filesystem::path& materials) {
-  std::vector<std::string> wrong = complaints({{"--out", request.out}}, request.case_file, request.force);
-  for (std::string& line : wrong_curves(request)) wrong.push_back(std::move(line));
-  return read_case(request.case_file, materials, request.tolerance, std::move(wrong));
+  std::vector<std::string> wrong = wrong_curves(request);
+  const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
+  std::optional<CaseFile> input = read_case(request.case_file, materials, wrong);
+  judge_targets({{"--out", request.out}}, files_of(request.case_file, input), request.force, wrong);
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  if (tolerance) input->options.tolerance = *tolerance;
+  return *std::move(input);
 }
 
 CurveFile curves_for(const Request& request, const CaseFile& input, const Solution& solution) {
@@ -143,7 +146,7 @@ std::string account(const Request& request, const CurveFile& file) {
 
 int export_curves(const Request& request, const std::filesystem::path& materials) {
   const CaseFile input = read_and_check(request, materials);
-  const Solution solution = solve(input.impact, input.options);
+  const Solution solution = solve_with_progress(input.impact, input.options);
   const CurveFile file = curves_for(request, input, solution);
   publish(
       {{"--out", request.out}}, request.force, [&](const Target&) { return format_of(request).text(file); },

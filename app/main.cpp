@@ -1,12 +1,15 @@
 // The command dashpad: reads the command line and hands over to a subcommand.
 
 #include <exception>
+#include <filesystem>
+#include <new>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "command.hpp"
 #include "dashpad/io/fault.hpp"
+#include "io/spelling.hpp"
 #include "material_folder.hpp"
 #include "output.hpp"
 #include "streams.hpp"
@@ -62,8 +65,25 @@ int perform(const Action& action, const CLI::App& app) {
   }
 }
 
+/// Where no command was named: what to type in place of the first word that is not understood, if any.
+std::string advice_on(const std::vector<std::string>& words, const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
+  if (words.empty()) return "a command is missing; there are " + listing(names);
+  const std::string& word = words.front();
+  if (word.ends_with(".toml")) return word + ": which command? To solve a case: dashpad run " + word;
+  if (word.starts_with('-')) return word + ": no such option before a command; there are " + listing(names);
+  const std::string meant = did_you_mean(word, names);
+  return word + ": no such command" + (meant.empty() ? "; there are " + listing(names) : meant);
+}
+
 /// Help and version end in exit code 0, a command line that is not understood in 2.
 int answer(const CLI::App& app, const CLI::ParseError& error) {
+  const auto exit_code = static_cast<CLI::ExitCodes>(error.get_exit_code());
+  if (exit_code == CLI::ExitCodes::RequiredError && app.get_subcommands().empty()) {
+    write_error(advice_on(app.remaining(), app) + "\nRun with --help for more information.\n");
+    return exit_refused;
+  }
   std::ostringstream out, err;
   const int code = app.exit(error, out, err);
   write_output(out.str());
@@ -110,8 +130,12 @@ int main(int argument_count, char** arguments) {
   try {
     prepare_streams();
     return command(argument_count, arguments);
+  } catch (const std::bad_alloc&) {
+    write_error("dashpad: there is not enough memory for this\n");
+  } catch (const std::filesystem::filesystem_error& error) {
+    write_error("dashpad: " + error.path1().string() + ": " + error.code().message() + "\n");
   } catch (const std::exception& error) {
     write_error(std::string{"dashpad: "} + error.what() + "\n");
-    return exit_failed;
   }
+  return exit_failed;
 }

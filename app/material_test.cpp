@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -12,6 +11,7 @@
 #include "dashpad/report/material_test.hpp"
 #include "material_test_request.hpp"
 #include "output.hpp"
+#include "progress_line.hpp"
 
 namespace dashpad {
 
@@ -77,29 +77,21 @@ std::optional<Material> read_card(const fs::path& card, Wrong& wrong) {
   return std::nullopt;
 }
 
-/// Neither the history nor the card is overwritten, not even with --force.
-void judge_targets(const Request& request, const fs::path& card, Wrong& wrong) {
-  const fs::path input = request.test.history ? fs::path{*request.test.history} : card;
-  const std::vector<Target> wanted = targets(request);
-  for (std::string& line : complaints(wanted, input, request.force)) wrong.push_back(std::move(line));
-  if (!request.test.history) return;
-  std::error_code missing;
-  for (const Target& target : wanted)
-    if (!target.is_standard_output() && fs::equivalent(target.file, card, missing))
-      wrong.push_back(fmt::format("{} {}: is the card; name another", target.option, target.file));
-}
-
 /// Throws Refused with all that is wrong.
 MaterialTestReport run_test(const Request& request, const fs::path& folder) {
   Wrong wrong;
   const std::optional<fs::path> card = card_file(request.test.material, folder, wrong);
-  judge_targets(request, card.value_or(fs::path{}), wrong);
+  std::vector<InputFile> files;
+  if (card) files.push_back({"the material card", *card});
+  if (request.test.history) files.push_back({"the strain history", *request.test.history});
+  judge_targets(targets(request), files, request.force, wrong);
   judge_picture(request.picture, wrong);
   judge_report(request.report, wrong);
   const MaterialTest test = test_of(request.test, wrong);
   const std::optional<Material> material = card ? read_card(*card, wrong) : std::nullopt;
   if (!wrong.empty()) throw Refused(std::move(wrong));
   try {
+    const ProgressLine line{"Testing the material"};
     return run_material_test(*material, test);
   } catch (const std::invalid_argument& error) {
     throw Refused({fmt::format("--test {}: {}", request.test.test, error.what())});

@@ -16,7 +16,8 @@ namespace dashpad {
 
 namespace {
 
-constexpr double highest_rate = 1e9;  // 1/s, as in cards
+constexpr double lowest_rate = 1e-12;  // 1/s; a test that takes 30,000 years
+constexpr double highest_rate = 1e9;   // 1/s, as in cards
 // Closer to 1, 1 - strain has too few digits left for the quadrature along a parabola to end.
 constexpr double least_strain = 1e-12, most_strain = 0.999999;
 
@@ -52,8 +53,8 @@ std::vector<double> rates_of(const MaterialTestRequest& request, Wrong& wrong) {
   std::vector<double> rates;
   for (const std::string& text : request.rates) {
     const std::size_t before = wrong.size();
-    const double rate = quantity("--rate", text, "1/s", 0, highest_rate,
-                                 "must be more than 0 and less than 1e9 per second", 1, wrong);
+    const double rate = quantity("--rate", text, "1/s", lowest_rate, highest_rate,
+                                 "must be more than 1e-12 and less than 1e9 per second", 1, wrong);
     if (wrong.size() > before) continue;
     if (std::ranges::find(rates, rate) != rates.end())
       wrong.push_back(fmt::format("--rate {}: is named twice", text));

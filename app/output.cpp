@@ -1,5 +1,6 @@
 #include "output.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <stdexcept>
@@ -38,13 +39,24 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path{"."};
 }
 
-bool are_one(const fs::path& a, const fs::path& b) {
+/// Without links, "." and ".."; a link whose file is not there yet is followed too.
+fs::path place_of(const fs::path& file) {
+  constexpr int most_links = 40;  // as the system follows
   std::error_code error;
-  if (fs::equivalent(a, b, error) && !error) return true;
-  const fs::path whole_a = fs::weakly_canonical(a, error);
-  if (error) return a == b;
-  const fs::path whole_b = fs::weakly_canonical(b, error);
-  return error ? a == b : whole_a == whole_b;
+  fs::path path = fs::absolute(file, error);
+  for (int links = 0; links < most_links && fs::is_symlink(path, error); ++links)
+    path = path.parent_path() / fs::read_symlink(path, error);
+  const fs::path place = fs::weakly_canonical(path, error);
+  return error ? path.lexically_normal() : place;
+}
+
+/// Where a standard stream was redirected to the target's file.
+const char* stream_into(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return nullptr;
+  if (fs::equivalent(file, "/dev/stdout", error)) return "standard output";
+  if (fs::equivalent(file, "/dev/stderr", error)) return "standard error";
+  return nullptr;
 }
 
 /// Empty if nothing forbids it.
@@ -55,7 +67,7 @@ std::string complaint(const Target& target, bool force) {
   if (fs::is_directory(path, error) || !path.has_filename()) return "is a folder; name a file";
   if (is_device(path)) return "";
   if (is_taken(path) && !force) return "exists already; choose another name, or --force to overwrite it";
-  const fs::path folder = folder_of(path);
+  const fs::path folder = folder_of(fs::is_symlink(path, error) ? place_of(path) : path);
   if (!fs::is_directory(folder, error)) return "there is no folder " + folder.string();
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
     return "no new file can be made in " + folder.string() + ": " + reason(errno);
@@ -101,33 +113,41 @@ void write_device(const std::string& name, const fs::path& device, std::string_v
 
 }  // namespace
 
-std::vector<std::string> complaints(const std::vector<Target>& targets, const fs::path& case_file,
-                                    bool force) {
-  std::vector<std::string> lines;
+bool is_same_file(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  return fs::equivalent(a, b, error) || place_of(a) == place_of(b);
+}
+
+void judge_targets(const std::vector<Target>& targets, const std::vector<InputFile>& inputs, bool force,
+                   std::vector<std::string>& wrong) {
   for (auto target = targets.begin(); target != targets.end(); ++target) {
     const auto say = [&](const std::string& what) {
-      lines.push_back(target->option + " " + target->file + ": " + what);
+      wrong.push_back(target->option + " " + target->file + ": " + what);
     };
     for (auto earlier = targets.begin(); earlier != target; ++earlier) {
       if (target->is_standard_output() && earlier->is_standard_output())
         say("only one result can go to standard output");
-      else if (are_one(target->file, earlier->file))
+      else if (target->is_standard_output() || earlier->is_standard_output())
+        continue;
+      else if (is_same_file(target->file, earlier->file))
         say("is the file of " + earlier->option + " too; name another");
     }
     if (target->is_standard_output()) continue;
-    if (are_one(target->file, case_file))
-      say("is the case file; name another");
+    const auto input = std::ranges::find_if(
+        inputs, [&](const InputFile& read) { return is_same_file(target->file, read.file); });
+    if (input != inputs.end())
+      say("is " + input->kind + "; name another");
+    else if (const char* stream = stream_into(target->file))
+      say(std::string{"is where "} + stream + " goes; name another");
     else if (const std::string what = complaint(*target, force); !what.empty())
       say(what);
   }
-  return lines;
 }
 
 PendingFile::PendingFile(const Target& target, bool force)
     : name_(target.file), target_(target.file), force_(force) {
   if (is_device(target_)) return;
-  std::error_code error;
-  if (const fs::path real = fs::canonical(target_, error); force && !error) target_ = real;
+  if (force) target_ = place_of(target_);
   descriptor_ = open_draft(folder_of(target_), draft_);
   if (descriptor_ >= 0) return;
   draft_.clear();

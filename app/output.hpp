@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dashpad/io/input_file.hpp"
 #include "streams.hpp"
 
 namespace dashpad {
@@ -18,10 +19,15 @@ struct Target {
   [[nodiscard]] bool is_standard_output() const { return file == "-"; }
 };
 
-/// What forbids writing to the targets, seen before the run, a line each: a file that exists (without force),
-/// a folder that is missing or closed to us, two targets that are one, a target that is the case file.
-std::vector<std::string> complaints(const std::vector<Target>& targets,
-                                    const std::filesystem::path& case_file, bool force);
+/// Whether both names lead to one file: under two spellings, through symbolic links or as hard links. Neither
+/// need be there yet.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// Tells `wrong` what forbids writing to the targets, seen before the run, a line each: a file that exists
+/// (without force), a folder that is missing or closed to us, two targets that are one, standard output or
+/// standard error redirected to a target, a target that is one of the files that the command read.
+void judge_targets(const std::vector<Target>& targets, const std::vector<InputFile>& inputs, bool force,
+                   std::vector<std::string>& wrong);
 
 /// Fills the file of that name, which is there: for results too large for memory.
 using WriteFile = std::function<void(const std::filesystem::path&)>;

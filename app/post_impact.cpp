@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/impact/solve.hpp"
 #include "dashpad/io/case_file.hpp"
 #include "dashpad/report/post_impact_text.hpp"
 #include "output.hpp"
@@ -47,14 +46,16 @@ struct Input {
 };
 
 Input read_and_check(const Request& request, const std::filesystem::path& materials) {
-  std::vector<std::string> wrong = complaints(targets(request), request.case_file, request.force);
+  std::vector<std::string> wrong;
   Input input;
   constexpr double held = std::numeric_limits<double>::infinity();
   input.second.mass = quantity_of("--other-mass", request.other_mass, "kg", wrong).value_or(held);
   input.second.velocity = quantity_of("--other-velocity", request.other_velocity, "m/s", wrong).value_or(0);
   if (!(input.second.mass > 0))
     wrong.push_back(fmt::format("--other-mass {}: must be more than 0", *request.other_mass));
-  if (auto file = read_case(request.case_file, materials, wrong)) {
+  std::optional<CaseFile> file = read_case(request.case_file, materials, wrong);
+  judge_targets(targets(request), files_of(request.case_file, file), request.force, wrong);
+  if (file) {
     input.file = *std::move(file);
     const Impactor& impactor = input.file.impact.impactor;
     input.first = {impactor.mass, impactor.speed};
@@ -75,7 +76,7 @@ Input read_and_check(const Request& request, const std::filesystem::path& materi
 int run(const Request& request, const std::filesystem::path& materials) {
   const Input input = read_and_check(request, materials);
   const ImpactCase& impact = input.file.impact;
-  const Solution solution = solve(impact, input.file.options);
+  const Solution solution = solve_with_progress(impact, input.file.options);
   if (!solution.summary.release) {
     write_error("dashpad: no rebound (" + to_string(solution.summary.status) +
                 "); dashpad run shows what happened\n");

@@ -72,7 +72,7 @@ Pulse processed(const MeasuredPulse& measured, const PulseSettings& settings,
 }
 
 PulseReport report_on(const PulseRequest& request) {
-  std::vector<std::string> wrong = complaints(targets(request), request.file, request.force);
+  std::vector<std::string> wrong;
   const bool is_test = is_iso_mme(request.file);
   for (std::string& line : out_of_place(request, is_test)) wrong.push_back(std::move(line));
   const PulseSettings settings = settings_of(request, wrong);
@@ -87,8 +87,10 @@ PulseReport report_on(const PulseRequest& request) {
   try {
     report.measured = read(request, is_test);
   } catch (const InputError& error) {
+    report.measured.files.push_back({"the measurement", request.file});
     add_lines(error.faults(), wrong);
   }
+  judge_targets(targets(request), report.measured.files, request.force, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
   report.pulse = processed(report.measured, settings, report.filter);
   if (report.filter)

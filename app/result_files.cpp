@@ -34,10 +34,10 @@ void add_result_files(CLI::App& app, ResultFiles& files) {
   add_units(app, files.units);
 }
 
-std::vector<std::string> complaints(const ResultFiles& files, const std::filesystem::path& input) {
-  std::vector<std::string> wrong = complaints(targets(files), input, files.force);
+void judge_result_files(const ResultFiles& files, const std::vector<InputFile>& inputs,
+                        std::vector<std::string>& wrong) {
+  judge_targets(targets(files), inputs, files.force, wrong);
   judge_report(files.report, wrong);
-  return wrong;
 }
 
 void publish(const ResultFiles& files, const SolvedCase& solved, std::string_view heading,

@@ -2,7 +2,6 @@
 /// The result of one solved impact, as dashpad run and dashpad study replay give it: files, and a summary for
 /// people.
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +9,7 @@
 
 #include "command.hpp"
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/io/input_file.hpp"
 
 namespace dashpad {
 
@@ -23,8 +23,9 @@ struct ResultFiles {
 /// Adds --json, --csv, --report, --png and --units.
 void add_result_files(CLI::App& app, ResultFiles& files);
 
-/// What forbids writing them, a line each. None may be the input.
-std::vector<std::string> complaints(const ResultFiles& files, const std::filesystem::path& input);
+/// Tells `wrong` what forbids writing them, as judge_targets does.
+void judge_result_files(const ResultFiles& files, const std::vector<InputFile>& inputs,
+                        std::vector<std::string>& wrong);
 
 /// A case, and what came of it.
 struct SolvedCase {

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "command.hpp"
-#include "dashpad/impact/solve.hpp"
 #include "dashpad/io/case_file.hpp"
 #include "result_files.hpp"
 
@@ -38,10 +37,15 @@ struct Request {
 };
 
 int run(const Request& request, const std::filesystem::path& materials) {
-  const CaseFile input = read_case(request.case_file, materials, request.tolerance,
-                                   complaints(request.files, request.case_file));
-  const Solution solution = solve(input.impact, input.options);
-  publish(request.files, {input.impact, input.options, solution});
+  std::vector<std::string> wrong;
+  const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
+  std::optional<CaseFile> input = read_case(request.case_file, materials, wrong);
+  judge_result_files(request.files, files_of(request.case_file, input), wrong);
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  if (tolerance) input->options.tolerance = *tolerance;
+
+  const Solution solution = solve_with_progress(input->impact, input->options);
+  publish(request.files, {input->impact, input->options, solution});
   return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
 }
 

@@ -17,6 +17,7 @@
 #include "dashpad/spit1984/listing.hpp"
 #include "dashpad/spit1984/run_files.hpp"
 #include "output.hpp"
+#include "progress_line.hpp"
 #include "streams.hpp"
 
 namespace dashpad {
@@ -104,19 +105,17 @@ std::ostream& terminal(const Request& request) {
 
 /// The deck of the case, or the answers at the terminal. Throws Refused with all that is wrong.
 Deck deck_for(const Request& request, const std::filesystem::path& materials) {
-  std::vector<std::string> wrong = complaints(targets(request), request.case_file, request.force);
+  std::vector<std::string> wrong;
   if (request.interactive == !request.case_file.empty())
     wrong.emplace_back(request.interactive ? "--interactive: asks for everything itself; leave CASE out"
                                            : "CASE is missing; --interactive asks at the terminal instead");
   std::ranges::move(what_is_no_number(request), std::back_inserter(wrong));
-  Deck deck;
-  if (!request.case_file.empty()) {
-    if (const auto input = read_case(request.case_file, materials, wrong)) {
-      for (const Violation& violation : what_a_deck_cannot_say(input->impact))
-        wrong.push_back(fmt::format("{}: {}: {}", request.case_file, violation.key, violation.rule));
-      if (wrong.empty()) deck = deck_of(input->impact);
-    }
-  }
+  std::optional<CaseFile> input;
+  if (!request.case_file.empty()) input = read_case(request.case_file, materials, wrong);
+  judge_targets(targets(request), files_of(request.case_file, input), request.force, wrong);
+  if (input)
+    for (const Violation& violation : what_a_deck_cannot_say(input->impact))
+      wrong.push_back(fmt::format("{}: {}: {}", request.case_file, violation.key, violation.rule));
   if (!wrong.empty()) throw Refused(std::move(wrong));
   if (request.interactive) {
     const std::optional<Deck> answers = ensol(std::cin, terminal(request));
@@ -129,6 +128,7 @@ Deck deck_for(const Request& request, const std::filesystem::path& materials) {
     if (!wrong.empty()) throw Refused(std::move(wrong));
     return *answers;
   }
+  Deck deck = deck_of(input->impact);
   deck.time_step_ms = request.time_step_ms;
   deck.print_interval = request.print_interval;
   return deck;
@@ -156,10 +156,18 @@ std::string remarks(const Deck& deck, const Settings& settings, const Run& run) 
   return text;
 }
 
+Run run_with_progress(const Deck& deck, const Settings& settings) {
+  // How many steps the impact takes is not known before its end.
+  ProgressLine line{fmt::format("Running the program of 1984, at most {} time steps,", settings.most_steps)};
+  return run(deck, settings, [&](int step) {
+    line.show(static_cast<std::size_t>(step), static_cast<std::size_t>(settings.most_steps));
+  });
+}
+
 int run_program(const Request& request, const std::filesystem::path& materials) {
   const Deck deck = deck_for(request, materials);
   const Settings settings = settings_of(request);
-  const Run result = run(deck, settings);
+  const Run result = run_with_progress(deck, settings);
 
   std::string output = publish(targets(request), request.force, [&](const Target& target) {
     if (target.option == "--json") return run_json(deck, settings, result);

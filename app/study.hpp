@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "command.hpp"
 #include "dashpad/study/store.hpp"
@@ -29,6 +30,9 @@ study::Store open_store(const study::Study& study, const std::string& file);
 
 /// Opens a store to read. Throws Refused where there is none.
 study::Store open_stored(const std::string& file);
+
+/// The store and what SQLite keeps beside it while it is open.
+std::vector<InputFile> files_of_store(const std::string& file);
 
 /// Says what a run came to, in a line: rows, rate, doubtful rows; or how to go on. Returns the exit code.
 int finish_study(const study::Store& store, const StudyRequest& request, std::uint64_t rows_before,

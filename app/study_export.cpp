@@ -99,7 +99,8 @@ void write_files(const study::Store& store, const Request& request) {
 
 int run_export(const Request& request) {
   const study::Store store = open_stored(request.store_file);
-  std::vector<std::string> wrong = complaints(targets(request), request.store_file, request.force);
+  std::vector<std::string> wrong;
+  judge_targets(targets(request), files_of_store(request.store_file), request.force, wrong);
   if (targets(request).empty()) wrong.emplace_back("--csv or --hdf5: one of them is needed");
   if (request.hdf5 && (*request.hdf5 == "-" || is_special(*request.hdf5)))
     wrong.push_back(fmt::format("--hdf5 {}: needs the name of a file", *request.hdf5));

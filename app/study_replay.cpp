@@ -106,7 +106,8 @@ std::string verdict(const std::vector<std::string>& differences, const study::St
 
 int run_replay(const Request& request) {
   const study::Store store = open_stored(request.store_file);
-  std::vector<std::string> wrong = complaints(request.files, request.store_file);
+  std::vector<std::string> wrong;
+  judge_result_files(request.files, files_of_store(request.store_file), wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
   const Replay result = replay(store, request);
   const std::vector<std::string> different = differences(result, store);

@@ -1,5 +1,7 @@
 // The store of a study, as the subcommands open and close it.
 
+#include <system_error>
+
 #include <fmt/format.h>
 
 #include "dashpad/study/answers.hpp"
@@ -30,6 +32,15 @@ study::Store open_store(const study::Study& study, const std::string& file) {
 
 study::Store open_stored(const std::string& file) {
   return opened(file, [&] { return study::Store::open_to_read(file); });
+}
+
+std::vector<InputFile> files_of_store(const std::string& file) {
+  std::vector<InputFile> files{{"the store", file}};
+  std::error_code error;
+  const std::string real = std::filesystem::weakly_canonical(file, error).string();
+  for (const char* ending : {"-wal", "-shm", "-journal"})
+    files.push_back({"a part of the store", (error ? file : real) + ending});
+  return files;
 }
 
 int finish_study(const study::Store& store, const StudyRequest& request, std::uint64_t rows_before,

@@ -63,7 +63,8 @@ StudyQuestions questions_of(const Request& request, const study::Store& store,
 
 int summarise(const Request& request) {
   const study::Store store = open_stored(request.store_file);
-  std::vector<std::string> wrong = complaints(targets(request), request.store_file, request.force);
+  std::vector<std::string> wrong;
+  judge_targets(targets(request), files_of_store(request.store_file), request.force, wrong);
   judge_report(request.report, wrong);
   judge_picture(request.picture, wrong);
   const StudyQuestions questions = questions_of(request, store, wrong);

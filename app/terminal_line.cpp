@@ -10,8 +10,12 @@ namespace dashpad {
 
 TerminalLine::TerminalLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 
-TerminalLine::~TerminalLine() {
+TerminalLine::~TerminalLine() { wipe(); }
+
+void TerminalLine::wipe() {
   if (width_ > 0) write_error("\r" + std::string(width_, ' ') + "\r");
+  drawn_.clear();
+  width_ = 0;
 }
 
 void TerminalLine::draw(const std::string& line) {

@@ -19,6 +19,8 @@ class TerminalLine {
   [[nodiscard]] bool is_terminal() const { return terminal_; }
   /// In the place of what was drawn before.
   void draw(const std::string& line);
+  /// Leaves an empty line, for other text.
+  void wipe();
 
  private:
   bool terminal_ = false;

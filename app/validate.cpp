@@ -1,6 +1,8 @@
 // dashpad validate: the validation study of the 1986 report, computed again.
 
+#include <algorithm>
 #include <csignal>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -77,30 +79,22 @@ std::vector<Target> stills(const Request& request) {
 
 PictureFormat picture_format_of(const Request& request) { return *picture_format("still." + request.format); }
 
-bool is_same_place(const std::string& one, const std::string& other) {
+/// What is to be written, as far as it can be judged before the run. `wrong` is told what forbids the folder
+/// of the figures, which need not be there yet.
+std::vector<Target> targets_to_judge(const Request& request, std::vector<std::string>& wrong) {
+  std::vector<Target> targets = files(request);
+  if (!request.figures) return targets;
+  const fs::path folder{*request.figures};
   std::error_code error;
-  const auto place = [&](const std::string& name) {
-    const fs::path path = fs::weakly_canonical(fs::absolute(name, error), error);
-    return path.has_filename() ? path : path.parent_path();
-  };
-  return place(one) == place(other);
-}
-
-/// What forbids the folder of the figures, which need not be there yet.
-std::vector<std::string> folder_complaints(const Request& request) {
-  std::error_code error;
-  if (!request.figures || fs::is_directory(*request.figures, error)) return {};
-  if (request.figures->empty()) return {"--figures: needs the name of a folder"};
-  if (fs::exists(fs::symlink_status(*request.figures, error)))
-    return {fmt::format("--figures {}: is no folder", *request.figures)};
-  for (const Target& target : files(request))
-    if (!target.is_standard_output() && is_same_place(target.file, *request.figures))
-      return {
-          fmt::format("--figures {}: is the file of {} too; name another", *request.figures, target.option)};
-  // A file in its place is refused for the reasons that forbid the folder.
-  fs::path folder{*request.figures};
-  if (!folder.has_filename()) folder = folder.parent_path();
-  return complaints({{"--figures", folder.string()}}, {}, request.force);
+  if (folder.empty())
+    wrong.emplace_back("--figures: needs the name of a folder");
+  else if (fs::is_directory(folder, error))
+    std::ranges::move(stills(request), std::back_inserter(targets));
+  else if (fs::exists(fs::symlink_status(folder, error)))
+    wrong.push_back(fmt::format("--figures {}: is no folder", *request.figures));
+  else  // A file in its place is refused for the reasons that forbid the folder.
+    targets.push_back({"--figures", (folder.has_filename() ? folder : folder.parent_path()).string()});
+  return targets;
 }
 
 /// gnuplot fails before the study, not after it.
@@ -111,19 +105,19 @@ void try_to_draw(const Request& request) {
 }
 
 Input read_and_check(const Request& request, const Folders& folders) {
-  std::vector<Target> targets = files(request);
-  std::vector<std::string> wrong = folder_complaints(request);
-  if (wrong.empty() && request.figures && fs::is_directory(*request.figures))
-    for (Target& still : stills(request)) targets.push_back(std::move(still));
-  for (std::string& line : complaints(targets, {}, request.force)) wrong.push_back(std::move(line));
+  std::vector<std::string> wrong;
+  const std::vector<Target> targets = targets_to_judge(request, wrong);
   judge_report(request.report, wrong);
 
   Input input;
   std::vector<Fault> faults;
   input.data = validation::read_validation_data(folders.data, faults);
   add_lines(faults, wrong);
+  std::vector<InputFile> inputs = input.data.files;
+  inputs.push_back({"the material card", folders.materials / material});
+  judge_targets(targets, inputs, request.force, wrong);
   try {
-    input.ensolite = read_material(folders.materials / material);
+    input.ensolite = read_material(inputs.back().file);
   } catch (const InputError& error) {
     add_lines(error.faults(), wrong);
   }
@@ -162,7 +156,7 @@ std::map<std::string, std::string> texts_of(const Request& request, const valida
   if (!request.figures) return texts;
   const std::vector<Target> targets = stills(request);
   const std::vector<ValidationFigure> figures = validation_figures(study);
-  ProgressLine line{"Drawing the figures "};
+  ProgressLine line{"Drawing the figures"};
   for (std::size_t i = 0; i < figures.size(); ++i) {
     texts[targets[i].file] = picture(figures[i].plot, picture_format_of(request));
     line.show(i + 1, figures.size());

@@ -75,10 +75,11 @@ std::optional<std::filesystem::path> find_card(TableReader& pad, const Folders& 
   return std::nullopt;
 }
 
-/// Nothing after a fault, or if the case gives the law itself.
-std::optional<Material> read_named_material(TableReader& pad, const Folders& folders) {
+/// Nothing after a fault. `card` becomes the file that was found.
+std::optional<Material> read_named_material(TableReader& pad, const Folders& folders,
+                                            std::optional<std::filesystem::path>& card) {
   try {
-    const auto card = find_card(pad, folders);
+    card = find_card(pad, folders);
     if (card) return read_material(*card);
   } catch (const InputError& error) {
     pad.faults().add(error.faults());
@@ -100,6 +101,7 @@ std::optional<Material> read_material_in_line(TableReader& pad) {
 struct PadEntry {
   Pad pad;
   bool material_to_check = false;  ///< given in the case itself
+  std::optional<std::filesystem::path> card;
 };
 
 PadEntry read_pad(TableReader& table, const Folders& folders) {
@@ -111,7 +113,7 @@ PadEntry read_pad(TableReader& table, const Folders& folders) {
   if (!named && !in_line)
     table.fault("material", "is missing; give the name of a card, or a law with parameters");
   std::optional<Material> material;
-  if (named && !in_line) material = read_named_material(table, folders);
+  if (named && !in_line) material = read_named_material(table, folders, entry.card);
   if (in_line && !named) material = read_material_in_line(table);
   entry.material_to_check = in_line && material.has_value();
   entry.pad.material = material.value_or(Material());
@@ -157,14 +159,16 @@ CaseFile read_case(const std::filesystem::path& file, const std::filesystem::pat
   FaultList faults(file.string());
   TableReader top(root, "", faults);
   CaseFile result;
+  result.files.push_back({"the case file", file});
   ImpactCase& impact = result.impact;
   bool material_to_check = false;
   impact.title = top.text("title", Presence::optional);
   if (auto table = top.table("impactor")) impact.impactor = read_impactor(*table);
   if (auto table = top.table("pad")) {
-    auto [pad, to_check] = read_pad(*table, {file.parent_path(), materials});
-    impact.pad = std::move(pad);
-    material_to_check = to_check;
+    PadEntry entry = read_pad(*table, {file.parent_path(), materials});
+    impact.pad = std::move(entry.pad);
+    material_to_check = entry.material_to_check;
+    if (entry.card) result.files.push_back({"the material card", *std::move(entry.card)});
   }
   if (auto table = top.table("support")) impact.support = read_support(*table);
   if (auto table = top.table("solver", Presence::optional)) result.options = read_options(*table);

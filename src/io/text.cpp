@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -53,6 +54,11 @@ std::string shown_unit(const std::string& unit) {
   std::string shown;
   for (const char character : unit) shown += character == '.' ? "·" : std::string(1, character);
   return shown;
+}
+
+double rounded_to(double value, int digits) {
+  // Not std::stod, which takes a number below 2.2e-308 for an error.
+  return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
 }
 
 std::size_t width_of(std::string_view text) {

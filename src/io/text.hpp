@@ -24,6 +24,9 @@ std::string percentage(double fraction);
 /// A unit as it is shown: "in.lbf" gives "in·lbf"; "1" gives "".
 std::string shown_unit(const std::string& unit);
 
+/// The number with that many significant digits that is nearest to `value`.
+double rounded_to(double value, int digits);
+
 /// UTF-8 characters, which is what a column of a terminal holds: units have a · and a ³.
 std::size_t width_of(std::string_view text);
 

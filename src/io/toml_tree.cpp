@@ -14,14 +14,48 @@ namespace {
 /// toml++ nests a table for each dot in a key, without limit, and overflows the stack with some ten thousand.
 constexpr std::ptrdiff_t most_dots = 64;
 
-/// Line of the first key (or value: no matter) with more dots than that; 0 if there is none.
-int line_of_overlong_key(std::string_view text) {
-  int line = 1;
+/// Where the string that begins at `begin` ends; the end of the line or text where it is not closed.
+std::size_t end_of_string(std::string_view text, std::size_t begin) {
+  const char quote = text[begin];
+  const bool has_escapes = quote == '"';
+  const std::string fence(3, quote);
+  const bool has_lines = text.substr(begin, 3) == fence;
+  for (std::size_t at = begin + (has_lines ? 3 : 1); at < text.size(); ++at) {
+    if (has_escapes && text[at] == '\\') {
+      ++at;
+    } else if (has_lines && text.substr(at, 3) == fence) {
+      // Up to two quotes more belong to the string and stand before those that close it.
+      at += 3;
+      for (int extra = 0; extra < 2 && at < text.size() && text[at] == quote; ++extra) ++at;
+      return at;
+    } else if (!has_lines && text[at] == quote) {
+      return at + 1;
+    } else if (!has_lines && text[at] == '\n') {
+      return at;
+    }
+  }
+  return text.size();
+}
+
+/// Line of the first name with more dots than that, outside of strings and comments; 0 if there is none. Up
+/// to the first error of syntax it divides the text as toml++ does, which does not read beyond that.
+int line_of_overlong_name(std::string_view text) {
   std::ptrdiff_t dots = 0;
-  for (const char c : text) {
-    if (c == '.' && ++dots > most_dots) return line;
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const char c = text[at];
+    if (c == '"' || c == '\'') {
+      at = end_of_string(text, at);
+      continue;
+    }
+    if (c == '#') {
+      at = std::min(text.find('\n', at), text.size());
+      continue;
+    }
+    if (c == '.' && ++dots > most_dots)
+      return 1 + static_cast<int>(std::ranges::count(text.substr(0, at), '\n'));
     if (std::string_view("=,{\n").find(c) != std::string_view::npos) dots = 0;
-    if (c == '\n') ++line;
+    ++at;
   }
   return 0;
 }
@@ -80,8 +114,8 @@ TomlNode read_toml(const std::filesystem::path& file) {
   const auto refuse = [&file](int line, const std::string& rule) {
     throw InputError({Fault{file.string(), line, "", "", rule}});
   };
-  if (const int line = line_of_overlong_key(text))
-    refuse(line, fmt::format("a name holds more than {} dots", most_dots));
+  if (const int line = line_of_overlong_name(text))
+    refuse(line, fmt::format("a name holds more than {} dots; text needs quotes", most_dots));
   try {
     TomlNode root = convert(toml::parse(text), "");
     root.line = 0;  // a key that is missing at the top is missing nowhere in particular

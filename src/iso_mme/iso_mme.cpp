@@ -167,7 +167,8 @@ MeasuredPulse read_iso_mme(const std::filesystem::path& file, const IsoMmeOption
   const MmeTestFiles test = find_mme_test(file);
   MeasuredPulse result{.format = "ISO-MME",
                        .time = {.name = "implicit", .unit = "s", .unit_origin = "format"},
-                       .resultant = options.resultant};
+                       .resultant = options.resultant,
+                       .files = test.files()};
   Combiner combiner(test, options, result);
   for (const IsoMmeChannel& channel : chosen_channels(file, list(test), options)) {
     if (!channel.problem.empty())

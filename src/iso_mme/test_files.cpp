@@ -66,6 +66,14 @@ std::string main_file(const fs::path& file, const std::vector<std::string>& name
 
 }  // namespace
 
+std::vector<InputFile> MmeTestFiles::files() const {
+  if (in_archive) return {{"the test", source}};
+  std::vector<InputFile> all{{"the .mme file of the test", source / main_file}};
+  if (!channel_list.empty()) all.push_back({"the list of the test's channels", source / channel_list});
+  for (const auto& [number, name] : channels) all.push_back({"a channel of the test", source / name});
+  return all;
+}
+
 MmeMembers MmeTestFiles::beginnings(const std::vector<std::string>& names) const {
   return in_archive ? read_from_archive(source, names, beginning, true)
                     : read_from_folder(source, names, beginning, true);
@@ -81,7 +89,8 @@ MmeTestFiles find_mme_test(const fs::path& file) {
   const fs::file_status status = fs::status(file, error);
   if (status.type() == fs::file_type::not_found) refuse(file, "no such file");
   if (error) refuse(file, "cannot be read: " + error.message());
-  MmeTestFiles test{.source = file, .in_archive = is_archive(file), .channel_list = {}, .channels = {}};
+  MmeTestFiles test{
+      .source = file, .in_archive = is_archive(file), .main_file = {}, .channel_list = {}, .channels = {}};
   std::string wanted;
   if (!is_directory(status) && !test.in_archive) {
     wanted = file.filename().string();
@@ -89,7 +98,8 @@ MmeTestFiles find_mme_test(const fs::path& file) {
   }
   const std::vector<std::string> names =
       test.in_archive ? names_in_archive(test.source) : names_in_folder(test.source);
-  const Name main = parts(main_file(file, names, wanted));
+  test.main_file = main_file(file, names, wanted);
+  const Name main = parts(test.main_file);
   const std::string folder = main.folder.empty() ? "Channel" : main.folder + "/Channel";
 
   std::vector<std::string> lists;

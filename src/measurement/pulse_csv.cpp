@@ -255,6 +255,7 @@ MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOp
   result.components = std::move(numbers.components);
   result.time = table.columns.time;
   result.acceleration = table.columns.acceleration;
+  result.files.push_back({"the measurement", file});
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -56,8 +57,9 @@ std::string remark_on(const spit1984::Run& run, double tolerance) {
                               stops, stops == 1 ? "step" : "steps", tolerance);
 }
 
-ComparedRun historical(std::string name, const spit1984::Deck& deck, const spit1984::Settings& settings) {
-  const spit1984::Run program = spit1984::run(deck, settings);
+ComparedRun historical(std::string name, const spit1984::Deck& deck, const spit1984::Settings& settings,
+                       const spit1984::Progress& progress) {
+  const spit1984::Run program = spit1984::run(deck, settings, progress);
   const double inch = to_si("1 in", "m"), pound = to_si("1 lbf", "N");
   ComparedRun run;
   run.name = std::move(name);
@@ -81,6 +83,12 @@ ComparedRun historical(std::string name, const spit1984::Deck& deck, const spit1
     run.end_speed = -program.history.back().speed_in_per_s * inch;
   }
   return run;
+}
+
+/// Time steps that the program of 1984 takes if its impact lasts as long as the accurate one.
+std::size_t expected_steps(const ComparedRun& accurate, double time_step, int dimension) {
+  if (!accurate.end_time) return static_cast<std::size_t>(dimension);
+  return static_cast<std::size_t>(std::min(*accurate.end_time / time_step, 1.0 * dimension)) + 1;
 }
 
 /// A figure in the units shown; a dash where there is none.
@@ -126,7 +134,8 @@ Series series(const ComparedRun& run, const std::vector<double>& values, const c
 
 }  // namespace
 
-Comparison compare(const ImpactCase& impact, const Options& options, double time_step) {
+Comparison compare(const ImpactCase& impact, const Options& options, double time_step,
+                   const ComparisonProgress& progress) {
   using namespace spit1984;
   if (const auto broken = what_a_deck_cannot_say(impact); !broken.empty())
     throw std::invalid_argument(broken.front().key + ": " + broken.front().rule);
@@ -139,17 +148,28 @@ Comparison compare(const ImpactCase& impact, const Options& options, double time
   comparison.runs.push_back(accurate("accurate", impact, options));
   comparison.runs.push_back(
       accurate("accurate, constants of 1984", with_the_constants_of_1984(impact), options));
+  constexpr std::size_t runs = 4;
+  const std::size_t expected =
+      expected_steps(comparison.runs[Comparison::reference], time_step, comparison.dimension);
+  std::size_t runs_done = 0;
+  const auto add = [&](std::string name, const Settings& settings) {
+    comparison.runs.push_back(historical(std::move(name), deck, settings, [&](int step) {
+      if (progress)
+        progress(runs_done * expected + std::min(static_cast<std::size_t>(step), expected), runs * expected);
+    }));
+    ++runs_done;
+  };
   for (const Arithmetic arithmetic : {Arithmetic::pdp10, Arithmetic::binary32, Arithmetic::binary64}) {
     Settings faithful;
     faithful.arithmetic = arithmetic;
     faithful.most_steps = faithful.most_stations = comparison.dimension;
-    comparison.runs.push_back(historical(fmt::format("1984, {}", to_string(arithmetic)), deck, faithful));
+    add(fmt::format("1984, {}", to_string(arithmetic)), faithful);
   }
   Settings mended;
   mended.arithmetic = Arithmetic::binary64;
   mended.defects = all_mended;
   mended.most_steps = mended.most_stations = comparison.dimension;
-  comparison.runs.push_back(historical("1984, mended, binary64", deck, mended));
+  add("1984, mended, binary64", mended);
   return comparison;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -99,9 +100,8 @@ Curve in_units_of(const CurveFile& file, const Curve& curve) {
   convert(converted.x, converted.abscissa, file);
   convert(converted.y, converted.ordinate, file);
   // As it will be written: two numbers may differ in more digits than a field has.
-  const auto falls_back = [](double a, double b) {
-    return std::stod(number_field(b)) <= std::stod(number_field(a));
-  };
+  const auto written = [](double x) { return std::strtod(number_field(x).c_str(), nullptr); };
+  const auto falls_back = [&](double a, double b) { return written(b) <= written(a); };
   if (std::ranges::adjacent_find(converted.x, falls_back) != converted.x.end())
     throw std::invalid_argument("curve: x does not increase strictly");
   return converted;

@@ -8,6 +8,7 @@
 
 #include "dashpad/spit1984/column.hpp"
 #include "dashpad/units/quantity.hpp"
+#include "io/text.hpp"
 #include "report/strain_marks.hpp"
 
 namespace dashpad {
@@ -130,7 +131,7 @@ std::optional<MaterialTestRun> creep_run(const Material& material, const Materia
 }
 
 /// A strain of 0.95 that was computed is not beyond 0.95.
-double without_rounding(double value) { return std::stod(fmt::format("{:.12g}", value)); }
+double without_rounding(double value) { return rounded_to(value, 12); }
 
 std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run) {
   std::vector<Flag> flags;

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
-#include <fmt/format.h>
+#include "io/text.hpp"
 
 namespace dashpad {
 
@@ -57,7 +56,7 @@ std::vector<double> work_on_pad(const History& history) {
 Json rounded(double value) {
   if (!std::isfinite(value)) return nullptr;
   if (value == 0) return 0;
-  return std::strtod(fmt::format("{:.6e}", value).c_str(), nullptr);
+  return rounded_to(value, 7);
 }
 
 Json page_history(const ImpactCase& impact, const History& history) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/units/quantity.hpp"
+#include "io/text.hpp"
 
 namespace dashpad::spit1984 {
 
@@ -26,7 +26,7 @@ constexpr std::array stored_only{
 };
 
 /// As a number is typed: nine significant digits.
-double typed(double value) { return std::strtod(fmt::format("{:.8e}", value).c_str(), nullptr); }
+double typed(double value) { return rounded_to(value, 9); }
 
 double typed(double value, const char* si_unit, const char* unit) {
   return typed(from_si(value, si_unit, unit));

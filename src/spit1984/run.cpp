@@ -53,17 +53,17 @@ double longest_time_step_ms(const Deck& deck) {
   return 1000 * 0.25 * std::sqrt(deck.weight_lb / 386.4 / stiffest);
 }
 
-Run run(const Deck& deck, const Settings& settings) {
+Run run(const Deck& deck, const Settings& settings, const Progress& progress) {
   if (const auto broken = violations(deck); !broken.empty())
     throw std::invalid_argument(broken.front().key + ": " + broken.front().rule);
   if (settings.most_steps < 3 || settings.most_stations < 2)
     throw std::invalid_argument("dimensions: three time steps and two stations at least");
   switch (settings.arithmetic) {
-    case Arithmetic::binary32: return Spit<float>(deck, settings).run();
-    case Arithmetic::binary64: return Spit<double>(deck, settings).run();
+    case Arithmetic::binary32: return Spit<float>(deck, settings).run(progress);
+    case Arithmetic::binary64: return Spit<double>(deck, settings).run(progress);
     case Arithmetic::pdp10: break;
   }
-  return Spit<Pdp10>(deck, settings).run();
+  return Spit<Pdp10>(deck, settings).run(progress);
 }
 
 }  // namespace dashpad::spit1984

@@ -18,7 +18,7 @@ class Spit {
  public:
   Spit(const Deck& deck, const Settings& settings);
   /// The whole impact; once.
-  Run run();
+  Run run(const Progress& progress);
 
  private:
   /// How a step, or its iteration, ends.
@@ -79,8 +79,9 @@ Spit<Real>::Spit(const Deck& deck, const Settings& settings)
 }
 
 template <class Real>
-Run Spit<Real>::run() {
+Run Spit<Real>::run(const Progress& progress) {
   for (;;) {
+    if (progress) progress(step_);
     const Outcome outcome = advance_one_step();
     if (outcome == Outcome::abend) break;
     if (outcome == Outcome::step_done && speed_[step_] < Real(0) && abs(force_[step_]) < weight_) break;

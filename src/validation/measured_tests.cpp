@@ -84,11 +84,15 @@ double ValidationData::constant(const std::string& name) const {
 ValidationData read_validation_data(const fs::path& folder, std::vector<Fault>& faults) {
   ValidationData data;
   const std::size_t before = faults.size();
-  data.measured.tests = read_certain_rows(folder / "table-3-1.csv", faults);
-  data.measured.unplaced = read_unplaced(folder / "table-3-1-unplaced.csv", data.measured.tests, faults);
-  read_table_3_2(folder / "table-3-2.csv", data, faults);
-  read_constants(folder / "printed-constants.csv", data, faults);
-  read_supports(folder / "supports.csv", data, faults);
+  const auto table = [&](const char* name) {
+    data.files.push_back({"a table of the measured tests", folder / name});
+    return data.files.back().file;
+  };
+  data.measured.tests = read_certain_rows(table("table-3-1.csv"), faults);
+  data.measured.unplaced = read_unplaced(table("table-3-1-unplaced.csv"), data.measured.tests, faults);
+  read_table_3_2(table("table-3-2.csv"), data, faults);
+  read_constants(table("printed-constants.csv"), data, faults);
+  read_supports(table("supports.csv"), data, faults);
   if (faults.size() == before) data.pad_thickness_in = data.constant("pad_thickness_in");
   return data;
 }

@@ -72,6 +72,39 @@ TEST_F(GuidanceTest, HelpTeaches) {
   EXPECT_THAT(dashpad({"run", "--help"}).out, HasSubstr("Units:"));
 }
 
+TEST_F(GuidanceTest, AMistypedCommandIsUnderstood) {
+  for (const auto& [word, meant] : {std::pair{"asses", "assess"},
+                                    {"rnu", "run"},
+                                    {"chekc", "check"},
+                                    {"material", "materials"},
+                                    {"materialtest", "material-test"},
+                                    {"spit1985", "spit1984"},
+                                    {"validat", "validate"}}) {
+    for (const std::vector<std::string>& more :
+         {std::vector<std::string>{}, {case_file(), "--units", "us"}}) {
+      std::vector<std::string> arguments{word};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      const Outcome outcome = dashpad(arguments);
+      EXPECT_EQ(outcome.exit_code, 2) << word;
+      EXPECT_EQ(outcome.out, "");
+      EXPECT_THAT(outcome.err,
+                  StartsWith(std::string{word} + ": no such command; did you mean \"" + meant + "\"?\n"));
+    }
+  }
+}
+
+TEST_F(GuidanceTest, WithoutACommandTheCommandsAreListed) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{}, {"frobnicate"}, {std::string(10'000, 'a')}}) {
+    const Outcome outcome = dashpad(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("there are run, check, "), HasSubstr("validate, study\n"),
+                                   HasSubstr("--help")));
+  }
+  EXPECT_THAT(dashpad({case_file()}).err, HasSubstr("dashpad run " + case_file()));
+  EXPECT_THAT(dashpad({"--bogus"}).err, HasSubstr("--bogus"));
+}
+
 /// Every line of a help text that starts with "  dashpad" is a command that works, in a folder with the
 /// examples.
 TEST_F(GuidanceTest, TheExamplesOfTheHelpWork) {

@@ -268,8 +268,9 @@ TEST_F(MaterialTestTest, WritesPicturesAndThePage) {
 
 TEST_F(MaterialTestTest, RefusesValuesThatMakeNoTest) {
   const std::string card = "ensolite-aac-9";
-  for (const char* rate : {"-1", "0", "nan", "inf", "abc", "1e300", "10 m/s", "1,1"})
-    EXPECT_THAT(refused({card, "--rate", rate}), HasSubstr("--rate")) << rate;
+  for (const char* rate :
+       {"-1", "0", "nan", "inf", "abc", "1e300", "1e-308", "1e-320", "1e-12", "10 m/s", "1,1"})
+    EXPECT_THAT(refused({card, "--rate", rate}), HasSubstr("--rate ")) << rate;
   for (const char* strain : {"1", "0", "-0.5", "nan", "2", "abc", "0.5 m", "100 %", "1e-300", "0.99999999"})
     EXPECT_THAT(refused({card, "--strain", strain}), HasSubstr("--strain")) << strain;
   for (const char* hold : {"0 s", "-1 s", "1", "1 m", "nan s"})

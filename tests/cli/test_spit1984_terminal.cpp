@@ -1,14 +1,12 @@
 // dashpad spit1984 --interactive, at a terminal as its users of 1984 sat at one, and through a pipe.
 
 #include <chrono>
-#include <csignal>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <pty.h>
 #include <nlohmann/json.hpp>
 
-#include "command.hpp"
+#include "terminal.hpp"
 
 namespace dashpad::test {
 namespace {
@@ -21,80 +19,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
-
-/// The command on a pseudo-terminal: standard input, output and error are all of it, as for a person.
-class Terminal {
- public:
-  explicit Terminal(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {DASHPAD_COMMAND, "spit1984", "--interactive"});
-    std::vector<char*> pointers;
-    for (std::string& argument : arguments) pointers.push_back(argument.data());
-    pointers.push_back(nullptr);
-    process_ = ::forkpty(&screen_, nullptr, nullptr, nullptr);
-    if (process_ < 0) throw std::runtime_error("no pseudo-terminal");
-    if (process_ == 0) {
-      std::signal(SIGINT, SIG_DFL);  // a background job is started with SIGINT ignored
-      ::execv(pointers[0], pointers.data());
-      ::_exit(127);
-    }
-  }
-  ~Terminal() {
-    if (process_ > 0) {
-      ::kill(process_, SIGKILL);
-      ::waitpid(process_, nullptr, 0);
-    }
-    ::close(screen_);
-  }
-  Terminal(const Terminal&) = delete;
-  Terminal& operator=(const Terminal&) = delete;
-
-  /// Reads until the screen, from where it was last waited for, ends with `prompt`.
-  testing::AssertionResult shows(const std::string& prompt) {
-    while (!std::string_view{shown_}.substr(read_so_far_).ends_with(prompt))
-      if (!read_some())
-        return testing::AssertionFailure() << "no \"" << prompt << "\" on the screen:\n" << shown_;
-    read_so_far_ = shown_.size();
-    return testing::AssertionSuccess();
-  }
-
-  void type(const std::string& keys) {
-    if (::write(screen_, keys.data(), keys.size()) != static_cast<ssize_t>(keys.size()))
-      throw std::runtime_error("the terminal takes no more keys");
-  }
-
-  /// Reads the rest and waits. The exit code, or 128 + signal.
-  int end() {
-    while (read_some()) {
-    }
-    int status = 0;
-    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-    }
-    process_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  }
-
-  [[nodiscard]] const std::string& shown() const { return shown_; }
-
- private:
-  /// False at the end, and when the command has been silent for so long that it hangs.
-  bool read_some() {
-    pollfd ready{screen_, POLLIN, 0};
-    if (::poll(&ready, 1, 10'000) == 0) {
-      ::kill(process_, SIGKILL);
-      return false;
-    }
-    std::array<char, 4096> buffer{};
-    const ssize_t count = ::read(screen_, buffer.data(), buffer.size());
-    if (count <= 0) return false;
-    shown_.append(buffer.data(), static_cast<std::size_t>(count));
-    return true;
-  }
-
-  int screen_ = -1;
-  pid_t process_ = 0;
-  std::string shown_;
-  std::size_t read_so_far_ = 0;
-};
 
 struct Exchange {
   std::string prompt, answer;
@@ -140,7 +64,7 @@ class Spit1984TerminalTest : public CommandTest {
 };
 
 TEST_F(Spit1984TerminalTest, AsksAndPrintsThePublishedReport) {
-  Terminal terminal{{}};
+  Terminal terminal{{"spit1984", "--interactive"}};
   answer(terminal);
   EXPECT_EQ(terminal.end(), 0);
   EXPECT_THAT(terminal.shown(),
@@ -150,7 +74,7 @@ TEST_F(Spit1984TerminalTest, AsksAndPrintsThePublishedReport) {
 }
 
 TEST_F(Spit1984TerminalTest, WritesThePrintersReport) {
-  Terminal terminal{{"--listing", file("for21.txt")}};
+  Terminal terminal{{"spit1984", "--interactive", "--listing", file("for21.txt")}};
   answer(terminal);
   EXPECT_EQ(terminal.end(), 0);
   EXPECT_THAT(terminal.shown(), EndsWith(last_row + "\r\n"));
@@ -159,7 +83,7 @@ TEST_F(Spit1984TerminalTest, WritesThePrintersReport) {
 }
 
 TEST_F(Spit1984TerminalTest, AsksAgainAfterATypingError) {
-  Terminal terminal{{}};
+  Terminal terminal{{"spit1984", "--interactive"}};
   ASSERT_TRUE(terminal.shows(dialogue[0].prompt));
   terminal.type("five\r");
   ASSERT_TRUE(terminal.shows("That is not a whole number. Please type it again: "));
@@ -183,7 +107,7 @@ TEST_F(Spit1984TerminalTest, AsksAgainAfterATypingError) {
 }
 
 TEST_F(Spit1984TerminalTest, AsksForAPiecewiseLinearSupport) {
-  Terminal terminal{{"--json", file("result.json")}};
+  Terminal terminal{{"spit1984", "--interactive", "--json", file("result.json")}};
   ASSERT_TRUE(terminal.shows(dialogue[0].prompt));
   terminal.type("5\r");
   ASSERT_TRUE(terminal.shows(dialogue[1].prompt));
@@ -202,7 +126,7 @@ TEST_F(Spit1984TerminalTest, AsksForAPiecewiseLinearSupport) {
 }
 
 TEST_F(Spit1984TerminalTest, EndOfInputInTheMiddleIsOneClearLine) {
-  Terminal terminal{{"--listing", file("for21.txt")}};
+  Terminal terminal{{"spit1984", "--interactive", "--listing", file("for21.txt")}};
   answer(terminal, 4);
   ASSERT_TRUE(terminal.shows(dialogue[4].prompt));
   terminal.type("\x04");
@@ -213,7 +137,7 @@ TEST_F(Spit1984TerminalTest, EndOfInputInTheMiddleIsOneClearLine) {
 }
 
 TEST_F(Spit1984TerminalTest, ControlCEndsIt) {
-  Terminal terminal{{"--listing", file("for21.txt")}};
+  Terminal terminal{{"spit1984", "--interactive", "--listing", file("for21.txt")}};
   answer(terminal, 2);
   ASSERT_TRUE(terminal.shows(dialogue[2].prompt));
   terminal.type("3\x03");
@@ -223,7 +147,7 @@ TEST_F(Spit1984TerminalTest, ControlCEndsIt) {
 
 // A million steps take minutes; nobody has to wait for them.
 TEST_F(Spit1984TerminalTest, ControlCEndsALongRun) {
-  Terminal terminal{{"--most-steps", "1000000", "--listing", file("for21.txt")}};
+  Terminal terminal{{"spit1984", "--interactive", "--most-steps", "1000000", "--listing", file("for21.txt")}};
   answer(terminal, 6);
   ASSERT_TRUE(terminal.shows(dialogue[6].prompt));
   terminal.type("1.E-6\r");

@@ -6,6 +6,7 @@
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/io/input_file.hpp"
 #include "dashpad/pad/material.hpp"
 
 namespace dashpad {
@@ -13,6 +14,7 @@ namespace dashpad {
 struct CaseFile {
   ImpactCase impact;
   Options options;
+  std::vector<InputFile> files;  ///< the case file, then the material card that it names, if any
 };
 
 /// Reads and checks a case. `materials` is the folder in which material names are looked up.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dashpad/injury/pulse.hpp"
+#include "dashpad/io/input_file.hpp"
 
 namespace dashpad {
 
@@ -27,7 +28,8 @@ struct MeasuredPulse {
   /// the resultant of noise has a mean, which no filter takes away.
   std::vector<std::vector<double>> components = {};
   std::vector<std::string> remarks =
-      {};  ///< repairs and readings that the user should know of, a sentence each
+      {};                             ///< repairs and readings that the user should know of, a sentence each
+  std::vector<InputFile> files = {};  ///< that it was read from
 };
 
 /// sqrt(x^2 + y^2 + z^2) at each time.

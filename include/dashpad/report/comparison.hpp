@@ -1,6 +1,8 @@
 #pragma once
 /// One impact through the accurate solver and through the program of 1984, side by side.
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,10 +41,14 @@ struct Comparison {
   int dimension = 0;     ///< of its time history and its contact field
 };
 
+/// Is told how many time steps of the 1984 program are done, of about how many, all runs together.
+using ComparisonProgress = std::function<void(std::size_t done, std::size_t all)>;
+
 /// Runs all of them. `time_step` is that of the 1984 program, s; for steps below 0.1 ms its dimensions of
 /// 1000 are enlarged in proportion. Throws std::invalid_argument for a case with violations() or with
 /// what_a_deck_cannot_say().
-Comparison compare(const ImpactCase& impact, const Options& options, double time_step);
+Comparison compare(const ImpactCase& impact, const Options& options, double time_step,
+                   const ComparisonProgress& progress = {});
 
 /// The table, with remarks below.
 std::string comparison_text(const Comparison& comparison, const ImpactCase& impact, const UnitSystem& units);

@@ -1,6 +1,7 @@
 #pragma once
 /// The impact as subroutines SPIT and PAD Version 2 (December 1984) computed it.
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -87,9 +88,12 @@ AbendText text_of(Abend abend);
 /// 0.25 sqrt(M/K), with the largest tangent stiffness of the support.
 double longest_time_step_ms(const Deck& deck);
 
+/// Is told the number of each time step as it begins.
+using Progress = std::function<void(int step)>;
+
 /// Runs the program; what goes wrong in a sound deck is an ABEND. Throws std::invalid_argument for
 /// violations() of the deck, fewer than 3 time steps or fewer than 2 stations. Memory is taken for the
 /// dimensions at once.
-Run run(const Deck& deck, const Settings& settings = {});
+Run run(const Deck& deck, const Settings& settings = {}, const Progress& progress = {});
 
 }  // namespace dashpad::spit1984

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dashpad/io/fault.hpp"
+#include "dashpad/io/input_file.hpp"
 
 namespace dashpad::validation {
 
@@ -80,6 +81,7 @@ struct ValidationData {
   double pad_thickness_in = 0;
   std::vector<PrintedConstant> printed;
   std::vector<ExpectationExample> table_3_2;
+  std::vector<InputFile> files;  ///< that it was read from, sound or not
 
   /// The value of a printed constant. Throws std::out_of_range that names it where it is not there.
   [[nodiscard]] double constant(const std::string& name) const;

@@ -1,0 +1,54 @@
+// What a person hears of a computation that takes long, and what a program that reads standard error does
+// not.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "terminal.hpp"
+
+namespace dashpad::test {
+namespace {
+
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+class ProgressTest : public CommandTest {
+ protected:
+  /// The command line as a shell script that ends after 6 s.
+  [[nodiscard]] Outcome begun(const std::string& arguments) const {
+    return shell("exec timeout 6 $DASHPAD " + arguments);
+  }
+};
+
+TEST_F(ProgressTest, WhatTakesMinutesSaysSoFirst) {
+  const std::string report_case = std::string{DASHPAD_SOURCE_DIR} + "/examples/dashboard-20mph.toml";
+  for (const std::string& command :
+       {"compare " + report_case + " --time-step 1e-6",
+        "spit1984 " + report_case + " --time-step 1e-6 --most-steps 1000000 --most-stations 1000000"}) {
+    const Outcome outcome = begun(command);
+    EXPECT_EQ(outcome.exit_code, 124) << "it has to take long for this test";
+    EXPECT_THAT(outcome.err,
+                ContainsRegex("^Running the program of 1984.* will take about [0-9]+ minutes\n$"));
+    EXPECT_EQ(outcome.out, "");
+  }
+}
+
+TEST_F(ProgressTest, ATerminalShowsHowFarItIs) {
+  const std::string report_case = std::string{DASHPAD_SOURCE_DIR} + "/examples/dashboard-20mph.toml";
+  Terminal terminal{{"compare", report_case, "--time-step", "1e-4"}};
+  EXPECT_TRUE(terminal.has_shown("Running the program of 1984"));
+  EXPECT_TRUE(terminal.has_shown(" %"));
+  EXPECT_TRUE(terminal.has_shown(" 2 s"));
+}
+
+TEST_F(ProgressTest, WhatIsDoneAtOnceShowsNoProgress) {
+  Terminal terminal{{"run", case_file()}};
+  EXPECT_EQ(terminal.end(), 0);
+  EXPECT_THAT(terminal.shown(), AllOf(HasSubstr("Peak force"), Not(HasSubstr("Solving"))));
+  EXPECT_EQ(dashpad({"compare", case_file()}).err, "");
+}
+
+}  // namespace
+}  // namespace dashpad::test
