@@ -15,6 +15,7 @@ namespace dashpad {
 namespace {
 
 constexpr std::size_t most_of_a_kind = 5;
+constexpr std::size_t most_lines = 200;  // of a message, of however many kinds its faults are
 
 /// The line without its value, with # in the place of every number.
 std::string kind_of(std::string_view line) {
@@ -38,8 +39,13 @@ std::string message(const std::vector<Fault>& faults) {
   std::vector<std::string> lines;
   std::ranges::transform(faults, std::back_inserter(lines),
                          [](const Fault& fault) { return to_string(fault); });
+  lines = abridged(lines);
+  if (lines.size() > most_lines) {
+    lines.resize(most_lines);
+    lines.emplace_back("...");
+  }
   std::string text;
-  for (const std::string& line : abridged(lines)) text += (text.empty() ? "" : "\n") + line;
+  for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
   return text;
 }
 
