@@ -40,14 +40,15 @@ Exit codes:
   3  results are there but miss the tolerance: do not rely on them
   4  assess: a limit of the standard is exceeded; validate --strict: a rule is missed)";
 
-/// More than that nobody reads, and a file that is no case at all can have thousands.
-constexpr std::size_t most_complaints = 200;
+/// More than that nobody reads, of however many kinds the faults are.
+constexpr std::size_t most_lines = 200;
 
 int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
   std::string text;
   const std::size_t count = complaints.size();
-  for (std::size_t i = 0; i < count && i < most_complaints; ++i) text += complaints[i] + "\n";
-  if (count > most_complaints) text += "...\n";
+  const std::vector<std::string> lines = abridged(complaints);
+  for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) text += lines[i] + "\n";
+  if (lines.size() > most_lines) text += "...\n";
   text += std::to_string(count) + (count == 1 ? " fault" : " faults");
   const bool would_run =
       !app.got_subcommand("check") && !app.got_subcommand("materials") && !app.got_subcommand("standards");

@@ -1,8 +1,11 @@
 // dashpad pulse: injury figures of a measured acceleration.
 
+#include <cmath>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -14,15 +17,23 @@
 #include "output.hpp"
 #include "pulse_request.hpp"
 #include "streams.hpp"
+#include "waiting_line.hpp"
 
 namespace dashpad {
 
 namespace {
 
+constexpr double hic15_window = 15e-3;  // s
+constexpr double usual_speed = 15e6;    // bytes of a table read and computed in a second, on one core of 2020
+
 constexpr const char* footer = R"(Examples:
   dashpad pulse drop.csv                                  columns and units from the header
   dashpad pulse drop.csv --time 1 --acceleration 3 --time-unit ms --acceleration-unit g
   dashpad pulse head.csv --resultant --filter CFC1000     x, y and z each filtered, then combined
+  dashpad pulse drop.csv --zero auto --drop-height "1.5 m"
+                                                          sensor offset off; restitution, and a check
+  dashpad pulse logger.csv --interval "0.1 ms" --sensitivity "10 mV/g"
+                                                          one column, in mV
   dashpad pulse test.zip --list                           the channels of a test in ISO-MME
   dashpad pulse test.zip --channel "11HEAD0000??AC?A" --resultant --picture head.svg
   dashpad run examples/dashboard-20mph.toml --csv - > run.csv && dashpad pulse run.csv
@@ -31,6 +42,14 @@ FILE is a table (CSV: commas, semicolons, tabs or blanks), or a test in ISO-MME:
 a zip or tar of it. Units are taken from the file or from you and never guessed; g is standard gravity. What
 had to be repaired is a REMARK; a gap, text, or a time that goes back is refused; --bridge-gaps takes straight
 lines where times are missing. docs/pulses.md has the rules.
+
+Offset: what the sensor shows in the quiet part before the impact is told, with what it does to HIC15. --zero
+takes it off, each direction by itself and before any filter: "--zero auto" the mean of the quiet part,
+"--zero '0 ms,5 ms'" the mean from 0 to 5 ms.
+
+Checks: PULSE CUT says that the pulse starts or ends above 1 % of its peak; its HIC and clips are lower bounds
+then. With --speed or --drop-height the velocity change must lie between v and 2v, IMPOSSIBLE VELOCITY CHANGE
+says otherwise; the restitution is (velocity change - v) / v.
 
 Figures: the peak; HIC15, HIC36, HIC with any window, and those of --window; HIC(d); the 3 ms clip, in one
 stretch and in all; Gadd's severity index; the time above 80, 150 and 200 g, or the levels of --dwell; the
@@ -51,24 +70,69 @@ std::vector<Target> targets(const PulseRequest& request) {
   return wanted;
 }
 
-MeasuredPulse read(const PulseRequest& request, bool is_test) {
+MeasuredPulse read(const PulseRequest& request, const PulseSettings& settings, bool is_test) {
   if (is_test)
-    return read_iso_mme(request.file, {request.channel, request.table.acceleration_unit, request.resultant});
+    return read_iso_mme(request.file, {request.channel, request.table.acceleration_unit, request.resultant,
+                                       settings.sensitivities});
   PulseCsvOptions options = request.table;
   options.resultant = request.resultant;
+  options.interval = settings.interval_of_samples;
+  options.sensitivity = settings.sensitivities;
   return read_pulse_csv(request.file, options);
 }
 
-/// Resampled and filtered as asked for.
+/// Resampled and filtered as asked for; `wrong` is told where that cannot be.
 Pulse processed(const MeasuredPulse& measured, const PulseSettings& settings,
-                const std::optional<PulseFilter>& filter) {
+                const std::optional<PulseFilter>& filter, std::vector<std::string>& wrong) {
   try {
     return processed_pulse(measured, settings.interval, filter);
   } catch (const std::invalid_argument& error) {
     const char* advice =
         filter && !settings.interval ? "; --resample INTERVAL makes samples of another interval" : "";
-    throw Refused({fmt::format("{}: {}{}", filter ? "--filter" : "--resample", error.what(), advice)});
+    wrong.push_back(fmt::format("{}: {}{}", filter ? "--filter" : "--resample", error.what(), advice));
+    return {};
   }
+}
+
+/// The offset in the interval of --zero, else in the quiet part before the impact; `wrong` is told where
+/// --zero wants one and there is none.
+std::optional<SensorOffset> offset_of(const PulseRequest& request, const PulseSettings& settings,
+                                      const MeasuredPulse& measured, std::vector<std::string>& wrong) {
+  if (!settings.zero_interval) {
+    std::optional<SensorOffset> offset = offset_before_impact(measured);
+    if (request.zero && !offset)
+      wrong.emplace_back(
+          "--zero auto: there is no quiet part before the impact; give its interval, --zero BEGIN,END");
+    return offset;
+  }
+  try {
+    return offset_between(measured, settings.zero_interval->first, settings.zero_interval->second);
+  } catch (const std::invalid_argument& error) {
+    const std::vector<double>& time = measured.pulse.time;
+    wrong.push_back(fmt::format("--zero {}: {}; the samples are from {:.6g} to {:.6g} ms", *request.zero,
+                                error.what(), 1e3 * time.front(), 1e3 * time.back()));
+    return std::nullopt;
+  }
+}
+
+/// Says so if a file is so large that it will take minutes to read it and to compute its figures.
+void announce_length(const std::string& file) {
+  std::error_code error;
+  const auto bytes = static_cast<double>(std::filesystem::file_size(file, error));
+  if (const double minutes = bytes / usual_speed / 60; !error && minutes > 1)
+    write_error(fmt::format("{} has {:.0f} MiB; this will take about {:.0f} min\n", file, bytes / (1 << 20),
+                            std::ceil(minutes)));
+}
+
+/// Adds the remarks on what was done and found.
+void remark_on(PulseReport& report) {
+  std::vector<std::string>& remarks = report.measured.remarks;
+  if (report.filter)
+    if (auto remark = sampled_too_slowly(report.measured, report.resampled_to, *report.filter))
+      remarks.push_back(std::move(*remark));
+  if (report.offset)
+    for (std::string& remark : offset_remarks(*report.offset, report.figures.peak.magnitude))
+      remarks.push_back(std::move(remark));
 }
 
 PulseReport report_on(const PulseRequest& request) {
@@ -80,27 +144,40 @@ PulseReport report_on(const PulseRequest& request) {
                      .measured = {},
                      .resampled_to = settings.interval,
                      .filter = filter_of(request),
+                     .offset = {},
                      .pulse = {},
                      .figures = {},
+                     .impact = settings.impact,
                      .windows = {},
-                     .dwells = {}};
+                     .dwells = {},
+                     .flags = {}};
+  if (wrong.empty()) announce_length(request.file);
+  WaitingLine waiting("Reading " + request.file);
   try {
-    report.measured = read(request, is_test);
+    report.measured = read(request, settings, is_test);
   } catch (const InputError& error) {
     report.measured.files.push_back({"the measurement", request.file});
     add_lines(error.faults(), wrong);
   }
   judge_targets(targets(request), report.measured.files, request.force, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
-  report.pulse = processed(report.measured, settings, report.filter);
-  if (report.filter)
-    if (auto remark = sampled_too_slowly(report.measured, settings.interval, *report.filter))
-      report.measured.remarks.push_back(std::move(*remark));
+  waiting.now(fmt::format("Computing figures of {} samples", report.measured.pulse.time.size()));
+  report.pulse = processed(report.measured, settings, report.filter, wrong);
+  const std::optional<SensorOffset> offset = offset_of(request, settings, report.measured, wrong);
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  Pulse zero =
+      offset ? processed(zeroed(report.measured, *offset), settings, report.filter, wrong) : report.pulse;
+  if (offset)
+    report.offset = {*offset, settings.zero_interval.has_value(), request.zero.has_value(),
+                     hic(report.pulse, hic15_window).value, hic(zero, hic15_window).value};
+  if (request.zero) report.pulse = zero;
   report.figures = injury_figures(report.pulse);
   for (const double window : settings.windows) report.windows.push_back({window, hic(report.pulse, window)});
   for (const double level : settings.levels)
     report.dwells.push_back(
         {level, cumulative_dwell(report.pulse, level), longest_dwell(report.pulse, level)});
+  remark_on(report);
+  report.flags = flags(report, zero);
   return report;
 }
 
@@ -108,6 +185,7 @@ int show_figures(const PulseRequest& request) {
   const PulseReport report = report_on(request);
   const UnitSystem& units = unit_system(request.units);
   const auto text_of = [&](const Target& target) {
+    const WaitingLine waiting("Writing " + target.file);
     if (target.option == "--json") return pulse_json(report);
     if (target.option == "--csv") return pulse_csv(report, units_of_files(units));
     return picture(pulse_plot(report, units), *picture_format(target.file));
@@ -116,7 +194,8 @@ int show_figures(const PulseRequest& request) {
   return exit_done;
 }
 
-int show_list(const PulseRequest& request) {
+std::string list_of(const PulseRequest& request) {
+  const WaitingLine waiting("Reading " + request.file);
   std::string text;
   if (is_iso_mme(request.file)) {
     for (const IsoMmeChannel& channel : iso_mme_channels(request.file))
@@ -132,7 +211,11 @@ int show_list(const PulseRequest& request) {
   }
   for (char& c : text)
     if ((static_cast<unsigned char>(c) < ' ' && c != '\n') || c == '\x7f') c = ' ';
-  write_output(text);
+  return text;
+}
+
+int show_list(const PulseRequest& request) {
+  write_output(list_of(request));
   return exit_done;
 }
 

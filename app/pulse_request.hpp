@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -22,6 +23,11 @@ struct PulseRequest {
   std::optional<std::string> corner;
   std::optional<std::string> ends;
   std::optional<std::string> resample;
+  std::optional<std::string> zero;
+  std::optional<std::string> interval;
+  std::vector<std::string> sensitivities;
+  std::optional<std::string> speed;
+  std::optional<std::string> drop_height;
   std::vector<double> windows_ms;
   std::vector<std::string> dwells;
   std::optional<std::string> json;
@@ -33,8 +39,12 @@ struct PulseRequest {
 
 /// What the options say beside the file.
 struct PulseSettings {
-  std::optional<double> interval;       ///< s
-  std::vector<double> windows, levels;  ///< s, m/s2
+  std::optional<double> interval;                          ///< s
+  std::vector<double> windows, levels;                     ///< s, m/s2
+  std::optional<std::pair<double, double>> zero_interval;  ///< s; absent for that of the quiet part
+  std::optional<double> interval_of_samples;               ///< s, of a table without times
+  std::vector<Sensitivity> sensitivities;
+  std::optional<MeasuredImpact> impact;  ///< with its speed
 };
 
 /// Adds to `wrong` all that is wrong with them.

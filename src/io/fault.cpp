@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <string_view>
 #include <utility>
 
 #include "io/text.hpp"
@@ -11,16 +14,39 @@
 namespace dashpad {
 namespace {
 
-constexpr std::size_t most_lines = 200;
+constexpr std::size_t most_of_a_kind = 5;
+constexpr std::size_t most_lines = 200;  // of a message, of however many kinds its faults are
+
+/// The line without its value, with # in the place of every number.
+std::string kind_of(std::string_view line) {
+  std::string kind;
+  const auto value = line.find(" = "), rule = line.rfind(": ");
+  if (value < rule && rule != std::string_view::npos) {
+    kind = line.substr(0, value);
+    line.remove_prefix(rule);
+  }
+  kind += line;
+  std::string numberless;
+  for (const char c : kind) {
+    const bool is_digit = (c >= '0' && c <= '9') || (c == '.' && numberless.ends_with('#'));
+    if (!is_digit) numberless += c;
+    if (is_digit && !numberless.ends_with('#')) numberless += '#';
+  }
+  return numberless;
+}
 
 std::string message(const std::vector<Fault>& faults) {
-  std::string lines;
-  for (const Fault& fault : std::span(faults).first(std::min(faults.size(), most_lines))) {
-    if (!lines.empty()) lines += '\n';
-    lines += to_string(fault);
+  std::vector<std::string> lines;
+  std::ranges::transform(faults, std::back_inserter(lines),
+                         [](const Fault& fault) { return to_string(fault); });
+  lines = abridged(lines);
+  if (lines.size() > most_lines) {
+    lines.resize(most_lines);
+    lines.emplace_back("...");
   }
-  if (faults.size() > most_lines) lines += fmt::format("\nand {} more faults", faults.size() - most_lines);
-  return lines;
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
+  return text;
 }
 
 }  // namespace
@@ -31,6 +57,22 @@ std::string to_string(const Fault& fault) {
   if (!fault.key.empty()) line += ": " + fault.key;
   if (!fault.value.empty()) line += " = " + fault.value;
   return one_line(line + ": " + fault.rule);
+}
+
+std::vector<std::string> abridged(const std::vector<std::string>& lines) {
+  std::vector<std::string> kinds;
+  std::ranges::transform(lines, std::back_inserter(kinds), kind_of);
+  std::map<std::string_view, std::size_t> all_of;
+  for (const std::string& kind : kinds) ++all_of[kind];
+  std::map<std::string_view, std::size_t> shown;
+  std::vector<std::string> text;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::size_t count = ++shown[kinds[i]];
+    if (count <= most_of_a_kind) text.push_back(lines[i]);
+    if (count == most_of_a_kind && all_of[kinds[i]] > most_of_a_kind)
+      text.push_back(fmt::format("and {} more of this kind", all_of[kinds[i]] - most_of_a_kind));
+  }
+  return text;
 }
 
 InputError::InputError(std::vector<Fault> faults)

@@ -65,7 +65,8 @@ class Combiner {
     MeasuredColumn column{.name = channel.code, .number = channel.number, .unit = read.labels.value("Unit")};
     const std::string unit_of_file = column.unit;
     const std::string rule =
-        settle_unit(column, ColumnKind::acceleration, options_.acceleration_unit, "--acceleration-unit");
+        settle_unit(column, ColumnKind::acceleration, options_.acceleration_unit, "--acceleration-unit",
+                    sensitivity_at(options_.sensitivity, result_.acceleration.size()));
     const MmeLabel* label = read.labels.find("Unit");
     if (!rule.empty()) faults.add(label == nullptr ? 0 : label->line, "Unit", unit_of_file, rule);
     if (!result_.acceleration.empty() && (times.first != times_.first || times.interval != times_.interval ||
@@ -170,7 +171,11 @@ MeasuredPulse read_iso_mme(const std::filesystem::path& file, const IsoMmeOption
                        .resultant = options.resultant,
                        .files = test.files()};
   Combiner combiner(test, options, result);
-  for (const IsoMmeChannel& channel : chosen_channels(file, list(test), options)) {
+  const Channels chosen = chosen_channels(file, list(test), options);
+  if (options.sensitivity.size() > 1 && options.sensitivity.size() != chosen.size())
+    throw InputError({Fault{file.string(), 0, "", "",
+                            wrong_number_of_sensitivities(options.sensitivity.size(), chosen.size())}});
+  for (const IsoMmeChannel& channel : chosen) {
     if (!channel.problem.empty())
       throw InputError({Fault{file.string(), 0, channel.code, "", channel.problem}});
     const std::string& name = test.channels.at(channel.number);

@@ -116,6 +116,12 @@ bool is_pulse_unit(ColumnKind kind, const std::string& unit) {
   }
 }
 
+bool is_voltage(const std::string& unit) {
+  const std::string text = tidy_unit(standard_unit(unit));
+  return !text.empty() && kind_of_unit_text(text) == UnitText::plain &&
+         unit_factor(text, "V").match == UnitMatch::same_dimension;
+}
+
 bool is_customary_unit(std::string_view text) {
   const std::string unit = standard_unit(text);
   return is_among(unit, times) || is_among(unit, accelerations);
@@ -156,17 +162,25 @@ bool looks_like(ColumnKind kind, const MeasuredColumn& column) {
 }
 
 std::string settle_unit(MeasuredColumn& column, ColumnKind kind, const std::string& given,
-                        const std::string& option) {
+                        const std::string& option, const std::optional<Sensitivity>& sensitivity) {
   const std::string unit = given.empty() ? column.unit : given;
+  const char* const examples = kind == ColumnKind::time ? "s, ms, ..."
+                               : sensitivity            ? "V, mV"
+                                                        : "g, m/s2, ...";
   if (const std::string unknown = unknown_unit(column.name); unit.empty() && !unknown.empty())
     return fmt::format("the {} needs a unit; \"{}\" in the header is not one that is known: give {} {}",
-                       words_for(kind), unknown, option,
-                       kind == ColumnKind::time ? "s, ms, ..." : "g, m/s2, ...");
+                       words_for(kind), unknown, option, examples);
   if (unit.empty())
     return fmt::format("the {} needs a unit; none is in the header: give {} {}", words_for(kind), option,
-                       kind == ColumnKind::time ? "s, ms, ..." : "g, m/s2, ...");
+                       examples);
+  const bool in_volts = kind == ColumnKind::acceleration && is_voltage(unit);
+  if (in_volts && !sensitivity)
+    return fmt::format("is in {}; --sensitivity, such as \"10 mV/g\", makes an acceleration of it", unit);
+  if (sensitivity && !in_volts)
+    return fmt::format("is in {}; --sensitivity is for a column in V or mV", unit);
   try {
-    column.factor = pulse_unit_factor(kind, unit);
+    column.factor = in_volts ? to_si("1 " + unit, "V") / sensitivity->volts_per_acceleration
+                             : pulse_unit_factor(kind, unit);
   } catch (const UnitError& error) {
     return given.empty() ? fmt::format("{}; {} gives another unit", error.what(), option)
                          : fmt::format("{} {}: {}", option, given, error.what());
@@ -174,7 +188,18 @@ std::string settle_unit(MeasuredColumn& column, ColumnKind kind, const std::stri
   if (!(column.factor > 0)) return fmt::format("\"{}\" is not a unit", unit);
   column.unit_origin = given.empty() ? "header" : "given";
   column.unit = unit;
+  if (in_volts) column.sensitivity = sensitivity->text;
   return "";
+}
+
+std::string wrong_number_of_sensitivities(std::size_t given, std::size_t accelerations) {
+  return fmt::format("{} sensitivities were given for {} {}; give one for all, or one for each", given,
+                     accelerations, accelerations == 1 ? "acceleration" : "accelerations");
+}
+
+std::optional<Sensitivity> sensitivity_at(const std::vector<Sensitivity>& given, std::size_t place) {
+  if (given.size() == 1) return given.front();
+  return place < given.size() ? std::optional{given[place]} : std::nullopt;
 }
 
 std::optional<std::string> overruled_unit(const MeasuredColumn& column, const std::string& unit_of_file) {

@@ -104,8 +104,14 @@ std::optional<MeasuredColumn> named(const Columns& all, const std::string& wante
   return std::nullopt;
 }
 
-Columns those_that_look_like(ColumnKind kind, const Columns& all) {
+/// Those in volts where there is a sensitivity, if there are any.
+Columns those_that_look_like(ColumnKind kind, const Columns& all,
+                             const std::vector<Sensitivity>& sensitivity = {}) {
   Columns found;
+  if (kind == ColumnKind::acceleration && !sensitivity.empty())
+    std::ranges::copy_if(all, std::back_inserter(found),
+                         [](const MeasuredColumn& column) { return is_voltage(column.unit); });
+  if (!found.empty()) return found;
   std::ranges::copy_if(all, std::back_inserter(found),
                        [&](const MeasuredColumn& column) { return looks_like(kind, column); });
   return found;
@@ -115,9 +121,12 @@ Columns those_that_look_like(ColumnKind kind, const Columns& all) {
 std::string units_of_namesakes(ColumnKind kind, const Columns& all) {
   std::string text;
   for (const MeasuredColumn& column : all)
-    if (!column.unit.empty() && !is_pulse_unit(ColumnKind::time, column.unit) &&
-        !is_pulse_unit(ColumnKind::acceleration, column.unit) &&
-        looks_like(kind, MeasuredColumn{.name = split_header(column.name).name}))
+    if (kind == ColumnKind::acceleration && is_voltage(column.unit))
+      text += fmt::format("; column {} is in {}, for which --sensitivity is needed, such as \"10 mV/g\"",
+                          column.number, column.unit);
+    else if (!column.unit.empty() && !is_pulse_unit(ColumnKind::time, column.unit) &&
+             !is_pulse_unit(ColumnKind::acceleration, column.unit) &&
+             looks_like(kind, MeasuredColumn{.name = split_header(column.name).name}))
       text += fmt::format("; the unit \"{}\" of column {} is not one of {}", column.unit, column.number,
                           kind == ColumnKind::time ? "time" : "acceleration");
   return text;
@@ -125,7 +134,7 @@ std::string units_of_namesakes(ColumnKind kind, const Columns& all) {
 
 /// The columns of one kind: as named, else as the header tells.
 Columns chosen(const CsvColumns& columns, ColumnKind kind, const std::vector<std::string>& names,
-               std::size_t most, MeasurementFaults& faults) {
+               std::size_t most, const std::vector<Sensitivity>& sensitivity, MeasurementFaults& faults) {
   const std::string word = kind == ColumnKind::time ? "time" : "acceleration";
   const std::string option = "--" + word;
   const std::size_t line = columns.names != nullptr ? columns.names->line : 0;
@@ -135,7 +144,7 @@ Columns chosen(const CsvColumns& columns, ColumnKind kind, const std::vector<std
       if (const auto column = named(columns.all, name, option, line, faults)) found.push_back(*column);
     return found;
   }
-  found = those_that_look_like(kind, columns.all);
+  found = those_that_look_like(kind, columns.all, sensitivity);
   if (found.empty())
     faults.add(line, "", "",
                fmt::format("no column is recognized as the {}; name it with {}: {}{}", word, option,
@@ -150,11 +159,12 @@ Columns chosen(const CsvColumns& columns, ColumnKind kind, const std::vector<std
   return found;
 }
 
-void settle(MeasuredColumn& column, ColumnKind kind, const std::string& given, std::size_t line,
-            MeasurementFaults& faults, std::vector<std::string>& remarks) {
+void settle(MeasuredColumn& column, ColumnKind kind, const std::string& given,
+            const std::optional<Sensitivity>& sensitivity, std::size_t line, MeasurementFaults& faults,
+            std::vector<std::string>& remarks) {
   const std::string unit_of_file = column.unit;
   const std::string option = kind == ColumnKind::time ? "--time-unit" : "--acceleration-unit";
-  const std::string rule = settle_unit(column, kind, given, option);
+  const std::string rule = settle_unit(column, kind, given, option, sensitivity);
   if (!rule.empty()) faults.add(line, column.name, "", rule);
   if (const auto remark = overruled_unit(column, unit_of_file); remark && rule.empty())
     remarks.push_back(*remark);
@@ -162,7 +172,7 @@ void settle(MeasuredColumn& column, ColumnKind kind, const std::string& given, s
 
 }  // namespace
 
-CsvHeader read_csv_header(std::string_view text, char separator) {
+CsvHeader read_csv_header(std::string_view text, char separator, int fewest) {
   CsvHeader header;
   CsvRows rows(text, separator);
   CsvRow row;
@@ -175,11 +185,11 @@ CsvHeader read_csv_header(std::string_view text, char separator) {
       of.first_line = row.line;
       of.width = row.filled();
     };
-    if (numbers >= 2 && !fallback) {
+    if (numbers >= fewest && !fallback) {
       begin_numbers(fallback.emplace(header));
       comment = rows.comment();
     }
-    if (numbers >= 2 && is_number(row.fields.front())) {
+    if (numbers >= fewest && is_number(row.fields.front())) {
       begin_numbers(header);
       comment = rows.comment();
       break;
@@ -231,7 +241,8 @@ void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsv
   std::vector<std::string> time;
   std::vector<std::string> acceleration = options.acceleration;
   if (!options.time.empty()) time.push_back(options.time);
-  if (columns.all.size() == 2 && time.empty() && acceleration.empty() && !any_known) {
+  if (options.interval && columns.all.size() == 1 && acceleration.empty()) acceleration = {"1"};
+  if (!options.interval && columns.all.size() == 2 && time.empty() && acceleration.empty() && !any_known) {
     time = {"1"};
     acceleration = {"2"};
     remarks.emplace_back(
@@ -243,9 +254,9 @@ void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsv
         fmt::format("names {} columns, but the numbers in line {} have {}; decimal commas need another "
                     "separator, such as a semicolon",
                     columns.names->fields.size(), header.first_line, header.width));
-  const Columns times = chosen(columns, ColumnKind::time, time, 1, faults);
-  columns.acceleration =
-      chosen(columns, ColumnKind::acceleration, acceleration, options.resultant ? 3 : 1, faults);
+  const Columns times = options.interval ? Columns{} : chosen(columns, ColumnKind::time, time, 1, {}, faults);
+  columns.acceleration = chosen(columns, ColumnKind::acceleration, acceleration, options.resultant ? 3 : 1,
+                                options.sensitivity, faults);
   const std::size_t count = columns.acceleration.size();
   if (options.resultant ? count == 1 || count > 3 : count > 1)
     faults.add(line, "", "",
@@ -253,8 +264,15 @@ void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsv
                                  : "several accelerations were named; combine them with --resultant");
   if (!times.empty()) {
     columns.time = times.front();
-    settle(columns.time, ColumnKind::time, options.time_unit, line, faults, remarks);
+    settle(columns.time, ColumnKind::time, options.time_unit, {}, line, faults, remarks);
+  } else if (options.interval) {
+    columns.time = {.name = "samples", .unit = "s", .unit_origin = "given"};
+    for (const MeasuredColumn& unread : those_that_look_like(ColumnKind::time, columns.all))
+      remarks.push_back(fmt::format("the times of column {}, {}, were not read: --interval was given",
+                                    unread.number, unread.name));
   }
+  if (options.sensitivity.size() > 1 && options.sensitivity.size() != count)
+    faults.add(line, "", "", wrong_number_of_sensitivities(options.sensitivity.size(), count));
   for (std::size_t i = 0; i < count; ++i) {
     MeasuredColumn& column = columns.acceleration[i];
     const auto is_same = [&](const MeasuredColumn& other) { return other.number == column.number; };
@@ -263,7 +281,8 @@ void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsv
     if (std::any_of(columns.acceleration.begin(), columns.acceleration.begin() + static_cast<long>(i),
                     is_same))
       faults.add(line, column.name, "", "is named twice");
-    settle(column, ColumnKind::acceleration, options.acceleration_unit, line, faults, remarks);
+    settle(column, ColumnKind::acceleration, options.acceleration_unit,
+           sensitivity_at(options.sensitivity, i), line, faults, remarks);
   }
   if (header.from_comment)
     remarks.push_back(fmt::format("names of columns were read from the comment in line {}", line));

@@ -22,14 +22,14 @@ struct CsvHeader {
   std::size_t width = 0;       ///< columns of the first row of numbers that are not empty
 };
 
-/// The rows up to the first one that begins with a number and holds another; failing that, the first one with
-/// two numbers.
-CsvHeader read_csv_header(std::string_view text, char separator);
+/// The rows up to the first one that begins with a number and holds `fewest` numbers; failing that, the first
+/// one with so many.
+CsvHeader read_csv_header(std::string_view text, char separator, int fewest = 2);
 
 struct CsvColumns {
   std::vector<MeasuredColumn> all;           ///< units as in the header
   const CsvHeader::Row* names = nullptr;     ///< the row that names them
-  MeasuredColumn time;                       ///< units settled
+  MeasuredColumn time;                       ///< units settled; number 0 where the interval is given
   std::vector<MeasuredColumn> acceleration;  ///< units settled
 };
 

@@ -1,6 +1,7 @@
 #include "measurement/csv_rows.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace dashpad {
 
@@ -9,6 +10,12 @@ namespace {
 constexpr std::size_t sample_size = 65536;  // bytes
 constexpr std::size_t sample_rows = 400;
 constexpr std::size_t longest_quoted_field = 10'000;  // more is a quote that is never closed
+
+/// Whole lines.
+std::string_view beginning_of(std::string_view text) {
+  const std::string_view sample = text.substr(0, sample_size);
+  return sample.size() < text.size() ? sample.substr(0, sample.find_last_of("\r\n")) : text;
+}
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
@@ -102,9 +109,36 @@ void CsvRows::split(std::string_view line, CsvRow& row) {
   }
 }
 
+bool is_one_column(std::string_view text) {
+  LineReader lines(beginning_of(text));
+  std::string_view line;
+  std::size_t numbers = 0, others = 0, names = 0, with_comma = 0, increasing = 0;
+  double latest = -std::numeric_limits<double>::infinity();
+  while (lines.next(line)) {
+    line = without_blanks(line);
+    if (line.empty() || line.starts_with('#')) continue;
+    if (read_csv_number(line, ';').kind != NumberKind::number) {
+      if (numbers > 0)
+        ++others;
+      else
+        names = static_cast<std::size_t>(std::ranges::count(line, ',')) + 1;
+      continue;
+    }
+    ++numbers;
+    const auto comma = line.find(',');
+    if (comma == std::string_view::npos) continue;
+    ++with_comma;
+    const double first = read_number(line.substr(0, comma)).value;
+    if (first > latest) ++increasing;
+    latest = first;
+  }
+  const bool are_two =
+      (names >= 2 && 2 * with_comma >= numbers) || (with_comma == numbers && 10 * increasing >= 8 * numbers);
+  return numbers > others && !are_two;
+}
+
 char find_separator(std::string_view text) {
-  std::string_view sample = text.substr(0, sample_size);
-  if (sample.size() < text.size()) sample = sample.substr(0, sample.find_last_of("\r\n"));
+  const std::string_view sample = beginning_of(text);
   char best = ',';
   std::size_t best_score = 0;
   for (const char separator : {'\t', ';', ',', ' '}) {

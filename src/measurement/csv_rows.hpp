@@ -54,6 +54,11 @@ class CsvRows {
 /// ',' ';' tab, or ' ' for any number of blanks: what makes numbers of most rows at the beginning of `text`.
 char find_separator(std::string_view text);
 
+/// Whether the table has one column, of numbers with a decimal point or comma. Two numbers with a comma
+/// between them are two columns where a row above them has two fields, or where the first one increases in at
+/// least four rows of five, as a time does.
+bool is_one_column(std::string_view text);
+
 /// A number with a decimal point or, where no comma separates, with a decimal comma.
 ReadNumber read_csv_number(std::string_view field, char separator);
 

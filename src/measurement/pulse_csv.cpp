@@ -31,9 +31,10 @@ std::string plural(std::size_t count, const std::string& word) {
 /// Reads the rows of numbers of a table.
 class NumberReader {
  public:
-  NumberReader(const CsvColumns& columns, char separator, MeasurementFaults& faults)
-      : separator_(separator), width_(columns.all.size()), faults_(faults) {
-    columns_.push_back(columns.time);
+  NumberReader(const CsvColumns& columns, std::optional<double> interval, char separator,
+               MeasurementFaults& faults)
+      : separator_(separator), interval_(interval), width_(columns.all.size()), faults_(faults) {
+    if (!interval_) columns_.push_back(columns.time);
     columns_.insert(columns_.end(), columns.acceleration.begin(), columns.acceleration.end());
     if (columns.acceleration.size() > 1) components.resize(columns.acceleration.size());
   }
@@ -46,8 +47,10 @@ class NumberReader {
     if (!fits(row)) return;
     std::array<double, 4> sample{};
     bool complete = true;
+    if (interval_) sample[0] = *interval_ * static_cast<double>(pulse.time.size());
+    const std::size_t values = interval_ ? 1 : 0;  // those of the columns begin there
     for (std::size_t i = 0; i < columns_.size(); ++i)
-      complete = read(row, columns_[i], sample[i]) && complete;
+      complete = read(row, columns_[i], sample[values + i]) && complete;
     if (complete) append(sample, row);
   }
 
@@ -102,7 +105,7 @@ class NumberReader {
 
   void append(const std::array<double, 4>& sample, const CsvRow& row) {
     const double time = sample[0];
-    if (!pulse.time.empty() && !(time > pulse.time.back())) {
+    if (!interval_ && !pulse.time.empty() && !(time > pulse.time.back())) {
       if (sample == latest_) {
         if (findings.repeated_samples++ == 0) findings.first_repeated = row.line;
         return;
@@ -116,7 +119,7 @@ class NumberReader {
     }
     if (pulse.time.size() == most_samples)
       faults_.refuse(row.line, "", "", fmt::format("more than {} samples", most_samples));
-    const double value = columns_.size() == 2 ? sample[1] : std::hypot(sample[1], sample[2], sample[3]);
+    const double value = components.empty() ? sample[1] : std::hypot(sample[1], sample[2], sample[3]);
     if (!std::isfinite(value)) {
       faults_.add(row.line, "", "", "the resultant is too large to compute with");
       return;
@@ -129,9 +132,10 @@ class NumberReader {
   }
 
   char separator_;
+  std::optional<double> interval_;  ///< s, where no column has the times
   std::size_t width_;
   MeasurementFaults& faults_;
-  std::vector<MeasuredColumn> columns_;  ///< the time first
+  std::vector<MeasuredColumn> columns_;  ///< the time first, if it has a column
   std::array<double, 4> latest_{};
 };
 
@@ -141,7 +145,7 @@ void require_no_numbers(const CsvHeader& header, const CsvColumns& columns, char
   for (const CsvHeader::Row& row : header.rows) {
     if (&row <= columns.names && columns.names != nullptr) continue;
     std::vector<MeasuredColumn> chosen = columns.acceleration;
-    chosen.insert(chosen.begin(), columns.time);
+    if (columns.time.number > 0) chosen.insert(chosen.begin(), columns.time);
     const auto field_of = [&](const MeasuredColumn& column) {
       const auto at = static_cast<std::size_t>(column.number - 1);
       return at < row.fields.size() ? std::string_view(row.fields[at]) : std::string_view();
@@ -161,18 +165,22 @@ struct Table {
   std::string content;
   std::string_view text;  ///< without byte order mark
   bool has_mark = false;
+  bool has_one_column = false;
   char separator = ',';
   CsvHeader header;
   CsvColumns columns;
 };
 
-void read_table(const std::filesystem::path& file, MeasurementFaults& faults, Table& table) {
+void read_table(const std::filesystem::path& file, const PulseCsvOptions& options, MeasurementFaults& faults,
+                Table& table) {
   table.content = read_measurement(file);
   table.text = text_in(table.content, faults);
   table.has_mark = table.text.size() < table.content.size();
   if (without_blanks(table.text).empty()) faults.refuse(0, "", "", "is empty");
-  table.separator = find_separator(table.text);
-  table.header = read_csv_header(table.text, table.separator);
+  const bool two_are_named = !options.time.empty() || (!options.interval && !options.acceleration.empty());
+  table.has_one_column = !two_are_named && is_one_column(table.text);
+  table.separator = table.has_one_column ? ';' : find_separator(table.text);
+  table.header = read_csv_header(table.text, table.separator, table.has_one_column ? 1 : 2);
   if (table.header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
   table.columns = name_columns(table.header);
 }
@@ -227,17 +235,26 @@ void judge_gaps(const NumberReader& numbers, const MeasuredColumn& time, bool br
 MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOptions& options) {
   MeasurementFaults faults(file.string());
   Table table;
-  read_table(file, faults, table);
+  read_table(file, options, faults, table);
+  if (table.has_one_column && !options.interval)
+    faults.refuse(
+        table.header.first_line, "", "",
+        "has one column of numbers, and no times; if that is the acceleration, --interval \"0.1 ms\" "
+        "tells the time between two samples");
   MeasuredPulse result{.format = "CSV", .resultant = options.resultant};
   choose_columns(table.columns, table.header, options, faults, result.remarks);
   faults.throw_if_any();
   require_no_numbers(table.header, table.columns, table.separator, faults);
 
-  NumberReader numbers(table.columns, table.separator, faults);
+  NumberReader numbers(table.columns, options.interval, table.separator, faults);
   CsvRows rows(table.text, table.separator);
   CsvRow row;
+  std::size_t blank_lines = 0;
   while (rows.next(row))
     if (row.line >= table.header.first_line) {
+      if (options.interval && row.line > table.header.first_line && rows.blank_lines() > blank_lines)
+        faults.add(row.line - 1, "", "", "has no content; without times a sample may be missing here");
+      blank_lines = rows.blank_lines();
       rows.begin_numbers();
       numbers.add(row);
     }
@@ -245,7 +262,7 @@ MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOp
   if (faults.none() && count < 2) faults.add(0, "", "", "has one sample only; a pulse needs two");
   faults.throw_if_any();
   std::vector<std::string> bridged;
-  judge_gaps(numbers, table.columns.time, options.bridge_gaps, faults, bridged);
+  if (!options.interval) judge_gaps(numbers, table.columns.time, options.bridge_gaps, faults, bridged);
   faults.throw_if_any();
 
   for (std::string& remark : remarks_on(numbers.findings, rows, table.has_mark))
@@ -262,7 +279,7 @@ MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOp
 std::vector<MeasuredColumn> pulse_csv_columns(const std::filesystem::path& file) {
   MeasurementFaults faults(file.string());
   Table table;
-  read_table(file, faults, table);
+  read_table(file, {}, faults, table);
   return table.columns.all;
 }
 

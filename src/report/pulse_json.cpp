@@ -52,7 +52,8 @@ Json column(const MeasuredColumn& of) {
           {"number", of.number > 0 ? Json(of.number) : Json(nullptr)},
           {"unit", of.unit},
           {"unit_origin", of.unit_origin},
-          {"si_factor", number(of.factor)}};
+          {"si_factor", number(of.factor)},
+          {"sensitivity", of.sensitivity.empty() ? Json(nullptr) : Json(of.sensitivity)}};
 }
 
 Json filter(const PulseReport& report) {
@@ -60,6 +61,39 @@ Json filter(const PulseReport& report) {
   return {{"channel_frequency_class", report.filter->channel_frequency_class},
           {"corner", to_string(report.filter->corner)},
           {"ends", to_string(report.filter->ends)}};
+}
+
+Json in_g(const std::vector<double>& accelerations) {
+  Json each = Json::array();
+  for (const double acceleration : accelerations) each.push_back(in_g(acceleration));
+  return each;
+}
+
+Json offset(const PulseReport& report) {
+  if (!report.offset) return nullptr;
+  const OffsetEffect& of = *report.offset;
+  return {{"begin_s", number(of.offset.begin)},
+          {"end_s", number(of.offset.end)},
+          {"interval", of.given ? "given" : "found"},
+          {"samples", of.offset.samples},
+          {"mean_g", in_g(of.offset.mean)},
+          {"scatter_g", in_g(of.offset.scatter)},
+          {"taken_off", of.taken_off},
+          {"hic15_with", number(of.hic15_with)},
+          {"hic15_without", number(of.hic15_without)}};
+}
+
+Json impact(const PulseReport& report) {
+  if (!report.impact) return nullptr;
+  return {{"speed_m_per_s", number(report.impact->speed)},
+          {"drop_height_m", number(report.impact->drop_height)},
+          {"restitution", number(restitution(report))}};
+}
+
+Json flags(const PulseReport& report) {
+  Json all = Json::array();
+  for (const Flag& flag : report.flags) all.push_back({{"name", flag.name}, {"text", flag.text}});
+  return all;
 }
 
 Json source(const PulseReport& report) {
@@ -82,7 +116,10 @@ Json source(const PulseReport& report) {
 std::string pulse_json(const PulseReport& report) {
   Json result;
   result["figures"] = figures(report);
+  result["impact"] = impact(report);
+  result["flags"] = flags(report);
   result["source"] = source(report);
+  result["offset"] = offset(report);
   result["processing"] = {
       {"resampled_to_s", report.resampled_to ? number(*report.resampled_to) : Json(nullptr)},
       {"filter", filter(report)},

@@ -49,8 +49,21 @@ std::string origin(const MeasuredColumn& column, const std::string& si_unit) {
                            : column.unit_origin == "header" ? "from the file"
                                                             : "by the format";
   std::string text = fmt::format("{} in {} ({})", one_line(column.name), column.unit, from);
+  if (!column.sensitivity.empty()) text += ", at " + one_line(column.sensitivity);
   if (column.factor != 1) text += fmt::format(", 1 {} = {:.7g} {}", column.unit, column.factor, si_unit);
   return text;
+}
+
+std::string offset_line(const PulseReport& report, const UnitSystem& units) {
+  if (!report.offset) return "";
+  const auto& [offset, given, taken_off, with, without] = *report.offset;
+  const std::string interval =
+      fmt::format("the mean of {} samples {}", offset.samples, stretch(offset.begin, offset.end, units));
+  const std::string scatter = "scatter " + each_in_g(offset.scatter, report.figures.peak.magnitude);
+  const std::string mean = each_in_g(offset.mean, report.figures.peak.magnitude);
+  if (!taken_off) return fmt::format("  quiet part    {}, {}; {}\n", mean, interval, scatter);
+  return fmt::format("  zeroed        {} taken off, {}; {}; {}\n", mean, interval, scatter,
+                     change_of_hic15(*report.offset));
 }
 
 std::string source(const PulseReport& report, const UnitSystem& units) {
@@ -68,8 +81,10 @@ std::string source(const PulseReport& report, const UnitSystem& units) {
   if (report.resampled_to)
     text += fmt::format("  resampled every {}: {} samples\n",
                         brief_quantity(*report.resampled_to, "s", units), report.pulse.time.size());
+  text += offset_line(report, units);
   text += fmt::format("  filter        {}\n", report.filter ? filter_words(*report.filter) : "none");
   for (const std::string& remark : measured.remarks) text += "  REMARK: " + one_line(remark) + "\n";
+  for (const Flag& flag : report.flags) text += "  " + flag.text + "\n";
   return text;
 }
 
@@ -99,6 +114,9 @@ std::string injury_text(const InjuryFigures& figures, const UnitSystem& units) {
 
 std::string pulse_text(const PulseReport& report, const UnitSystem& units) {
   std::string text = source(report, units) + "\n" + injury_text(report.figures, units);
+  if (report.impact)
+    text += row("Restitution", significant(*restitution(report)), "", 0,
+                "of an impact at " + brief_quantity(report.impact->speed, "m/s", units));
   for (const WindowedHic& of : report.windows)
     text += hic_row("HIC, " + brief(1e3 * of.longest_window) + " ms", of.hic, 0, units);
   for (const DwellTime& of : report.dwells)

@@ -1,10 +1,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "dashpad/report/pulse_text.hpp"
 
 namespace dashpad {
+
+/// "1.2, 0, -0.3 g", of accelerations in m/s2; 0 for what is 0 up to rounding, compared with the peak.
+std::string each_in_g(const std::vector<double>& accelerations, double peak);
+
+/// "HIC15 is 4.4 % higher with it than without".
+std::string change_of_hic15(const OffsetEffect& effect);
 
 /// "CFC1000, corner of SAE J211, ends mirrored".
 std::string filter_words(const PulseFilter& filter);

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -279,7 +280,12 @@ TEST(fault, message_holds_all_faults_but_is_not_endless) {
   const std::string two = InputError({Fault{"a", 1, "", "", "x"}, Fault{"a", 2, "", "", "y"}}).what();
   EXPECT_EQ(two, "a:1: x\na:2: y");
   const std::string many = InputError(std::vector<Fault>(1000, Fault{"a", 1, "", "", "x"})).what();
-  EXPECT_TRUE(many.ends_with("\nand 800 more faults"));
+  EXPECT_TRUE(many.ends_with("\nand 995 more of this kind"));
+  std::vector<Fault> kinds;
+  for (std::size_t i = 0; i < 1000; ++i) kinds.push_back({"a", 1, std::string(i, 'k'), "", "x"});
+  const std::string all = InputError(kinds).what();
+  EXPECT_TRUE(all.ends_with("\n..."));
+  EXPECT_EQ(std::ranges::count(all, '\n'), 200);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "dashpad/io/fault.hpp"
 #include "dashpad/measurement/pulse_csv.hpp"
+#include "dashpad/units/quantity.hpp"
 #include "temporary_folder.hpp"
 
 namespace dashpad {
@@ -45,6 +46,7 @@ std::string said(const std::string& text, const PulseCsvOptions& options = {}) {
   return "";
 }
 
+const Sensitivity ten_mv_per_g = sensitivity_of("10 mV/g");
 const PulseCsvOptions in_ms_and_g{.time_unit = "ms", .acceleration_unit = "g"};
 
 /// The same two samples in many styles.
@@ -202,6 +204,57 @@ TEST(pulse_csv, lists_columns) {
   EXPECT_EQ(columns[1].number, 2);
 }
 
+TEST(pulse_csv, a_table_without_times_is_read_with_an_interval) {
+  for (const std::string text :
+       {"acc [g]\n1\n3\n", "acc [g]\n1,0\n3\n", "Logger 12 34\nacc\n[g]\n1.0\n3.0\n", "a_g\r\n1\r\n3\r\n\r\n",
+        "count,a_g\n7,1\n8,3\n", "time [ms];a_g\n0,7;1,0\n0,7;3,0\n", "# a_g\n1\n3\n"}) {
+    SCOPED_TRACE(text);
+    const PulseCsvOptions options{.interval = 2e-3};
+    ASSERT_EQ(said(text, options), "");
+    const MeasuredPulse measured = read(text, options);
+    EXPECT_THAT(measured.pulse.time, ElementsAre(0, 2e-3));
+    EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {g, 3 * g}));
+    EXPECT_EQ(measured.time.number, 0);
+    EXPECT_EQ(measured.time.unit_origin, "given");
+  }
+  EXPECT_THAT(read("time [ms],a_g\n0,1\n0,3\n", {.interval = 2e-3}).remarks,
+              ElementsAre("the times of column 1, time [ms], were not read: --interval was given"));
+  EXPECT_THAT(read("1,5\n3,5\n-2,5\n", {.acceleration_unit = "g", .interval = 2e-3}).pulse.acceleration,
+              Pointwise(DoubleEq(), {1.5 * g, 3.5 * g, -2.5 * g}));
+  EXPECT_THAT(read("ax [g],ay [g]\n3,4\n6,8\n", {.resultant = true, .interval = 2e-3}).pulse.acceleration,
+              Pointwise(DoubleEq(), {5 * g, 10 * g}));
+}
+
+TEST(pulse_csv, volts_become_an_acceleration_with_a_sensitivity) {
+  const Sensitivity half = sensitivity_of("5 mV/g");
+  for (const auto& [text, options] : std::vector<std::pair<std::string, PulseCsvOptions>>{
+           {"t_ms,ch1 [mV]\n0,10\n2,30\n", {.sensitivity = {ten_mv_per_g}}},
+           {"t_ms,acc [V]\n0,0.01\n2,0.03\n", {.sensitivity = {ten_mv_per_g}}},
+           {"t_ms,acc [V],old_g\n0,0.01,7\n2,0.03,7\n", {.sensitivity = {ten_mv_per_g}}},
+           {"Time,ch1\n[ms],[mV]\n0,10\n2,30\n", {.sensitivity = {ten_mv_per_g}}},
+           {"t_ms,ch1\n0,10\n2,30\n",
+            {.acceleration = {"ch1"}, .acceleration_unit = "mV", .sensitivity = {ten_mv_per_g}}},
+           {"ch1 [mV]\n10\n30\n", {.sensitivity = {ten_mv_per_g}, .interval = 2e-3}},
+           {"t_ms,x [mV],y [mV]\n0,6,4\n2,18,12\n",
+            {.resultant = true, .sensitivity = {ten_mv_per_g, half}}}}) {
+    SCOPED_TRACE(text);
+    ASSERT_EQ(said(text, options), "");
+    const MeasuredPulse measured = read(text, options);
+    EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {g, 3 * g}));
+    EXPECT_EQ(measured.acceleration.front().sensitivity, "10 mV/g");
+  }
+  EXPECT_EQ(read("t_ms,a_g\n0,1\n2,3\n").acceleration.front().sensitivity, "");
+}
+
+TEST(pulse_csv, a_sensitivity_is_a_voltage_for_an_acceleration) {
+  EXPECT_DOUBLE_EQ(ten_mv_per_g.volts_per_acceleration, 10e-3 / g);
+  EXPECT_DOUBLE_EQ(sensitivity_of("0.5 V / (m/s2)").volts_per_acceleration, 0.5);
+  EXPECT_DOUBLE_EQ(sensitivity_of("1.02 mV/m/s^2").volts_per_acceleration, 1.02e-3);
+  for (const std::string text :
+       {"10 mV", "10", "10 g/mV", "10/g", "mV/g", "-1 mV/g", "0 mV/g", "10 mV/s", "/", ""})
+    EXPECT_THROW(sensitivity_of(text), UnitError) << text;
+}
+
 struct Bad {
   std::string text;
   std::string said;
@@ -270,7 +323,35 @@ const std::vector<Bad> bad_files{
     {"", ": is empty"},
     {"\n\n", "has no row of two numbers"},
     {"t_ms,a_g\n", "has no row of two numbers"},
-    {"t_ms\n1\n2\n", "has no row of two numbers"},
+    // One column.
+    {"t_ms\n1\n2\n", ":2: has one column of numbers, and no times"},
+    {"acc [g]\n0.1\n0.3\n0.2\n",
+     ":2: has one column of numbers, and no times; if that is the acceleration, "
+     "--interval \"0.1 ms\" tells the time between two samples"},
+    {"acc [g]\n0,1\n0,3\n0,2\n", ":2: has one column of numbers"},
+    {"Logger 12 34\nacc [g]\n0.1\n0.3\n0.2\n0.1\n", ":3: has one column of numbers"},
+    {"1\n3\n", ": column 1: the acceleration needs a unit", {.interval = 2e-3}},
+    {"acc [g]\n1\n\n3\n",
+     ":3: has no content; without times a sample may be missing here",
+     {.interval = 2e-3}},
+    {"acc [g]\n1\nx\n3\n", ":3: acc [g] = x: must be a number", {.interval = 2e-3}},
+    {"acc [g]\n1\n", "has one sample only", {.interval = 2e-3}},
+    {"ax [g],ay [g]\n1,2\n3,4\n", "several columns may be the acceleration", {.interval = 2e-3}},
+    // Volts.
+    {"t_ms,ch1 [mV]\n0,1\n2,3\n",
+     "no column is recognized as the acceleration; name it with --acceleration: t_ms (1), ch1 [mV] (2); "
+     "column 2 "
+     "is in mV, for which --sensitivity is needed, such as \"10 mV/g\""},
+    {"t_ms,ch1 [mV]\n0,1\n2,3\n",
+     ":1: ch1 [mV]: is in mV; --sensitivity, such as \"10 mV/g\", makes an acceleration of it",
+     {.acceleration = {"2"}}},
+    {"t_ms,a_g\n0,1\n2,3\n",
+     ":1: a_g: is in g; --sensitivity is for a column in V or mV",
+     {.sensitivity = {ten_mv_per_g}}},
+    {"t_ms,acc\n0,1\n2,3\n", "give --acceleration-unit V, mV", {.sensitivity = {ten_mv_per_g}}},
+    {"t_ms,x [V],y [V],z [V]\n0,1,1,1\n2,3,3,3\n",
+     "2 sensitivities were given for 3 accelerations; give one for all, or one for each",
+     {.resultant = true, .sensitivity = {ten_mv_per_g, ten_mv_per_g}}},
     // No text.
     {std::string("t_ms,a_g\n0,1\n\0,2", 15), ":3: is not text: it holds the byte 0"},
     {"\xff\xfet", ":1: is UTF-16; save it as UTF-8"},

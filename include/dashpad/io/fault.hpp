@@ -19,7 +19,12 @@ struct Fault {
 /// "case.toml:12: impactor.speed = \"20\": rule" - one line.
 std::string to_string(const Fault& fault);
 
-/// Bad input. Carries every fault found, not only the first; what() has one fault a line.
+/// What is shown of many faults. Of more than five lines of one kind the first five, then "and 195 more of
+/// this kind". Of one kind are lines that differ only in their numbers and in the value between " = " and the
+/// last ": ".
+std::vector<std::string> abridged(const std::vector<std::string>& lines);
+
+/// Bad input. Carries every fault found, not only the first; what() has one fault a line, abridged.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Fault> faults);

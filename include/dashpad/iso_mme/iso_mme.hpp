@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dashpad/measurement/measured_pulse.hpp"
+#include "dashpad/measurement/sensitivity.hpp"
 
 namespace dashpad {
 
@@ -29,8 +30,9 @@ std::vector<IsoMmeChannel> iso_mme_channels(const std::filesystem::path& file);
 struct IsoMmeOptions {
   std::string channel = {};  ///< number, or code in which ? stands for any character; empty: the only
                              ///< acceleration
-  std::string acceleration_unit = {};  ///< empty: that of the file
-  bool resultant = false;              ///< combine the directions X, Y, Z that `channel` matches
+  std::string acceleration_unit = {};         ///< empty: that of the file
+  bool resultant = false;                     ///< combine the directions X, Y, Z that `channel` matches
+  std::vector<Sensitivity> sensitivity = {};  ///< as in PulseCsvOptions; the directions in the order X, Y, Z
 };
 
 /// Nothing outside of the folder or archive is read: links are not followed, and an archive with a name that

@@ -16,6 +16,7 @@ struct MeasuredColumn {
   std::string unit = {};         ///< as given or as in the file; empty if nobody said
   std::string unit_origin = {};  ///< "given", "header"; "format" where the file format fixes it
   double factor = 1;             ///< one unit in SI
+  std::string sensitivity = {};  ///< as given, "10 mV/g", where the unit is one of volts; else empty
 };
 
 struct MeasuredPulse {
