@@ -144,6 +144,20 @@ TEST_F(StudyTest, ASignalStopsItAndTheSameCommandGoesOn) {
   EXPECT_THAT(whole.out, AllOf(HasSubstr("80000 rows in"), Not(HasSubstr("80000 computed"))));
 }
 
+/// nohup ignores SIGHUP, and a script in the background SIGINT: neither stops the study then.
+TEST_F(StudyTest, ASignalThatIsIgnoredStaysIgnored) {
+  write_file(file("long.toml"), with(drawn_study, "samples = 200", "samples = 5000"));
+  for (const char* signal : {"HUP", "INT", "TERM"}) {
+    const std::string store = file(std::string{signal} + ".db");
+    const Outcome outcome =
+        shell("trap '' " + std::string{signal} + "\n$DASHPAD study " + file("long.toml") + " --out " + store +
+              " --quiet &\nuntil [ -e " + store + " ]; do sleep 0.02; done; for i in 1 2 3; do kill -" +
+              signal + " $!; sleep 0.05; done; wait $!");
+    EXPECT_EQ(outcome.exit_code, 0) << signal << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("20000 rows in")) << signal;
+  }
+}
+
 /// The run is stopped in the middle (SIGSTOP), so that it is there for certain while others read.
 TEST_F(StudyTest, IsReadWhileItRuns) {
   write_file(file("long.toml"), with(drawn_study, "samples = 200", "samples = 50000"));
