@@ -34,6 +34,7 @@ study::Store open_stored(const std::string& file) {
 
 int finish_study(const study::Store& store, const StudyRequest& request, std::uint64_t rows_before,
                  double seconds, bool complete) {
+  store.check_in_place();
   const std::uint64_t rows = store.rows_done();
   const auto computed = static_cast<double>(rows - rows_before);
   if (!complete) {

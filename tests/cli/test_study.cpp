@@ -158,6 +158,21 @@ TEST_F(StudyTest, ASignalThatIsIgnoredStaysIgnored) {
   }
 }
 
+TEST_F(StudyTest, AStoreThatIsDeletedOrReplacedWhileItRunsIsNoticed) {
+  write_file(file("long.toml"), with(drawn_study, "samples = 200", "samples = 20000"));
+  const std::string store = file("long.db");
+  for (const std::string& action : {"rm " + store, "cp case.toml other; mv other " + store}) {
+    const Outcome outcome =
+        shell("cd " + fs::path(store).parent_path().string() + "\n$DASHPAD study long.toml --out " + store +
+              " --quiet &\nuntil [ -s " + store + "-wal ]; do sleep 0.02; done; kill -STOP $!; " + action +
+              "; kill -CONT $!; wait $!");
+    EXPECT_EQ(outcome.exit_code, 1) << action << outcome.out;
+    EXPECT_EQ(outcome.out, "") << action;
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr(store), HasSubstr("deleted, renamed or replaced"))) << action;
+    for (const char* left : {"long.db", "long.db-wal", "long.db-shm"}) fs::remove(file(left));
+  }
+}
+
 /// The run is stopped in the middle (SIGSTOP), so that it is there for certain while others read.
 TEST_F(StudyTest, IsReadWhileItRuns) {
   write_file(file("long.toml"), with(drawn_study, "samples = 200", "samples = 50000"));
