@@ -151,6 +151,18 @@ TEST(responses, missing_by_nature_make_no_row_doubtful) {
   EXPECT_TRUE(is_doubtful(outcome, names)) << "the largest force so far is there";
 }
 
+/// Rigid foam on a rigid support: the force ends at its peak. The end of contact has no value by nature, HIC
+/// has none that could be relied on.
+TEST(responses, of_a_pulse_that_is_cut_are_doubtful_where_they_need_it_whole) {
+  Solution cut = dashboard();
+  cut.summary.contact_end.reset();
+  const std::vector<std::string> hic{"hic15"};
+  EXPECT_TRUE(std::isnan(outcome_of(cut, hic).values.at(0)));
+  EXPECT_TRUE(is_doubtful(outcome_of(cut, hic), hic));
+  const std::vector<std::string> all = default_responses();
+  EXPECT_FALSE(is_doubtful(outcome_of(cut, all), all));
+}
+
 TEST(responses, may_be_below_zero_where_they_have_a_sign) {
   EXPECT_TRUE(is_possible(*find_response_kind("energy_absorbed_fraction"), -0.01));
   EXPECT_TRUE(is_possible(*find_response_kind("velocity_change"), -9));

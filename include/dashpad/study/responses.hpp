@@ -33,8 +33,8 @@ const ResponseKind* find_response_kind(const std::string& name);
 /// Whether an impact can have this value, SI: finite, and not below zero unless the response has a sign.
 bool is_possible(const ResponseKind& kind, double value);
 
-/// Whether a good solution of that status has the response. An injury figure may be absent all the same, of a
-/// pulse that is not whole.
+/// Whether a good solution of that status has the response: always, but for the end of contact of an impactor
+/// that stays on the pad. An injury figure counts as promised, although a pulse that is not whole has none.
 bool has_response(const ResponseKind& kind, Status status);
 
 /// Those that cost nothing beyond the solution: all that are not of the pulse.
