@@ -18,21 +18,25 @@ void note(int signal) {
   is_wanted = true;
 }
 
-void handle(void (*handler)(int), int flags) {
-  struct sigaction action {};
-  action.sa_handler = handler;
-  action.sa_flags = flags;
-  for (const int signal : signals) ::sigaction(signal, &action, nullptr);
-}
+std::array<struct sigaction, signals.size()> before;
 
 }  // namespace
 
 StopSignal::StopSignal() {
   is_wanted = false;
-  handle(note, static_cast<int>(SA_RESTART | SA_RESETHAND));
+  struct sigaction action {};
+  action.sa_handler = note;
+  action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    ::sigaction(signals[i], nullptr, &before[i]);
+    // Whoever started this with nohup, or in the background of a script, wants it to go on.
+    if (before[i].sa_handler != SIG_IGN) ::sigaction(signals[i], &action, nullptr);
+  }
 }
 
-StopSignal::~StopSignal() { handle(SIG_DFL, 0); }
+StopSignal::~StopSignal() {
+  for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before[i], nullptr);
+}
 
 const std::atomic<bool>& StopSignal::wanted() { return is_wanted; }
 

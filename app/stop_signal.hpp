@@ -6,7 +6,8 @@
 namespace dashpad {
 
 /// While this lives, the first SIGINT, SIGTERM or SIGHUP sets wanted(); the second one ends the program at
-/// once, as it does elsewhere. One at a time.
+/// once, as it does elsewhere. A signal that is ignored at the beginning (nohup) stays ignored. One at a
+/// time.
 class StopSignal {
  public:
   StopSignal();

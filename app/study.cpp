@@ -36,7 +36,8 @@ and none is computed twice. While it runs, summary, export and any SQLite tool r
 Under mpirun each rank computes on one core. docs/studies.md tells all.
 
 Exit codes: 0 all rows are there, 1 a result could not be written, 2 refused and nothing was run, 3 all rows
-are there but some miss the tolerance, 130 or 143 stopped by Ctrl-C or SIGTERM: the same command goes on.)";
+are there but some are doubtful (tolerance missed, no valid case, a figure missing), 130 or 143 stopped by
+Ctrl-C or SIGTERM: the same command goes on.)";
 
 int run_here(const StudyRequest& request, const fs::path& materials) {
   const study::Study study = study::read_study(request.study_file, materials);

@@ -45,6 +45,7 @@ std::vector<InputFile> files_of_store(const std::string& file) {
 
 int finish_study(const study::Store& store, const StudyRequest& request, std::uint64_t rows_before,
                  double seconds, bool complete) {
+  store.check_in_place();
   const std::uint64_t rows = store.rows_done();
   const auto computed = static_cast<double>(rows - rows_before);
   if (!complete) {
@@ -52,13 +53,15 @@ int finish_study(const study::Store& store, const StudyRequest& request, std::ui
                             rows, request.store_file));
     return StopSignal::exit_code();
   }
-  const std::uint64_t doubtful = study::doubtful_rows(store);
+  const auto [doubtful, struck_through] = study::row_counts(store);
   std::string line = fmt::format("{} rows in {}", rows, request.store_file);
   line += rows == rows_before ? "; they were all there"
                               : fmt::format("; {} computed in {:.3g} s, {}", rows - rows_before, seconds,
                                             rate_text(computed, seconds));
-  line += fmt::format("; {} doubtful{}\n", doubtful,
-                      doubtful > 0 ? " (tolerance not met, or no valid case)" : "");
+  line += fmt::format("; {} doubtful{}", doubtful,
+                      doubtful > 0 ? " (tolerance not met, no valid case, or a figure missing)" : "");
+  if (struck_through > 0) line += fmt::format("; {} struck through", struck_through);
+  line += "\n";
   write_output(line);
   return doubtful > 0 ? exit_not_trusted : exit_done;
 }

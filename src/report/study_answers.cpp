@@ -22,15 +22,15 @@ StudyAnswers::OfGroup of_group(const StudyAnswers& answers, const study::Design&
   StudyAnswers::OfGroup of{
       .group = std::move(group), .distributions = {}, .exceedances = {}, .sensitivities = {}};
   for (const std::size_t response : answers.responses) {
-    of.distributions.push_back(
-        study::distribution(study::values_of(answers.records, of.group, response), of.group.drawn));
+    of.distributions.push_back(study::distribution(
+        study::values_of(answers.study, answers.records, of.group, response), of.group.drawn));
     of.sensitivities.push_back(
         study::sensitivity(answers.study, design, answers.records, combination, response));
   }
   for (const StudyLimit& limit : answers.limits) {
     const std::size_t response = number_of(answers.study, limit.response);
-    of.exceedances.push_back(study::exceedance(study::values_of(answers.records, of.group, response),
-                                               limit.value, of.group.drawn));
+    of.exceedances.push_back(study::exceedance(
+        study::readings_of(answers.study, answers.records, of.group, response), limit.value, of.group.drawn));
   }
   return of;
 }

@@ -22,10 +22,10 @@ std::string name_of(const StudyAnswers& answers, std::size_t i) {
   return answers.study.responses[answers.responses[i]];
 }
 
-/// The share of rows at or below each value; rows without a value count as above all of them.
+/// The share of rows at or below each value; rows that struck through or have no value count as above all.
 Series distribution_function(std::vector<double> values, double scale) {
   const auto all = static_cast<double>(values.size());
-  std::erase_if(values, [](double value) { return std::isnan(value); });
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
   std::ranges::sort(values);
   Series series{.style = SeriesStyle::solid_line};
   const std::size_t count = values.size();
@@ -47,8 +47,8 @@ Panel distribution_panel(const StudyAnswers& answers, std::size_t i, const UnitS
               .series = {}};
   for (std::size_t group = 0; group < std::min(answers.groups.size(), most_lines); ++group) {
     const study::Group& of = answers.groups[group].group;
-    panel.series.push_back(
-        distribution_function(study::values_of(answers.records, of, answers.responses[i]), shown.scale));
+    panel.series.push_back(distribution_function(
+        study::values_of(answers.study, answers.records, of, answers.responses[i]), shown.scale));
     panel.series.back().label = group_label(answers, of, units);
     panel.series.back().turn = group;
   }

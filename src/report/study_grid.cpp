@@ -1,6 +1,7 @@
 #include "report/study_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -21,9 +22,12 @@ std::vector<Cell> cells_of(const StudyAnswers& answers, std::size_t response) {
   std::vector<Cell> cells;
   const std::vector<std::size_t> factors = level_factors(answers.study);
   if (answers.groups.front().group.drawn) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
     constexpr std::size_t median = 3;
-    for (const StudyAnswers::OfGroup& of : answers.groups)
-      cells.push_back({of.group.levels, of.distributions[response].quantiles[median].value.value});
+    for (const StudyAnswers::OfGroup& of : answers.groups) {
+      const double value = of.distributions[response].quantiles[median].value.value;
+      cells.push_back({of.group.levels, std::isfinite(value) ? value : none});
+    }
     return cells;
   }
   for (std::size_t place = 0; place < answers.records.rows.size(); ++place) {

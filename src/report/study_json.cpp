@@ -19,17 +19,27 @@ Json distribution_json(const std::string& response, const study::Distribution& o
     json.update(estimate_json(quantile.value));
     quantiles.push_back(json);
   }
-  return {
-      {"response", response},       {"unit", si_unit_of(response)},    {"rows", of.rows},
-      {"rows_without", of.without}, {"mean", estimate_json(of.mean)},  {"deviation", number(of.deviation)},
-      {"least", number(of.least)},  {"greatest", number(of.greatest)}, {"quantiles", quantiles}};
+  return {{"response", response},
+          {"unit", si_unit_of(response)},
+          {"rows", of.rows},
+          {"rows_struck_through", of.struck_through},
+          {"rows_without", of.without},
+          {"mean", estimate_json(of.mean)},
+          {"deviation", number(of.deviation)},
+          {"least", number(of.least)},
+          {"greatest", number(of.greatest)},
+          {"quantiles", quantiles}};
 }
 
 Json exceedance_json(const StudyLimit& limit, const study::Exceedance& of) {
-  return {{"response", limit.response},   {"unit", si_unit_of(limit.response)},
-          {"limit", number(limit.value)}, {"probability", estimate_json(of.probability)},
-          {"rows_above", of.exceeding},   {"rows", of.rows},
-          {"rows_without", of.without}};
+  return {{"response", limit.response},
+          {"unit", si_unit_of(limit.response)},
+          {"limit", number(limit.value)},
+          {"probability", estimate_json(of.probability)},
+          {"rows_above", of.exceeding},
+          {"rows_struck_through", of.struck_through},
+          {"rows", of.rows},
+          {"rows_undecided", of.undecided}};
 }
 
 Json sensitivity_json(const std::string& response, const study::Sensitivity& of) {
@@ -99,6 +109,8 @@ std::string study_json(const StudyAnswers& answers) {
                {"rows_doubtful", answers.records.doubtful},
                {"rows_extrapolated", answers.records.extrapolated},
                {"rows_bottomed", answers.records.bottomed},
+               {"rows_struck_through", answers.records.struck_through},
+               {"rows_at_time_limit", answers.records.time_limit},
                {"are_draws", answers.groups.front().group.drawn},
                {"interval", 0.95},
                {"groups", groups}};

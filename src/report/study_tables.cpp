@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/study/responses.hpp"
 #include "io/text.hpp"
 #include "report/study_words.hpp"
 
@@ -19,13 +20,27 @@ std::string name_of(const StudyAnswers& answers, std::size_t response) {
   return answers.study.responses[response];
 }
 
+/// Of so many rows: "229 (22.9 %)". Only what grows with the force is unbounded then.
+std::string struck_through(const std::string& response, std::uint64_t count, std::uint64_t rows) {
+  const study::ResponseKind* kind = study::find_response_kind(response);
+  if (kind == nullptr || kind->growth != study::Growth::with_force) return "-";
+  return fmt::format("{} ({} %)", count,
+                     four_digits(100 * static_cast<double>(count) / static_cast<double>(rows)));
+}
+
+std::string share_above(const study::Exceedance& of) {
+  if (of.rows > 0) return percent_with_interval(of.probability);
+  return fmt::format("undecided ({} to {})", four_digits(100 * of.probability.low),
+                     four_digits(100 * of.probability.high));
+}
+
 void add_distributions(PageTable& table, const StudyAnswers& answers, const StudyAnswers::OfGroup& of,
                        const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::string name = name_of(answers, answers.responses[i]);
     const study::Distribution& distribution = of.distributions[i];
     const ShownUnit shown = shown_as(si_unit_of(name), units);
-    const auto digits = [&](double value) { return four_digits(shown.scale * value); };
+    const auto digits = [&](double value) { return four_digits_or_struck(shown.scale * value); };
     Row row{label(name, si_unit_of(name), units), with_interval(distribution.mean, shown.scale),
             digits(distribution.deviation)};
     for (const study::Distribution::Quantile& quantile : distribution.quantiles)
@@ -33,6 +48,9 @@ void add_distributions(PageTable& table, const StudyAnswers& answers, const Stud
         row.push_back(with_interval(quantile.value, shown.scale));
     row.push_back(digits(distribution.least));
     row.push_back(digits(distribution.greatest));
+    if (answers.records.struck_through > 0)
+      row.push_back(struck_through(name, distribution.struck_through,
+                                   distribution.rows + distribution.struck_through + distribution.without));
     row.push_back(distribution.without == 0
                       ? std::to_string(distribution.rows)
                       : fmt::format("{} ({} without)", distribution.rows, distribution.without));
@@ -46,12 +64,16 @@ void add_exceedances(PageTable& table, const StudyAnswers& answers, const StudyA
     const StudyLimit& limit = answers.limits[i];
     const study::Exceedance& exceedance = of.exceedances[i];
     const ShownUnit shown = shown_as(si_unit_of(limit.response), units);
-    table.rows.push_back(
-        {limit.response,
-         four_digits(shown.scale * limit.value) + (shown.unit.empty() ? "" : " " + shown.unit),
-         percent_with_interval(exceedance.probability), std::to_string(exceedance.exceeding),
-         exceedance.without == 0 ? std::to_string(exceedance.rows)
-                                 : fmt::format("{} ({} without)", exceedance.rows, exceedance.without)});
+    Row row{limit.response,
+            four_digits(shown.scale * limit.value) + (shown.unit.empty() ? "" : " " + shown.unit),
+            share_above(exceedance), std::to_string(exceedance.exceeding)};
+    if (answers.records.struck_through > 0)
+      row.push_back(
+          struck_through(limit.response, exceedance.struck_through, exceedance.rows + exceedance.undecided));
+    row.push_back(exceedance.undecided == 0
+                      ? std::to_string(exceedance.rows)
+                      : fmt::format("{} ({} undecided)", exceedance.rows, exceedance.undecided));
+    table.rows.push_back(std::move(row));
   }
 }
 
@@ -64,6 +86,12 @@ void add_indices(PageTable& table, const StudyAnswers& answers, const StudyAnswe
                             share_with_interval(index.first), share_with_interval(index.total),
                             std::to_string(of.sensitivities[i]->draws)});
   }
+}
+
+/// The columns, and where rows struck through a column for them before the last.
+Row with_struck_through(const StudyAnswers& answers, Row columns) {
+  if (answers.records.struck_through > 0) columns.insert(columns.end() - 1, "Struck through");
+  return columns;
 }
 
 using AddRows = void (*)(PageTable&, const StudyAnswers&, const StudyAnswers::OfGroup&, const UnitSystem&);
@@ -112,12 +140,14 @@ std::vector<PageTable> study_tables(const StudyAnswers& answers, const UnitSyste
   const bool drawn = answers.groups.front().group.drawn;
   std::vector<PageTable> tables{over_groups(
       {.caption = "Distribution",
-       .columns = {"Response", "Mean", "Deviation", "5 %", "Median", "95 %", "Least", "Greatest", "Rows"}},
+       .columns = with_struck_through(
+           answers, {"Response", "Mean", "Deviation", "5 %", "Median", "95 %", "Least", "Greatest", "Rows"})},
       answers, units, add_distributions)};
   if (!answers.limits.empty())
     tables.push_back(over_groups(
         {.caption = drawn ? "Probability of more than a limit" : "Share of rows above a limit",
-         .columns = {"Response", "Limit", drawn ? "Probability (%)" : "Share (%)", "Rows above", "Rows"}},
+         .columns = with_struck_through(
+             answers, {"Response", "Limit", drawn ? "Probability (%)" : "Share (%)", "Rows above", "Rows"})},
         answers, units, add_exceedances));
   if (answers.study.indices)
     tables.push_back(over_groups(
@@ -149,14 +179,27 @@ std::vector<std::string> study_warnings(const StudyAnswers& answers) {
                     "command goes on.",
                     rows, answers.rows));
   if (records.doubtful > 0)
-    texts.push_back(fmt::format("DOUBTFUL: {} of {} rows miss the tolerance or make no valid case.",
-                                records.doubtful, rows));
-  if (records.bottomed > 0)
+    texts.push_back(fmt::format(
+        "DOUBTFUL: {} of {} rows miss the tolerance, make no valid case or lack a figure that was "
+        "asked for. No limit is decided by them.",
+        records.doubtful, rows));
+  if (records.struck_through > 0)
+    texts.push_back(fmt::format(
+        "STRUCK THROUGH: in {} of {} rows ({} %) the pad bottomed out on its rigid support, where the force "
+        "has no bound. They count as above every limit on force, acceleration, clips, HIC and severity "
+        "index, and as above all other rows in the quantiles; these responses have no mean.",
+        records.struck_through, rows,
+        four_digits(100 * static_cast<double>(records.struck_through) / static_cast<double>(rows))));
+  if (records.bottomed > records.struck_through)
     texts.push_back(
-        fmt::format("BOTTOMED: in {} of {} rows the pad was fully compressed. Rows without a finite "
-                    "force count as \"without\"; they are the hardest impacts, so means and quantiles "
-                    "of the others are too low.",
-                    records.bottomed, rows));
+        fmt::format("BOTTOMED: in {} of {} rows the pad was fully compressed and only the support gave way; "
+                    "they count by their figures.",
+                    records.bottomed - records.struck_through, rows));
+  if (records.time_limit > 0)
+    texts.push_back(fmt::format(
+        "TIME LIMIT: in {} of {} rows the impactor was still on the pad when the time was up. Their largest "
+        "values are lower bounds: a limit that they do not exceed is undecided.",
+        records.time_limit, rows));
   if (records.extrapolated > 0)
     texts.push_back(fmt::format("EXTRAPOLATED: {} of {} rows go beyond what the material was measured for.",
                                 records.extrapolated, rows));
@@ -166,11 +209,27 @@ std::vector<std::string> study_warnings(const StudyAnswers& answers) {
   return texts;
 }
 
+namespace {
+
+/// Factors that are correlated with one before them: the product with the Cholesky factor takes their draws
+/// out of their strata.
+std::string unstratified_factors(const study::Study& study) {
+  std::vector<bool> is_later(study.factors.size());
+  for (const study::Correlation& pair : study.correlations)
+    if (pair.value != 0) is_later[std::max(pair.first, pair.second)] = true;
+  std::string names;
+  for (std::size_t i = 0; i < is_later.size(); ++i)
+    if (is_later[i]) names += (names.empty() ? "" : ", ") + study.factors[i].key;
+  return names;
+}
+
+}  // namespace
+
 std::string interval_note(const StudyAnswers& answers) {
   if (!answers.groups.front().group.drawn)
     return "Figures are over the levels as they are, each row counting the same. A grid has no "
            "probabilities, so "
-           "there are no intervals.";
+           "there are no intervals; a range in brackets is that of undecided rows.";
   std::string note =
       "In brackets: 95 % intervals, of the mean by Student, of quantiles between order statistics, of "
       "probabilities by Clopper and Pearson. They cover the sampling only.";
@@ -179,6 +238,12 @@ std::string interval_note(const StudyAnswers& answers) {
         " They are made for independent draws; this study's are more even, so they are too wide rather than "
         "too "
         "narrow.";
+  const std::string names = unstratified_factors(answers.study);
+  if (answers.study.sampling == study::Sampling::latin_hypercube && !names.empty())
+    note += fmt::format(
+        " Not stratified: {}. Of two correlated factors only the first keeps one draw a stratum of the Latin "
+        "hypercube.",
+        names);
   return note;
 }
 

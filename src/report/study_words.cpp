@@ -23,10 +23,15 @@ std::string four_digits(double value) {
   return fmt::format("{:.4g}", value);
 }
 
+std::string four_digits_or_struck(double value) {
+  return value == HUGE_VAL ? "struck through" : four_digits(value);
+}
+
 std::string with_interval(const study::Estimate& estimate, double scale) {
-  const auto shown = [&](double value) { return four_digits(scale * value); };
+  const auto shown = [&](double value) { return four_digits_or_struck(scale * value); };
   if (std::isnan(estimate.low) || std::isnan(estimate.value)) return shown(estimate.value);
   const bool has_low = std::isfinite(estimate.low), has_high = std::isfinite(estimate.high);
+  if (estimate.low == HUGE_VAL) return shown(estimate.value);
   if (!has_low && !has_high) return shown(estimate.value) + " (too few rows)";
   if (!has_low) return fmt::format("{} (below {})", shown(estimate.value), shown(estimate.high));
   if (!has_high) return fmt::format("{} (above {})", shown(estimate.value), shown(estimate.low));
@@ -40,15 +45,13 @@ std::string share_with_interval(const study::Estimate& share) {
 std::string percent_with_interval(const study::Estimate& estimate) { return with_interval(estimate, 100); }
 
 std::string meaning_of(const std::string& response) {
-  for (const study::ResponseKind& kind : study::response_kinds())
-    if (response == kind.name) return kind.meaning;
-  return "";
+  const study::ResponseKind* kind = study::find_response_kind(response);
+  return kind == nullptr ? "" : kind->meaning;
 }
 
 std::string si_unit_of(const std::string& response) {
-  for (const study::ResponseKind& kind : study::response_kinds())
-    if (response == kind.name) return kind.unit;
-  return "1";
+  const study::ResponseKind* kind = study::find_response_kind(response);
+  return kind == nullptr ? "1" : kind->unit;
 }
 
 std::string label(const std::string& name, const std::string& si_unit, const UnitSystem& units) {

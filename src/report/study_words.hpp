@@ -17,7 +17,10 @@ ShownUnit shown_as(const std::string& si_unit, const UnitSystem& units);
 
 /// Four significant digits: what a study of some thousand rows can tell. "-" if not finite.
 std::string four_digits(double value);
-/// "12.3 (11.9 to 12.8)", "< 13" for a bound at one side only; without brackets where there is no interval.
+/// The same of a value that is infinite where the row struck through: those words then.
+std::string four_digits_or_struck(double value);
+/// "12.3 (11.9 to 12.8)", "12.3 (below 13)" for a bound at one side only; without brackets where there is no
+/// interval. An infinite value is "struck through".
 std::string with_interval(const study::Estimate& estimate, double scale = 1);
 /// The same with three decimals: shares.
 std::string share_with_interval(const study::Estimate& share);

@@ -26,7 +26,7 @@ std::vector<double> sorted_values(std::span<const double> values) {
   return present;
 }
 
-/// Two passes: the first one's mean keeps the squares small.
+/// Two passes: the first one's mean keeps the squares small. `values` are finite.
 void set_moments(Distribution& of, const std::vector<double>& values, bool drawn) {
   const auto count = static_cast<double>(values.size());
   double sum = 0;
@@ -81,38 +81,43 @@ double upper_bound(std::uint64_t count, std::uint64_t successes) {
 Distribution distribution(std::span<const double> values, bool drawn) {
   const std::vector<double> present = sorted_values(values);
   Distribution of;
-  of.rows = present.size();
+  of.struck_through = static_cast<std::uint64_t>(std::ranges::count(present, infinity));
+  of.rows = present.size() - of.struck_through;
   of.without = values.size() - present.size();
+  of.mean = {nan, nan, nan};
+  of.deviation = of.least = of.greatest = nan;
   if (present.empty()) {
-    of.mean = {nan, nan, nan};
-    of.deviation = of.least = of.greatest = nan;
     for (const double probability : probabilities) of.quantiles.push_back({probability, {nan, nan, nan}});
     return of;
   }
   of.least = present.front();
   of.greatest = present.back();
-  set_moments(of, present, drawn);
+  if (of.struck_through == 0) set_moments(of, present, drawn);
   for (const double probability : probabilities)
     of.quantiles.push_back({probability, quantile_of(present, probability, drawn)});
   return of;
 }
 
-Exceedance exceedance(std::span<const double> values, double limit, bool drawn) {
+Exceedance exceedance(std::span<const Reading> rows, double limit, bool drawn) {
   Exceedance of;
   of.limit = limit;
-  for (const double value : values) {
-    if (std::isnan(value))
-      ++of.without;
-    else
-      ++of.rows;
-    if (value > limit) ++of.exceeding;
+  for (const Reading& row : rows) {
+    if (row.low > limit)
+      ++of.exceeding;
+    else if (!(row.high <= limit))
+      ++of.undecided;
+    if (row.low == infinity) ++of.struck_through;
   }
+  const std::uint64_t all = rows.size(), most = of.exceeding + of.undecided;
+  of.rows = all - of.undecided;
   of.probability = {nan, nan, nan};
   if (of.rows > 0) of.probability.value = static_cast<double>(of.exceeding) / static_cast<double>(of.rows);
-  const std::uint64_t all = of.rows + of.without;
-  if (!drawn || all == 0) return of;
-  of.probability.low = lower_bound(all, of.exceeding);
-  of.probability.high = upper_bound(all, of.exceeding + of.without);
+  if (all == 0 || (!drawn && of.undecided == 0)) return of;
+  const auto share = [&](std::uint64_t count) {
+    return static_cast<double>(count) / static_cast<double>(all);
+  };
+  of.probability.low = drawn ? lower_bound(all, of.exceeding) : share(of.exceeding);
+  of.probability.high = drawn ? upper_bound(all, most) : share(most);
   return of;
 }
 

@@ -1,6 +1,8 @@
 // The rows of a store in memory, and which of them belong together.
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "dashpad/study/answers.hpp"
 
@@ -8,7 +10,18 @@ namespace dashpad::study {
 
 namespace {
 
-bool is_doubtful(Status status) { return status == Status::tolerance_not_met || status == Status::not_run; }
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::vector<std::string> names_of(const std::vector<StoredColumn>& columns) {
+  std::vector<std::string> names;
+  for (const StoredColumn& column : columns) names.push_back(column.name);
+  return names;
+}
+
+bool grows_with_force(const Study& study, std::size_t response) {
+  const ResponseKind* kind = find_response_kind(study.responses[response]);
+  return kind != nullptr && kind->growth == Growth::with_force;
+}
 
 std::uint64_t combinations(const Study& study) {
   std::uint64_t count = 1;
@@ -28,19 +41,34 @@ Records read_records(const Study& study, const Store& store) {
     for (std::size_t i = 0; i < records.factors.size(); ++i) records.factors[i].push_back(row.factors[i]);
     for (std::size_t i = 0; i < records.responses.size(); ++i)
       records.responses[i].push_back(row.outcome.values[i]);
-    if (is_doubtful(row.outcome.status)) ++records.doubtful;
+    records.statuses.push_back(row.outcome.status);
+    if (is_doubtful(row.outcome, study.responses)) ++records.doubtful;
     if (row.outcome.extrapolated) ++records.extrapolated;
     if (row.outcome.bottomed) ++records.bottomed;
+    if (row.outcome.status == Status::bottomed_out) ++records.struck_through;
+    if (row.outcome.status == Status::time_limit) ++records.time_limit;
   });
   return records;
 }
 
-std::uint64_t doubtful_rows(const Store& store) {
-  std::uint64_t count = 0;
+bool is_doubtful(const Outcome& outcome, std::span<const std::string> responses) {
+  if (outcome.status == Status::tolerance_not_met || outcome.status == Status::not_run) return true;
+  for (std::size_t i = 0; i < responses.size(); ++i) {
+    const ResponseKind* kind = find_response_kind(responses[i]);
+    if (kind != nullptr && std::isnan(outcome.values.at(i)) && has_response(*kind, outcome.status))
+      return true;
+  }
+  return false;
+}
+
+RowCounts row_counts(const Store& store) {
+  const std::vector<std::string> responses = names_of(store.responses());
+  RowCounts counts;
   store.visit_rows([&](const StoredRow& row) {
-    if (is_doubtful(row.outcome.status)) ++count;
+    if (is_doubtful(row.outcome, responses)) ++counts.doubtful;
+    if (row.outcome.status == Status::bottomed_out) ++counts.struck_through;
   });
-  return count;
+  return counts;
 }
 
 std::vector<Group> groups(const Study& study, const Design& design, const Records& records) {
@@ -62,11 +90,32 @@ std::vector<Group> groups(const Study& study, const Design& design, const Record
   return result;
 }
 
-std::vector<double> values_of(const Records& records, const Group& group, std::size_t response) {
+std::vector<double> values_of(const Study& study, const Records& records, const Group& group,
+                              std::size_t response) {
+  const bool unbounded = grows_with_force(study, response);
   std::vector<double> values;
   values.reserve(group.places.size());
-  for (const std::size_t place : group.places) values.push_back(records.responses[response][place]);
+  for (const std::size_t place : group.places)
+    values.push_back(unbounded && records.statuses[place] == Status::bottomed_out
+                         ? infinity
+                         : records.responses[response][place]);
   return values;
+}
+
+std::vector<Reading> readings_of(const Study& study, const Records& records, const Group& group,
+                                 std::size_t response) {
+  const ResponseKind* kind = find_response_kind(study.responses[response]);
+  const bool grows = kind != nullptr && kind->growth != Growth::none;
+  const std::vector<double> values = values_of(study, records, group, response);
+  std::vector<Reading> readings;
+  readings.reserve(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Status status = records.statuses[group.places[i]];
+    const bool is_final = status == Status::released || status == Status::bottomed_out;
+    const bool is_known = !std::isnan(values[i]) && (is_final || (status == Status::time_limit && grows));
+    readings.push_back({is_known ? values[i] : -infinity, is_known && is_final ? values[i] : infinity});
+  }
+  return readings;
 }
 
 }  // namespace dashpad::study

@@ -6,9 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "io/text.hpp"
+
 namespace dashpad::study {
 
 namespace {
+
+constexpr int milliseconds_for_others = 2000;
 
 /// `message` is SQLite's.
 std::string advice(int code, int system_error, const std::string& message) {
@@ -34,7 +38,7 @@ std::string advice(int code, int system_error, const std::string& message) {
              "; all rows written so far are kept: see to the disk (its room, limits on the size of files) "
              "and "
              "give the same command again";
-    default: return message;
+    default: return one_line(message);
   }
 }
 
@@ -47,7 +51,6 @@ std::string sql_name(std::string_view name) {
 }
 
 Database::Database(const std::filesystem::path& file, Access access) : name_(file.string()) {
-  constexpr int milliseconds_for_others = 2000;
   // Also to read: what a killed run left is put in order first. SQLite does without where it may not write.
   const int flags = SQLITE_OPEN_READWRITE | (access == Access::write ? SQLITE_OPEN_CREATE : 0);
   sqlite3* handle = nullptr;
@@ -69,6 +72,22 @@ void Database::execute(const std::string& sql) {
   if (code != SQLITE_OK) fail(code);
 }
 
+bool Database::has_moved() const {
+  int moved = 0;
+  sqlite3_file_control(get(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+  return moved != 0;
+}
+
+std::filesystem::path Database::log() const {
+  return sqlite3_filename_wal(sqlite3_db_filename(get(), "main"));
+}
+
+void Database::write_back_log() {
+  sqlite3_busy_timeout(get(), 0);  // a reader may stay for hours
+  sqlite3_wal_checkpoint_v2(get(), "main", SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
+  sqlite3_busy_timeout(get(), milliseconds_for_others);
+}
+
 bool Database::is_read_only() const { return sqlite3_db_readonly(get(), "main") == 1; }
 
 void Database::fail(int code) const {
@@ -78,7 +97,9 @@ void Database::fail(int code) const {
 }
 
 void Database::damaged(const std::string& what) const {
-  throw std::runtime_error(name_ + ": it is damaged (" + what + "): delete it and run the study again");
+  // SQLite's messages quote names out of the file.
+  throw std::runtime_error(name_ + ": it is damaged (" + one_line(what) +
+                           "): delete it and run the study again");
 }
 
 Statement::Statement(const Database& database, const std::string& sql) : database_(&database) {
@@ -131,28 +152,34 @@ double Statement::number(int column) const {
     case SQLITE_FLOAT:
     case SQLITE_INTEGER: return sqlite3_column_double(handle_.get(), column);
     case SQLITE_NULL: return std::numeric_limits<double>::quiet_NaN();
-    default: wrong_type(column);
+    default: wrong_value(column);
   }
 }
 
 std::int64_t Statement::integer(int column) const {
-  if (sqlite3_column_type(handle_.get(), column) != SQLITE_INTEGER) wrong_type(column);
+  if (sqlite3_column_type(handle_.get(), column) != SQLITE_INTEGER) wrong_value(column);
   return sqlite3_column_int64(handle_.get(), column);
 }
 
 std::uint64_t Statement::count(int column, std::uint64_t most) const {
   const std::int64_t value = integer(column);
-  if (value < 0 || static_cast<std::uint64_t>(value) > most) wrong_type(column);
+  if (value < 0 || static_cast<std::uint64_t>(value) > most) wrong_value(column);
   return static_cast<std::uint64_t>(value);
 }
 
 std::string Statement::text(int column) const {
-  if (sqlite3_column_type(handle_.get(), column) != SQLITE_TEXT) wrong_type(column);
+  if (sqlite3_column_type(handle_.get(), column) != SQLITE_TEXT) wrong_value(column);
   const auto* characters = reinterpret_cast<const char*>(sqlite3_column_text(handle_.get(), column));
   return {characters, static_cast<std::size_t>(sqlite3_column_bytes(handle_.get(), column))};
 }
 
-void Statement::wrong_type(int column) const {
+std::string Statement::name(int column) const {
+  std::string name = text(column);
+  if (one_line(name) != name) wrong_value(column);
+  return name;
+}
+
+void Statement::wrong_value(int column) const {
   database_->damaged(
       fmt::format("column {} holds a wrong value", sqlite3_column_name(handle_.get(), column)));
 }

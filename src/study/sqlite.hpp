@@ -25,6 +25,13 @@ class Database {
   /// Runs statements without parameters or rows.
   void execute(const std::string& sql);
   [[nodiscard]] bool is_read_only() const;
+  /// Whether the file was deleted, renamed or replaced since it was opened.
+  [[nodiscard]] bool has_moved() const;
+  /// The write-ahead log beside the file; it need not be there.
+  [[nodiscard]] std::filesystem::path log() const;
+  /// Writes the log back into the file and empties it, as far as readers and the disk let it: what stays in
+  /// the log is not lost.
+  void write_back_log();
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] sqlite3* get() const { return handle_.get(); }
 
@@ -63,12 +70,14 @@ class Statement {
   /// An integer in [0, most].
   [[nodiscard]] std::uint64_t count(int column, std::uint64_t most) const;
   [[nodiscard]] std::string text(int column) const;
+  /// A name: a text without line breaks and other control characters, which a terminal would obey.
+  [[nodiscard]] std::string name(int column) const;
 
  private:
   struct Finalize {
     void operator()(sqlite3_stmt* handle) const { sqlite3_finalize(handle); }
   };
-  [[noreturn]] void wrong_type(int column) const;
+  [[noreturn]] void wrong_value(int column) const;
 
   const Database* database_;
   std::unique_ptr<sqlite3_stmt, Finalize> handle_;

@@ -34,6 +34,17 @@ const std::string& lasting_name(Status status) {
   return names.at(static_cast<std::size_t>(status));
 }
 
+/// On a nearly full disk the log is written back while there is room to do it: what it holds is then twice on
+/// the disk until it is emptied.
+void keep_room(Database& database, const StoreHeading& heading) {
+  std::error_code none;
+  const std::filesystem::path log = database.log();
+  const std::uintmax_t written = std::filesystem::file_size(log, none);
+  if (none) return;  // nothing to write back
+  const std::filesystem::space_info space = std::filesystem::space(log, none);
+  if (!none && space.available < written + 2 * log_bytes_of_batch(heading)) database.write_back_log();
+}
+
 void bind(Statement& insert, const StoredRow& row) {
   insert.bind(0, static_cast<std::int64_t>(row.row))
       .bind_lasting(1, lasting_name(row.outcome.status))
@@ -57,7 +68,17 @@ Store::~Store() {
   if (!file_ || !file_->insert_row) return;
   file_->insert_row.reset();
   file_->insert_batch.reset();
+  // The log of that name would be that of another file.
+  if (file_->database.has_moved()) return;
   sqlite3_exec(file_->database.get(), "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+}
+
+void Store::check_in_place() const {
+  if (file_->database.has_moved())
+    throw std::runtime_error(
+        file_->database.name() +
+        ": it was deleted, renamed or replaced while the study ran, and its rows are not "
+        "there: give the same command again, and leave the file alone until it ends");
 }
 
 std::string Store::study_text() const { return file_->heading.text; }
@@ -90,6 +111,8 @@ void Store::write_batch(std::uint64_t batch, std::span<const StoredRow> rows) {
   if (batch >= file_->batches() || rows.size() != file_->rows_of(batch))
     throw std::invalid_argument(fmt::format("batch {} does not have {} rows", batch, rows.size()));
   check_rows(batch, rows, file_->heading);
+  check_in_place();
+  keep_room(file_->database, file_->heading);
   Transaction transaction{file_->database};
   for (const StoredRow& row : rows) {
     bind(*file_->insert_row, row);

@@ -32,10 +32,15 @@ std::uint64_t batch_size_of(std::uint64_t rows) {
   return std::clamp<std::uint64_t>(rows / batches, 1, most);
 }
 
+std::uint64_t bytes_per_row(const StoreHeading& heading) {
+  constexpr std::uint64_t number = 9, other_columns = 50;  // a value and its type; row, status, flags, error
+  return other_columns + number * (heading.factors.size() + heading.responses.size());
+}
+
 StoredColumn response_column(const std::string& name) {
-  for (const ResponseKind& kind : response_kinds())
-    if (kind.name == name) return {name, kind.unit, kind.meaning};
-  throw std::invalid_argument("no response \"" + name + "\"");
+  const ResponseKind* kind = find_response_kind(name);
+  if (kind == nullptr) throw std::invalid_argument("no response \"" + name + "\"");
+  return {name, kind->unit, kind->meaning};
 }
 
 std::int64_t pragma(const Database& database, const std::string& name) {
@@ -56,10 +61,12 @@ void write_facts(const Database& database, const StoreHeading& heading, const St
   fact.bind(0, std::string_view{"batch_size"}).bind(1, static_cast<std::int64_t>(heading.batch_size)).run();
 }
 
-std::string text_fact(const Database& database, const std::string& key) {
+using ReadText = std::string (Statement::*)(int) const;
+
+std::string text_fact(const Database& database, const std::string& key, ReadText read = &Statement::text) {
   Statement fact{database, "SELECT value FROM study WHERE key = ?"};
   if (!fact.bind(0, std::string_view{key}).next()) database.damaged("no " + key);
-  return fact.text(0);
+  return (fact.*read)(0);
 }
 
 std::uint64_t count_fact(const Database& database, const std::string& key) {
@@ -73,7 +80,7 @@ std::vector<StoredColumn> read_columns(const Database& database, const char* sel
   std::vector<StoredColumn> columns;
   while (statement.next()) {
     if (statement.count(0, columns.size()) != columns.size()) database.damaged("a column is missing");
-    columns.push_back({statement.text(1), statement.text(2), statement.text(3)});
+    columns.push_back({statement.name(1), statement.name(2), statement.name(3)});
   }
   return columns;
 }
@@ -147,7 +154,7 @@ StoreHeading read_heading(const Database& database) {
         fmt::format("{}: it has layout {}, and this program reads layout {}: use the program that "
                     "made it",
                     database.name(), found, layout));
-  StoreHeading heading{.program = text_fact(database, "program"),
+  StoreHeading heading{.program = text_fact(database, "program", &Statement::name),
                        .text = text_fact(database, "text"),
                        .resolved = text_fact(database, "resolved"),
                        .rows = count_fact(database, "rows"),
@@ -169,9 +176,19 @@ std::string value_columns(const StoreHeading& heading) {
   return columns;
 }
 
-std::uint64_t bytes_per_row(const StoreHeading& heading) {
-  constexpr std::uint64_t number = 9, other_columns = 50;  // a value and its type; row, status, flags, error
-  return other_columns + number * (heading.factors.size() + heading.responses.size());
+std::uint64_t log_bytes_of_batch(const StoreHeading& heading) {
+  constexpr std::uint64_t other_pages = 8;  // ends of tables, their indices, the first page
+  return heading.batch_size * bytes_per_row(heading) + other_pages * page_bytes;
+}
+
+std::uint64_t bytes_of_tables(const StoreHeading& heading) {
+  constexpr std::uint64_t pages = 12;  // seven tables with their heading, and texts that end within a page
+  return pages * page_bytes + heading.text.size() + heading.resolved.size();
+}
+
+std::uint64_t bytes_of_rows(const StoreHeading& heading, std::uint64_t rows) {
+  constexpr std::uint64_t index_of_log = 4 * page_bytes;
+  return rows * bytes_per_row(heading) + 2 * log_bytes_of_batch(heading) + index_of_log;
 }
 
 }  // namespace dashpad::study

@@ -37,7 +37,16 @@ StoreHeading read_heading(const Database& database);
 /// Columns of `samples` from the first factor on, each with a comma before it.
 std::string value_columns(const StoreHeading& heading);
 
-/// About how many bytes a row takes in the file.
-std::uint64_t bytes_per_row(const StoreHeading& heading);
+inline constexpr std::uint64_t page_bytes = 16384;
+
+/// At most so many bytes does a batch take in the log: whole pages, those of the index among them.
+std::uint64_t log_bytes_of_batch(const StoreHeading& heading);
+
+/// About how many bytes the tables take in the file before the first row.
+std::uint64_t bytes_of_tables(const StoreHeading& heading);
+
+/// About how many bytes must be free for so many rows: in the file, for the shortest log that will do, and
+/// for the index of the log.
+std::uint64_t bytes_of_rows(const StoreHeading& heading, std::uint64_t rows);
 
 }  // namespace dashpad::study

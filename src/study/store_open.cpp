@@ -23,6 +23,16 @@ constexpr std::uint64_t log_bytes = 16 << 20;  ///< the write-ahead log is writt
   throw std::runtime_error(file.string() + ": " + why);
 }
 
+void check_room(const fs::path& file, std::uint64_t needed) {
+  std::error_code error;
+  const fs::space_info space = fs::space(fs::absolute(file).parent_path(), error);
+  if (!error && needed > space.available)
+    refuse(file,
+           fmt::format("the study needs about {:.1f} MB on the disk, where {:.1f} MB are free: make room, or "
+                       "ask for fewer rows or responses",
+                       1e-6 * static_cast<double>(needed), 1e-6 * static_cast<double>(space.available)));
+}
+
 /// What can be known before anything is made.
 void check_place(const fs::path& file, const StoreHeading& heading) {
   std::error_code error;
@@ -34,15 +44,7 @@ void check_place(const fs::path& file, const StoreHeading& heading) {
     refuse(file, "there is no folder " + folder.string() + ": make it first");
   if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
     refuse(file, "its folder is read-only: choose another, or change its rights");
-  if (fs::exists(status)) return;  // how much of it is there is not known yet
-  const fs::space_info space = fs::space(folder, error);
-  const std::uint64_t data = heading.rows * bytes_per_row(heading);
-  const std::uint64_t needed = data + std::min(data, 2 * log_bytes);
-  if (!error && needed > space.available)
-    refuse(file,
-           fmt::format("the study needs about {} MB on the disk, where {} MB are free: make room, or ask for "
-                       "fewer rows or responses",
-                       needed / 1'000'000 + 1, space.available / 1'000'000));
+  if (!fs::exists(status)) check_room(file, bytes_of_tables(heading) + bytes_of_rows(heading, heading.rows));
 }
 
 /// Rows of two programs are never mixed: they may differ in the last digits, or by a mended fault.
@@ -75,7 +77,7 @@ void start_log(Database& database) {
   database.execute(
       fmt::format("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; "
                   "PRAGMA wal_autocheckpoint = {}; PRAGMA journal_size_limit = {};",
-                  log_bytes / 16384, log_bytes));
+                  log_bytes / page_bytes, log_bytes));
   Transaction{database, "BEGIN IMMEDIATE"}.commit();  // where it cannot be used, that is known now
 }
 
@@ -108,7 +110,7 @@ Database open_to_write(const fs::path& file, const Study& study, StoreHeading& h
     Database database{file, Access::write};
     if (database.is_read_only()) database.fail(SQLITE_READONLY);
     if (!shared) database.execute("PRAGMA locking_mode = EXCLUSIVE");
-    database.execute("PRAGMA page_size = 16384; PRAGMA cache_size = -16000;");
+    database.execute(fmt::format("PRAGMA page_size = {}; PRAGMA cache_size = -16000;", page_bytes));
     make_or_check(database, study, heading);
     start_log(database);
     return database;
@@ -155,6 +157,9 @@ Store Store::open_for(const Study& study, const fs::path& file) {
     auto opened = std::make_unique<File>(std::move(database), std::move(heading));
     opened->writer_lock.emplace(std::move(lock));
     opened->rows_done = count_rows(opened->database, opened->heading);
+    opened->database.write_back_log();  // that a kill or a full disk left
+    const std::uint64_t missing = opened->heading.rows - opened->rows_done;
+    if (!is_new && missing > 0) check_room(file, bytes_of_rows(opened->heading, missing));
     opened->insert_row.emplace(opened->database, insert_text(opened->heading));
     opened->insert_batch.emplace(opened->database, "INSERT INTO batches (batch, rows) VALUES (?, ?)");
     return Store{std::move(opened)};

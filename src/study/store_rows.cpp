@@ -1,8 +1,11 @@
 // Reading rows back.
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "study/store_file.hpp"
 
@@ -21,17 +24,30 @@ Status status_of(const std::string& name, const Database& database) {
   database.damaged("a status that there is not");
 }
 
+[[noreturn]] void impossible(const Database& database, const std::string& column, double value) {
+  database.damaged(fmt::format("{} = {} in a row, which cannot be", column, value));
+}
+
 void read_row(const Statement& from, const Database& database, const StoreHeading& heading, StoredRow& row) {
   row.row = from.count(0, heading.rows - 1);
   row.outcome.status = status_of(from.text(1), database);
   row.outcome.extrapolated = from.count(2, 1) == 1;
   row.outcome.bottomed = from.count(3, 1) == 1;
   row.outcome.error = from.number(4);
+  if (!(row.outcome.error >= 0)) impossible(database, "error", row.outcome.error);
   row.factors.resize(heading.factors.size());
   row.outcome.values.resize(heading.responses.size());
   int place = 5;
-  for (auto* values : {&row.factors, &row.outcome.values})
-    for (double& value : *values) value = from.number(place++);
+  for (std::size_t i = 0; i < row.factors.size(); ++i) {
+    const double value = row.factors[i] = from.number(place++);
+    if (!std::isfinite(value)) impossible(database, heading.factors[i].name, value);
+  }
+  for (std::size_t i = 0; i < row.outcome.values.size(); ++i) {
+    const double value = row.outcome.values[i] = from.number(place++);
+    const ResponseKind* kind = find_response_kind(heading.responses[i].name);
+    const bool possible = kind == nullptr ? std::isfinite(value) : is_possible(*kind, value);
+    if (!std::isnan(value) && !possible) impossible(database, heading.responses[i].name, value);
+  }
 }
 
 bool has_column(const StoreHeading& heading, const std::string& name) {
@@ -67,7 +83,12 @@ std::vector<double> Store::column(const std::string& name) const {
   Statement query{file_->database, "SELECT samples." + sql_name(name) + " FROM samples ORDER BY row"};
   std::vector<double> values;
   values.reserve(file_->rows_done);
-  while (query.next()) values.push_back(query.number(0));
+  const ResponseKind* kind = find_response_kind(name);
+  while (query.next()) {
+    values.push_back(query.number(0));
+    if (kind != nullptr && !std::isnan(values.back()) && !is_possible(*kind, values.back()))
+      impossible(file_->database, name, values.back());
+  }
   return values;
 }
 

@@ -1,8 +1,11 @@
 #include "dashpad/study/stored_study.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
+#include "dashpad/study/application.hpp"
+#include "dashpad/study/design.hpp"
 #include "dashpad/study/resolved_study.hpp"
 #include "io/json_values.hpp"
 
@@ -96,6 +99,25 @@ Study study_of(const Json& json) {
   return study;
 }
 
+/// Whether the columns of the store are those of its study: readers go by both.
+bool has_columns_of(const Store& store, const Study& study) {
+  const auto same = [](const StoredColumn& column, const std::string& name, const std::string& unit) {
+    return column.name == name && column.unit == unit;
+  };
+  const std::vector<FactorKey> keys = factor_keys(study.base);
+  const bool factors_fit = std::ranges::equal(
+      store.factors(), study.factors, [&](const StoredColumn& column, const Factor& factor) {
+        const auto key = std::ranges::find(keys, factor.key, &FactorKey::key);
+        return key != keys.end() && factor.unit == key->unit && same(column, factor.key, factor.unit);
+      });
+  return factors_fit &&
+         std::ranges::equal(store.responses(), study.responses,
+                            [&](const StoredColumn& column, const std::string& name) {
+                              return same(column, name, find_response_kind(name)->unit);
+                            }) &&
+         store.rows() == Design{study}.rows();
+}
+
 }  // namespace
 
 Study stored_study(const Store& store) {
@@ -104,7 +126,9 @@ Study stored_study(const Store& store) {
   try {
     Study study = study_of(Json::parse(store.resolved_text()));
     study.text = store.study_text();
-    if (resolved_text(study) == store.resolved_text() && violations(study).empty()) return study;
+    if (resolved_text(study) == store.resolved_text() && violations(study).empty() &&
+        has_columns_of(store, study))
+      return study;
   } catch (const std::exception&) {
     throw std::runtime_error(damaged);
   }

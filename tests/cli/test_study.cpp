@@ -144,6 +144,59 @@ TEST_F(StudyTest, ASignalStopsItAndTheSameCommandGoesOn) {
   EXPECT_THAT(whole.out, AllOf(HasSubstr("80000 rows in"), Not(HasSubstr("80000 computed"))));
 }
 
+/// nohup ignores SIGHUP, and a script in the background SIGINT: neither stops the study then.
+TEST_F(StudyTest, ASignalThatIsIgnoredStaysIgnored) {
+  write_file(file("long.toml"), with(drawn_study, "samples = 200", "samples = 5000"));
+  for (const char* signal : {"HUP", "INT", "TERM"}) {
+    const std::string store = file(std::string{signal} + ".db");
+    const Outcome outcome =
+        shell("trap '' " + std::string{signal} + "\n$DASHPAD study " + file("long.toml") + " --out " + store +
+              " --quiet &\nuntil [ -e " + store + " ]; do sleep 0.02; done; for i in 1 2 3; do kill -" +
+              signal + " $!; sleep 0.05; done; wait $!");
+    EXPECT_EQ(outcome.exit_code, 0) << signal << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("20000 rows in")) << signal;
+  }
+}
+
+TEST_F(StudyTest, AStoreThatIsDeletedOrReplacedWhileItRunsIsNoticed) {
+  write_file(file("long.toml"), with(drawn_study, "samples = 200", "samples = 20000"));
+  const std::string store = file("long.db");
+  for (const std::string& action : {"rm " + store, "cp case.toml other; mv other " + store}) {
+    const Outcome outcome =
+        shell("cd " + fs::path(store).parent_path().string() + "\n$DASHPAD study long.toml --out " + store +
+              " --quiet &\nuntil [ -s " + store + "-wal ]; do sleep 0.02; done; kill -STOP $!; " + action +
+              "; kill -CONT $!; wait $!");
+    EXPECT_EQ(outcome.exit_code, 1) << action << outcome.out;
+    EXPECT_EQ(outcome.out, "") << action;
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr(store), HasSubstr("deleted, renamed or replaced"))) << action;
+    for (const char* left : {"long.db", "long.db-wal", "long.db-shm"}) fs::remove(file(left));
+  }
+}
+
+/// Half of the impacts strike through: no limit on the force is kept by them.
+TEST_F(StudyTest, RowsThatStruckThroughAreAboveEveryLimit) {
+  const fs::path source{DASHPAD_SOURCE_DIR};
+  write_file(file("struck.toml"), "case = \"" + (source / "examples/rigid-floor-bottoming.toml").string() +
+                                      R"("
+responses = ["peak_force", "hic15", "peak_strain"]
+[factors."impactor.speed"]
+values = ["1 mph", "2 mph", "15 mph", "20 mph"]
+)");
+  const Outcome computed = compute("struck");
+  EXPECT_EQ(computed.exit_code, 0) << computed.err;
+  EXPECT_THAT(computed.out, HasSubstr("0 doubtful; 2 struck through\n"));
+  const Outcome summary = dashpad({"study", "summary", file("struck.db"), "--limit", "peak_force > 1000 kN",
+                                   "--limit", "hic15 > 1e9", "--json", file("answers.json")});
+  EXPECT_THAT(summary.out, AllOf(HasSubstr("STRUCK THROUGH: in 2 of 4 rows (50 %)"),
+                                 ContainsRegex("peak_force +1000000 N +50 +2 +2 \\(50 %\\) +4\n"),
+                                 ContainsRegex("hic15 +1e\\+09 +50 +2 +2 \\(50 %\\) +4\n")));
+  const json answers = json::parse(read_file(file("answers.json")));
+  for (const json& exceedance : answers.at("groups").at(0).at("exceedances")) {
+    EXPECT_EQ(exceedance.at("probability").at("value"), 0.5);
+    EXPECT_EQ(exceedance.at("rows_struck_through"), 2);
+  }
+}
+
 /// The run is stopped in the middle (SIGSTOP), so that it is there for certain while others read.
 TEST_F(StudyTest, IsReadWhileItRuns) {
   write_file(file("long.toml"), with(drawn_study, "samples = 200", "samples = 50000"));

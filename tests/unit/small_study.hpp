@@ -42,7 +42,7 @@ inline study::StoredRow made_up_row(std::uint64_t number) {
   row.outcome.bottomed = number % 5 == 0;
   row.outcome.error = 1e-5 * std::sqrt(x);
   row.outcome.values = {std::exp(1e-3 * x),
-                        number % 7 == 0 ? std::numeric_limits<double>::quiet_NaN() : -std::sqrt(x + 0.3)};
+                        number % 7 == 0 ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(x + 0.3)};
   return row;
 }
 

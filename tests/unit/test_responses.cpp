@@ -8,6 +8,7 @@
 
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/figures.hpp"
+#include "dashpad/study/answers.hpp"
 #include "dashpad/study/responses.hpp"
 #include "sample_case.hpp"
 
@@ -119,6 +120,55 @@ TEST(responses, take_an_error_that_is_no_number_for_unknown) {
   Solution solution = dashboard();
   solution.summary.errors.peak_force = std::nan("");
   EXPECT_TRUE(std::isinf(outcome_of(solution, {"peak_force"}).error));
+}
+
+/// What no impact can have is no value, and a row that claims to be good is then doubtful.
+TEST(responses, leave_out_what_cannot_be) {
+  for (const double wrong : {std::nan(""), HUGE_VAL, -HUGE_VAL, -1.0}) {
+    Solution solution = dashboard();
+    solution.summary.peak_force = wrong;
+    const std::vector<std::string> names{"peak_force", "peak_strain"};
+    const Outcome outcome = outcome_of(solution, names);
+    EXPECT_TRUE(std::isnan(outcome.values.at(0))) << wrong;
+    EXPECT_EQ(outcome.status, Status::released);
+    EXPECT_TRUE(is_doubtful(outcome, names)) << wrong;
+  }
+}
+
+TEST(responses, missing_by_nature_make_no_row_doubtful) {
+  const std::vector<std::string> names{"peak_force", "hic15", "rebound_speed", "peak_strain"};
+  const Solution bottomed =
+      solve(read_case(testing::source / "examples/rigid-floor-bottoming.toml", testing::materials).impact);
+  EXPECT_FALSE(is_doubtful(outcome_of(bottomed, names), names));
+  Outcome outcome = outcome_of(dashboard(), names);
+  EXPECT_FALSE(is_doubtful(outcome, names));
+  outcome.values.at(2) = std::nan("");
+  EXPECT_TRUE(is_doubtful(outcome, names));
+  outcome.status = Status::time_limit;
+  outcome.values.at(1) = std::nan("");
+  EXPECT_FALSE(is_doubtful(outcome, names));
+  outcome.values.at(0) = std::nan("");
+  EXPECT_TRUE(is_doubtful(outcome, names)) << "the largest force so far is there";
+}
+
+/// Rigid foam on a rigid support: the force ends at its peak. The end of contact has no value by nature, HIC
+/// has none that could be relied on.
+TEST(responses, of_a_pulse_that_is_cut_are_doubtful_where_they_need_it_whole) {
+  Solution cut = dashboard();
+  cut.summary.contact_end.reset();
+  const std::vector<std::string> hic{"hic15"};
+  EXPECT_TRUE(std::isnan(outcome_of(cut, hic).values.at(0)));
+  EXPECT_TRUE(is_doubtful(outcome_of(cut, hic), hic));
+  const std::vector<std::string> all = default_responses();
+  EXPECT_FALSE(is_doubtful(outcome_of(cut, all), all));
+}
+
+TEST(responses, may_be_below_zero_where_they_have_a_sign) {
+  EXPECT_TRUE(is_possible(*find_response_kind("energy_absorbed_fraction"), -0.01));
+  EXPECT_TRUE(is_possible(*find_response_kind("velocity_change"), -9));
+  EXPECT_FALSE(is_possible(*find_response_kind("peak_force"), -1e-9));
+  EXPECT_FALSE(is_possible(*find_response_kind("velocity_change"), -HUGE_VAL));
+  EXPECT_EQ(find_response_kind("peak_farce"), nullptr);
 }
 
 TEST(responses, refuse_an_unknown_name) {

@@ -1,6 +1,8 @@
 // A study comes out of its store as it went in, and its rows are put together rightly.
 
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -131,6 +133,144 @@ TEST_F(StoredStudyTest, CushionCurvesHoldTheRowsInOrder) {
   }
   study.responses = {"peak_acceleration"};
   EXPECT_FALSE(study::cushion_curves(study, records).has_value()) << "no penetration, no area";
+}
+
+/// Draws of a speed, with rows that nobody computed.
+Study drawn_study(std::size_t draws) {
+  Study study = small_study(2);
+  study.factors = {
+      {.key = "impactor.speed", .unit = "m/s", .spread = study::Uniform{1, 3}, .lowest = {}, .highest = {}}};
+  study.samples = draws;
+  study.responses = {"peak_force", "rebound_speed", "peak_strain"};
+  return study;
+}
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+study::StoredRow row_with(std::uint64_t number, Status status, std::vector<double> values) {
+  study::StoredRow row{.row = number, .factors = {2}, .outcome = {}};
+  row.outcome.status = status;
+  row.outcome.bottomed = status == Status::bottomed_out;
+  row.outcome.values = std::move(values);
+  return row;
+}
+
+/// 1000 rows: 229 struck through, 1 is undecided in each way, the others have a peak force of 1 kN.
+study::StoredRow row_of_a_thousand(std::uint64_t number) {
+  if (number < 229) return row_with(number, Status::bottomed_out, {none, none, 1});
+  if (number == 229) return row_with(number, Status::tolerance_not_met, {1000, 2, 0.5});
+  if (number == 230) return row_with(number, Status::time_limit, {1000, none, 0.5});
+  if (number == 231) return row_with(number, Status::not_run, {none, none, none});
+  if (number == 232) return row_with(number, Status::released, {none, 2, 0.5});
+  return row_with(number, Status::released, {1000, 2, 0.5});
+}
+
+StudyAnswers answers_of_a_thousand(const fs::path& file, bool grid = false) {
+  Study study = drawn_study(1000);
+  if (grid) {
+    study.factors = small_study(1000).factors;
+    study.samples = 1;
+  }
+  Store store = Store::open_for(study, file);
+  for (const std::uint64_t batch : store.missing_batches()) {
+    std::vector<study::StoredRow> rows;
+    for (std::uint64_t row = batch * store.batch_size();
+         row < store.rows() && rows.size() < store.batch_size(); ++row)
+      rows.push_back(row_of_a_thousand(row));
+    store.write_batch(batch, rows);
+  }
+  return study_answers(
+      store,
+      {.responses = {},
+       .limits = {{"peak_force", 5000}, {"peak_force", 500}, {"rebound_speed", 1}, {"peak_strain", 0.9}}});
+}
+
+/// A pad that was struck through never counts as a pad with margin.
+TEST_F(StoredStudyTest, RowsThatStruckThroughAreAboveEveryLimitOnAForce) {
+  const StudyAnswers answers = answers_of_a_thousand(file("struck.db"));
+  const auto& of = answers.groups.at(0);
+  const study::Exceedance &high = of.exceedances.at(0), &low = of.exceedances.at(1);
+  EXPECT_EQ(high.exceeding, 229U);
+  EXPECT_EQ(high.struck_through, 229U);
+  EXPECT_EQ(high.undecided, 4U) << "tolerance, time limit, not run, and a figure that is missing";
+  EXPECT_NEAR(high.probability.value, 229.0 / 996, 1e-12);
+  EXPECT_EQ(low.exceeding, 997U) << "the lower bound at the time limit is above this one";
+  EXPECT_EQ(low.undecided, 3U);
+  EXPECT_EQ(of.exceedances.at(2).struck_through, 0U) << "a rebound does not grow with the force";
+  EXPECT_EQ(of.exceedances.at(2).undecided, 229U + 3U);
+  EXPECT_EQ(of.exceedances.at(3).exceeding, 229U) << "the strain is 1 by its own figure";
+  EXPECT_EQ(answers.records.struck_through, 229U);
+  EXPECT_EQ(answers.records.doubtful, 3U) << "a released row without its peak force is one of them";
+  const study::Distribution& force = of.distributions.at(0);
+  EXPECT_EQ(force.struck_through, 229U);
+  EXPECT_EQ(force.quantiles[5].value.value, std::numeric_limits<double>::infinity());
+}
+
+TEST_F(StoredStudyTest, RowsThatStruckThroughHaveAColumnOfTheirOwn) {
+  using ::testing::AllOf;
+  using ::testing::ContainsRegex;
+  using ::testing::HasSubstr;
+  for (const bool grid : {false, true}) {
+    const StudyAnswers answers = answers_of_a_thousand(file(grid ? "grid.db" : "drawn.db"), grid);
+    const std::string text = study_text(answers, unit_systems().front());
+    EXPECT_THAT(text, AllOf(HasSubstr("STRUCK THROUGH: in 229 of 1000 rows (22.9 %)"),
+                            HasSubstr("TIME LIMIT: in 1 of 1000 rows"), HasSubstr("DOUBTFUL: 3 of 1000")));
+    EXPECT_THAT(
+        text, ContainsRegex("peak_force +5000 N +22.99 \\([0-9.]+ to [0-9.]+\\) +229 +229 \\(22.9 %\\) +996 "
+                            "\\(4 undecided\\)"))
+        << text;
+    EXPECT_THAT(text, ContainsRegex("peak_force \\(N\\) +- +- +1000 .* +struck through .*229 \\(22.9 %\\)"));
+    const auto page = study_page(answers, unit_systems().front());
+    EXPECT_EQ(page.sections.at(1).tables.at(1).columns.at(4), "Struck through");
+    EXPECT_EQ(page.sections.at(1).tables.at(1).rows.at(0).at(4), "229 (22.9 %)");
+    EXPECT_THAT(study_json(answers),
+                AllOf(HasSubstr("\"rows_struck_through\": 229"), HasSubstr("\"rows_undecided\": 4")));
+  }
+}
+
+/// Without such rows there is no such column.
+TEST_F(StoredStudyTest, AStudyOfWholePulsesHasNoColumnForThem) {
+  const Study study = small_study(64);
+  Store store = Store::open_for(study, file("whole.db"));
+  ASSERT_TRUE(study::run(study, store));
+  const std::string text = study_text(study_answers(store, {.responses = {}, .limits = {{"peak_force", 1}}}),
+                                      unit_systems().front());
+  EXPECT_THAT(text, ::testing::Not(::testing::HasSubstr("truck through")));
+}
+
+TEST_F(StoredStudyTest, ALatinHypercubeNamesTheFactorsThatItDoesNotStratify) {
+  Study study = drawn_study(100);
+  study.sampling = study::Sampling::latin_hypercube;
+  for (const auto& [key, unit, middle] :
+       {std::tuple{"impactor.mass", "kg", 5.0}, std::tuple{"pad.thickness", "m", 0.05}})
+    study.factors.push_back({.key = key,
+                             .unit = unit,
+                             .spread = study::Uniform{0.9 * middle, 1.1 * middle},
+                             .lowest = {},
+                             .highest = {}});
+  const auto text_of = [&](const char* name) {
+    Store store = Store::open_for(study, file(name));
+    EXPECT_TRUE(study::run(study, store));
+    return study_text(study_answers(store, {}), unit_systems().front());
+  };
+  EXPECT_THAT(text_of("independent.db"), ::testing::Not(::testing::HasSubstr("Not stratified")));
+  study.correlations = {{2, 0, 0.5}};
+  EXPECT_THAT(text_of("correlated.db"), ::testing::HasSubstr("Not stratified: pad.thickness. Of two"));
+}
+
+/// A store whose columns are not those of its study is no store of it.
+TEST_F(StoredStudyTest, OtherColumnsThanTheStudyHasAreRefused) {
+  for (const char* change :
+       {"UPDATE responses SET name = 'hic15' WHERE position = 0", "UPDATE responses SET unit = 'kN'",
+        "UPDATE factors SET unit = 'mph'",
+        "UPDATE study SET value = replace(value, 'm/s', 'furlong') WHERE key = 'resolved'",
+        "UPDATE study SET value = replace(value, 'peak_force', 'peak_strain') WHERE key = 'resolved'",
+        "UPDATE study SET value = 20 WHERE key = 'rows'"}) {
+    fs::remove(file("other.db"));
+    { Store::open_for(small_study(10), file("other.db")); }
+    edit(file("other.db"), change);
+    EXPECT_THROW(study::stored_study(Store::open_to_read(file("other.db"))), std::runtime_error) << change;
+  }
 }
 
 TEST_F(StoredStudyTest, AnUnfinishedStudyIsSummedUpWithAWarning) {

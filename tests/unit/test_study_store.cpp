@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/mount.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <string>
 
 #include "dashpad/study/store.hpp"
@@ -290,7 +292,56 @@ INSTANTIATE_TEST_SUITE_P(
         "UPDATE study SET value = -1 WHERE key = 'rows'",
         "UPDATE study SET value = 0 WHERE key = 'batch_size'",
         "UPDATE study SET value = 10 WHERE key = 'rows'", "DELETE FROM factors",
-        "UPDATE responses SET position = 7 WHERE position = 1"));
+        "UPDATE responses SET position = 7 WHERE position = 1",
+        "UPDATE samples SET peak_force = 9e999 WHERE row = 5",
+        "UPDATE samples SET peak_force = -1e-300 WHERE row = 5",
+        "UPDATE samples SET rebound_speed = -2 WHERE row = 5",
+        "UPDATE samples SET \"impactor.speed\" = -9e999 WHERE row = 5",
+        "UPDATE samples SET \"impactor.speed\" = NULL WHERE row = 5",
+        "UPDATE samples SET error = -1e-9 WHERE row = 5", "UPDATE samples SET error = NULL WHERE row = 5",
+        "UPDATE study SET value = value || char(27) WHERE key = 'program'",
+        "UPDATE factors SET unit = char(27) || '[2J'", "UPDATE responses SET meaning = 'a' || char(10)",
+        "UPDATE responses SET unit = char(155) || '2J'"));
+
+/// An estimate may be infinite: a pulse with too few samples to tell.
+TEST_F(StudyStore, takes_an_unknown_error) {
+  make();
+  edit(file(), "UPDATE samples SET error = 9e999 WHERE row = 5");
+  EXPECT_EQ(refusal_to_read(), "nothing was thrown");
+}
+
+/// A column by itself is judged, too.
+TEST_F(StudyStore, has_no_column_with_a_number_that_cannot_be) {
+  make();
+  edit(file(), "UPDATE samples SET peak_force = -1 WHERE row = 5");
+  const Store store = Store::open_to_read(file());
+  EXPECT_THAT(message_of([&] { (void)store.column("peak_force"); }), HasSubstr("peak_force = -1"));
+  EXPECT_NO_THROW((void)store.column("rebound_speed"));
+}
+
+TEST_F(StudyStore, that_is_deleted_or_replaced_while_it_is_written_is_noticed) {
+  namespace fs = std::filesystem;
+  for (const bool replaced : {false, true}) {
+    {
+      Store store = Store::open_for(small_study(), file());
+      EXPECT_NO_THROW(store.check_in_place());
+      store.write_batch(0, made_up_batch(store, 0));
+      if (replaced) {
+        folder_.write("other", "another file");
+        fs::rename(folder_.path() / "other", file());
+      } else {
+        fs::remove(file());
+      }
+      const auto said = AllOf(HasSubstr(file().string()), HasSubstr("deleted, renamed or replaced"));
+      EXPECT_THAT(message_of([&] { store.check_in_place(); }), said);
+      EXPECT_THAT(message_of([&] { store.write_batch(1, made_up_batch(store, 1)); }), said);
+      fs::remove(file().string() + "-wal");
+      folder_.write("study.db-wal", "of another program");
+    }
+    EXPECT_TRUE(fs::exists(file().string() + "-wal")) << "the log of that name may be another's";
+    for (const std::string& name : files()) fs::remove(folder_.path() / name);
+  }
+}
 
 TEST_F(StudyStore, that_is_cut_short_is_noticed) {
   make();
@@ -334,6 +385,89 @@ TEST_F(StudyStore, on_a_full_disk_keeps_what_is_there) {
   EXPECT_EQ(store.rows_done(), kept);
   fill(store);
   EXPECT_EQ(store.rows_done(), rows);
+}
+
+/// A small disk in memory.
+class SmallDisk {
+ public:
+  SmallDisk(std::filesystem::path place, std::uintmax_t bytes) : place_(std::move(place)) {
+    std::filesystem::create_directory(place_);
+    const std::string size = "size=" + std::to_string(bytes);
+    mounted_ = ::mount("tmpfs", place_.c_str(), "tmpfs", 0, size.c_str()) == 0;
+  }
+  ~SmallDisk() {
+    if (mounted_) ::umount2(place_.c_str(), MNT_DETACH);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  /// False where this user may not mount.
+  [[nodiscard]] bool is_mounted() const { return mounted_; }
+  [[nodiscard]] std::filesystem::path file() const { return place_ / "study.db"; }
+  [[nodiscard]] std::uintmax_t available() const { return std::filesystem::space(place_).available; }
+  /// Takes room until `bytes` are left.
+  void leave(std::uintmax_t bytes) const {
+    std::filesystem::remove(place_ / "ballast");
+    const std::uintmax_t now = available();
+    std::ofstream(place_ / "ballast") << std::string(now > bytes ? now - bytes : 0, 'x');
+  }
+
+ private:
+  std::filesystem::path place_;
+  bool mounted_ = false;
+};
+
+/// Whatever the room: refused before it starts, with nothing left behind, or written to its end.
+TEST_F(StudyStore, on_a_nearly_full_disk_is_finished_or_refused_before_it_starts) {
+  for (const std::size_t rows : {500U, 2000U, 20'000U}) {
+    int refused = 0, finished = 0;
+    for (std::uintmax_t bytes = 128 << 10; bytes < 3 << 20; bytes += bytes / 7) {
+      const SmallDisk disk{folder_.path() / "disk", bytes};
+      if (!disk.is_mounted()) GTEST_SKIP() << "this user may not mount a disk";
+      const std::string message = message_of([&] {
+        Store store = Store::open_for(small_study(rows), disk.file());
+        EXPECT_NO_THROW(fill(store)) << rows << " rows on " << bytes << " bytes";
+      });
+      if (message == "nothing was thrown") {
+        ++finished;
+        EXPECT_EQ(Store::open_to_read(disk.file()).rows_done(), rows);
+        EXPECT_FALSE(std::filesystem::exists(disk.file().string() + "-wal"));
+      } else {
+        ++refused;
+        EXPECT_THAT(message, HasSubstr("MB are free"));
+        EXPECT_FALSE(std::filesystem::exists(disk.file()));
+      }
+    }
+    EXPECT_GT(refused, 0) << rows;
+    EXPECT_GT(finished, 0) << rows;
+  }
+}
+
+/// Others take the room while it runs, or before it goes on: it needs little more than its rows.
+TEST_F(StudyStore, writes_its_log_back_when_the_disk_fills) {
+  constexpr std::size_t rows = 20'000;
+  constexpr std::uintmax_t of_rows = 1'540'000, of_batches = 400'000;  // 77 bytes a row; the shortest log
+  for (const bool opened_again : {false, true}) {
+    const SmallDisk disk{folder_.path() / "disk", 40 << 20};
+    if (!disk.is_mounted()) GTEST_SKIP() << "this user may not mount a disk";
+    std::optional<Store> store = Store::open_for(small_study(rows), disk.file());
+    const std::vector<std::uint64_t> batches = store->missing_batches();
+    const std::size_t half = batches.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) store->write_batch(i, made_up_batch(*store, i));
+    const std::string log = disk.file().string() + "-wal";
+    EXPECT_GT(std::filesystem::file_size(log), 1'000'000U) << "with room, the log is long";
+    if (opened_again) {
+      store.reset();
+      disk.leave(of_rows / 4);
+      EXPECT_THAT(message_of([&] { Store::open_for(small_study(rows), disk.file()); }),
+                  HasSubstr("MB are free"));
+      disk.leave(of_rows / 2 + of_batches + (64 << 10));
+      store = Store::open_for(small_study(rows), disk.file());
+    } else {
+      disk.leave(of_rows / 2 + of_batches);
+    }
+    ASSERT_NO_THROW(fill(*store)) << opened_again;
+    EXPECT_EQ(store->rows_done(), rows);
+  }
 }
 
 TEST_F(StudyStore, that_does_not_fit_the_disk_is_refused_before_work_starts) {

@@ -16,6 +16,15 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Values that are known; NaN is not.
+std::vector<Reading> readings(const std::vector<double>& values) {
+  std::vector<Reading> list;
+  for (const double value : values)
+    list.push_back(std::isnan(value) ? Reading{-infinity, infinity} : Reading{value, value});
+  return list;
+}
 
 /// Independent uniform numbers in [low, high).
 using Row = std::vector<double>;
@@ -134,7 +143,7 @@ TEST(StudyAnswersVerification, ClopperPearsonCovers) {
     for (int k = 0; k <= rows; ++k) {
       std::vector<double> values(rows, 0);
       for (int i = 0; i < k; ++i) values[i] = 2;
-      const Exceedance of = exceedance(values, 1);
+      const Exceedance of = exceedance(readings(values), 1);
       EXPECT_EQ(of.exceeding, static_cast<std::uint64_t>(k));
       if (of.probability.low <= truth && truth <= of.probability.high) coverage += outcome;
       outcome *= static_cast<double>(rows - k) / (k + 1) * truth / (1 - truth);
@@ -146,23 +155,67 @@ TEST(StudyAnswersVerification, ClopperPearsonCovers) {
 
 /// Tabulated: 10 rows, none above; 1 - 0.025^(1/10) = 0.30850.
 TEST(StudyAnswersVerification, NoneAboveTheLimit) {
-  const Exceedance of = exceedance(std::vector<double>(10, 0), 1);
+  const Exceedance of = exceedance(readings(std::vector<double>(10, 0)), 1);
   EXPECT_EQ(of.probability.value, 0);
   EXPECT_EQ(of.probability.low, 0);
   EXPECT_NEAR(of.probability.high, 1 - std::pow(0.025, 0.1), 1e-12);
 }
 
-TEST(StudyAnswersVerification, RowsWithoutAValueWidenTheInterval) {
+TEST(StudyAnswersVerification, UndecidedRowsWidenTheInterval) {
   std::vector<double> values(20, 0);
   values[0] = 2;
   values[1] = nan;
-  const Exceedance of = exceedance(values, 1);
-  EXPECT_EQ(of.without, 1U);
+  const Exceedance of = exceedance(readings(values), 1);
+  EXPECT_EQ(of.undecided, 1U);
+  EXPECT_EQ(of.rows, 19U);
   EXPECT_DOUBLE_EQ(of.probability.value, 1.0 / 19);
   values[1] = 0;
-  EXPECT_EQ(of.probability.low, exceedance(values, 1).probability.low);
+  EXPECT_EQ(of.probability.low, exceedance(readings(values), 1).probability.low);
   values[1] = 2;
-  EXPECT_EQ(of.probability.high, exceedance(values, 1).probability.high);
+  EXPECT_EQ(of.probability.high, exceedance(readings(values), 1).probability.high);
+}
+
+/// 3 of 10 struck through: 30 % above any limit, by Clopper and Pearson from 6.67 to 65.25 %, whatever the
+/// limit.
+TEST(StudyAnswersVerification, RowsThatStruckThroughAreAboveEveryLimit) {
+  std::vector<double> values(10, 1);
+  for (const std::size_t i : {2U, 5U, 9U}) values[i] = infinity;
+  const Exceedance of = exceedance(readings(values), 1e300);
+  EXPECT_EQ(of.struck_through, 3U);
+  EXPECT_EQ(of.exceeding, 3U);
+  EXPECT_EQ(of.undecided, 0U);
+  EXPECT_DOUBLE_EQ(of.probability.value, 0.3);
+  EXPECT_NEAR(of.probability.low, 0.06674, 5e-6);
+  EXPECT_NEAR(of.probability.high, 0.65245, 5e-6);
+  EXPECT_TRUE(std::isnan(exceedance(readings(values), 2, false).probability.low)) << "a grid decides all";
+}
+
+TEST(StudyAnswersVerification, LowerBoundsDecideALimitThatTheyExceed) {
+  const std::vector<Reading> rows{{5, infinity}, {1, 1}, {1, 1}, {1, 1}};
+  const Exceedance above = exceedance(rows, 4), open = exceedance(rows, 6);
+  EXPECT_EQ(above.exceeding, 1U);
+  EXPECT_EQ(above.undecided, 0U);
+  EXPECT_EQ(above.struck_through, 0U);
+  EXPECT_EQ(open.exceeding, 0U);
+  EXPECT_EQ(open.undecided, 1U);
+  const Exceedance grid = exceedance(rows, 6, false);
+  EXPECT_EQ(grid.probability.low, 0);
+  EXPECT_EQ(grid.probability.high, 0.25) << "both readings of the undecided row";
+}
+
+/// Ten rows, four of them struck through: the median is the 5th of ten, the 95 % quantile has no bound.
+TEST(StudyAnswersVerification, RowsThatStruckThroughAreAboveAllInQuantiles) {
+  const std::vector<double> values{3, infinity, 1, 2, infinity, 4, infinity, 5, 6, infinity};
+  const Distribution of = distribution(values);
+  EXPECT_EQ(of.rows, 6U);
+  EXPECT_EQ(of.struck_through, 4U);
+  EXPECT_EQ(of.without, 0U);
+  EXPECT_EQ(of.quantiles[3].value.value, 5);
+  EXPECT_EQ(of.quantiles[5].value.value, infinity);
+  EXPECT_EQ(of.least, 1);
+  EXPECT_EQ(of.greatest, infinity);
+  EXPECT_TRUE(std::isnan(of.mean.value)) << "there is no mean of a value without bound";
+  EXPECT_TRUE(std::isnan(of.deviation));
 }
 
 /// For each quantile of an exponential distribution, over 4000 samples of 50: at least 95 % (less three
@@ -209,7 +262,7 @@ TEST(StudyAnswersVerification, MomentsAndOrderStatistics) {
 
 TEST(StudyAnswersVerification, EmptyAndSingle) {
   EXPECT_TRUE(std::isnan(distribution(std::vector<double>{}).mean.value));
-  EXPECT_TRUE(std::isnan(exceedance(std::vector<double>{}, 1).probability.high));
+  EXPECT_TRUE(std::isnan(exceedance({}, 1).probability.high));
   const Distribution of = distribution(std::vector<double>{3});
   EXPECT_EQ(of.mean.value, 3);
   EXPECT_TRUE(std::isnan(of.mean.low));

@@ -22,12 +22,16 @@ struct Estimate {
 };
 
 /// Of one response over the rows that have it. All values are NaN where no row has one.
+///
+/// Rows that struck through (see Records::struck_through) stand above all values of a response that grows
+/// with the force: quantiles and the greatest value are infinite where they fall on such a row, and there is
+/// no mean and no deviation.
 struct Distribution {
-  std::uint64_t rows = 0;  ///< with a value
-  std::uint64_t without =
-      0;          ///< without one (the impactor did not leave, the pad bottomed out on a rigid support)
-  Estimate mean;  ///< Student's interval
-  double deviation = 0;  ///< of the rows, with n - 1
+  std::uint64_t rows = 0;            ///< with a finite value
+  std::uint64_t struck_through = 0;  ///< with an infinite one
+  std::uint64_t without = 0;         ///< with none: the impactor did not leave, or the row was not run
+  Estimate mean;                     ///< Student's interval
+  double deviation = 0;              ///< of the rows, with n - 1
   double least = 0, greatest = 0;
   struct Quantile {
     double probability = 0;
@@ -39,18 +43,29 @@ struct Distribution {
   std::vector<Quantile> quantiles;
 };
 
-/// The probability that a response exceeds a limit, with its Clopper-Pearson interval. Rows without a value
-/// could lie on either side of the limit: `value` leaves them out, and the interval covers both.
+/// Between which values a response of one row lies, SI. Both are the same where it is known, infinite where
+/// the row struck through; from the value to infinity where that is a lower bound; without bounds where
+/// nothing is known.
+struct Reading {
+  double low = 0, high = 0;
+};
+
+/// The probability that a response exceeds a limit, with its Clopper-Pearson interval. An undecided row could
+/// lie on either side of the limit: `value` leaves it out, and the interval covers both.
 struct Exceedance {
   double limit = 0;  ///< SI
   Estimate probability;
-  std::uint64_t exceeding = 0, rows = 0, without = 0;
+  std::uint64_t exceeding = 0;       ///< rows above the limit, those that struck through among them
+  std::uint64_t struck_through = 0;  ///< rows above every limit
+  std::uint64_t rows = 0;            ///< decided
+  std::uint64_t undecided = 0;
 };
 
-/// `values` has NaN for a row without one. `drawn` says that the rows are draws; those of a grid are not, and
-/// have no intervals.
+/// `values` has NaN for a row without one and infinity for one that struck through. `drawn` says that the
+/// rows are draws; those of a grid are not, and have no intervals of sampling: there the interval of an
+/// exceedance covers the undecided rows alone, and is absent without any.
 Distribution distribution(std::span<const double> values, bool drawn = true);
-Exceedance exceedance(std::span<const double> values, double limit, bool drawn = true);
+Exceedance exceedance(std::span<const Reading> rows, double limit, bool drawn = true);
 
 /// Sobol' indices of a response (Saltelli's design, Jansen's estimators): the share of its variance that a
 /// factor explains alone (first order) and with all interactions (total). Intervals are value +- 1.96
@@ -82,9 +97,12 @@ struct Records {
   std::vector<std::uint64_t> rows;             ///< their numbers, increasing
   std::vector<std::vector<double>> factors;    ///< in the order of Study::factors, SI
   std::vector<std::vector<double>> responses;  ///< in the order of Study::responses, SI; NaN for none
-  std::uint64_t doubtful = 0;      ///< the tolerance was not met, or the factors made no valid case
-  std::uint64_t extrapolated = 0;  ///< beyond what the material was measured for
-  std::uint64_t bottomed = 0;      ///< the pad was fully compressed at some time
+  std::vector<Status> statuses;
+  std::uint64_t doubtful = 0;        ///< is_doubtful()
+  std::uint64_t extrapolated = 0;    ///< beyond what the material was measured for
+  std::uint64_t bottomed = 0;        ///< the pad was fully compressed at some time
+  std::uint64_t struck_through = 0;  ///< of these: on a rigid support, where no force is finite
+  std::uint64_t time_limit = 0;      ///< the impactor was still on the pad when the time was up
 };
 Records read_records(const Study& study, const Store& store);
 
@@ -97,15 +115,30 @@ struct Group {
 };
 std::vector<Group> groups(const Study& study, const Design& design, const Records& records);
 
-/// The values of a response in a group.
-std::vector<double> values_of(const Records& records, const Group& group, std::size_t response);
+/// The values of a response in a group: NaN for none, infinite where the row struck through and the response
+/// grows with the force.
+std::vector<double> values_of(const Study& study, const Records& records, const Group& group,
+                              std::size_t response);
+
+/// The same as what may be relied on: a row that is doubtful, or has no value, is without bounds; a value at
+/// the time limit is a lower bound where the response grows during the impact.
+std::vector<Reading> readings_of(const Study& study, const Records& records, const Group& group,
+                                 std::size_t response);
 
 /// Indices of a response at one combination of levels, numbered as the groups are. Absent where the study has
 /// no `indices`, or fewer than two whole draws.
 std::optional<Sensitivity> sensitivity(const Study& study, const Design& design, const Records& records,
                                        std::size_t combination, std::size_t response);
 
-/// Rows that missed the tolerance, and rows whose factors made no valid case.
-std::uint64_t doubtful_rows(const Store& store);
+/// Whether a row missed the tolerance, had factors that make no valid case, or lacks a response that its
+/// status promises (has_response()). `responses` are the names of its values.
+bool is_doubtful(const Outcome& outcome, std::span<const std::string> responses);
+
+/// What has to be said of the rows of a store.
+struct RowCounts {
+  std::uint64_t doubtful = 0;
+  std::uint64_t struck_through = 0;  ///< as Records::struck_through
+};
+RowCounts row_counts(const Store& store);
 
 }  // namespace dashpad::study

@@ -11,13 +11,31 @@
 
 namespace dashpad::study {
 
+/// How a response grows during the impact: what is known of it where the impact is not seen to its end.
+enum class Growth {
+  with_force,   ///< a lower bound at the time limit; unbounded where the pad bottoms out on a rigid support
+  with_motion,  ///< a lower bound at the time limit; final where the pad bottoms out on a rigid support
+  none,         ///< unknown before the end
+};
+
 struct ResponseKind {
   const char* name;  ///< "peak_force", "hic15", ... as in results JSON
   const char* unit;  ///< SI; "1" for a pure number and for HIC and the severity index, in g^2.5 s
   const char* meaning;
   bool of_pulse;  ///< an injury figure: needs the history
+  Growth growth = Growth::none;
+  bool is_signed = false;  ///< may be below zero
 };
 const std::vector<ResponseKind>& response_kinds();
+/// Null for a name that is none of response_kinds().
+const ResponseKind* find_response_kind(const std::string& name);
+
+/// Whether an impact can have this value, SI: finite, and not below zero unless the response has a sign.
+bool is_possible(const ResponseKind& kind, double value);
+
+/// Whether a good solution of that status has the response: always, but for the end of contact of an impactor
+/// that stays on the pad. An injury figure counts as promised, although a pulse that is not whole has none.
+bool has_response(const ResponseKind& kind, Status status);
 
 /// Those that cost nothing beyond the solution: all that are not of the pulse.
 std::vector<std::string> default_responses();
@@ -31,7 +49,8 @@ struct Outcome {
   /// There is none for the peak strain rate. Infinite where a pulse has too few samples to tell.
   double error = 0;
   /// NaN where the impact has none: no rebound speed without a release, no peak force after bottoming out on
-  /// a rigid support, no injury figure of a pulse that is not whole.
+  /// a rigid support, no injury figure of a pulse that is not whole. NaN also for a figure that no impact can
+  /// have (is_possible()).
   std::vector<double> values;
 };
 

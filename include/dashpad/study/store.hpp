@@ -64,6 +64,10 @@ class Store {
   /// std::runtime_error where the disk refuses or the batch is there already; then nothing of it is written.
   void write_batch(std::uint64_t batch, std::span<const StoredRow> rows);
 
+  /// Throws std::runtime_error where the file was deleted, renamed or replaced since it was opened: what is
+  /// written then is lost. write_batch() asks, too.
+  void check_in_place() const;
+
   /// Absent where it is not done.
   [[nodiscard]] std::optional<StoredRow> row(std::uint64_t number) const;
   /// Calls `visit` for all rows done, by row number. Memory does not grow with their number.

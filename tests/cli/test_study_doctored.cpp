@@ -1,0 +1,109 @@
+// A store that somebody changed: whatever its texts hold, the terminal is told nothing but words.
+
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+#include "unit/small_study.hpp"
+
+namespace dashpad::test {
+namespace {
+
+/// Of standard output and error: escapes and other control characters, in one byte or as UTF-8 (U+0080 to
+/// U+009F).
+std::string control_characters(const std::string& text) {
+  std::string found;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
+    if ((byte < 0x20 && byte != '\n') || byte == 0x7f || (byte == 0xc2 && next >= 0x80 && next < 0xa0))
+      found += std::to_string(byte) + " before \"" + text.substr(i + 1, 20) + "\"; ";
+  }
+  return found;
+}
+
+class StudyDoctored : public CommandTest {
+ protected:
+  void SetUp() override {
+    CommandTest::SetUp();
+    fs::create_directory(file("cards"));
+    const std::string card =
+        "title = \"Foam\"\nsource = \"made up\"\nlaw = \"elastic\"\n[parameters]\nmodulus = \"300 kPa\"\n";
+    write_file(file("cards/foam.toml"), card);
+    write_file(file("cards/other.toml"), with(card, "300 kPa", "200 kPa"));
+    write_file(file("study.toml"), R"(title = "Doctored"
+case = "case.toml"
+responses = ["peak_force", "hic15"]
+[factors."impactor.speed"]
+values = ["2 m/s", "3 m/s", "4 m/s"]
+[factors."pad.material"]
+values = ["foam", "other"]
+)");
+    ASSERT_EQ(dashpad(study()).exit_code, 0);
+    fs::copy_file(file("s.db"), file("good.db"));
+  }
+  [[nodiscard]] std::vector<std::string> study() const {
+    return {"study", file("study.toml"), "--out", file("s.db"), "--materials", file("cards")};
+  }
+  void change(const std::string& sql) const {
+    fs::copy_file(file("good.db"), file("s.db"), fs::copy_options::overwrite_existing);
+    testing::edit(file("s.db"), sql);
+  }
+};
+
+TEST_F(StudyDoctored, writes_no_escape_codes_to_the_terminal) {
+  const std::string escape = "char(27) || '[31m' || char(7) || char(155) || '2J'";
+  std::vector<std::string> changes;
+  for (const char* place :
+       {"study SET value = value || ESC WHERE key = 'title'",
+        "study SET value = ESC || value WHERE key = 'text'",
+        "study SET value = value || ESC WHERE key = 'program'",
+        "study SET value = ESC WHERE key = 'resolved'", "study SET value = value || ESC WHERE key = 'rows'",
+        "factors SET key = key || ESC", "factors SET unit = ESC", "responses SET name = name || ESC",
+        "responses SET unit = ESC", "responses SET meaning = ESC", "materials SET name = ESC",
+        "samples SET status = ESC", "samples SET peak_force = ESC", "samples SET error = ESC"})
+    changes.push_back("UPDATE " + with(place, "ESC", escape));
+  // Texts within the JSON of the study, as it writes an escape code.
+  for (const char* word : {"Doctored", "Elastic", "foam", "Foam", "m/s", "impactor.speed", "peak_force"})
+    changes.push_back("UPDATE study SET value = replace(value, '" + std::string{word} + "', '" + word +
+                      "\\u001b[31m\\u009b2J') WHERE key = 'resolved'");
+  // What SQLite says of a table quotes its text.
+  changes.push_back("ALTER TABLE samples RENAME TO kept; CREATE VIEW samples AS SELECT * FROM \"\x1b[31m\"");
+  changes.push_back("ALTER TABLE study RENAME TO kept; CREATE VIEW study AS SELECT \"\x1b[31m\"() AS key");
+  for (const std::string& sql : changes) {
+    change(sql);
+    int answered = 0;
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"study", "summary", file("s.db"), "--limit", "peak_force > 1 kN"},
+          {"study", "summary", file("s.db"), "--response", "none"},
+          {"study", "summary", file("s.db"), "--json", "-"},
+          {"study", "replay", file("s.db"), "1"},
+          {"study", "export", file("s.db"), "--csv", "-"},
+          study()}) {
+      const Outcome outcome = dashpad(command);
+      EXPECT_EQ(control_characters(outcome.out), "") << sql << "\n" << command[1];
+      EXPECT_EQ(control_characters(outcome.err), "") << sql << "\n" << command[1];
+      EXPECT_LT(outcome.exit_code, 128) << sql << "\n" << command[1];
+      if (!outcome.out.empty() || !outcome.err.empty()) ++answered;
+    }
+    EXPECT_EQ(answered, 6) << sql;
+  }
+}
+
+TEST_F(StudyDoctored, is_refused_where_a_number_cannot_be) {
+  for (const char* number : {"9e999", "-9e999", "-1"}) {
+    change("UPDATE samples SET peak_force = " + std::string{number} + " WHERE row = 2");
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"study", "summary", file("s.db")},
+          {"study", "export", file("s.db"), "--csv", file("rows.csv")},
+          {"study", "replay", file("s.db"), "2"}}) {
+      const Outcome outcome = dashpad(command);
+      EXPECT_NE(outcome.exit_code, 0) << number << command[1];
+      EXPECT_NE(outcome.err.find("it is damaged (peak_force"), std::string::npos) << outcome.err;
+      EXPECT_EQ(outcome.out, "");
+    }
+    EXPECT_FALSE(fs::exists(file("rows.csv")));
+  }
+}
+
+}  // namespace
+}  // namespace dashpad::test
