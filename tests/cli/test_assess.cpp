@@ -142,6 +142,9 @@ TEST_F(AssessTest, WritesJsonOnceAndNotOverAnother) {
 
 TEST_F(AssessTest, RefusesWhatMakesNoSense) {
   EXPECT_THAT(refused({"en-1079"}).err, AllOf(HasSubstr("did you mean \"en-1078\"?"), HasSubstr("1 fault")));
+  EXPECT_THAT(refused({"fmvss-201"}).err,
+              HasSubstr("did you mean \"fmvss-201-instrument-panel\", \"fmvss-201-seat-back\" or "
+                        "\"fmvss-201u\"?"));
   EXPECT_THAT(refused({"../standards/en-1177"}).err, HasSubstr("a path must end in .toml"));
   EXPECT_THAT(refused({"en-1078:curb"}).err, HasSubstr("has no variant \"curb\""));
   EXPECT_THAT(refused({"en-1078", "--speed", "5"}).err, HasSubstr("--speed 5: "));

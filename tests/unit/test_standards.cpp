@@ -204,6 +204,11 @@ std::string message_of(const std::function<void()>& action) {
 
 TEST(standards, unknown_names_and_variants_are_refused_with_those_there_are) {
   EXPECT_THAT(message_of([] { preset("en-1079"); }), HasSubstr("did you mean \"en-1078\"?"));
+  EXPECT_THAT(message_of([] { preset("fmvss-201"); }),
+              HasSubstr("did you mean \"fmvss-201-instrument-panel\", \"fmvss-201-seat-back\" or "
+                        "\"fmvss-201u\"?"));
+  EXPECT_THAT(message_of([] { preset("nocsae-football-1"); }),
+              HasSubstr("did you mean \"nocsae-football-1970s\"?"));
   EXPECT_THAT(message_of([] { preset("en-1078:curb"); }), HasSubstr("it has kerbstone, a, c, e, m, o"));
   EXPECT_THAT(message_of([] { preset("fmvss-201-seat-back:any"); }), HasSubstr("it has none"));
   EXPECT_THAT(message_of([] { preset("en-1078:a:o"); }), HasSubstr("both set the mass"));
