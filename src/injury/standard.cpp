@@ -44,12 +44,21 @@ void replace(StandardValue& standard, std::optional<double> by_user, std::option
   if (!by_user) return;
   standard = {.value = by_user,
               .drop_height = drop_height,
-              .origin = {.source = "the user", .verified = true, .note = ""},
+              .origin = {.source = "the user", .kind = SourceKind::none, .verified = true, .note = ""},
               .chosen_by_user = true,
               .instead = standard.value};
 }
 
 }  // namespace
+
+std::string to_string(SourceKind kind) {
+  switch (kind) {
+    case SourceKind::own_text: return "own text";
+    case SourceKind::secondary: return "secondary";
+    case SourceKind::none: return "no source";
+  }
+  return "";
+}
 
 const std::vector<MetricFacts>& metrics() {
   static const std::vector<MetricFacts> all{

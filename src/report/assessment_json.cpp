@@ -21,6 +21,7 @@ Json input(const StandardValue& value, double used, double of_case) {
           {"standard_value", number(value.chosen_by_user ? value.instead : value.value)},
           {"drop_height_m", number(value.drop_height)},
           {"source", value.origin.source},
+          {"source_kind", value.chosen_by_user ? Json(nullptr) : Json(to_string(value.origin.kind))},
           {"verified", value.origin.verified},
           {"note", value.origin.note}};
 }
@@ -61,6 +62,7 @@ Json criterion(const CriterionResult& result) {
   entry["verdict"] = to_string(result.verdict);
   entry["reason"] = result.reason;
   entry["source"] = of.origin.source;
+  entry["source_kind"] = to_string(of.origin.kind);
   entry["verified"] = of.origin.verified;
   entry["note"] = of.origin.note;
   return entry;
@@ -80,7 +82,9 @@ std::string assessment_json(const AssessmentReport& report) {
   json["standard"] = {{"name", standard.name},
                       {"variants", standard.chosen},
                       {"title", standard.title},
+                      {"article", standard.article.empty() ? Json(nullptr) : Json(standard.article)},
                       {"source", standard.source},
+                      {"source_kind", to_string(standard.source_kind)},
                       {"note", standard.note}};
   json["impactor"] = impactor(report);
   json["criteria"] = criteria;

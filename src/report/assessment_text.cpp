@@ -47,9 +47,11 @@ std::string value_text(const NamedValue& entry, const UnitSystem& units) {
 // --- A standard in full ---
 
 std::string origin_text(const Origin& origin) {
-  std::string text =
-      fmt::format("      {}source: {}\n", origin.verified ? "" : "UNVERIFIED; ", one_line(origin.source));
-  if (!origin.note.empty()) text += fmt::format("      {}\n", one_line(origin.note));
+  std::string text = wrapped(fmt::format("      {}{}: {}", origin.verified ? "" : "UNVERIFIED; ",
+                                         to_string(origin.kind), one_line(origin.source)),
+                             8) +
+                     "\n";
+  if (!origin.note.empty()) text += wrapped("      " + one_line(origin.note), 6) + "\n";
   return text;
 }
 
@@ -59,10 +61,11 @@ std::string entry_text(const NamedValue& entry, const UnitSystem& units) {
 }
 
 std::string criterion_text(const Criterion& criterion, const UnitSystem& units) {
-  return fmt::format("    {}: {} {}; {}\n", title_of(criterion), criterion.strict ? "below" : "at most",
-                     shown(criterion.limit, facts(criterion.metric).unit, units),
-                     one_line(criterion.description)) +
-         origin_text(criterion.origin);
+  return wrapped(fmt::format("    {}: {} {}; {}", title_of(criterion), criterion.strict ? "below" : "at most",
+                             shown(criterion.limit, facts(criterion.metric).unit, units),
+                             one_line(criterion.description)),
+                 6) +
+         "\n" + origin_text(criterion.origin);
 }
 
 std::string variant_text(const StandardVariant& variant, const UnitSystem& units) {
@@ -200,13 +203,16 @@ std::string standard_line(const Standard& standard) {
 }
 
 std::string standard_text(const Standard& standard, const UnitSystem& units) {
-  std::string text = fmt::format("{}\n  Name    {}\n  Source  {}\n", one_line(standard.title),
-                                 full_name(standard), one_line(standard.source));
-  if (!standard.note.empty()) text += fmt::format("  Note    {}\n", one_line(standard.note));
+  const auto line = [](const std::string& label, const std::string& of) {
+    return wrapped(fmt::format("  {:<9}{}", label, one_line(of)), 11) + "\n";
+  };
+  std::string text = one_line(standard.title) + "\n" + line("Name", full_name(standard));
+  if (!standard.article.empty()) text += line("Own text", standard.article);
+  text += line("Read", to_string(standard.source_kind) + ": " + standard.source);
+  if (!standard.note.empty()) text += line("Note", standard.note);
   if (const std::size_t unverified = count_unverified(standard); unverified > 0)
-    text +=
-        fmt::format("  WARNING {} not read in the standard or a source that repeats it: UNVERIFIED below\n",
-                    values_counted(unverified));
+    text += line("WARNING", values_counted(unverified) +
+                                " not read in the standard or a source that repeats it: UNVERIFIED below");
   text += "\n  Impactor\n";
   for (const NamedValue& entry : values_of(standard)) text += entry_text(entry, units);
   text += "\n  Criteria\n";

@@ -21,8 +21,9 @@ const std::string examples = std::string{DASHPAD_SOURCE_DIR} + "/examples/";
 
 /// A standard that limits the peak acceleration and leaves the impactor to the case.
 std::string peak_standard(const std::string& limit_in_g) {
-  const std::string origin = "source = \"a test\"\nverified = true\n";
-  std::string text = "title = \"Peak\"\nsource = \"a test\"\n";
+  const std::string source = "source = \"a test\"\nkind = \"own text\"\n";
+  const std::string origin = source + "verified = true\n";
+  std::string text = "title = \"Peak\"\n" + source;
   for (const char* value : {"mass", "radius", "speed"})
     text += std::string{"["} + value + "]\nfrom_case = true\n" + origin;
   return text + "[[criteria]]\nmetric = \"peak\"\nlimit_g = " + limit_in_g +
@@ -160,7 +161,7 @@ TEST_F(AssessTest, TellsFaultsOfCaseStandardAndCommandLineAtOnce) {
   write_file(case_file(), with(elastic_case(), "\"5 kg\"", "\"5 s\""));
   const Outcome outcome = refused({standard("bad", peak_standard("-1")), "--radius", "3"});
   EXPECT_THAT(outcome.err,
-              AllOf(HasSubstr("case.toml:3: impactor.mass"), HasSubstr("bad.toml:17: criteria[1].limit_g"),
+              AllOf(HasSubstr("case.toml:3: impactor.mass"), HasSubstr("bad.toml:21: criteria[1].limit_g"),
                     HasSubstr("--radius 3"), HasSubstr("3 faults")));
 }
 
@@ -188,7 +189,7 @@ TEST_F(AssessTest, AStandardIsShownWithSources) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("cpsc-1203:hemispherical"), HasSubstr("WARNING"),
                                  HasSubstr("16 CFR 1203"), HasSubstr("radius  1.8898 in"),
-                                 HasSubstr("at most 300 g"), HasSubstr("UNVERIFIED; source: ")));
+                                 HasSubstr("at most 300 g"), HasSubstr("UNVERIFIED; no source: ")));
   EXPECT_EQ(dashpad({"standards", "none"}).exit_code, 2);
   EXPECT_EQ(dashpad({"standards", "cpsc-1203:none"}).exit_code, 2);
 }

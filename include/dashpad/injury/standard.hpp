@@ -12,9 +12,19 @@
 
 namespace dashpad {
 
-/// Where a value comes from, and whether it was read there. An unverified value is general knowledge.
+/// What a source is beside the text of the law or standard that binds.
+enum class SourceKind {
+  own_text,   ///< that text itself, wherever it is printed
+  secondary,  ///< a text that repeats or describes it
+  none,       ///< no text: general knowledge, or a choice
+};
+/// "own text", "secondary", "no source": as files name them.
+std::string to_string(SourceKind kind);
+
+/// Where a value comes from, and whether it was read there.
 struct Origin {
   std::string source;
+  SourceKind kind = SourceKind::none;
   bool verified = false;
   std::string note;  ///< for people; often empty
 };
@@ -73,7 +83,9 @@ struct StandardVariant {
 struct Standard {
   std::string name;  ///< as on the command line
   std::string title;
-  std::string source;
+  std::string article;  ///< the text that binds; may be empty
+  std::string source;   ///< what was read
+  SourceKind source_kind = SourceKind::none;
   std::string note;
   StandardValue mass, radius, speed;
   std::vector<Criterion> criteria;
