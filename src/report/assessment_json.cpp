@@ -17,6 +17,7 @@ std::string taken_from(const StandardValue& value) {
 Json input(const StandardValue& value, double used, double of_case) {
   return {{"value", number(used)},
           {"from", taken_from(value)},
+          {"replaced", differ(used, of_case)},
           {"case_value", number(of_case)},
           {"standard_value", number(value.chosen_by_user ? value.instead : value.value)},
           {"drop_height_m", number(value.drop_height)},
@@ -56,7 +57,7 @@ Json criterion(const CriterionResult& result) {
   entry["lower_bound"] = result.lower_bound;
   entry["limit"] = number(shown(of.limit, metric));
   entry["strict"] = of.strict;
-  entry["margin"] = number(shown(result.margin, metric));
+  entry["margin"] = result.margin ? number(shown(*result.margin, metric)) : Json(nullptr);
   entry["margin_is_upper_bound"] = result.lower_bound;
   entry["margin_fraction"] = number(result.relative_margin);
   entry["verdict"] = to_string(result.verdict);
@@ -68,6 +69,26 @@ Json criterion(const CriterionResult& result) {
   return entry;
 }
 
+Json figure(const Figure& of, double unit = 1) {
+  return {{"value", of.value ? number(*of.value / unit) : Json(nullptr)}, {"lower_bound", of.lower_bound}};
+}
+
+Json key_figures(const KeyFigures& of) {
+  return {{"peak_acceleration_g", figure(of.peak_acceleration, standard_gravity)},
+          {"hic15", figure(of.hic15)},
+          {"hic36", figure(of.hic36)},
+          {"peak_strain", figure(of.peak_strain)},
+          {"contact_end_s", figure(of.contact_end)},
+          {"rebound_speed_m_per_s", figure(of.rebound_speed)},
+          {"restitution", figure(of.restitution)}};
+}
+
+Json texts(const std::vector<Flag>& reservations) {
+  Json array = Json::array();
+  for (const Flag& reservation : reservations) array.push_back(reservation.text);
+  return array;
+}
+
 }  // namespace
 
 std::string assessment_json(const AssessmentReport& report) {
@@ -77,7 +98,7 @@ std::string assessment_json(const AssessmentReport& report) {
   Json json;
   json["verdict"] = to_string(report.assessment.verdict);
   json["unqualified"] = report.assessment.unqualified();
-  json["reservations"] = report.assessment.reservations;
+  json["reservations"] = texts(report.assessment.reservations);
   json["caveat"] = assessment_caveat();
   json["standard"] = {{"name", standard.name},
                       {"variants", standard.chosen},
@@ -88,7 +109,9 @@ std::string assessment_json(const AssessmentReport& report) {
                       {"note", standard.note}};
   json["impactor"] = impactor(report);
   json["criteria"] = criteria;
-  json["result"] = Json::parse(result_json(report.assessed, report.solution.summary));
+  json["figures"] = key_figures(report.assessment.figures);
+  json["result"] = Json::parse(
+      result_json(report.assessed, report.solution.summary, whole_pulse_figures(report.solution)));
   return json_text(json);
 }
 

@@ -261,6 +261,15 @@ TEST(standards, what_the_user_gives_takes_the_place_of_the_standard) {
   EXPECT_DOUBLE_EQ(*standard.speed.instead, 24 * kmh);
 }
 
+TEST(standards, a_value_that_is_the_standards_own_replaces_nothing) {
+  const Standard standard =
+      with_user_values(preset("fmvss-201-seat-back"),
+                       {.mass = 6.8, .radius = 0.0825 * (1 + 1e-15), .speed = 7, .drop_height = {}});
+  EXPECT_FALSE(standard.mass.chosen_by_user || standard.mass.instead);
+  EXPECT_FALSE(standard.radius.chosen_by_user || standard.radius.instead);
+  EXPECT_TRUE(standard.speed.chosen_by_user && standard.speed.instead);
+}
+
 // --- Bad presets ---
 
 const std::string good_preset = R"(title = "A standard"
