@@ -41,7 +41,8 @@ Origin read_origin(TableReader& table) {
                 .kind = read_kind(table),
                 .verified = read_yes_or_no(table, "verified"),
                 .note = table.text("note", Presence::optional)};
-  if (origin.verified && origin.kind == SourceKind::none)
+  const TomlNode* kind = table.node().child("kind");
+  if (origin.verified && kind && kind->text == to_string(SourceKind::none))
     table.fault("verified", "cannot be true without a source in which the value was read: see kind");
   return origin;
 }
