@@ -32,13 +32,16 @@ solver are those of the case. What was replaced is said. A standard that leaves 
 Several variants may follow the name, each after a colon. dashpad standards lists names and variants.
 
 Verdicts: pass where the value with its estimated error is within every limit, fail where a value without its
-error is above one, undecided where a limit lies within the error or the computation ended too early. A pass
-is "with reservations" where the result is EXTRAPOLATED, BOTTOMED, INCOMPLETE or misses its tolerance, where
-the material has an UNKNOWN RANGE, where a value of the standard is UNVERIFIED, or where you REPLACED one.
-It is a computation with one rigid sphere on a flat pad: no test to the standard, no certification.
+error is above one, undecided where a limit lies within the error. A pad that is struck through on a rigid
+support fails. A pulse that ends before contact is lost (PULSE CUT: a foam that does not unload, on a rigid
+support, or the time limit) gives lower bounds: they fail above a limit and are undecided below. Only the
+peak is judged in full, once the sphere came to rest. A pass is "with reservations" where the result has a
+flag (EXTRAPOLATED, BOTTOMED, PULSE CUT, ...), where the material has an UNKNOWN RANGE, where a value of the
+standard is UNVERIFIED, or where you REPLACED one. It is a computation with one rigid sphere on a flat pad:
+no test to the standard, no certification.
 
-Exit codes: 0 pass, also with reservations; 4 fail; 3 undecided, or the result misses the tolerance; 1 a
-result could not be written; 2 input or command line refused and nothing was run.)";
+Exit codes: 0 pass, also with reservations; 4 fail; 3 no verdict (undecided), or not reliable (the result
+misses the tolerance); 1 a result could not be written; 2 input or command line refused and nothing was run.)";
 
 struct Request {
   std::string case_file;

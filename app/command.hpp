@@ -19,7 +19,7 @@ enum ExitCode {
   exit_done = 0,         ///< results are there; also when the pad bottomed out or the time was up
   exit_failed = 1,       ///< a result could not be written, or the program is at fault
   exit_refused = 2,      ///< input or command line refused; nothing was run and nothing written
-  exit_not_trusted = 3,  ///< results are there, but miss the tolerance
+  exit_not_trusted = 3,  ///< no verdict, or not reliable: results are there, but miss the tolerance
   exit_not_passed = 4,   ///< a standard's limit is exceeded, or a rule of the validation is missed
 };
 

@@ -45,7 +45,8 @@ file is kept unless --force is given. A file is written whole or not at all, and
 result (TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, BOTTOMED, ENERGY GAINED, EXTRAPOLATED) as comments.
 
 Exit codes: 0 done (also when the pad bottomed out or the time was up), 1 the file could not be written or
-none of the curves exists, 2 refused and nothing was run, 3 the file is there but misses the tolerance.)";
+none of the curves exists, 2 refused and nothing was run, 3 not reliable: the file is there but misses the
+tolerance.)";
 
 /// A new format is a row here.
 struct Format {

@@ -37,7 +37,7 @@ Exit codes:
   0  done; also when the pad bottomed out or the time was up: these are results
   1  a result could not be written (full disk, ...), or the program failed
   2  input or command line refused; nothing was run, nothing was written
-  3  results are there but miss the tolerance: do not rely on them
+  3  no verdict, or not reliable: results are there but miss the tolerance, or assess cannot decide
   4  assess: a limit of the standard is exceeded; validate --strict: a rule is missed)";
 
 /// More than that nobody reads, of however many kinds the faults are.

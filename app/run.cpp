@@ -27,7 +27,8 @@ Files: - as FILE is standard output; the summary for people then goes to standar
 is kept unless --force is given. A file is written whole or not at all.
 
 Exit codes: 0 done (also when the pad bottomed out or the time was up), 1 a result could not be written,
-2 input or command line refused and nothing was run, 3 results are there but miss the tolerance.)";
+2 input or command line refused and nothing was run, 3 not reliable: results are there but miss the
+tolerance.)";
 
 struct Request {
   std::string case_file;

@@ -56,21 +56,22 @@ Estimate estimate(const Criterion& criterion, const Solution& solution, const In
   throw std::invalid_argument("assess: unknown metric");
 }
 
-/// Also where the tolerance was missed on the way there.
+/// Struck through on a rigid support, also where the tolerance was missed on the way there.
 bool has_no_finite_force(const Summary& summary) { return !summary.peak_force.has_value(); }
 
-/// The history goes on until contact is lost, unless something came in between.
-bool is_complete(const Summary& summary) { return pulse_is_whole(summary); }
+/// The force has had its largest value: the impactor came to rest, or went on to leave the pad.
+bool peak_is_final(const Summary& summary) { return summary.release.has_value(); }
 
-CriterionResult failed_without_value(const Criterion& criterion) {
-  return {.criterion = criterion,
-          .value = {},
-          .error = 0,
-          .lower_bound = false,
-          .margin = -infinity,
-          .relative_margin = -infinity,
-          .verdict = Verdict::fail,
-          .reason = "the pad bottomed out on a rigid support: no finite value"};
+bool is_lower_bound(Metric metric, const Summary& summary) {
+  return metric == Metric::peak ? !peak_is_final(summary) : !pulse_is_whole(summary);
+}
+
+CriterionResult struck_through(const Criterion& criterion) {
+  CriterionResult result;
+  result.criterion = criterion;
+  result.verdict = Verdict::fail;
+  result.reason = "struck through on a rigid support: no finite value";
+  return result;
 }
 
 /// A comparison with a number that is not one is false: then nothing is decided.
@@ -84,28 +85,48 @@ Verdict verdict_of(const CriterionResult& result) {
   return Verdict::undecided;
 }
 
-std::string reason_of(const CriterionResult& result) {
+std::string reason_of(const CriterionResult& result, const Summary& summary) {
   if (result.verdict != Verdict::undecided) return "";
-  if (result.lower_bound) return "the impact was not computed to its end: the value can only grow";
+  if (result.lower_bound)
+    return peak_is_final(summary)
+               ? "PULSE CUT: it ends at its peak, for the foam does not unload; the value can only grow"
+               : "PULSE CUT: it ends while the impactor is still on the pad; the value can only grow";
   return std::isfinite(result.error) ? "the limit lies within the error estimate" : "the error is unknown";
 }
 
 CriterionResult judge(const Criterion& criterion, const Solution& solution, const InjuryFigures& figures) {
-  if (has_no_finite_force(solution.summary) && facts(criterion.metric).grows_without_bound)
-    return failed_without_value(criterion);
+  if (has_no_finite_force(solution.summary)) return struck_through(criterion);
   const Estimate value = estimate(criterion, solution, figures);
   CriterionResult result;
   result.criterion = criterion;
   result.value = value.value;
   result.error = value.error;
-  if (has_no_finite_force(solution.summary))  // then the moment of bottoming has the only error there is
-    result.error += std::abs(value.value) * solution.summary.errors.bottomed;
-  result.lower_bound = !is_complete(solution.summary);
-  result.margin = criterion.limit - value.value;
-  result.relative_margin = result.margin / criterion.limit;
+  result.lower_bound = is_lower_bound(criterion.metric, solution.summary);
   result.verdict = verdict_of(result);
-  result.reason = reason_of(result);
+  if (!result.lower_bound || result.verdict == Verdict::fail) {
+    result.margin = criterion.limit - value.value;
+    result.relative_margin = *result.margin / criterion.limit;
+  }
+  result.reason = reason_of(result, solution.summary);
   return result;
+}
+
+KeyFigures key_figures(const Summary& summary, const InjuryFigures& injury) {
+  const bool ended = peak_is_final(summary) || has_no_finite_force(summary);
+  const auto of_pulse = [&summary](const Hic& hic) {
+    return has_no_finite_force(summary) ? Figure{} : Figure{hic.value, !pulse_is_whole(summary)};
+  };
+  KeyFigures figures;
+  figures.peak_acceleration = {summary.peak_acceleration, !ended};
+  figures.hic15 = of_pulse(injury.hic15);
+  figures.hic36 = of_pulse(injury.hic36);
+  figures.peak_strain = {summary.peak_strain, !ended};
+  if (pulse_is_whole(summary)) {
+    figures.contact_end = {summary.contact_end->time};
+    figures.rebound_speed = {summary.rebound_speed};
+    figures.restitution = {summary.restitution};
+  }
+  return figures;
 }
 
 /// One failure decides; one undecided criterion leaves a pass undecided.
@@ -117,19 +138,12 @@ Verdict overall(const std::vector<CriterionResult>& results) {
   return any(Verdict::undecided) ? Verdict::undecided : Verdict::pass;
 }
 
-/// An end at the time limit is one of several that leave a result incomplete.
-void add_reservations_about(const Summary& summary, std::vector<std::string>& reservations) {
-  for (const Flag& flag : flags(summary))
-    if (flag.name != "TIME LIMIT") reservations.push_back(flag.text);
-  if (!is_complete(summary) && !has_no_finite_force(summary))
-    reservations.emplace_back("INCOMPLETE: the computation ended while the impactor was still on the pad");
-}
-
 /// Without a range no result can be called extrapolated: that is no sign that none is.
-void add_reservations_about(const Material& material, std::vector<std::string>& reservations) {
+void add_reservations_about(const Material& material, std::vector<Flag>& reservations) {
   if (material.fitted) return;
   const std::string where = material.name == "in line" ? "case" : "card";
-  reservations.push_back("UNKNOWN RANGE: the " + where + " does not say where its law was fitted");
+  reservations.push_back(
+      {"UNKNOWN RANGE", "UNKNOWN RANGE: the " + where + " does not say where its law was fitted"});
 }
 
 std::string limit_of(const Criterion& criterion) {
@@ -139,7 +153,7 @@ std::string limit_of(const Criterion& criterion) {
   return text;
 }
 
-void add_reservations_about(const Standard& standard, std::vector<std::string>& reservations) {
+void add_reservations_about(const Standard& standard, std::vector<Flag>& reservations) {
   std::string unverified;
   const auto add = [&unverified](const std::string& what) {
     unverified += (unverified.empty() ? "" : ", ") + what;
@@ -148,13 +162,15 @@ void add_reservations_about(const Standard& standard, std::vector<std::string>& 
       {"mass", &standard.mass}, {"radius", &standard.radius}, {"speed", &standard.speed}};
   for (const auto& [name, value] : values) {
     if (value->instead)
-      reservations.push_back(std::string("REPLACED: the ") + name + " is not that of the standard");
+      reservations.push_back(
+          {"REPLACED", std::string("REPLACED: the ") + name + " is not that of the standard"});
     if (value->value && !value->origin.verified) add(name);
   }
   for (const Criterion& criterion : standard.criteria)
     if (!criterion.origin.verified) add(limit_of(criterion));
   if (!unverified.empty())
-    reservations.push_back("UNVERIFIED: not read in the standard or a source that repeats it: " + unverified);
+    reservations.push_back(
+        {"UNVERIFIED", "UNVERIFIED: not read in the standard or a source that repeats it: " + unverified});
 }
 
 }  // namespace
@@ -180,7 +196,8 @@ Assessment assess(const Standard& standard, const ImpactCase& impact, const Solu
   for (const Criterion& criterion : standard.criteria)
     assessment.results.push_back(judge(criterion, solution, figures));
   assessment.verdict = overall(assessment.results);
-  add_reservations_about(solution.summary, assessment.reservations);
+  assessment.figures = key_figures(solution.summary, figures);
+  assessment.reservations = flags(solution.summary);
   add_reservations_about(impact.pad.material, assessment.reservations);
   add_reservations_about(standard, assessment.reservations);
   return assessment;

@@ -41,27 +41,36 @@ const StandardVariant& find_variant(const Standard& standard, const std::string&
 }
 
 void replace(StandardValue& standard, std::optional<double> by_user, std::optional<double> drop_height) {
-  if (!by_user) return;
+  if (!by_user || (standard.value && !differ(*by_user, *standard.value))) return;
   standard = {.value = by_user,
               .drop_height = drop_height,
-              .origin = {.source = "the user", .verified = true, .note = ""},
+              .origin = {.source = "the user", .kind = SourceKind::none, .verified = true, .note = ""},
               .chosen_by_user = true,
               .instead = standard.value};
 }
 
 }  // namespace
 
+std::string to_string(SourceKind kind) {
+  switch (kind) {
+    case SourceKind::own_text: return "own text";
+    case SourceKind::secondary: return "secondary";
+    case SourceKind::none: return "no source";
+  }
+  return "";
+}
+
 const std::vector<MetricFacts>& metrics() {
   static const std::vector<MetricFacts> all{
-      {Metric::peak, "peak", "Peak acceleration", "m/s2", true},
-      {Metric::contiguous_3ms, "contiguous-3ms", "3 ms clip, uninterrupted", "m/s2", false},
-      {Metric::cumulative_3ms, "cumulative-3ms", "3 ms clip, cumulative", "m/s2", false},
-      {Metric::dwell, "dwell", "Time above", "s", false},
-      {Metric::hic15, "hic15", "HIC15", "1", true},
-      {Metric::hic36, "hic36", "HIC36", "1", true},
-      {Metric::hic_unlimited, "hic", "HIC, any window", "1", true},
-      {Metric::hic_d, "hic-d", "HIC(d)", "1", true},
-      {Metric::severity_index, "severity-index", "Severity index", "1", true},
+      {Metric::peak, "peak", "Peak acceleration", "m/s2"},
+      {Metric::contiguous_3ms, "contiguous-3ms", "3 ms clip, uninterrupted", "m/s2"},
+      {Metric::cumulative_3ms, "cumulative-3ms", "3 ms clip, cumulative", "m/s2"},
+      {Metric::dwell, "dwell", "Time above", "s"},
+      {Metric::hic15, "hic15", "HIC15", "1"},
+      {Metric::hic36, "hic36", "HIC36", "1"},
+      {Metric::hic_unlimited, "hic", "HIC, any window", "1"},
+      {Metric::hic_d, "hic-d", "HIC(d)", "1"},
+      {Metric::severity_index, "severity-index", "Severity index", "1"},
   };
   return all;
 }
@@ -90,6 +99,11 @@ Standard with_user_values(const Standard& standard, const UserValues& values) {
   replace(result.speed, values.speed, {});
   if (values.drop_height) replace(result.speed, speed_after_fall(*values.drop_height), values.drop_height);
   return result;
+}
+
+/// Units are exact to some digits of a double; nobody means less than nine.
+bool differ(double one, double other) {
+  return std::abs(one - other) > 1e-9 * std::max(std::abs(one), std::abs(other));
 }
 
 double speed_after_fall(double height) { return std::sqrt(2 * standard_gravity * height); }

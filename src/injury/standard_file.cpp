@@ -27,10 +27,24 @@ bool read_yes_or_no(TableReader& table, const std::string& key) {
   return is_other && node.text == "true";
 }
 
+/// No source after a fault.
+SourceKind read_kind(TableReader& table) {
+  constexpr SourceKind all[]{SourceKind::own_text, SourceKind::secondary, SourceKind::none};
+  std::vector<std::string> names;
+  for (const SourceKind kind : all) names.push_back(to_string(kind));
+  const auto found = std::ranges::find(names, table.choice("kind", names));
+  return found == names.end() ? SourceKind::none : all[found - names.begin()];
+}
+
 Origin read_origin(TableReader& table) {
-  return {.source = table.text("source"),
-          .verified = read_yes_or_no(table, "verified"),
-          .note = table.text("note", Presence::optional)};
+  Origin origin{.source = table.text("source"),
+                .kind = read_kind(table),
+                .verified = read_yes_or_no(table, "verified"),
+                .note = table.text("note", Presence::optional)};
+  const TomlNode* kind = table.node().child("kind");
+  if (origin.verified && kind && kind->text == to_string(SourceKind::none))
+    table.fault("verified", "cannot be true without a source in which the value was read: see kind");
+  return origin;
 }
 
 /// A quantity that must be more than 0; NaN has a fault already.
@@ -170,7 +184,9 @@ Standard read_standard(const fs::path& file) {
   Standard standard;
   standard.name = file.stem().string();
   standard.title = top.text("title");
+  standard.article = top.text("article", Presence::optional);
   standard.source = top.text("source");
+  standard.source_kind = read_kind(top);
   standard.note = top.text("note", Presence::optional);
   standard.mass = read_value(top, "mass", "kg", Presence::required).value_or(StandardValue{});
   standard.radius = read_value(top, "radius", "m", Presence::required).value_or(StandardValue{});

@@ -1,6 +1,7 @@
 #include "io/spelling.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <vector>
 
@@ -24,10 +25,31 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
   return row.back();
 }
 
+/// What a name of one letter begins like is no guess.
+constexpr std::size_t shortest_beginning = 2;
+
+/// "a", "b" or "c".
+std::string alternatives(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + ("\"" + words[i] + "\"");
+  return text;
+}
+
+std::vector<std::string> beginning_with(std::string_view word, std::span<const std::string> words) {
+  std::vector<std::string> found;
+  if (word.size() < shortest_beginning) return found;
+  std::ranges::copy_if(words, std::back_inserter(found),
+                       [word](const std::string& candidate) { return candidate.starts_with(word); });
+  return found;
+}
+
 }  // namespace
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> words) {
   if (word.size() > longest_word) return {};
+  if (const auto longer = beginning_with(word, words); !longer.empty())
+    return "; did you mean " + alternatives(longer) + "?";
   const std::string* closest = nullptr;
   std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string& candidate : words) {

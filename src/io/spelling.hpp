@@ -7,7 +7,8 @@
 
 namespace dashpad {
 
-/// `; did you mean "radius"?` if one of the words is close to `word`; otherwise "".
+/// `; did you mean "radius"?` for the words that begin with `word`, all of them, or else for the closest one;
+/// "" if none is close.
 std::string did_you_mean(std::string_view word, std::span<const std::string> words);
 
 /// The words, comma separated.

@@ -82,4 +82,20 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
+std::string wrapped(std::string_view line, std::size_t indent) {
+  constexpr std::size_t widest = 110;
+  const std::string margin(indent, ' ');
+  std::string text;
+  std::string rest(line);
+  while (width_of(rest) > widest) {
+    const auto first_word = std::min(rest.find_first_not_of(' '), rest.size());
+    auto blank = rest.rfind(' ', widest);  // bytes, of which no column has less than one
+    if (blank == std::string::npos || blank <= first_word) blank = rest.find(' ', first_word);
+    if (blank == std::string::npos) break;
+    text += rest.substr(0, blank) + "\n";
+    rest = margin + rest.substr(blank + 1);
+  }
+  return text + rest;
+}
+
 }  // namespace dashpad

@@ -33,4 +33,8 @@ std::size_t width_of(std::string_view text);
 /// Text from a file, safe for a terminal: line breaks and other control characters become spaces.
 std::string one_line(std::string_view text);
 
+/// Breaks a line at blanks so that no line is wider than 110 columns, as far as the words allow; all but the
+/// first are indented.
+std::string wrapped(std::string_view line, std::size_t indent);
+
 }  // namespace dashpad

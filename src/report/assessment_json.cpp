@@ -17,10 +17,12 @@ std::string taken_from(const StandardValue& value) {
 Json input(const StandardValue& value, double used, double of_case) {
   return {{"value", number(used)},
           {"from", taken_from(value)},
+          {"replaced", differ(used, of_case)},
           {"case_value", number(of_case)},
           {"standard_value", number(value.chosen_by_user ? value.instead : value.value)},
           {"drop_height_m", number(value.drop_height)},
           {"source", value.origin.source},
+          {"source_kind", value.chosen_by_user ? Json(nullptr) : Json(to_string(value.origin.kind))},
           {"verified", value.origin.verified},
           {"note", value.origin.note}};
 }
@@ -55,15 +57,36 @@ Json criterion(const CriterionResult& result) {
   entry["lower_bound"] = result.lower_bound;
   entry["limit"] = number(shown(of.limit, metric));
   entry["strict"] = of.strict;
-  entry["margin"] = number(shown(result.margin, metric));
+  entry["margin"] = result.margin ? number(shown(*result.margin, metric)) : Json(nullptr);
   entry["margin_is_upper_bound"] = result.lower_bound;
   entry["margin_fraction"] = number(result.relative_margin);
   entry["verdict"] = to_string(result.verdict);
   entry["reason"] = result.reason;
   entry["source"] = of.origin.source;
+  entry["source_kind"] = to_string(of.origin.kind);
   entry["verified"] = of.origin.verified;
   entry["note"] = of.origin.note;
   return entry;
+}
+
+Json figure(const Figure& of, double unit = 1) {
+  return {{"value", of.value ? number(*of.value / unit) : Json(nullptr)}, {"lower_bound", of.lower_bound}};
+}
+
+Json key_figures(const KeyFigures& of) {
+  return {{"peak_acceleration_g", figure(of.peak_acceleration, standard_gravity)},
+          {"hic15", figure(of.hic15)},
+          {"hic36", figure(of.hic36)},
+          {"peak_strain", figure(of.peak_strain)},
+          {"contact_end_s", figure(of.contact_end)},
+          {"rebound_speed_m_per_s", figure(of.rebound_speed)},
+          {"restitution", figure(of.restitution)}};
+}
+
+Json texts(const std::vector<Flag>& reservations) {
+  Json array = Json::array();
+  for (const Flag& reservation : reservations) array.push_back(reservation.text);
+  return array;
 }
 
 }  // namespace
@@ -75,16 +98,20 @@ std::string assessment_json(const AssessmentReport& report) {
   Json json;
   json["verdict"] = to_string(report.assessment.verdict);
   json["unqualified"] = report.assessment.unqualified();
-  json["reservations"] = report.assessment.reservations;
+  json["reservations"] = texts(report.assessment.reservations);
   json["caveat"] = assessment_caveat();
   json["standard"] = {{"name", standard.name},
                       {"variants", standard.chosen},
                       {"title", standard.title},
+                      {"article", standard.article.empty() ? Json(nullptr) : Json(standard.article)},
                       {"source", standard.source},
+                      {"source_kind", to_string(standard.source_kind)},
                       {"note", standard.note}};
   json["impactor"] = impactor(report);
   json["criteria"] = criteria;
-  json["result"] = Json::parse(result_json(report.assessed, report.solution.summary));
+  json["figures"] = key_figures(report.assessment.figures);
+  json["result"] = Json::parse(
+      result_json(report.assessed, report.solution.summary, whole_pulse_figures(report.solution)));
   return json_text(json);
 }
 

@@ -47,9 +47,11 @@ std::string value_text(const NamedValue& entry, const UnitSystem& units) {
 // --- A standard in full ---
 
 std::string origin_text(const Origin& origin) {
-  std::string text =
-      fmt::format("      {}source: {}\n", origin.verified ? "" : "UNVERIFIED; ", one_line(origin.source));
-  if (!origin.note.empty()) text += fmt::format("      {}\n", one_line(origin.note));
+  std::string text = wrapped(fmt::format("      {}{}: {}", origin.verified ? "" : "UNVERIFIED; ",
+                                         to_string(origin.kind), one_line(origin.source)),
+                             8) +
+                     "\n";
+  if (!origin.note.empty()) text += wrapped("      " + one_line(origin.note), 6) + "\n";
   return text;
 }
 
@@ -59,10 +61,11 @@ std::string entry_text(const NamedValue& entry, const UnitSystem& units) {
 }
 
 std::string criterion_text(const Criterion& criterion, const UnitSystem& units) {
-  return fmt::format("    {}: {} {}; {}\n", title_of(criterion), criterion.strict ? "below" : "at most",
-                     shown(criterion.limit, facts(criterion.metric).unit, units),
-                     one_line(criterion.description)) +
-         origin_text(criterion.origin);
+  return wrapped(fmt::format("    {}: {} {}; {}", title_of(criterion), criterion.strict ? "below" : "at most",
+                             shown(criterion.limit, facts(criterion.metric).unit, units),
+                             one_line(criterion.description)),
+                 6) +
+         "\n" + origin_text(criterion.origin);
 }
 
 std::string variant_text(const StandardVariant& variant, const UnitSystem& units) {
@@ -120,33 +123,71 @@ std::string giver(const StandardValue& value) {
   return value.chosen_by_user ? "given by you" : "of the standard";
 }
 
+std::array<double, 3> values_of(const Impactor& impactor) {
+  return {impactor.mass, impactor.radius, impactor.speed};
+}
+
+/// What the user did not want.
+std::string of_standard(const NamedValue& entry, const UnitSystem& units) {
+  if (!entry.value->instead) return "";
+  return fmt::format(", the standard {}", brief_quantity(*entry.value->instead, entry.si_unit, units));
+}
+
 std::string replaced_text(const AssessmentReport& report, const UnitSystem& units) {
-  const Impactor& before = report.given.impactor;
-  const std::array<double, 3> of_case{before.mass, before.radius, before.speed};
+  const std::array<double, 3> of_case = values_of(report.given.impactor);
   std::string replaced, kept;
   std::size_t i = 0;
   for (const NamedValue& entry : values_of(report.standard)) {
-    const std::string in_case = brief_quantity(of_case[i++], entry.si_unit, units);
-    if (!entry.value->value) {
-      kept += fmt::format("{} ({}), ", entry.name, in_case);
+    const double before = of_case[i++];
+    const std::string in_case = brief_quantity(before, entry.si_unit, units);
+    const std::optional<double>& value = entry.value->value;
+    if (!value || !differ(*value, before)) {
+      kept += fmt::format("{} ({}{}), ", entry.name, in_case, of_standard(entry, units));
       continue;
     }
-    std::string line = fmt::format("  {:<8}{}, {}; the case has {}", entry.name, value_text(entry, units),
-                                   giver(*entry.value), in_case);
-    if (entry.value->instead)
-      line += fmt::format(", the standard {}", brief_quantity(*entry.value->instead, entry.si_unit, units));
-    replaced += line + "\n";
+    const std::string line = fmt::format("  {:<8}{}, {}; the case has {}", entry.name,
+                                         value_text(entry, units), giver(*entry.value), in_case);
+    replaced += wrapped(line + of_standard(entry, units), 10) + "\n";
   }
   return (replaced.empty() ? "Nothing of the case was replaced.\n" : "Replaced in the case:\n" + replaced) +
-         fmt::format("Kept from the case: {}pad, support, solver.\n", kept);
+         wrapped(fmt::format("Kept from the case: {}pad, support, solver.", kept), 2) + "\n";
+}
+
+std::string limit_of(const Criterion& criterion) {
+  std::string text = fmt::format("limit of {}", facts(criterion.metric).key);
+  if (criterion.metric == Metric::dwell)
+    text += fmt::format(" above {} g", brief(criterion.level / standard_gravity));
+  return text;
+}
+
+/// The figures in force that have sources of one kind; what the user gives or the case has is none of them.
+std::vector<std::string> figures_from(SourceKind kind, const Standard& standard) {
+  std::vector<std::string> names;
+  for (const NamedValue& entry : values_of(standard))
+    if (entry.value->value && !entry.value->chosen_by_user && entry.value->origin.kind == kind)
+      names.emplace_back(entry.name);
+  for (const Criterion& criterion : standard.criteria)
+    if (criterion.origin.kind == kind) names.push_back(limit_of(criterion));
+  return names;
+}
+
+std::string sources_text(const Standard& standard) {
+  std::vector<std::string> kinds;
+  for (const SourceKind kind : {SourceKind::own_text, SourceKind::secondary, SourceKind::none})
+    if (const auto names = figures_from(kind, standard); !names.empty())
+      kinds.push_back(fmt::format("{} ({})", to_string(kind), fmt::join(names, ", ")));
+  return wrapped(fmt::format("Sources of the standard's figures: {}. dashpad standards {} names them.",
+                             fmt::join(kinds, ", "), full_name(standard)),
+                 2) +
+         "\n";
 }
 
 /// The sign is there always: a margin of a failed criterion is negative. Of a lower bound it can only shrink.
 std::string margin_text(const CriterionResult& result, const UnitSystem& units) {
-  if (!result.value) return "none";
-  const std::string margin = shown(result.margin, facts(result.criterion.metric).unit, units);
-  return fmt::format("{}{} ({:+.1f} %)", result.lower_bound ? "< " : "",
-                     margin.starts_with('-') ? margin : "+" + margin, 100 * result.relative_margin);
+  if (!result.margin) return "none";
+  const std::string margin = shown(*result.margin, facts(result.criterion.metric).unit, units);
+  return fmt::format("{}{} ({:+.1f} %)", result.lower_bound ? "≤ " : "",
+                     margin.starts_with('-') ? margin : "+" + margin, 100 * *result.relative_margin);
 }
 
 std::string error_text(const CriterionResult& result, const UnitSystem& units) {
@@ -161,12 +202,33 @@ std::string row(const CriterionResult& result, const UnitSystem& units) {
   const std::string unit = facts(result.criterion.metric).unit;
   const std::string value = result.value ? shown(*result.value, unit, units) : "none";
   std::string line =
-      fmt::format("  {:<26}{:>13} {:<12}{:>9}  {:<24}{}", title_of(result.criterion),
-                  (result.lower_bound ? "> " : "") + value, error_text(result, units),
+      fmt::format("  {:<26}{:>12} {:<12}{:>10}  {:<23}{}\n", title_of(result.criterion),
+                  (result.lower_bound ? "≥ " : "") + value, error_text(result, units),
                   (result.criterion.strict ? "< " : "") + shown(result.criterion.limit, unit, units),
                   margin_text(result, units), to_string(result.verdict));
-  if (!result.reason.empty()) line += ": " + result.reason;
-  return line + "\n";
+  if (!result.reason.empty()) line += "    " + result.reason + "\n";
+  return line;
+}
+
+std::string figure_text(const Figure& figure, const std::string& si_unit, const UnitSystem& units) {
+  if (!figure.value) return "none";
+  return (figure.lower_bound ? "≥ " : "") + shown(*figure.value, si_unit, units);
+}
+
+std::string figures_text(const KeyFigures& of, const UnitSystem& units) {
+  const auto line = [](const auto&... cells) {
+    return fmt::format("  {:<19}{:>12}     {:<14}{:>12}", cells...);
+  };
+  std::string text = line("Peak acceleration", figure_text(of.peak_acceleration, "m/s2", units),
+                          "Peak strain", figure_text(of.peak_strain, "1", units)) +
+                     "\n" +
+                     line("HIC15", figure_text(of.hic15, "1", units), "End of contact",
+                          figure_text(of.contact_end, "s", units)) +
+                     "\n" +
+                     line("HIC36", figure_text(of.hic36, "1", units), "Rebound speed",
+                          figure_text(of.rebound_speed, "m/s", units));
+  if (of.restitution.value) text += fmt::format("  restitution {}", figure_text(of.restitution, "1", units));
+  return text + "\n";
 }
 
 std::string upper_case(std::string text) {
@@ -175,13 +237,27 @@ std::string upper_case(std::string text) {
   return text;
 }
 
-std::string verdict_text(const Assessment& assessment) {
+/// The answer, with the names of what stands beside it.
+std::string verdict_text(const AssessmentReport& report, const UnitSystem& units) {
+  const Assessment& assessment = report.assessment;
+  std::vector<std::string> names;
+  for (const Flag& reservation : assessment.reservations)
+    if (std::ranges::find(names, reservation.name) == names.end()) names.push_back(reservation.name);
   std::string text = upper_case(to_string(assessment.verdict));
-  if (assessment.unqualified()) return text + "\n";
-  text += ", with reservations:\n";
-  for (const std::string& reservation : assessment.reservations)
-    text += "  - " + one_line(reservation) + "\n";
+  if (!names.empty()) text += fmt::format(", with reservations: {}", fmt::join(names, ", "));
+  text = wrapped(text, 2) + "\n";
+  const Summary& summary = report.solution.summary;
+  if (!summary.peak_force && summary.bottomed)
+    text += fmt::format("The pad was struck through at {}: on its rigid support no force is finite then.\n",
+                        brief_quantity(summary.bottomed->velocity, "m/s", units));
   return text;
+}
+
+std::string reservations_text(const Assessment& assessment) {
+  std::string text;
+  for (const Flag& reservation : assessment.reservations)
+    text += wrapped("  - " + one_line(reservation.text), 4) + "\n";
+  return text.empty() ? "" : "Reservations:\n" + text + "\n";
 }
 
 }  // namespace
@@ -200,13 +276,16 @@ std::string standard_line(const Standard& standard) {
 }
 
 std::string standard_text(const Standard& standard, const UnitSystem& units) {
-  std::string text = fmt::format("{}\n  Name    {}\n  Source  {}\n", one_line(standard.title),
-                                 full_name(standard), one_line(standard.source));
-  if (!standard.note.empty()) text += fmt::format("  Note    {}\n", one_line(standard.note));
+  const auto line = [](const std::string& label, const std::string& of) {
+    return wrapped(fmt::format("  {:<9}{}", label, one_line(of)), 11) + "\n";
+  };
+  std::string text = one_line(standard.title) + "\n" + line("Name", full_name(standard));
+  if (!standard.article.empty()) text += line("Own text", standard.article);
+  text += line("Read", to_string(standard.source_kind) + ": " + standard.source);
+  if (!standard.note.empty()) text += line("Note", standard.note);
   if (const std::size_t unverified = count_unverified(standard); unverified > 0)
-    text +=
-        fmt::format("  WARNING {} not read in the standard or a source that repeats it: UNVERIFIED below\n",
-                    values_counted(unverified));
+    text += line("WARNING", values_counted(unverified) +
+                                " not read in the standard or a source that repeats it: UNVERIFIED below");
   text += "\n  Impactor\n";
   for (const NamedValue& entry : values_of(standard)) text += entry_text(entry, units);
   text += "\n  Criteria\n";
@@ -217,12 +296,14 @@ std::string standard_text(const Standard& standard, const UnitSystem& units) {
 
 std::string assessment_text(const AssessmentReport& report, const UnitSystem& units) {
   const Standard& standard = report.standard;
-  std::string text = fmt::format("{} ({})\n", one_line(standard.title), full_name(standard));
-  if (!standard.note.empty()) text += one_line(standard.note) + "\n";
-  text += "\n" + case_text(report.assessed, units) + "\n" + replaced_text(report, units) + "\n";
-  text += fmt::format("  {:<26}{:>13} {:<12}{:>9}  {:<24}{}\n", "", "value", "error", "limit", "margin", "");
+  std::string text = verdict_text(report, units);
+  text += wrapped(fmt::format("{} ({})", one_line(standard.title), full_name(standard)), 2) + "\n\n";
+  text += fmt::format("  {:<26}{:>12} {:<12}{:>10}  {}\n", "Criterion", "value", "error", "limit", "margin");
   for (const CriterionResult& result : report.assessment.results) text += row(result, units);
-  text += "\n" + verdict_text(report.assessment);
+  text += "\nThe impact:\n" + figures_text(report.assessment.figures, units) + "\n";
+  text += reservations_text(report.assessment) + case_text(report.assessed, units);
+  text += replaced_text(report, units) + sources_text(standard);
+  if (!standard.note.empty()) text += wrapped(one_line(standard.note), 0) + "\n";
   return text + "\n" + assessment_caveat() + "\n";
 }
 

@@ -68,7 +68,8 @@ TEST_F(GuidanceTest, HelpTeaches) {
     EXPECT_THAT(outcome.out, AllOf(HasSubstr("Examples:\n"), HasSubstr("Exit codes:"))) << subcommand;
     EXPECT_EQ(outcome.err, "");
   }
-  EXPECT_THAT(dashpad({"--help"}).out, AllOf(HasSubstr("Exit codes:"), HasSubstr("dashboard-20mph.toml")));
+  EXPECT_THAT(dashpad({"--help"}).out, AllOf(HasSubstr("Exit codes:"), HasSubstr("dashboard-20mph.toml"),
+                                             HasSubstr("3  no verdict, or not reliable: ")));
   EXPECT_THAT(dashpad({"run", "--help"}).out, HasSubstr("Units:"));
 }
 

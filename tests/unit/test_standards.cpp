@@ -66,12 +66,35 @@ TEST(standards, every_preset_names_a_source_for_every_value) {
   }
 }
 
+TEST(standards, every_preset_names_the_text_that_binds) {
+  for (const Standard& standard : all_presets()) EXPECT_FALSE(standard.article.empty()) << standard.name;
+}
+
+/// What is the law's own text and what repeats it, typed a second time.
+TEST(standards, sources_are_told_apart) {
+  const auto limit = [](const std::string& name) { return preset(name).criteria.front().origin.kind; };
+  EXPECT_EQ(limit("fmvss-201-instrument-panel"), SourceKind::secondary);
+  EXPECT_EQ(limit("fmvss-201-seat-back"), SourceKind::secondary);
+  EXPECT_EQ(limit("fmvss-201u"), SourceKind::secondary);
+  EXPECT_EQ(limit("ece-r21"), SourceKind::none);
+  EXPECT_EQ(limit("cpsc-1203"), SourceKind::own_text);
+  EXPECT_EQ(limit("fmvss-208-hic15"), SourceKind::own_text);
+  EXPECT_EQ(limit("fmvss-218"), SourceKind::none);
+  EXPECT_EQ(preset("fmvss-218").mass.origin.kind, SourceKind::own_text);
+  EXPECT_EQ(preset("fmvss-218").radius.origin.kind, SourceKind::none);
+  const std::string text = standard_text(preset("fmvss-201-instrument-panel"), unit_systems().front());
+  EXPECT_THAT(text, AllOf(HasSubstr("\n  Own text 49 CFR 571.201 S5.1\n"),
+                          HasSubstr("\n  Read     secondary: 15 NYCRR 55.2 "),
+                          HasSubstr("\n      secondary: 15 NYCRR 55.2\n")));
+}
+
 /// A guess must never pass for something that was read.
-TEST(standards, general_knowledge_and_choices_are_unverified) {
+TEST(standards, general_knowledge_and_choices_are_no_source_and_unverified) {
   for (const Standard& standard : all_presets())
     for (const Origin* origin : origins_of(standard)) {
       const bool guessed =
           origin->source.starts_with("general knowledge") || origin->source.starts_with("chosen");
+      EXPECT_EQ(guessed, origin->kind == SourceKind::none) << standard.name << ": " << origin->source;
       EXPECT_FALSE(guessed && origin->verified) << standard.name << ": " << origin->source;
     }
 }
@@ -83,7 +106,7 @@ TEST(standards, unverified_values_warn) {
     const bool doubt = !std::ranges::all_of(origins, &Origin::verified);
     const std::string text = standard_text(standard, unit_systems().front());
     EXPECT_EQ(text.find("  WARNING ") != std::string::npos, doubt);
-    EXPECT_EQ(text.find("UNVERIFIED; source:") != std::string::npos, doubt);
+    EXPECT_EQ(text.find("      UNVERIFIED; ") != std::string::npos, doubt);
     EXPECT_EQ(standard_line(standard).find("unverified)") != std::string::npos, doubt);
     EXPECT_THAT(text, HasSubstr("no certification"));
   }
@@ -96,12 +119,12 @@ TEST(standards, unverified_values_of_variants_not_in_force_do_not_warn) {
       .name = "doubtful", .title = "Not read", .mass = StandardValue{}, .radius = {}, .speed = {}};
   standard.variants.push_back(doubtful);
   const auto text = [](const Standard& of) { return standard_text(of, unit_systems().front()); };
-  EXPECT_THAT(text(standard), AllOf(HasSubstr("WARNING 1 value "), HasSubstr("Variant doubtful"),
+  EXPECT_THAT(text(standard), AllOf(HasSubstr("WARNING  1 value "), HasSubstr("Variant doubtful"),
                                     HasSubstr("Variant air-bag")));
   const std::string chosen = text(with_variants(standard, {"air-bag"}));
   EXPECT_THAT(chosen, AllOf(Not(HasSubstr("WARNING")), Not(HasSubstr("UNVERIFIED")),
                             Not(HasSubstr("Variant ")), HasSubstr("\n  Not in force: doubtful\n")));
-  EXPECT_THAT(text(with_variants(standard, {"doubtful"})), HasSubstr("WARNING 1 value "));
+  EXPECT_THAT(text(with_variants(standard, {"doubtful"})), HasSubstr("WARNING  1 value "));
   EXPECT_THAT(text(with_variants(standard, {"air-bag", "doubtful"})), Not(HasSubstr("Not in force")));
 }
 
@@ -204,6 +227,11 @@ std::string message_of(const std::function<void()>& action) {
 
 TEST(standards, unknown_names_and_variants_are_refused_with_those_there_are) {
   EXPECT_THAT(message_of([] { preset("en-1079"); }), HasSubstr("did you mean \"en-1078\"?"));
+  EXPECT_THAT(message_of([] { preset("fmvss-201"); }),
+              HasSubstr("did you mean \"fmvss-201-instrument-panel\", \"fmvss-201-seat-back\" or "
+                        "\"fmvss-201u\"?"));
+  EXPECT_THAT(message_of([] { preset("nocsae-football-1"); }),
+              HasSubstr("did you mean \"nocsae-football-1970s\"?"));
   EXPECT_THAT(message_of([] { preset("en-1078:curb"); }), HasSubstr("it has kerbstone, a, c, e, m, o"));
   EXPECT_THAT(message_of([] { preset("fmvss-201-seat-back:any"); }), HasSubstr("it has none"));
   EXPECT_THAT(message_of([] { preset("en-1078:a:o"); }), HasSubstr("both set the mass"));
@@ -233,21 +261,34 @@ TEST(standards, what_the_user_gives_takes_the_place_of_the_standard) {
   EXPECT_DOUBLE_EQ(*standard.speed.instead, 24 * kmh);
 }
 
+TEST(standards, a_value_that_is_the_standards_own_replaces_nothing) {
+  const Standard standard =
+      with_user_values(preset("fmvss-201-seat-back"),
+                       {.mass = 6.8, .radius = 0.0825 * (1 + 1e-15), .speed = 7, .drop_height = {}});
+  EXPECT_FALSE(standard.mass.chosen_by_user || standard.mass.instead);
+  EXPECT_FALSE(standard.radius.chosen_by_user || standard.radius.instead);
+  EXPECT_TRUE(standard.speed.chosen_by_user && standard.speed.instead);
+}
+
 // --- Bad presets ---
 
 const std::string good_preset = R"(title = "A standard"
 source = "made up"
+kind = "secondary"
 [mass]
 value = "5 kg"
 source = "made up"
+kind = "secondary"
 verified = true
 [radius]
 value = "80 mm"
 source = "made up"
+kind = "secondary"
 verified = false
 [speed]
 drop_height = "1 m"
 source = "made up"
+kind = "secondary"
 verified = true
 [[criteria]]
 metric = "dwell"
@@ -255,12 +296,14 @@ level_g = 150
 limit = "4 ms"
 description = "short"
 source = "made up"
+kind = "secondary"
 verified = true
 [variants.light]
 title = "a light one"
 [variants.light.mass]
 value = "4 kg"
 source = "made up"
+kind = "secondary"
 verified = true
 )";
 
@@ -311,43 +354,53 @@ TEST(standard_faults, each_fault_is_named_with_line_key_and_rule) {
     std::vector<Expected> faults;
   };
   const std::vector<Edit> edits{
-      {"source = \"made up\"\n[mass]", "[mass]", {{0, "source", "is missing"}}},
+      {"source = \"made up\"\nkind = \"secondary\"\n[mass]",
+       "kind = \"secondary\"\n[mass]",
+       {{0, "source", "is missing"}}},
+      {"kind = \"secondary\"\n[mass]", "[mass]", {{0, "kind", "is missing"}}},
+      {"kind = \"secondary\"\n[mass]",
+       "kind = \"law\"\n[mass]",
+       {{3, "kind", "must be one of own text, secondary, no source"}}},
+      {"kind = \"secondary\"\nverified = true\n[radius]",
+       "kind = \"no source\"\nverified = true\n[radius]",
+       {{8, "mass.verified", "cannot be true without a source"}}},
+
       {"title =", "titel =", {{0, "title", "is missing"}, {1, "titel", "did you mean"}}},
-      {"5 kg", "5 m", {{4, "mass.value", "a mass is needed"}}},
-      {"5 kg", "0 kg", {{4, "mass.value", "must be more than 0"}}},
-      {"\"5 kg\"", "5", {{4, "mass.value", "needs a unit"}}},
-      {"value = \"5 kg\"\n", "", {{3, "mass.value", "give one of value and from_case"}}},
-      {"value = \"5 kg\"", "from_case = false", {{3, "mass.value", "give one of value and from_case"}}},
+      {"5 kg", "5 m", {{5, "mass.value", "a mass is needed"}}},
+      {"5 kg", "0 kg", {{5, "mass.value", "must be more than 0"}}},
+      {"\"5 kg\"", "5", {{5, "mass.value", "needs a unit"}}},
+      {"value = \"5 kg\"\n", "", {{4, "mass.value", "give one of value and from_case"}}},
+      {"value = \"5 kg\"", "from_case = false", {{4, "mass.value", "give one of value and from_case"}}},
       {"value = \"5 kg\"",
        "from_case = 1",
-       {{3, "mass.value", "give one of"}, {4, "mass.from_case", "must be true or false"}}},
+       {{4, "mass.value", "give one of"}, {5, "mass.from_case", "must be true or false"}}},
       {"value = \"5 kg\"",
        "drop_height = \"1 m\"",
-       {{3, "mass.value", "give one of"}, {4, "mass.drop_height", "unknown key"}}},
+       {{4, "mass.value", "give one of"}, {5, "mass.drop_height", "unknown key"}}},
       {"drop_height =",
        "value = \"3 m/s\"\ndrop_height =",
-       {{12, "speed.value", "give one of value, drop_height"}}},
-      {"verified = false\n", "", {{7, "radius.verified", "is missing; must be true or false"}}},
-      {"verified = false", "verified = \"no\"", {{10, "radius.verified", "must be true or false"}}},
-      {"metric = \"dwell\"", "metric = \"dwel\"", {{16, "criteria[1].metric", "did you mean \"dwell\"?"}}},
+       {{15, "speed.value", "give one of value, drop_height"}}},
+      {"verified = false\n", "", {{9, "radius.verified", "is missing; must be true or false"}}},
+      {"verified = false", "verified = \"no\"", {{13, "radius.verified", "must be true or false"}}},
+      {"metric = \"dwell\"", "metric = \"dwel\"", {{20, "criteria[1].metric", "did you mean \"dwell\"?"}}},
       {"metric = \"dwell\"",
        "metric = \"peak\"",
-       {{15, "criteria[1].limit_g", "is missing"},
-        {17, "criteria[1].level_g", "unknown key"},
-        {18, "criteria[1].limit", "unknown key"}}},
-      {"level_g = 150", "level_g = -1", {{17, "criteria[1].level_g", "must be more than 0"}}},
+       {{19, "criteria[1].limit_g", "is missing"},
+        {21, "criteria[1].level_g", "unknown key"},
+        {22, "criteria[1].limit", "unknown key"}}},
+      {"level_g = 150", "level_g = -1", {{21, "criteria[1].level_g", "must be more than 0"}}},
       {"limit = \"4 ms\"",
        "strict = 1\nlimit = \"4 ms\"",
-       {{18, "criteria[1].strict", "must be true or false"}}},
-      {"\"4 ms\"", "4", {{18, "criteria[1].limit", "needs a unit"}}},
-      {"description = \"short\"\n", "", {{15, "criteria[1].description", "is missing"}}},
-      {"title = \"a light one\"\n", "", {{22, "variants.light.title", "is missing"}}},
+       {{22, "criteria[1].strict", "must be true or false"}}},
+      {"\"4 ms\"", "4", {{22, "criteria[1].limit", "needs a unit"}}},
+      {"description = \"short\"\n", "", {{19, "criteria[1].description", "is missing"}}},
+      {"title = \"a light one\"\n", "", {{27, "variants.light.title", "is missing"}}},
       {"[variants.light]",
        "[variants.\"a:b\"]",
-       {{22, "variants.a:b", "lower-case letters"}, {24, "variants.light.title", "is missing"}}},
+       {{27, "variants.a:b", "lower-case letters"}, {29, "variants.light.title", "is missing"}}},
       {"light.mass",
        "light.weight",
-       {{22, "variants.light.mass", "must replace"}, {24, "variants.light.weight", "unknown key"}}},
+       {{27, "variants.light.mass", "must replace"}, {29, "variants.light.weight", "unknown key"}}},
   };
   for (const auto& [from, to, expected] : edits) {
     SCOPED_TRACE(from + " -> " + to);
@@ -366,10 +419,10 @@ TEST(standard_faults, all_faults_come_at_once_in_the_order_of_lines) {
   std::string text = edited(good_preset, "5 kg", "5 s");
   text = edited(text, "80 mm", "-80 mm");
   text = edited(text, "level_g", "level");
-  expect_faults(text, {{4, "mass.value", "a mass is needed"},
-                       {8, "radius.value", "must be more than 0"},
-                       {15, "criteria[1].level_g", "is missing"},
-                       {17, "criteria[1].level", "did you mean"}});
+  expect_faults(text, {{5, "mass.value", "a mass is needed"},
+                       {10, "radius.value", "must be more than 0"},
+                       {19, "criteria[1].level_g", "is missing"},
+                       {21, "criteria[1].level", "did you mean"}});
 }
 
 }  // namespace

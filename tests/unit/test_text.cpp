@@ -30,5 +30,25 @@ TEST(WidthOf, CountsCharactersNotBytes) {
   EXPECT_EQ(width_of("kJ/m³ 泡沫"), 8);
 }
 
+TEST(Wrapped, BreaksAtBlanksAndIndentsAllButTheFirstLine) {
+  const std::string word(50, 'w');
+  EXPECT_EQ(wrapped("  short", 4), "  short");
+  EXPECT_EQ(wrapped(word + " " + word + " " + word + " end", 4),
+            word + " " + word + "\n    " + word + " end");
+  const std::string widest(110, 'w');
+  EXPECT_EQ(wrapped(widest, 2), widest);
+  EXPECT_EQ(wrapped(widest + " a", 2), widest + "\n  a");
+}
+
+/// An address cannot be broken; the columns count characters, not bytes.
+TEST(Wrapped, KeepsWordsWhole) {
+  const std::string address(150, 'u');
+  EXPECT_EQ(wrapped("  see " + address + " for more", 4), "  see\n    " + address + "\n    for more");
+  EXPECT_EQ(wrapped(address, 4), address);
+  std::string wide;
+  for (int i = 0; i < 110; ++i) wide += "³";
+  EXPECT_EQ(wrapped(wide, 4), wide);
+}
+
 }  // namespace
 }  // namespace dashpad

@@ -7,14 +7,25 @@
 #include <string>
 #include <vector>
 
+#include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
 
 namespace dashpad {
 
-/// Where a value comes from, and whether it was read there. An unverified value is general knowledge.
+/// What a source is beside the text of the law or standard that binds.
+enum class SourceKind {
+  own_text,   ///< that text itself, wherever it is printed
+  secondary,  ///< a text that repeats or describes it
+  none,       ///< no text: general knowledge, or a choice
+};
+/// "own text", "secondary", "no source": as files name them.
+std::string to_string(SourceKind kind);
+
+/// Where a value comes from, and whether it was read there.
 struct Origin {
   std::string source;
+  SourceKind kind = SourceKind::none;
   bool verified = false;
   std::string note;  ///< for people; often empty
 };
@@ -25,7 +36,7 @@ struct StandardValue {
   std::optional<double> drop_height;  ///< m; of a speed that is given so
   Origin origin;
   bool chosen_by_user = false;    ///< the value is the user's, not the standard's
-  std::optional<double> instead;  ///< the standard's own value, if the user's took its place
+  std::optional<double> instead;  ///< the standard's own value, if another one of the user took its place
 };
 
 enum class Metric {
@@ -46,7 +57,6 @@ struct MetricFacts {
   const char* key = "";
   const char* title = "";
   const char* unit = "";
-  bool grows_without_bound = false;  ///< with a force of no finite value, however short
 };
 
 /// One entry for each metric, in the order of the enumeration.
@@ -73,7 +83,9 @@ struct StandardVariant {
 struct Standard {
   std::string name;  ///< as on the command line
   std::string title;
-  std::string source;
+  std::string article;  ///< the text that binds; may be empty
+  std::string source;   ///< what was read
+  SourceKind source_kind = SourceKind::none;
   std::string note;
   StandardValue mass, radius, speed;
   std::vector<Criterion> criteria;
@@ -92,7 +104,11 @@ struct UserValues {
   std::optional<double> speed;        ///< m/s; give this or the drop height
   std::optional<double> drop_height;  ///< m
 };
+/// A value that is the standard's own replaces nothing.
 Standard with_user_values(const Standard& standard, const UserValues& values);
+
+/// Whether two values differ by more than the rounding of their units.
+bool differ(double one, double other);
 
 /// Speed after a free fall in vacuum, m/s.
 double speed_after_fall(double height);
@@ -108,20 +124,39 @@ struct CriterionResult {
   Criterion criterion;
   std::optional<double> value;  ///< absent where there is no finite one
   double error = 0;             ///< estimated, absolute, in the unit of the value
-  bool lower_bound = false;     ///< the history ends before the impact does: the value can only grow
-  double margin = 0;  ///< limit - value, at most that for a lower bound; - infinity without a finite value
-  double relative_margin = 0;  ///< margin / limit
+  bool lower_bound = false;     ///< the pulse was cut: the value can only grow
+  /// limit - value, at most that for a lower bound. Absent without a value, and where a lower bound is not
+  /// above the limit: what is left of it then is no margin.
+  std::optional<double> margin;
+  std::optional<double> relative_margin;  ///< margin / limit
   Verdict verdict = Verdict::undecided;
   std::string reason;  ///< of a verdict that the numbers do not explain
 };
 
+/// A figure of the impact, SI. Absent where it does not exist.
+struct Figure {
+  std::optional<double> value;
+  bool lower_bound = false;  ///< the pulse was cut: the value can only grow
+};
+
+/// What is said beside every verdict, whatever the standard asks for.
+struct KeyFigures {
+  Figure peak_acceleration;
+  Figure hic15, hic36;
+  Figure peak_strain;    ///< on the axis
+  Figure contact_end;    ///< since first contact
+  Figure rebound_speed;  ///< when contact is lost
+  Figure restitution;
+};
+
 struct Assessment {
   std::vector<CriterionResult> results;
+  KeyFigures figures;
   Verdict verdict = Verdict::undecided;
-  /// Why the verdict is not to be taken as it stands: the result misses its tolerance, is extrapolated, or
-  /// nobody knows whether it is; it bottomed out or is incomplete; a limit or value is unverified; a value of
-  /// the standard was replaced.
-  std::vector<std::string> reservations;
+  /// Why the verdict is not to be taken as it stands: a flag of the impact, a material of which nobody knows
+  /// whether it was extrapolated, a limit or value that is unverified, a value of the standard that was
+  /// replaced.
+  std::vector<Flag> reservations;
 
   [[nodiscard]] bool unqualified() const { return reservations.empty(); }
 };
@@ -130,10 +165,14 @@ struct Assessment {
 std::string to_string(const Assessment& assessment);
 
 /// Judges the solution of `impact`, the case with the impactor of the standard. Passes where every value with
-/// its error is within its limit; fails where one without its error is above; otherwise undecided. After
-/// bottoming on a rigid support metrics that follow the force fail, as it has no finite value; the others are
-/// lower bounds. Throws std::invalid_argument for a standard without criteria and a solution without a
-/// history.
+/// its error is within its limit; fails where one without its error is above; otherwise undecided.
+///
+/// A pad that was struck through on a rigid support fails whatever is asked for: the force has no finite
+/// value. A pulse that was cut before contact was lost gives lower bounds, since each of the metrics can only
+/// grow with what is missing of the pulse: it fails above a limit and is undecided below. The peak alone is
+/// final once the impactor came to rest, as a foam that does not unload leaves it on a rigid support.
+///
+/// Throws std::invalid_argument for a standard without criteria and a solution without a history.
 Assessment assess(const Standard& standard, const ImpactCase& impact, const Solution& solution);
 
 }  // namespace dashpad
