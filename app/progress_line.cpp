@@ -37,6 +37,11 @@ void ProgressLine::show(std::size_t done, std::size_t all) {
   if (all > 0) share_ = static_cast<double>(done) / static_cast<double>(all);
 }
 
+void ProgressLine::now(std::string what) {
+  const std::lock_guard lock{mutex_};
+  what_ = std::move(what);
+}
+
 void ProgressLine::tick(const std::stop_token& stop) {
   const Clock::time_point begin = Clock::now();
   std::unique_lock lock{mutex_};

@@ -26,13 +26,15 @@ class ProgressLine {
 
   /// `done` of `all`; from any thread.
   void show(std::size_t done, std::size_t all);
+  /// The next step.
+  void now(std::string what);
 
  private:
   void tick(const std::stop_token& stop);
   void draw(double seconds);
   void say_how_long(double seconds);
 
-  const std::string what_;
+  std::string what_;
   std::atomic<double> share_ = 0;  ///< done, of 1; 0 as long as the computation does not tell
   bool said_how_long_ = false;
   TerminalLine line_;

@@ -15,9 +15,9 @@
 #include "dashpad/measurement/pulse_csv.hpp"
 #include "dashpad/report/pulse_text.hpp"
 #include "output.hpp"
+#include "progress_line.hpp"
 #include "pulse_request.hpp"
 #include "streams.hpp"
-#include "waiting_line.hpp"
 
 namespace dashpad {
 
@@ -152,7 +152,7 @@ PulseReport report_on(const PulseRequest& request) {
                      .dwells = {},
                      .flags = {}};
   if (wrong.empty()) announce_length(request.file);
-  WaitingLine waiting("Reading " + request.file);
+  ProgressLine waiting("Reading " + request.file);
   try {
     report.measured = read(request, settings, is_test);
   } catch (const InputError& error) {
@@ -185,7 +185,7 @@ int show_figures(const PulseRequest& request) {
   const PulseReport report = report_on(request);
   const UnitSystem& units = unit_system(request.units);
   const auto text_of = [&](const Target& target) {
-    const WaitingLine waiting("Writing " + target.file);
+    const ProgressLine waiting("Writing " + target.file);
     if (target.option == "--json") return pulse_json(report);
     if (target.option == "--csv") return pulse_csv(report, units_of_files(units));
     return picture(pulse_plot(report, units), *picture_format(target.file));
@@ -195,7 +195,7 @@ int show_figures(const PulseRequest& request) {
 }
 
 std::string list_of(const PulseRequest& request) {
-  const WaitingLine waiting("Reading " + request.file);
+  const ProgressLine waiting("Reading " + request.file);
   std::string text;
   if (is_iso_mme(request.file)) {
     for (const IsoMmeChannel& channel : iso_mme_channels(request.file))

@@ -519,7 +519,8 @@ class March {
     // The end of contact is read between the entries, which must come closer as the resolution rises.
     const bool in_contact = now_.force > contact_end_share * largest_force_;
     const double fall = in_contact ? std::min(0.7, 7 * resolution_) : 0.7;
-    return std::min(step, std::max(resolution_ * step, -fall * now_.force / motion_.force_rate()));
+    const double shortest = (in_contact ? 0.25 : 1) * resolution_ * step;
+    return std::min(step, std::max(shortest, -fall * now_.force / motion_.force_rate()));
   }
   [[nodiscard]] double longest_step() const { return longest_step(pad_stiffness_, now_, pad_rate_); }
   [[nodiscard]] double longest_step(const Attempt& a) const {

@@ -21,7 +21,7 @@ using testing::read;
 using testing::source;
 
 TEST(case_file, good_case_is_read_into_si) {
-  const auto [impact, options] = read(good_case);
+  const auto [impact, options, files] = read(good_case);
   EXPECT_EQ(impact.title, "A case");
   EXPECT_DOUBLE_EQ(impact.impactor.radius, 0.0762);
   EXPECT_DOUBLE_EQ(impact.impactor.mass, 4.5359237);
@@ -33,14 +33,16 @@ TEST(case_file, good_case_is_read_into_si) {
   EXPECT_DOUBLE_EQ(impact.support.force(0.0254), 600 * 4.4482216152605);
   EXPECT_EQ(options.tolerance, 1e-5);
   EXPECT_DOUBLE_EQ(options.time_limit, 0.2);
+  EXPECT_EQ(files.size(), 2) << "the case and its card";
 }
 
 TEST(case_file, solver_and_title_may_be_left_out) {
-  const auto [impact, options] =
+  const auto [impact, options, files] =
       read(edited(good_case.substr(0, good_case.find("[solver]")), "title = \"A case\"", ""));
   EXPECT_EQ(impact.title, "");
   EXPECT_EQ(options.tolerance, Options().tolerance);
   EXPECT_EQ(options.time_limit, Options().time_limit);
+  EXPECT_FALSE(files.empty());
 }
 
 TEST(case_file, mass_is_an_alternative_to_weight) {

@@ -46,7 +46,7 @@ std::string said(const std::string& text, const PulseCsvOptions& options = {}) {
   return "";
 }
 
-const Sensitivity ten_mv_per_g = sensitivity_of("10 mV/g");
+Sensitivity ten_mv_per_g() { return sensitivity_of("10 mV/g"); }
 const PulseCsvOptions in_ms_and_g{.time_unit = "ms", .acceleration_unit = "g"};
 
 /// The same two samples in many styles.
@@ -228,15 +228,15 @@ TEST(pulse_csv, a_table_without_times_is_read_with_an_interval) {
 TEST(pulse_csv, volts_become_an_acceleration_with_a_sensitivity) {
   const Sensitivity half = sensitivity_of("5 mV/g");
   for (const auto& [text, options] : std::vector<std::pair<std::string, PulseCsvOptions>>{
-           {"t_ms,ch1 [mV]\n0,10\n2,30\n", {.sensitivity = {ten_mv_per_g}}},
-           {"t_ms,acc [V]\n0,0.01\n2,0.03\n", {.sensitivity = {ten_mv_per_g}}},
-           {"t_ms,acc [V],old_g\n0,0.01,7\n2,0.03,7\n", {.sensitivity = {ten_mv_per_g}}},
-           {"Time,ch1\n[ms],[mV]\n0,10\n2,30\n", {.sensitivity = {ten_mv_per_g}}},
+           {"t_ms,ch1 [mV]\n0,10\n2,30\n", {.sensitivity = {ten_mv_per_g()}}},
+           {"t_ms,acc [V]\n0,0.01\n2,0.03\n", {.sensitivity = {ten_mv_per_g()}}},
+           {"t_ms,acc [V],old_g\n0,0.01,7\n2,0.03,7\n", {.sensitivity = {ten_mv_per_g()}}},
+           {"Time,ch1\n[ms],[mV]\n0,10\n2,30\n", {.sensitivity = {ten_mv_per_g()}}},
            {"t_ms,ch1\n0,10\n2,30\n",
-            {.acceleration = {"ch1"}, .acceleration_unit = "mV", .sensitivity = {ten_mv_per_g}}},
-           {"ch1 [mV]\n10\n30\n", {.sensitivity = {ten_mv_per_g}, .interval = 2e-3}},
+            {.acceleration = {"ch1"}, .acceleration_unit = "mV", .sensitivity = {ten_mv_per_g()}}},
+           {"ch1 [mV]\n10\n30\n", {.sensitivity = {ten_mv_per_g()}, .interval = 2e-3}},
            {"t_ms,x [mV],y [mV]\n0,6,4\n2,18,12\n",
-            {.resultant = true, .sensitivity = {ten_mv_per_g, half}}}}) {
+            {.resultant = true, .sensitivity = {ten_mv_per_g(), half}}}}) {
     SCOPED_TRACE(text);
     ASSERT_EQ(said(text, options), "");
     const MeasuredPulse measured = read(text, options);
@@ -247,7 +247,7 @@ TEST(pulse_csv, volts_become_an_acceleration_with_a_sensitivity) {
 }
 
 TEST(pulse_csv, a_sensitivity_is_a_voltage_for_an_acceleration) {
-  EXPECT_DOUBLE_EQ(ten_mv_per_g.volts_per_acceleration, 10e-3 / g);
+  EXPECT_DOUBLE_EQ(ten_mv_per_g().volts_per_acceleration, 10e-3 / g);
   EXPECT_DOUBLE_EQ(sensitivity_of("0.5 V / (m/s2)").volts_per_acceleration, 0.5);
   EXPECT_DOUBLE_EQ(sensitivity_of("1.02 mV/m/s^2").volts_per_acceleration, 1.02e-3);
   for (const std::string text :
@@ -347,11 +347,11 @@ const std::vector<Bad> bad_files{
      {.acceleration = {"2"}}},
     {"t_ms,a_g\n0,1\n2,3\n",
      ":1: a_g: is in g; --sensitivity is for a column in V or mV",
-     {.sensitivity = {ten_mv_per_g}}},
-    {"t_ms,acc\n0,1\n2,3\n", "give --acceleration-unit V, mV", {.sensitivity = {ten_mv_per_g}}},
+     {.sensitivity = {ten_mv_per_g()}}},
+    {"t_ms,acc\n0,1\n2,3\n", "give --acceleration-unit V, mV", {.sensitivity = {ten_mv_per_g()}}},
     {"t_ms,x [V],y [V],z [V]\n0,1,1,1\n2,3,3,3\n",
      "2 sensitivities were given for 3 accelerations; give one for all, or one for each",
-     {.resultant = true, .sensitivity = {ten_mv_per_g, ten_mv_per_g}}},
+     {.resultant = true, .sensitivity = {ten_mv_per_g(), ten_mv_per_g()}}},
     // No text.
     {std::string("t_ms,a_g\n0,1\n\0,2", 15), ":3: is not text: it holds the byte 0"},
     {"\xff\xfet", ":1: is UTF-16; save it as UTF-8"},
