@@ -261,107 +261,111 @@ struct Bad {
   PulseCsvOptions options = {};
 };
 
-const std::vector<Bad> bad_files{
-    // Units.
-    {"time,acc\n0,1\n2,3\n", ":1: time: the time needs a unit; none is in the header: give --time-unit"},
-    {"time,acc\n0,1\n2,3\n", ":1: acc: the acceleration needs a unit; none is in the header"},
-    {"0,1\n2,3\n", ": column 2: the acceleration needs a unit"},
-    {"time [ms],acc [furlong]\n0,1\n2,3\n", "no column is recognized as the acceleration"},
-    {"time [ms],acc [mg]\n0,1\n2,3\n", "no column is recognized as the acceleration"},
-    {"time [ms],acc [mg]\n0,1\n2,3\n", "an acceleration is needed", {.acceleration = {"acc"}}},
-    {"t_ms,a_g\n0,1\n2,3\n",
-     "--acceleration-unit kg: an acceleration is needed",
-     {.acceleration_unit = "kg"}},
-    {"time_ms,acceleration_furlong_per_ms2\n0,1\n2,3\n",
-     "needs a unit; \"furlong_per_ms2\" in the header is not one that is known"},
-    {"time [ms],acc [furlong]\n0,1\n2,3\n", "the unit \"furlong\" of column 2 is not one of acceleration"},
-    {"time [ms],acc [mm/fortnite2]\n0,1\n2,3\n", "unknown unit \"mm/fortnite2\""},
-    {"t_ms,a_g\n0,1\n2,3\n", "--time-unit g: a time is needed", {.time_unit = "g"}},
-    // Columns.
-    {"t_ms,a_g,b_g\n0,1,2\n2,3,4\n",
-     "several columns may be the acceleration: a_g (2), b_g (3); choose with"},
-    {"t_ms,t2_ms,a_g\n0,1,2\n2,3,4\n", "several columns may be the time"},
-    {"t_ms,x,y\n0,1,2\n2,3,4\n", "no column is recognized as the acceleration; name it with --acceleration"},
-    {"t_ms,a_g\n0,1\n2,3\n",
-     "--acceleration b: no such column; there are t_ms (1), a_g (2)",
-     {.acceleration = {"b"}}},
-    {"t_ms,a_g\n0,1\n2,3\n", "--time 3: the columns are 1 to 2", {.time = "3"}},
-    {"t_ms,a_g\n0,1\n2,3\n", "--time 0: the columns are 1 to 2", {.time = "0"}},
-    {"t_ms,a_g,a_g\n0,1,1\n2,3,1\n", "several columns have that name", {.acceleration = {"a_g"}}},
-    {"t_ms,a_g\n0,1\n2,3\n", "is both the time and an acceleration", {.acceleration = {"1"}}},
-    {"t_ms,a_g,b_g\n0,1,1\n2,3,1\n", "is named twice", {.acceleration = {"a_g", "2"}, .resultant = true}},
-    {"t_ms,a_g,b_g\n0,1,1\n2,3,1\n", "combine them with --resultant", {.acceleration = {"2", "3"}}},
-    {"t_ms,a_g\n0,1\n2,3\n", "a resultant needs two or three accelerations, not 1", {.resultant = true}},
-    {"t_ms,a_g,b_g,c_g,d_g\n0,1,1,1,1\n2,3,1,1,1\n", "several columns may be", {.resultant = true}},
-    // Numbers.
-    {"t_ms,a_g\n0,1\n1,\n2,3\n", ":3: a_g: is missing; a pulse cannot have gaps"},
-    {"t_ms,a_g\n0,1\n,2\n2,3\n", ":3: t_ms: is missing"},
-    {"t_ms,a_g\n0,1\n1,x\n2,3\n", ":3: a_g = x: must be a number"},
-    {"t_ms,a_g\n0,x\n1,2\n2,3\n", ":2: a_g = x: must be a number"},
-    {"t_ms,a_g\nx,5\n1,2\n2,3\n", ":2: t_ms = x: must be a number"},
-    {"t_ms,a_g\n0,1\n1,nan\n2,3\n", ":3: a_g = nan: must be a finite number"},
-    {"t_ms,a_g\n0,NaN\n1,1\n2,3\n", ":2: a_g = NaN: must be a finite number"},
-    {"t_ms,a_g\n0,1\n1,-inf\n2,3\n", ":3: a_g = -inf: must be a finite number"},
-    {"t_ms,a_g\n0,1\n1,1e400\n2,3\n", ":3: a_g = 1e400: is too large or too small"},
-    {"t_ms,a_g\n0,1\n1,1e308\n2,3\n", ":3: a_g = 1e308: is too large or too small"},
-    {"t_ms,a_g\n0,1\n1,0x10\n2,3\n", ":3: a_g = 0x10: must be a number"},
-    {"t_ms,a_g\n0,1\n1,5 g\n2,3\n", ":3: a_g = 5 g: must be a number"},
-    {"t_ms;a_g\n0;1,5\n1;2.5\n2;3\n", ":3: a_g = 2.5: has a decimal point, but line 2 has a comma"},
-    {"t_ms;a_g\n0.0;1\n1;2,5\n2;3\n", ":3: a_g = 2,5: has a decimal comma, but line 2 has a point"},
-    {"t_ms;a_g\n0;1.000,5\n1;2,5\n2;3\n", ":2: a_g = 1.000,5: must be a number"},
-    {"t_ms,a_g\n0,0,1,0\n1,0,2,5\n", "decimal commas need another separator"},
-    // Times.
-    {"t_ms,a_g\n0,1\n0,2\n2,3\n", ":3: t_ms = 0: repeats the time before, with another value"},
-    {"t_ms,a_g\n0,1\n2,2\n1,3\n", ":4: t_ms = 1: is earlier than the time before"},
-    {"t_ms,a_g\n1,1\n", "has one sample only"},
-    {"t_ms,a_g\n1,1\n1,1\n", "has one sample only"},
-    // Rows.
-    {"t_ms,a_g\n0,1\n1\n2,3\n", ":3: has 1 field where 2 are expected"},
-    {"t_ms,a_g\n0,1\n1,2,3\n2,3\n", ":3: has 3 fields where 2 are expected"},
-    {"t_ms,a_g\n0,1\n\"1,2\n2,3\n", ":3: has a quote that is not closed"},
-    {"t_ms,a_g\n0,1\n\"1\"x,2\n2,3\n", ":3: has text behind a closing quote"},
-    {"", ": is empty"},
-    {"\n\n", "has no row of two numbers"},
-    {"t_ms,a_g\n", "has no row of two numbers"},
-    // One column.
-    {"t_ms\n1\n2\n", ":2: has one column of numbers, and no times"},
-    {"acc [g]\n0.1\n0.3\n0.2\n",
-     ":2: has one column of numbers, and no times; if that is the acceleration, "
-     "--interval \"0.1 ms\" tells the time between two samples"},
-    {"acc [g]\n0,1\n0,3\n0,2\n", ":2: has one column of numbers"},
-    {"Logger 12 34\nacc [g]\n0.1\n0.3\n0.2\n0.1\n", ":3: has one column of numbers"},
-    {"1\n3\n", ": column 1: the acceleration needs a unit", {.interval = 2e-3}},
-    {"acc [g]\n1\n\n3\n",
-     ":3: has no content; without times a sample may be missing here",
-     {.interval = 2e-3}},
-    {"acc [g]\n1\nx\n3\n", ":3: acc [g] = x: must be a number", {.interval = 2e-3}},
-    {"acc [g]\n1\n", "has one sample only", {.interval = 2e-3}},
-    {"ax [g],ay [g]\n1,2\n3,4\n", "several columns may be the acceleration", {.interval = 2e-3}},
-    // Volts.
-    {"t_ms,ch1 [mV]\n0,1\n2,3\n",
-     "no column is recognized as the acceleration; name it with --acceleration: t_ms (1), ch1 [mV] (2); "
-     "column 2 "
-     "is in mV, for which --sensitivity is needed, such as \"10 mV/g\""},
-    {"t_ms,ch1 [mV]\n0,1\n2,3\n",
-     ":1: ch1 [mV]: is in mV; --sensitivity, such as \"10 mV/g\", makes an acceleration of it",
-     {.acceleration = {"2"}}},
-    {"t_ms,a_g\n0,1\n2,3\n",
-     ":1: a_g: is in g; --sensitivity is for a column in V or mV",
-     {.sensitivity = {ten_mv_per_g()}}},
-    {"t_ms,acc\n0,1\n2,3\n", "give --acceleration-unit V, mV", {.sensitivity = {ten_mv_per_g()}}},
-    {"t_ms,x [V],y [V],z [V]\n0,1,1,1\n2,3,3,3\n",
-     "2 sensitivities were given for 3 accelerations; give one for all, or one for each",
-     {.resultant = true, .sensitivity = {ten_mv_per_g(), ten_mv_per_g()}}},
-    // No text.
-    {std::string("t_ms,a_g\n0,1\n\0,2", 15), ":3: is not text: it holds the byte 0"},
-    {"\xff\xfet", ":1: is UTF-16; save it as UTF-8"},
-    {"\x7f"
-     "ELF\x02\x01\x01",
-     "is not text"},
-};
+/// Made on demand: the tests of units want to be the first to ask for any.
+std::vector<Bad> bad_files() {
+  return {
+      // Units.
+      {"time,acc\n0,1\n2,3\n", ":1: time: the time needs a unit; none is in the header: give --time-unit"},
+      {"time,acc\n0,1\n2,3\n", ":1: acc: the acceleration needs a unit; none is in the header"},
+      {"0,1\n2,3\n", ": column 2: the acceleration needs a unit"},
+      {"time [ms],acc [furlong]\n0,1\n2,3\n", "no column is recognized as the acceleration"},
+      {"time [ms],acc [mg]\n0,1\n2,3\n", "no column is recognized as the acceleration"},
+      {"time [ms],acc [mg]\n0,1\n2,3\n", "an acceleration is needed", {.acceleration = {"acc"}}},
+      {"t_ms,a_g\n0,1\n2,3\n",
+       "--acceleration-unit kg: an acceleration is needed",
+       {.acceleration_unit = "kg"}},
+      {"time_ms,acceleration_furlong_per_ms2\n0,1\n2,3\n",
+       "needs a unit; \"furlong_per_ms2\" in the header is not one that is known"},
+      {"time [ms],acc [furlong]\n0,1\n2,3\n", "the unit \"furlong\" of column 2 is not one of acceleration"},
+      {"time [ms],acc [mm/fortnite2]\n0,1\n2,3\n", "unknown unit \"mm/fortnite2\""},
+      {"t_ms,a_g\n0,1\n2,3\n", "--time-unit g: a time is needed", {.time_unit = "g"}},
+      // Columns.
+      {"t_ms,a_g,b_g\n0,1,2\n2,3,4\n",
+       "several columns may be the acceleration: a_g (2), b_g (3); choose with"},
+      {"t_ms,t2_ms,a_g\n0,1,2\n2,3,4\n", "several columns may be the time"},
+      {"t_ms,x,y\n0,1,2\n2,3,4\n",
+       "no column is recognized as the acceleration; name it with --acceleration"},
+      {"t_ms,a_g\n0,1\n2,3\n",
+       "--acceleration b: no such column; there are t_ms (1), a_g (2)",
+       {.acceleration = {"b"}}},
+      {"t_ms,a_g\n0,1\n2,3\n", "--time 3: the columns are 1 to 2", {.time = "3"}},
+      {"t_ms,a_g\n0,1\n2,3\n", "--time 0: the columns are 1 to 2", {.time = "0"}},
+      {"t_ms,a_g,a_g\n0,1,1\n2,3,1\n", "several columns have that name", {.acceleration = {"a_g"}}},
+      {"t_ms,a_g\n0,1\n2,3\n", "is both the time and an acceleration", {.acceleration = {"1"}}},
+      {"t_ms,a_g,b_g\n0,1,1\n2,3,1\n", "is named twice", {.acceleration = {"a_g", "2"}, .resultant = true}},
+      {"t_ms,a_g,b_g\n0,1,1\n2,3,1\n", "combine them with --resultant", {.acceleration = {"2", "3"}}},
+      {"t_ms,a_g\n0,1\n2,3\n", "a resultant needs two or three accelerations, not 1", {.resultant = true}},
+      {"t_ms,a_g,b_g,c_g,d_g\n0,1,1,1,1\n2,3,1,1,1\n", "several columns may be", {.resultant = true}},
+      // Numbers.
+      {"t_ms,a_g\n0,1\n1,\n2,3\n", ":3: a_g: is missing; a pulse cannot have gaps"},
+      {"t_ms,a_g\n0,1\n,2\n2,3\n", ":3: t_ms: is missing"},
+      {"t_ms,a_g\n0,1\n1,x\n2,3\n", ":3: a_g = x: must be a number"},
+      {"t_ms,a_g\n0,x\n1,2\n2,3\n", ":2: a_g = x: must be a number"},
+      {"t_ms,a_g\nx,5\n1,2\n2,3\n", ":2: t_ms = x: must be a number"},
+      {"t_ms,a_g\n0,1\n1,nan\n2,3\n", ":3: a_g = nan: must be a finite number"},
+      {"t_ms,a_g\n0,NaN\n1,1\n2,3\n", ":2: a_g = NaN: must be a finite number"},
+      {"t_ms,a_g\n0,1\n1,-inf\n2,3\n", ":3: a_g = -inf: must be a finite number"},
+      {"t_ms,a_g\n0,1\n1,1e400\n2,3\n", ":3: a_g = 1e400: is too large or too small"},
+      {"t_ms,a_g\n0,1\n1,1e308\n2,3\n", ":3: a_g = 1e308: is too large or too small"},
+      {"t_ms,a_g\n0,1\n1,0x10\n2,3\n", ":3: a_g = 0x10: must be a number"},
+      {"t_ms,a_g\n0,1\n1,5 g\n2,3\n", ":3: a_g = 5 g: must be a number"},
+      {"t_ms;a_g\n0;1,5\n1;2.5\n2;3\n", ":3: a_g = 2.5: has a decimal point, but line 2 has a comma"},
+      {"t_ms;a_g\n0.0;1\n1;2,5\n2;3\n", ":3: a_g = 2,5: has a decimal comma, but line 2 has a point"},
+      {"t_ms;a_g\n0;1.000,5\n1;2,5\n2;3\n", ":2: a_g = 1.000,5: must be a number"},
+      {"t_ms,a_g\n0,0,1,0\n1,0,2,5\n", "decimal commas need another separator"},
+      // Times.
+      {"t_ms,a_g\n0,1\n0,2\n2,3\n", ":3: t_ms = 0: repeats the time before, with another value"},
+      {"t_ms,a_g\n0,1\n2,2\n1,3\n", ":4: t_ms = 1: is earlier than the time before"},
+      {"t_ms,a_g\n1,1\n", "has one sample only"},
+      {"t_ms,a_g\n1,1\n1,1\n", "has one sample only"},
+      // Rows.
+      {"t_ms,a_g\n0,1\n1\n2,3\n", ":3: has 1 field where 2 are expected"},
+      {"t_ms,a_g\n0,1\n1,2,3\n2,3\n", ":3: has 3 fields where 2 are expected"},
+      {"t_ms,a_g\n0,1\n\"1,2\n2,3\n", ":3: has a quote that is not closed"},
+      {"t_ms,a_g\n0,1\n\"1\"x,2\n2,3\n", ":3: has text behind a closing quote"},
+      {"", ": is empty"},
+      {"\n\n", "has no row of two numbers"},
+      {"t_ms,a_g\n", "has no row of two numbers"},
+      // One column.
+      {"t_ms\n1\n2\n", ":2: has one column of numbers, and no times"},
+      {"acc [g]\n0.1\n0.3\n0.2\n",
+       ":2: has one column of numbers, and no times; if that is the acceleration, "
+       "--interval \"0.1 ms\" tells the time between two samples"},
+      {"acc [g]\n0,1\n0,3\n0,2\n", ":2: has one column of numbers"},
+      {"Logger 12 34\nacc [g]\n0.1\n0.3\n0.2\n0.1\n", ":3: has one column of numbers"},
+      {"1\n3\n", ": column 1: the acceleration needs a unit", {.interval = 2e-3}},
+      {"acc [g]\n1\n\n3\n",
+       ":3: has no content; without times a sample may be missing here",
+       {.interval = 2e-3}},
+      {"acc [g]\n1\nx\n3\n", ":3: acc [g] = x: must be a number", {.interval = 2e-3}},
+      {"acc [g]\n1\n", "has one sample only", {.interval = 2e-3}},
+      {"ax [g],ay [g]\n1,2\n3,4\n", "several columns may be the acceleration", {.interval = 2e-3}},
+      // Volts.
+      {"t_ms,ch1 [mV]\n0,1\n2,3\n",
+       "no column is recognized as the acceleration; name it with --acceleration: t_ms (1), ch1 [mV] (2); "
+       "column 2 "
+       "is in mV, for which --sensitivity is needed, such as \"10 mV/g\""},
+      {"t_ms,ch1 [mV]\n0,1\n2,3\n",
+       ":1: ch1 [mV]: is in mV; --sensitivity, such as \"10 mV/g\", makes an acceleration of it",
+       {.acceleration = {"2"}}},
+      {"t_ms,a_g\n0,1\n2,3\n",
+       ":1: a_g: is in g; --sensitivity is for a column in V or mV",
+       {.sensitivity = {ten_mv_per_g()}}},
+      {"t_ms,acc\n0,1\n2,3\n", "give --acceleration-unit V, mV", {.sensitivity = {ten_mv_per_g()}}},
+      {"t_ms,x [V],y [V],z [V]\n0,1,1,1\n2,3,3,3\n",
+       "2 sensitivities were given for 3 accelerations; give one for all, or one for each",
+       {.resultant = true, .sensitivity = {ten_mv_per_g(), ten_mv_per_g()}}},
+      // No text.
+      {std::string("t_ms,a_g\n0,1\n\0,2", 15), ":3: is not text: it holds the byte 0"},
+      {"\xff\xfet", ":1: is UTF-16; save it as UTF-8"},
+      {"\x7f"
+       "ELF\x02\x01\x01",
+       "is not text"},
+  };
+}
 
 TEST(pulse_csv, each_kind_of_bad_file_is_told) {
-  for (const Bad& bad : bad_files) {
+  for (const Bad& bad : bad_files()) {
     SCOPED_TRACE(bad.text);
     EXPECT_THAT(said(bad.text, bad.options), HasSubstr(bad.said));
   }
