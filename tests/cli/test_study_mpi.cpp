@@ -36,10 +36,11 @@ class StudyMpiTest : public CommandTest {
   std::string command(const std::string& store) {
     return "$DASHPAD study " + file("study.toml") + " --out " + file(store) + " --quiet";
   }
-  /// Runs a script in which $RANKS starts that many ranks.
+  /// Runs a script in which $RANKS starts that many ranks. Open MPI keeps memory until the end, from plugins
+  /// that are gone by then: a build with AddressSanitizer is not to report it.
   static Outcome with_ranks(int ranks, const std::string& script) {
-    return shell("RANKS='mpirun --oversubscribe --allow-run-as-root -n " + std::to_string(ranks) + "'\n" +
-                 script);
+    return shell("export ASAN_OPTIONS=detect_leaks=0 RANKS='mpirun --oversubscribe --allow-run-as-root -n " +
+                 std::to_string(ranks) + "'\n" + script);
   }
   /// One message and no store.
   void expect_refused(const Outcome& outcome, const std::string& words) const {
