@@ -113,7 +113,9 @@ std::vector<Reading> readings_of(const Study& study, const Records& records, con
     const Status status = records.statuses[group.places[i]];
     const bool is_final = status == Status::released || status == Status::bottomed_out;
     const bool is_known = !std::isnan(values[i]) && (is_final || (status == Status::time_limit && grows));
-    readings.push_back({is_known ? values[i] : -infinity, is_known && is_final ? values[i] : infinity});
+    const double low = is_known ? values[i] : -infinity;
+    const double high = is_known && is_final ? values[i] : infinity;
+    readings.push_back({low, high});
   }
   return readings;
 }
