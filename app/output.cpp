@@ -111,12 +111,14 @@ void write_device(const std::string& name, const fs::path& device, std::string_v
   if (error != 0 && error != EPIPE) fail(name, error);
 }
 
-}  // namespace
-
+/// Whether both names lead to one file: under two spellings, through symbolic links or as hard links. Neither
+/// need be there yet.
 bool is_same_file(const fs::path& a, const fs::path& b) {
   std::error_code error;
   return fs::equivalent(a, b, error) || place_of(a) == place_of(b);
 }
+
+}  // namespace
 
 void judge_targets(const std::vector<Target>& targets, const std::vector<InputFile>& inputs, bool force,
                    std::vector<std::string>& wrong) {

@@ -19,10 +19,6 @@ struct Target {
   [[nodiscard]] bool is_standard_output() const { return file == "-"; }
 };
 
-/// Whether both names lead to one file: under two spellings, through symbolic links or as hard links. Neither
-/// need be there yet.
-bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
-
 /// Tells `wrong` what forbids writing to the targets, seen before the run, a line each: a file that exists
 /// (without force), a folder that is missing or closed to us, two targets that are one, standard output or
 /// standard error redirected to a target, a target that is one of the files that the command read.

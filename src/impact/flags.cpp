@@ -22,7 +22,7 @@ std::string bottoming(const Summary& summary) {
                          : "on its rigid support, so that the force has no finite value there");
 }
 
-/// Differences from 1 that are rounding, also where an estimate says less.
+/// Share of the impact energy that is rounding, also where an estimate says less.
 constexpr double rounding = 1e-9;
 
 double energy_gained(const Summary& summary) { return -summary.energy_absorbed_fraction; }
@@ -30,8 +30,7 @@ double energy_gained(const Summary& summary) { return -summary.energy_absorbed_f
 std::string gain(const Summary& summary) {
   return fmt::format(
       "ENERGY GAINED: the pad gave back {:.2g} % of the impact energy more than it took, as no foam does; "
-      "the "
-      "law does not exclude it",
+      "the law does not exclude it",
       100 * energy_gained(summary));
 }
 
