@@ -92,8 +92,8 @@ std::string wrapped(std::string_view line, std::size_t indent) {
     auto blank = rest.rfind(' ', widest);  // bytes, of which no column has less than one
     if (blank == std::string::npos || blank <= first_word) blank = rest.find(' ', first_word);
     if (blank == std::string::npos) break;
-    text += rest.substr(0, blank) + "\n";
-    rest = margin + rest.substr(blank + 1);
+    text.append(rest, 0, blank).append("\n");
+    rest.replace(0, blank + 1, margin);
   }
   return text + rest;
 }
