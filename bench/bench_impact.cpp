@@ -44,8 +44,7 @@ void try_step(benchmark::State& state, const Law& law, bool unloading) {
   field.start(0.05);
   double time = 0;
   while (speed * time < thickness / 2) {
-    field.trial(speed * step, time, step);
-    field.accept();
+    field.accept(field.trial(speed * step, time, step));
     time += step;
   }
   const double advance = (unloading ? -1 : 1) * speed * step;

@@ -8,9 +8,6 @@
 /// s is the depth at which the sphere's surface meets a column: the column is touched when Y passes s. g is
 /// smooth in w at the contact edge and at full compression alike; it is taken as linear between stations.
 /// Stations lie closer towards the axis, and are added there as the gap L - Y closes.
-///
-/// A step is tried (any number of times) and then accepted; only acceptance changes the state. By vectors the
-/// 9-parameter law has no columns until the pad is unloaded for the first time (contact/loading_force.hpp).
 
 #include <algorithm>
 #include <bit>
@@ -21,7 +18,7 @@
 #include <type_traits>
 
 #include "contact/columns.hpp"
-#include "contact/loading_force.hpp"
+#include "contact/contact.hpp"
 #include "contact/sweep.hpp"
 #include "dashpad/pad/law.hpp"
 
@@ -32,17 +29,13 @@ class ColumnField {
  public:
   /// All storage is taken here: later calls do not allocate.
   ColumnField(const Law& law, double thickness, double radius, ColumnMath math = ColumnMath::vector)
-      : law_(law),
-        shape_(law.exponents(), thickness, radius),
-        thickness_(thickness),
-        radius_(radius),
-        math_(math) {}
+      : law_(law), power_(law.exponents()), thickness_(thickness), radius_(radius), math_(math) {}
 
   /// Another pad in the same storage.
   void set(const Law& law, double thickness, double radius, ColumnMath math) {
     law_ = law;
     math_ = math;
-    shape_.set(law.exponents(), thickness, radius);
+    if (law.exponents() != power_.exponents()) power_ = PowerShape(law.exponents());
     thickness_ = thickness;
     radius_ = radius;
   }
@@ -70,102 +63,104 @@ class ColumnField {
   /// `resolution` is the relative spacing of stations aimed at; `expected` the largest penetration that is
   /// expected, m, over which they are spread.
   void start(double resolution, double expected = std::numeric_limits<double>::infinity()) {
+    clear(resolution);
+    lay_columns(expected, std::min(thickness_, radius_));
+    for (std::size_t j = 0; j < columns_.size(); ++j) set_at_rest(columns_.now, j);
+  }
+  /// No columns yet: they are laid when the pad is unloaded.
+  void clear(double resolution) {
     resolution_ = resolution;
     penetration_ = largest_penetration_ = 0;
     live_ = 0;
     updates_ = 0;
-    from_ = -1;
+    last_ = {};
     correction_ = 1;
     columns_.clear();
-    loading_.start();
-    without_columns_ = skips_columns && math_ == ColumnMath::vector;
-    if (without_columns_) return;
-    lay_columns(expected, std::min(thickness_, radius_));
-    for (std::size_t j = 0; j < columns_.size(); ++j) set_at_rest(columns_.now, j);
   }
 
-  /// Pad force after the penetration has advanced by `advance` from the accepted state, evenly over
-  /// [from, from + step] in time. The advance may be far below the rounding of the penetration.
-  double trial(double advance, double from, double step) {
-    const double penetration = penetration_ + advance;
+  /// Columns for the unloading of a pad that was only loaded so far, in the state to which `steps` have led.
+  /// Their integral, which has the error of the stations, is made to go on from the force of the loading.
+  void begin_after(const std::vector<LoadingStep>& steps, double force) {
+    penetration_ = largest_penetration_ = steps.empty() ? 0 : steps.back().penetration;
+    last_ = {};
+    columns_.clear();
+    lay_columns(penetration_, std::min(penetration_, radius_));
+    if (penetration_ <= 0) return;
+    live_ = columns_.size();
+    const SweepStep step{columns_.depth(), live_, thickness_, radius_, 0, penetration_, penetration_};
+    replay(law_, power_, steps, step, columns_.now);
+    updates_ += live_ * steps.size();
+    const double edge = steps.back().modulus * std::max(radius_ - penetration_, 0.0);
+    correction_ = force / integrate(columns_.now, live_, penetration_, edge);
+  }
+
+  PadTrial trial(double advance, double from, double step) {
     const double rate = advance / (thickness_ * step);
-    trial_ = penetration;
+    trial_ = penetration_ + advance;
     // The tries of one step share their time.
-    if (from != from_ || step != step_)
-      from_ = from, step_ = step, time_part_ = law_.time_part(from, from + step);
-    if constexpr (skips_columns) {
-      if (without_columns_ && rate < 0) replay_loading();
-      if (without_columns_) {
-        ++updates_;
-        rate_part_ = law_.rate_part(rate);
-        return loading_.trial(shape_, law_, penetration, rate_part_, time_part_);
-      }
-    }
+    if (from != last_.from || step != last_.step) time_part_ = law_.time_part(from, from + step);
+    last_ = {advance, from, step, 0};
     rate_part_ = law_.rate_part(rate);
     const double* depth = columns_.depth();
-    trial_live_ =
-        static_cast<std::size_t>(std::lower_bound(depth, depth + columns_.size(), penetration) - depth);
+    trial_live_ = static_cast<std::size_t>(std::lower_bound(depth, depth + columns_.size(), trial_) - depth);
     updates_ += trial_live_;
-    if (trial_live_ == 0) return 0;
+    if (trial_live_ == 0) return last_;
     if (math_ == ColumnMath::vector)
-      sweep(law_, shape_.power(), rate_part_, time_part_, sweep_step(), columns_.now, columns_.next_state);
+      sweep(law_, power_, rate_part_, time_part_, sweep_step(), columns_.now, columns_.next_state);
     else
       step_one_by_one();
     const double edge =
-        rate >= 0 ? law_.edge_ratio(rate_part_) * std::max(radius_ - penetration, 0.0) : unknown_edge;
-    return correction_ * integrate(columns_.next_state, trial_live_, penetration, edge);
+        rate >= 0 ? law_.edge_ratio(rate_part_) * std::max(radius_ - trial_, 0.0) : unknown_edge;
+    last_.force = correction_ * integrate(columns_.next_state, trial_live_, trial_, edge);
+    return last_;
   }
 
-  /// dF/dt if the penetration of the last trial were held from its end on (`time` in s since contact).
-  [[nodiscard]] double force_rate_when_held(double time) {
-    if (without_columns_) return loading_.force_rate_when_held();
+  [[nodiscard]] double force_rate_when_held(const PadTrial& trial) {
+    recall(trial);
     if (trial_live_ == 0) return 0;
     const Columns& next = columns_.next_state;
     double edge = 0;
-    double sum = math_ == ColumnMath::vector ? sum_of_held(held_rate(law_, time), sweep_step(), next, edge)
-                                             : held_one_by_one(time, edge);
+    double sum = math_ == ColumnMath::vector
+                     ? sum_of_held(held_rate(law_, trial.end()), sweep_step(), next, edge)
+                     : held_one_by_one(trial.end(), edge);
     sum += edge * (next.measure[trial_live_ - 1] - edge_measure(trial_)) / 2;
     return correction_ * 2 * std::numbers::pi * thickness_ * sum;
   }
 
-  /// Largest stress of any column after the last trial, tension negative: contact is lost where it crosses
-  /// zero.
-  [[nodiscard]] double largest_stress() const {
-    if (without_columns_) return 1;
+  /// Of any column, tension negative: contact is lost where it crosses zero.
+  [[nodiscard]] double largest_stress(const PadTrial& trial) {
+    recall(trial);
     if (trial_live_ == 0) return -std::numeric_limits<double>::min();
     return *std::max_element(columns_.next_state.stress, columns_.next_state.stress + trial_live_);
   }
 
-  /// Accepts the last trial step.
-  void accept() {
+  void accept(const PadTrial& trial) {
+    recall(trial);
     penetration_ = trial_;
     largest_penetration_ = std::max(largest_penetration_, penetration_);
-    if (without_columns_) return loading_.accept();
     for (std::size_t j = trial_live_; j < columns_.size(); ++j) set_at_rest(columns_.next_state, j);
     std::swap(columns_.now, columns_.next_state);
     live_ = trial_live_;
+    last_ = {};
     if (penetration_ == largest_penetration_) grade_axis();
   }
 
   /// Outer radius of the stressed area, m.
   [[nodiscard]] double contact_radius() const {
     double depth = std::min(penetration_, radius_);
-    if (!without_columns_) {
-      const double* stress = columns_.now.stress;
-      std::size_t j = live_;
-      while (j > 0 && stress[j - 1] <= 0) --j;
-      if (j == 0) return 0;
-      if (j < live_) {
-        const double inner = columns_.depth()[j - 1];
-        depth = inner + (columns_.depth()[j] - inner) * stress[j - 1] / (stress[j - 1] - stress[j]);
-      }
+    const double* stress = columns_.now.stress;
+    std::size_t j = live_;
+    while (j > 0 && stress[j - 1] <= 0) --j;
+    if (j == 0) return 0;
+    if (j < live_) {
+      const double inner = columns_.depth()[j - 1];
+      depth = inner + (columns_.depth()[j] - inner) * stress[j - 1] / (stress[j - 1] - stress[j]);
     }
     return std::sqrt(depth * (2 * radius_ - depth));
   }
 
  private:
   static constexpr double unknown_edge = -1;
-  static constexpr bool skips_columns = std::is_same_v<Law, NineParameter>;
   using StrainPart = typename Law::StrainPart;
   static constexpr std::size_t numbers = sizeof(StrainPart) / sizeof(double);
   using Numbers = std::array<double, numbers>;
@@ -200,7 +195,7 @@ class ColumnField {
       const Strain strain = strain_at(trial_, depth);
       const double before = std::max((penetration_ - depth) / thickness_, 0.0);
       const double largest = (largest_penetration_ - depth) / thickness_;
-      const auto power = shape_.power().at(strain);
+      const auto power = power_.at(strain);
       const auto part = law_.strain_part(strain, power);
       const double remainder =
           columns_.now.stress[j] - law_.envelope(part_of(columns_.now, j), rate_part_, before, largest);
@@ -238,7 +233,7 @@ class ColumnField {
 
   /// w at the outer end of the contact: 0, or where the sphere's side begins.
   [[nodiscard]] double edge_measure(double penetration) const {
-    return penetration <= radius_ ? 0 : shape_.power().at(strain_at(penetration, radius_)).measure;
+    return penetration <= radius_ ? 0 : power_.at(strain_at(penetration, radius_)).measure;
   }
   /// Integral of max(g, 0) over a cell in which g is linear.
   static double positive_part(double g, double h, double width) {
@@ -331,7 +326,7 @@ class ColumnField {
   void insert_after(std::size_t j, double depth) {
     const Columns& now = columns_.now;
     const Strain strain = strain_at(penetration_, depth);
-    const auto power = shape_.power().at(strain);
+    const auto power = power_.at(strain);
     const auto part = law_.strain_part(strain, power);
     const double outer = relaxed(j + 1);
     const double relative = outer + (relaxed(j) - outer) * (power.measure - now.measure[j + 1]) /
@@ -348,22 +343,14 @@ class ColumnField {
     return columns_.now.stress[j] / law_.envelope(part_of(columns_.now, j), rate_part_, strain, strain);
   }
 
-  /// Columns for the unloading, brought to where the loading has left them. Their integral, which has the
-  /// error of the stations, is made to go on from the force of the loading.
-  void replay_loading() {
-    without_columns_ = false;
-    lay_columns(penetration_, std::min(penetration_, radius_));
-    if (penetration_ <= 0) return;
-    live_ = columns_.size();
-    SweepStep step{columns_.depth(), live_, thickness_, radius_, 0, penetration_, penetration_};
-    replay(law_, shape_.power(), loading_.steps(), step, columns_.now);
-    updates_ += live_ * loading_.steps().size();
-    const double edge = loading_.steps().back().modulus * std::max(radius_ - penetration_, 0.0);
-    correction_ = loading_.force() / integrate(columns_.now, live_, penetration_, edge);
+  /// Makes a trial from the accepted state the last one.
+  void recall(const PadTrial& wanted) {
+    if (!last_.is_over(wanted.advance, wanted.from, wanted.step))
+      trial(wanted.advance, wanted.from, wanted.step);
   }
 
   Law law_;
-  ContactShape shape_;
+  PowerShape power_;
   double thickness_;
   double radius_;
   ColumnMath math_;
@@ -372,16 +359,13 @@ class ColumnField {
   double largest_penetration_ = 0;
   double trial_ = 0;
   typename Law::RatePart rate_part_{};  ///< of the last trial
-  double from_ = -1;  ///< of the last trial, with its length and what the law makes of the two
-  double step_ = 0;
-  typename Law::TimePart time_part_{};
-  bool without_columns_ = false;
-  double correction_ = 1;       ///< of the contact integral
-  std::size_t live_ = 0;        ///< columns under strain in the accepted state
-  std::size_t trial_live_ = 0;  ///< and in the trial
+  typename Law::TimePart time_part_{};  ///< likewise
+  PadTrial last_;                       ///< without step: none from the accepted state
+  double correction_ = 1;               ///< of the contact integral
+  std::size_t live_ = 0;                ///< columns under strain in the accepted state
+  std::size_t trial_live_ = 0;          ///< and in the trial
   std::size_t updates_ = 0;
   ColumnStorage columns_;
-  LoadingForce loading_;
 };
 
 }  // namespace dashpad

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "contact/contact.hpp"
 #include "dashpad/pad/stress_curve.hpp"
 
 namespace dashpad {
@@ -26,19 +27,17 @@ class CurveContact {
   [[nodiscard]] std::size_t stations() const { return 0; }
   [[nodiscard]] std::size_t updates() const { return 0; }
 
-  void start(double, double = 0) { penetration_ = 0; }
+  void start(double, double) { penetration_ = 0; }
 
-  /// Force after an advance from the accepted penetration; the times do not matter, the law has no memory.
-  double trial(double advance, double, double) {
-    trial_ = penetration_ + advance;
-    return force(trial_);
+  /// The times do not matter: the law has no memory.
+  [[nodiscard]] PadTrial trial(double advance, double from, double step) const {
+    return {advance, from, step, force(penetration_ + advance)};
   }
-  [[nodiscard]] double force_rate_when_held(double) const { return 0; }
-  void accept() { penetration_ = trial_; }
+  [[nodiscard]] double force_rate_when_held(const PadTrial&) const { return 0; }
+  void accept(const PadTrial& trial) { penetration_ += trial.advance; }
 
-  /// Of the last trial's stress, tensile when negative, no more than the sign: contact is lost where it
-  /// crosses zero.
-  [[nodiscard]] double largest_stress() const { return trial_; }
+  /// No more than its sign: tension is where the nose has left the pad.
+  [[nodiscard]] double largest_stress(const PadTrial& trial) const { return penetration_ + trial.advance; }
 
   /// Contact radius, m.
   [[nodiscard]] double contact_radius() const {
@@ -83,7 +82,6 @@ class CurveContact {
   double thickness_;
   double radius_;
   double penetration_ = 0;
-  double trial_ = 0;
 };
 
 }  // namespace dashpad

@@ -63,6 +63,14 @@ struct LoadingStep {
   double decay = 1;        ///< exp(-dt / tau)
 };
 
+/// A step of the loading that is tried.
+struct LoadingTrial {
+  LoadingStep step;
+  double force = 0;                 ///< N
+  double shape_force = 0;           ///< K, Pa m2 per Pa
+  double force_rate_when_held = 0;  ///< N/s
+};
+
 class LoadingForce {
  public:
   LoadingForce() { steps_.reserve(100'000); }
@@ -71,32 +79,28 @@ class LoadingForce {
     steps_.clear();
     force_ = shape_force_ = 0;
   }
-  double trial(const ContactShape& shape, const NineParameter& law, double penetration,
-               const NineParameter::RatePart& rate, const NineParameter::TimePart& time) {
-    trial_shape_ = shape.at(penetration);
-    trial_ = {penetration, rate.modulus, time.decay};
-    trial_force_ = rate.modulus * trial_shape_ + (force_ - rate.modulus * shape_force_) * time.decay;
-    held_rate_ = (law.asymptotic_modulus * trial_shape_ - trial_force_) / law.relaxation_time;
-    return trial_force_;
+  [[nodiscard]] LoadingTrial trial(const ContactShape& shape, const NineParameter& law, double penetration,
+                                   const NineParameter::RatePart& rate,
+                                   const NineParameter::TimePart& time) const {
+    LoadingTrial trial{{penetration, rate.modulus, time.decay}};
+    trial.shape_force = shape.at(penetration);
+    trial.force = rate.modulus * trial.shape_force + (force_ - rate.modulus * shape_force_) * time.decay;
+    trial.force_rate_when_held =
+        (law.asymptotic_modulus * trial.shape_force - trial.force) / law.relaxation_time;
+    return trial;
   }
-  /// dF/dt if the penetration of the last trial were held.
-  [[nodiscard]] double force_rate_when_held() const { return held_rate_; }
-  void accept() {
-    steps_.push_back(trial_);
-    force_ = trial_force_;
-    shape_force_ = trial_shape_;
+  void accept(const LoadingTrial& trial) {
+    steps_.push_back(trial.step);
+    force_ = trial.force;
+    shape_force_ = trial.shape_force;
   }
   [[nodiscard]] double force() const { return force_; }
   [[nodiscard]] const std::vector<LoadingStep>& steps() const { return steps_; }
 
  private:
   std::vector<LoadingStep> steps_;
-  LoadingStep trial_;
   double force_ = 0;
   double shape_force_ = 0;  ///< K
-  double trial_force_ = 0;
-  double trial_shape_ = 0;
-  double held_rate_ = 0;
 };
 
 }  // namespace dashpad

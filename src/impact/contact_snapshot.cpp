@@ -99,9 +99,9 @@ std::vector<ContactSnapshot> replayed(const Law& law, const ImpactCase& impact, 
   std::size_t now = 0;
   for (const std::size_t entry : chosen_entries(history)) {
     for (; now < entry; ++now) {
-      field.trial(history.penetration[now + 1] - history.penetration[now], history.time[now],
-                  history.time[now + 1] - history.time[now]);
-      field.accept();
+      const double step = history.time[now + 1] - history.time[now];
+      field.accept(
+          field.trial(history.penetration[now + 1] - history.penetration[now], history.time[now], step));
     }
     ContactSnapshot snapshot = empty_snapshot(history, entry);
     snapshot.determined = history.penetration[entry] < field.lock_penetration() * (1 - 1e-12);

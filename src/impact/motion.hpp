@@ -9,23 +9,13 @@
 
 #include <cmath>
 
+#include "contact/contact.hpp"
 #include "dashpad/support/support.hpp"
+#include "impact/trial.hpp"
 
 namespace dashpad {
 
-struct State {
-  double time = 0, motion = 0, velocity = 0, penetration = 0, force = 0;
-  /// Speed by which the support outruns a pad held still; > 0 loads the pad (theory.md, Eq. 20).
-  double drive = 0;
-};
-
-/// The work done on the pad is a function of its penetration: a pad without memory.
-template <class Contact>
-concept HasEnergy = requires(const Contact contact) {
-  contact.energy(0.0);
-};
-
-template <class Contact>
+template <IsContact Contact>
 class Motion {
  public:
   Motion(double mass, const Support& support) : mass_(mass), support_(support) {}

@@ -4,15 +4,11 @@
 
 #include <chrono>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <string>
-#include <tuple>
-#include <type_traits>
 #include <utility>
 
-#include "contact/column_field.hpp"
-#include "contact/curve_contact.hpp"
+#include "contact/contacts.hpp"
 #include "impact/march.hpp"
 #include "impact/refinement.hpp"
 #include "impact/summarise.hpp"
@@ -60,31 +56,12 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
 
 struct Solver::Memory {
   Track track;
-  /// Of each law with memory, from its first impact on.
-  std::tuple<std::optional<ColumnField<LinearViscoelastic>>, std::optional<ColumnField<NineParameter>>,
-             std::optional<ColumnField<TwentyOneParameter>>>
-      fields;
+  Contacts contacts;
   Solution solution;
 
   Refinement refine_law(const ImpactCase& impact, const Options& options) {
-    const double thickness = impact.pad.thickness;
-    const double radius = impact.impactor.radius;
-    const ColumnMath math = options.plain ? ColumnMath::plain : ColumnMath::vector;
-    const auto of_law = [&](const auto& law) {
-      using Law = std::decay_t<decltype(law)>;
-      if constexpr (IsMemoryless<Law>) {
-        CurveContact contact(law.curve(), Law::recovers, thickness, radius);
-        return refine(impact, contact, options, track);
-      } else {
-        auto& field = std::get<std::optional<ColumnField<Law>>>(fields);
-        if (field)
-          field->set(law, thickness, radius, math);
-        else
-          field.emplace(law, thickness, radius, math);
-        return refine(impact, *field, options, track);
-      }
-    };
-    return std::visit(of_law, impact.pad.material.law);
+    return contacts.visit(impact, options.plain ? ColumnMath::plain : ColumnMath::vector,
+                          [&](auto& contact) { return refine(impact, contact, options, track); });
   }
 };
 

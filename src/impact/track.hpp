@@ -21,6 +21,10 @@ struct Track {
     for (auto* column : columns()) column->clear();
     phase_starts.assign(1, 0);
   }
+  /// The last entry is where a smooth stretch ends and the next begins.
+  void begin_stretch() {
+    if (phase_starts.back() != size() - 1) phase_starts.push_back(size() - 1);
+  }
   [[nodiscard]] std::size_t size() const { return history.time.size(); }
 
  private:

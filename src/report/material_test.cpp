@@ -72,7 +72,8 @@ spit1984::Deck deck_of(const Material& material) {
 
 UpdateOf1984 update_of_1984(const Material& material, const StrainHistory& history, std::vector<double> times,
                             int steps, const ColumnTest& column) {
-  UpdateOf1984 update{.step = times[1],
+  const double step = times[1];
+  UpdateOf1984 update{.step = step,
                       .time = std::move(times),
                       .strain = {},
                       .stress = {},

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "property/random_case.hpp"
+#include "shared/run_once.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {

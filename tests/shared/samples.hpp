@@ -1,6 +1,5 @@
 #pragma once
-/// What several test programs need: sample laws and impacts, one run of the solver at one resolution, and the
-/// product step of a single column.
+/// What several test programs need: sample laws and impacts, and the product step of a single column.
 
 #include <gtest/gtest.h>
 
@@ -13,12 +12,9 @@
 #include <variant>
 #include <vector>
 
-#include "contact/column_field.hpp"
-#include "contact/curve_contact.hpp"
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/io/case_file.hpp"
-#include "impact/march.hpp"
 
 namespace dashpad::test {
 
@@ -60,36 +56,6 @@ inline double relative_error(double value, double expected) {
 inline void expect_relative(double value, double expected, double tolerance, const std::string& what) {
   EXPECT_LE(relative_error(value, expected), tolerance)
       << what << ": " << value << " instead of " << expected;
-}
-
-/// Calls visit(contact) with the contact that the solver would take for the case.
-template <class Visit>
-void with_contact(const ImpactCase& impact, Visit&& visit) {
-  const auto of_law = [&](const auto& law) {
-    using Law = std::decay_t<decltype(law)>;
-    const double thickness = impact.pad.thickness;
-    const double radius = impact.impactor.radius;
-    if constexpr (IsMemoryless<Law>)
-      visit(CurveContact(law.curve(), Law::recovers, thickness, radius));
-    else
-      visit(ColumnField<Law>(law, thickness, radius));
-  };
-  std::visit(of_law, impact.pad.material.law);
-}
-
-struct Run {
-  Figures figures;
-  Track track;
-};
-
-/// One run at one resolution: no refinement, no extrapolation.
-inline Run run_once(const ImpactCase& impact, double resolution, const Options& options = {}) {
-  Run run;
-  with_contact(impact, [&](auto contact) {
-    March march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
-    run.figures = march.run(resolution, run.track);
-  });
-  return run;
 }
 
 /// One column, driven through the product step of the law contract (dashpad/pad/law.hpp).

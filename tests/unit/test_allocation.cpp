@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "shared/run_once.hpp"
 #include "shared/samples.hpp"
 
 namespace {
@@ -59,7 +60,7 @@ TYPED_TEST(AllocationOf, TheTimeLoopIsNone) {
       impact.impactor.speed = speed;
       Track track;
       track.reserve(options.most_steps + 2);
-      with_contact(impact, [&](auto contact) {
+      Contacts().visit(impact, ColumnMath::vector, [&](auto& contact) {
         March march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
         for (const double resolution : {0.1, 0.02}) {
           const std::size_t before = allocations;

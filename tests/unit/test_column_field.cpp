@@ -6,6 +6,8 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <numbers>
 
+#include "contact/column_field.hpp"
+#include "contact/nine_parameter_contact.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {
@@ -23,8 +25,9 @@ double drive(ColumnField<Law>& field, double depth, double resolution) {
   while (at < depth) {
     double step = std::max(0.2 * resolution * at, 1e-4 * resolution * thickness);
     step = std::min({step, resolution * (thickness - at), depth - at});
-    force = field.trial(step, at / speed, step / speed);
-    field.accept();
+    const PadTrial trial = field.trial(step, at / speed, step / speed);
+    field.accept(trial);
+    force = trial.force;
     at = depth - at - step < 1e-14 ? depth : at + step;
   }
   return force;
@@ -91,14 +94,14 @@ void expect_held_rate(const Law& law, double radius) {
   drive(field, depth, 0.02);
   const double time = depth / speed;
   constexpr double moment = 1e-7;  // s
-  field.trial(0, time, moment);
-  field.accept();
-  const double first = field.trial(0, time + moment, moment);
-  field.accept();
-  const double rate = field.force_rate_when_held(time + 2 * moment);
-  const double second = field.trial(0, time + 2 * moment, moment);
+  field.accept(field.trial(0, time, moment));
+  const PadTrial first = field.trial(0, time + moment, moment);
+  const double rate = field.force_rate_when_held(first);
+  field.accept(first);
+  const PadTrial second = field.trial(0, time + 2 * moment, moment);
   EXPECT_LT(rate, 0);
-  expect_relative(rate, (second - first) / moment, 2e-3, fmt::format("{}, R {}", Law::name, radius));
+  expect_relative(rate, (second.force - first.force) / moment, 2e-3,
+                  fmt::format("{}, R {}", Law::name, radius));
 }
 
 TEST(column_field, knows_how_fast_its_force_falls_when_held) {
@@ -114,11 +117,40 @@ TEST(column_field, tries_without_changing_its_state) {
   ColumnField<TwentyOneParameter> field(law, thickness, 0.08);
   drive(field, 0.4 * thickness, 0.05);
   const double time = 0.4 * thickness / speed;
-  const double forth = field.trial(1e-3, time, 5e-4);
-  const double back = field.trial(-1e-3, time, 5e-4);
-  EXPECT_LT(back, forth);
-  EXPECT_EQ(field.trial(1e-3, time, 5e-4), forth);
-  EXPECT_EQ(field.trial(-1e-3, time, 5e-4), back);
+  const PadTrial forth = field.trial(1e-3, time, 5e-4);
+  const PadTrial back = field.trial(-1e-3, time, 5e-4);
+  EXPECT_LT(back.force, forth.force);
+  EXPECT_EQ(field.trial(1e-3, time, 5e-4).force, forth.force);
+  EXPECT_EQ(field.trial(-1e-3, time, 5e-4).force, back.force);
+}
+
+/// Loads a contact in even steps, then tries steps forth and back and accepts the one forth, though it was
+/// not tried last; returns the force of a further step.
+template <class Contact>
+double force_after_probes(Contact& contact, bool probe) {
+  constexpr double step = 2e-4;
+  contact.start(0.05, thickness);
+  double time = 0;
+  for (; time < 0.3 * thickness / speed; time += step)
+    contact.accept(contact.trial(speed * step, time, step));
+  const PadTrial forth = contact.trial(speed * step, time, step);
+  const double held = contact.force_rate_when_held(forth);
+  if (probe) {
+    const PadTrial back = contact.trial(-speed * step, time, step);
+    EXPECT_LT(back.force, forth.force);
+    EXPECT_EQ(contact.force_rate_when_held(forth), held);
+    EXPECT_NE(contact.force_rate_when_held(back), held);
+  }
+  contact.accept(forth);
+  return contact.trial(speed * step, time + step, step).force;
+}
+
+TEST(column_field, a_trial_leaves_no_trace) {
+  ColumnField<TwentyOneParameter> field(sample_law<TwentyOneParameter>(), thickness, 0.08);
+  EXPECT_EQ(force_after_probes(field, true), force_after_probes(field, false));
+  NineParameterContact contact(sample_law<NineParameter>(), thickness, 0.08);
+  EXPECT_EQ(force_after_probes(contact, true), force_after_probes(contact, false));
+  EXPECT_EQ(contact.stations(), 0U) << "a pad that was only loaded has no columns";
 }
 
 TEST(column_field, starts_anew) {

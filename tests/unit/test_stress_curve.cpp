@@ -6,6 +6,7 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <numbers>
 
+#include "contact/curve_contact.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {
@@ -78,17 +79,15 @@ TEST_P(CurveContacts, IntegrateTheStressOverTheContact) {
 
 TEST_P(CurveContacts, TryAndAccept) {
   CurveContact contact(Elastic{3e5}.curve(), true, thickness, radius);
-  contact.start(0.1);
+  contact.start(0.1, thickness);
   EXPECT_EQ(contact.contact_radius(), 0);
-  const double tried = contact.trial(0.04, 0, 1);
-  EXPECT_EQ(contact.trial(0.01, 0, 1), contact.force(0.01)) << "a trial changes nothing";
-  EXPECT_EQ(contact.trial(0.04, 0, 1), tried);
-  contact.accept();
-  EXPECT_EQ(contact.trial(0.01, 1, 1), contact.force(0.04 + 0.01));
+  const PadTrial tried = contact.trial(0.04, 0, 1);
+  EXPECT_EQ(contact.trial(0.01, 0, 1).force, contact.force(0.01)) << "a trial changes nothing";
+  contact.accept(tried);
+  EXPECT_EQ(contact.trial(0.01, 1, 1).force, contact.force(0.04 + 0.01));
   const double depth = std::min(0.04, radius);
   EXPECT_NEAR(contact.contact_radius(), std::sqrt(depth * (2 * radius - depth)), 1e-15);
-  contact.trial(-0.05, 1, 1);
-  EXPECT_LT(contact.largest_stress(), 0);
+  EXPECT_LT(contact.largest_stress(contact.trial(-0.05, 1, 1)), 0);
 }
 
 // Deeper than the sphere at 2 cm, half of it at 8 cm.

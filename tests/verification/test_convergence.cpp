@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "shared/run_once.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {

@@ -1,0 +1,56 @@
+#pragma once
+/// What the contact of a nose with a pad is to the solver.
+///
+/// The penetration is told to advance evenly over a step, and the pad answers with its force. An answer is a
+/// value: trying a step changes nothing, and any trial from the accepted state may be accepted. A contact may
+/// keep what it computed for the last trial, and computes it again if it is asked about another one.
+///
+/// Penetration in m, times in s since first contact, forces in N, compression positive.
+
+#include <concepts>
+#include <cstddef>
+
+namespace dashpad {
+
+/// A step that the penetration was told to take, and the force at its end.
+struct PadTrial {
+  double advance = 0;  ///< of the penetration; may be far below the rounding of the penetration
+  double from = 0;     ///< when the step begins
+  double step = 0;     ///< its length
+  double force = 0;    ///< of the pad at its end
+
+  [[nodiscard]] double end() const { return from + step; }
+  [[nodiscard]] bool is_over(double an_advance, double a_time, double a_step) const {
+    return advance == an_advance && from == a_time && step == a_step;
+  }
+};
+
+template <class C>
+concept IsContact = requires(C contact, const C fixed, const PadTrial& trial, double x) {
+  /// At rest, for a run at the resolution x; the second number is the penetration that is expected, m.
+  contact.start(x, x);
+  /// Advance, begin and length of the step.
+  { contact.trial(x, x, x) } -> std::same_as<PadTrial>;
+  /// dF/dt if the penetration were held from the end of the trial on (theory.md, Eq. 20).
+  { contact.force_rate_when_held(trial) } -> std::same_as<double>;
+  /// Its sign says whether any column still presses at the end of the trial (theory.md, Eq. 21).
+  { contact.largest_stress(trial) } -> std::same_as<double>;
+  /// The only call that changes the state.
+  contact.accept(trial);
+  /// Whether the pad follows its law back on unloading; if not, it holds its deformation.
+  { fixed.recovers() } -> std::same_as<bool>;
+  /// Where the pad locks (theory.md, Eq. 26).
+  { fixed.lock_penetration() } -> std::same_as<double>;
+  { fixed.contact_radius() } -> std::same_as<double>;
+  /// Columns, and how many of them were computed in all trials since the start: the cost of the run.
+  { fixed.stations() } -> std::same_as<std::size_t>;
+  { fixed.updates() } -> std::same_as<std::size_t>;
+};
+
+/// The work done on the pad is a function of its penetration: a pad without memory.
+template <class C>
+concept HasEnergy = IsContact<C> && requires(const C contact, double x) {
+  { contact.energy(x) } -> std::same_as<double>;
+};
+
+}  // namespace dashpad

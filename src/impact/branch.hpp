@@ -1,0 +1,40 @@
+#pragma once
+/// The phase that follows an event: the only place with a rule about branches (theory.md, section 4).
+///
+/// The rate that satisfies equilibrium has up to three values; the drive (Eq. 20) says which of them the
+/// limit of a vanishing dashpot takes.
+
+#include "impact/trial.hpp"
+
+namespace dashpad {
+
+/// What an impact is made of, as far as branches go.
+struct BranchConditions {
+  bool pad_recovers = true;  ///< the pad follows its law back; if not, it holds its deformation
+  bool rigid_support = false;
+};
+
+/// `drive` is that of the state now, m/s. Phase::over: the run ends.
+inline Phase phase_after(Event event, Phase now, double drive, BranchConditions conditions) {
+  const Phase by_drive = drive > 0 ? Phase::loading : Phase::unloading;
+  switch (event) {
+    case Event::release: return Phase::over;
+    case Event::lock: return conditions.rigid_support ? Phase::over : Phase::held;
+    case Event::turning:
+      if (conditions.pad_recovers) return Phase::unloading;
+      return conditions.rigid_support ? Phase::over : Phase::held;
+    case Event::reloading: return Phase::loading;
+    case Event::unlock: return by_drive;
+    case Event::corner:
+    case Event::none: break;
+  }
+  return now;
+}
+
+/// After a moment in which the pad was held because neither branch went on. Without force contact is lost.
+inline Phase phase_after_holding(double drive, double force) {
+  if (force <= 0) return Phase::over;
+  return drive > 0 ? Phase::loading : Phase::unloading;
+}
+
+}  // namespace dashpad

@@ -1,0 +1,221 @@
+#pragma once
+/// The nonlinear solve of a step: the trial at whose end pad, support and impactor agree.
+///
+///   0 = Y1 + Xs(F(Y1)) - X1(F(Y1))        the unknown is the penetration           (theory.md, Eq. 19)
+///
+/// in each of the phases; held, the unknown is the force. Lengths in m, times in s, forces in N.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/contact.hpp"
+#include "impact/motion.hpp"
+#include "impact/numerics.hpp"
+#include "impact/predictor.hpp"
+#include "impact/root.hpp"
+#include "impact/trial.hpp"
+
+namespace dashpad {
+
+template <IsContact Contact>
+class Equilibrium {
+ public:
+  Equilibrium(Contact& contact, const Support& support, const Motion<Contact>& motion, double thickness)
+      : contact_(contact), support_(support), motion_(motion), thickness_(thickness) {}
+
+  void start(double resolution) { resolution_ = resolution; }
+
+  /// The pad advances. Loading, the unknown is the fourth root of the advance: at the end of loading the
+  /// force has a power of the strain rate with a small exponent, and an infinite slope in the advance itself.
+  Trial loading(double step, const Predictor& predictor) {
+    const double locked = contact_.lock_penetration();
+    const double unhindered = now().motion + now().velocity * step;
+    const double most = std::min(unhindered, locked) - now().penetration;
+    if (most <= 0) return without_solution(Event::turning, step);
+    MovingSearch at(*this, step, predictor);
+    double advance = predictor.next_rate(Phase::loading, now(), step, at.slope) * step;
+    if (!(advance > 0 && advance < most))
+      advance = std::min(std::max(predictor.pad_rate(), 0.0) * step, most) / 2;
+    RootSearch search;
+    search.high = fourth_root(most);
+    search.high_is_positive = unhindered <= locked;
+    search.guess = fourth_root(advance);
+    search.slope = at.slope * slope_of_fourth_power(search.guess);
+    search.resolution = numerics.fourth_root_resolution * search.high;
+    const Root root = find_root([&](double z) { return at.residual(z * z * z * z); },
+                                [&](double left) { return at.is_solved(left); }, search);
+    if (root.place == RootPlace::at_or_above_high) at.trial.obstacle = Event::lock;
+    if (root.place == RootPlace::at_or_below_low) at.trial.obstacle = Event::turning;
+    return finished(at.trial);
+  }
+
+  /// The pad comes back. `just_turned`: the loading has ended at this moment.
+  Trial unloading(double step, const Predictor& predictor, bool just_turned) {
+    MovingSearch at(*this, step, predictor);
+    double advance = predictor.next_rate(Phase::unloading, now(), step, at.slope) * step;
+    if (!(advance < 0)) advance = std::min(predictor.pad_rate(), -std::abs(now().velocity)) * step / 2;
+    RootSearch search;
+    search.low = -std::numeric_limits<double>::infinity();
+    search.high = 0;
+    search.high_is_positive = now().drive < 0;
+    search.guess = advance;
+    search.slope = at.slope;
+    search.resolution = numerics.rounding / 2 * (at.scale + thickness_);
+    // Short strides: of several roots, the one next to where the pad is belongs to the branch.
+    search.stride = numerics.unloading_stride * std::abs(advance) + search.resolution;
+    at.may_let_go = true;
+    find_root([&](double x) { return at.residual(x); }, [&](double left) { return at.is_solved(left); },
+              search);
+    if (at.trial.pad.advance >= 0) {
+      // The pad, by the error of the contact integral, carries less than the support asks for: it is held
+      // until the support has come down to it. Likewise just after the turning, where the drive is 0 but for
+      // an error of either sign.
+      if (!support_.is_rigid() && (now().drive < 0 || just_turned)) {
+        const Trial waiting = held(step, predictor);
+        if (now().drive < 0 || waiting.end.drive < 0) return waiting;
+      }
+      at.trial.obstacle = Event::reloading;
+    }
+    return finished(at.trial);
+  }
+
+  /// The penetration stays; the support's force moves the impactor.
+  Trial held(double step, const Predictor& predictor) {
+    Trial trial;
+    trial.step = step;
+    trial.pad_stiffness =
+        predictor.pad_stiffness();  // an unloading that waits for the support goes on from it
+    const double flexibility = support_.compliance(now().force) + motion_.inertial_compliance(step);
+    const double travel = std::abs(now().velocity) * step;
+    const double scale = std::abs(now().motion) + travel;
+    RootSearch search;
+    search.low = -std::numeric_limits<double>::infinity();
+    search.high = std::max(now().force, 0.0) + 2 * (travel + scale) / flexibility;
+    search.guess = now().force + now().velocity * step / flexibility;
+    search.slope = flexibility;
+    search.resolution = numerics.rounding * std::abs(now().force);
+    search.stride = std::abs(now().force);
+    // Below zero the support's line goes on: the release is located by the sign.
+    const auto residual = [&](double force) {
+      const double extended = force >= 0 ? 0 : force * support_.compliance(0);
+      return motion_.residual(contact_, now().penetration, force, step, trial.end) + extended;
+    };
+    find_root(
+        residual, [&](double left) { return is_rounding(left, scale); }, search);
+    trial.pad = contact_.trial(0, now().time, step);
+    return finished(trial);
+  }
+
+  /// Without force the motion is known, and with it the penetration on an unloaded support.
+  Trial released(double step, const Predictor& predictor) {
+    Trial trial;
+    trial.step = step;
+    trial.pad_stiffness = predictor.pad_stiffness();
+    motion_.residual(contact_, 0, 0, step, trial.end);
+    trial.end.penetration = trial.end.motion;
+    trial.pad = contact_.trial(trial.end.penetration - now().penetration, now().time, step);
+    return finished(trial);
+  }
+
+  /// The penetration reaches the lock. `residual`: of Eq. 19 there, positive before the pad locks.
+  Trial at_lock(double step, const Predictor& predictor, double& residual) {
+    Trial trial;
+    trial.step = step;
+    trial.pad_stiffness = predictor.pad_stiffness();
+    const double y = contact_.lock_penetration();
+    trial.pad = contact_.trial(y - now().penetration, now().time, step);
+    residual = motion_.residual(contact_, y, trial.pad.force, step, trial.end);
+    trial.end.drive = trial.end.velocity;
+    return trial;
+  }
+
+  /// Residual at which a trial of a pad with memory is solved, m; `scale`: the motion, m.
+  [[nodiscard]] double allowed_residual(double scale) const {
+    return std::max(numerics.solved_residual * resolution_ * resolution_ * resolution_, numerics.rounding) *
+           scale;
+  }
+
+ private:
+  static constexpr bool closed_form = HasEnergy<Contact>;
+
+  [[nodiscard]] const State& now() const { return motion_.now(); }
+  static double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
+  static double slope_of_fourth_power(double z) { return 4 * z * z * z; }
+  static bool is_rounding(double left, double scale) { return std::abs(left) <= numerics.rounding * scale; }
+  static Trial without_solution(Event obstacle, double step) {
+    Trial trial;
+    trial.step = step;
+    trial.obstacle = obstacle;
+    return trial;
+  }
+  /// With the drive at its end (Eq. 20).
+  Trial finished(Trial trial) {
+    const double rate = contact_.force_rate_when_held(trial.pad);
+    trial.end.drive = trial.end.velocity - support_.compliance(trial.end.force) * rate;
+    return trial;
+  }
+
+  /// What the trials of a moving pad share: the residual by the advance, and when it is near enough to 0.
+  struct MovingSearch {
+    MovingSearch(Equilibrium& of, double step, const Predictor& predictor) : of_(of) {
+      const State& now = of.now();
+      trial.step = step;
+      trial.pad_stiffness = predictor.next_stiffness();
+      scale = std::max(std::abs(now.motion), std::abs(now.motion + now.velocity * step));
+      slope = 1 + trial.pad_stiffness *
+                      (of.support_.compliance(now.force) + of.motion_.inertial_compliance(step));
+    }
+
+    double residual(double advance) {
+      const PadTrial before = trial.pad;
+      trial.pad = of_.contact_.trial(advance, of_.now().time, trial.step);
+      const double force = trial.pad.force;
+      const double distance = advance - before.advance;
+      if (trials_ > 0 && std::abs(distance) > numerics.least_change_of_advance * std::abs(advance) &&
+          std::abs(force - before.force) > numerics.least_change_of_force * std::abs(force))
+        trial.pad_stiffness = std::max((force - before.force) / distance, force / of_.thickness_);
+      ++trials_;
+      return of_.motion_.residual(of_.contact_, of_.now().penetration + advance, force, trial.step,
+                                  trial.end);
+    }
+
+    /// What is left of the residual is taken up by the force, in proportion: Eq. 19 then holds but for the
+    /// curvature, and the columns stay where they were tried.
+    bool is_solved(double left) {
+      State& end = trial.end;
+      // Without force the pad stays without it on the way to the root: the step passes the release.
+      if (may_let_go && end.force <= 0 && left >= 0) return true;
+      if constexpr (closed_form) return is_rounding(left, scale);
+      const double flexibility =
+          of_.support_.compliance(end.force) + of_.motion_.inertial_compliance(trial.step);
+      const double missing = -left / (1 + trial.pad_stiffness * flexibility);
+      const double allowed = of_.allowed_residual(scale) * (trials_ > 1 ? 1 : numerics.solved_first_trial);
+      if (std::abs(left) > allowed) return false;
+      if (std::abs(missing) > numerics.largest_take_up * of_.resolution_ * std::abs(trial.pad.advance))
+        return std::abs(left) < numerics.solved_small_advance * allowed;
+      const double force = end.force;
+      if (force > 0)
+        of_.motion_.residual(of_.contact_, end.penetration,
+                             std::max(force + trial.pad_stiffness * missing, force / 2), trial.step, end);
+      return true;
+    }
+
+    Trial trial;
+    double scale = 0;         ///< of the motion, m
+    double slope = 1;         ///< of Eq. 19 in the advance, as far as it is known
+    bool may_let_go = false;  ///< unloading
+
+   private:
+    Equilibrium& of_;
+    int trials_ = 0;
+  };
+
+  Contact& contact_;
+  const Support& support_;
+  const Motion<Contact>& motion_;
+  double thickness_;
+  double resolution_ = 0;
+};
+
+}  // namespace dashpad

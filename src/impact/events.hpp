@@ -1,0 +1,105 @@
+#pragma once
+/// The table of events (theory.md, section 4): from which phases, how a trial tells that one has happened,
+/// and on which side of it a step ends.
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "dashpad/support/support.hpp"
+#include "impact/numerics.hpp"
+#include "impact/trial.hpp"
+
+namespace dashpad {
+
+/// All that an event is told by.
+struct Sight {
+  Phase phase = Phase::loading;
+  const State& now;
+  const Trial& trial;
+  bool recovers = true;  ///< the pad
+  double corner = 0;     ///< force at a corner of the support, N
+};
+
+struct EventKind {
+  Event event;
+  bool from_loading, from_unloading, from_held;
+  /// Positive before the event, as a rule increasingly so with the time that is left.
+  double (*indicator)(const Sight&);
+  /// Whether the event can happen from the state now on.
+  bool (*is_armed)(const Sight&);
+  /// The step ends just after the event: its far side has a solution.
+  bool ends_after;
+
+  [[nodiscard]] bool may_happen_in(Phase phase) const {
+    return phase == Phase::loading ? from_loading : phase == Phase::unloading ? from_unloading : from_held;
+  }
+  [[nodiscard]] bool has_happened(const Sight& sight) const {
+    return may_happen_in(sight.phase) && is_armed(sight) && indicator(sight) <= 0;
+  }
+};
+
+namespace event_rules {
+
+inline constexpr double far_beyond = -std::numeric_limits<double>::infinity();
+
+inline bool always(const Sight&) { return true; }
+inline double force(const Sight& s) { return s.trial.end.force; }
+inline double force_over_held_pad(const Sight& s) { return s.trial.end.force - s.trial.pad.force; }
+inline bool pad_recovers(const Sight& s) { return s.recovers; }
+/// Eq. 20; without a solution of Eq. 19 it is passed.
+inline double drive(const Sight& s) {
+  return s.trial.obstacle == Event::turning ? far_beyond : s.trial.end.drive;
+}
+inline bool is_driven(const Sight& s) { return s.now.drive > 0 || s.trial.obstacle == Event::turning; }
+inline double has_unloading_step(const Sight& s) {
+  return s.trial.obstacle == Event::reloading ? far_beyond : 1;
+}
+inline double has_step_below_lock(const Sight& s) { return s.trial.obstacle == Event::lock ? -1 : 1; }
+inline double force_to_corner(const Sight& s) {
+  return (s.trial.end.force - s.corner) * (s.now.force < s.corner ? -1 : 1);
+}
+inline bool is_off_corner(const Sight& s) {
+  return std::abs(s.now.force - s.corner) > numerics.at_corner * s.corner;
+}
+
+}  // namespace event_rules
+
+/// In the order in which they count when they coincide.
+inline constexpr std::array<EventKind, 6> event_table{{
+    {Event::release, false, true, true, event_rules::force, event_rules::always, true},
+    {Event::unlock, false, false, true, event_rules::force_over_held_pad, event_rules::pad_recovers, true},
+    {Event::turning, true, false, false, event_rules::drive, event_rules::is_driven, false},
+    {Event::reloading, false, true, false, event_rules::has_unloading_step, event_rules::always, false},
+    {Event::lock, true, false, false, event_rules::has_step_below_lock, event_rules::always, true},
+    {Event::corner, true, true, true, event_rules::force_to_corner, event_rules::is_off_corner, true},
+}};
+
+/// The first event of a trial, in the order of the table.
+struct FirstEvent {
+  const EventKind* kind = nullptr;  ///< none: the step is smooth
+  double corner = 0;
+  int count = 0;  ///< events in the trial
+
+  [[nodiscard]] Event event() const { return kind == nullptr ? Event::none : kind->event; }
+};
+
+/// `sight.corner` is not used. A trial without a solution has no other event than what is in its way.
+inline FirstEvent first_event(Sight sight, const Support& support) {
+  FirstEvent first;
+  const auto look = [&](const EventKind& kind, double corner) {
+    sight.corner = corner;
+    if (!kind.has_happened(sight)) return;
+    if (first.count++ == 0) first.kind = &kind, first.corner = corner;
+  };
+  for (const EventKind& kind : event_table) {
+    if (sight.trial.obstacle != Event::none && kind.event != sight.trial.obstacle) continue;
+    if (kind.event != Event::corner)
+      look(kind, 0);
+    else
+      for (const double corner : support.corners()) look(kind, corner);
+  }
+  return first;
+}
+
+}  // namespace dashpad

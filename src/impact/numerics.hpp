@@ -1,0 +1,98 @@
+#pragma once
+/// Every constant of the numerical method: what it is, in which unit, and why it has this value.
+///
+/// None of them is physics: with a finer resolution the figures tend to the same values whatever these are.
+/// Equation numbers are those of theory.md; rho is the resolution of a run.
+
+#include <cstddef>
+#include <limits>
+
+namespace dashpad {
+
+struct Numerics {
+  // --- The step (Eq. 19) ---
+
+  /// Residual of Eq. 19, in rho^3 of the motion, at which a trial of a pad with memory counts as solved. The
+  /// force takes up the rest; the error is of third order, below that of the step.
+  double solved_residual = 0.1;
+  /// Share of it that a first trial must reach: its slope is a guess, and so is what the force takes up.
+  double solved_first_trial = 0.2;
+  /// What the force takes up may move the penetration by this much, in rho of its advance, before the
+  /// stricter `solved_small_advance` holds: the columns stay where they were tried.
+  double largest_take_up = 0.05;
+  double solved_small_advance = 0.1;  ///< share of the allowed residual
+  /// Rounding of a sum of a few terms, relative: what a residual without memory is solved to.
+  double rounding = 4 * std::numeric_limits<double>::epsilon();
+  /// Two trials that differ by less say nothing about the slope dF/dY: relative, of advance and force.
+  double least_change_of_advance = 1e-9;
+  double least_change_of_force = 1e-12;
+  /// First stride of the search on unloading, in advances: of several roots the nearest belongs to the
+  /// branch.
+  double unloading_stride = 0.2;
+  /// Below this, relative to its upper end, the fourth root of an advance is rounding.
+  double fourth_root_resolution = 1e-14;
+
+  // --- The guess of the next step ---
+
+  /// Change of the pad's stiffness from one step to the next that a guess may assume.
+  double most_stiffening = 2;
+  /// A rate that fell to less than this share of the last is the breakdown towards the turning point: the
+  /// stiffness over that step is not that of a spring.
+  double breakdown_of_rate = 0.4;
+
+  // --- Events ---
+
+  /// Tolerance of an event's place in a step, in rho^2 of the step: an event shifts the figures by its error.
+  double event_precision = 1e-3;
+  /// Of the turning point with memory, in rho of the step: the pad turns at a rate near zero, so that a
+  /// little early or late changes nothing of first order.
+  double turning_precision = 2e-2;
+  /// A branch that ends within this share (in rho) of a step ends at once: in so short a step nothing moves
+  /// but what the last root has left over.
+  double least_step_to_branch_end = 1e-2;
+  /// Roundings of the time: no step is shorter.
+  double shortest_step = 64 * std::numeric_limits<double>::epsilon();
+  /// A force this near to a corner of the support, relative, is at it.
+  double at_corner = 1e-9;
+  /// Halvings of a step that met several events at once, or proved far too long: down to rounding.
+  int most_halvings = 60;
+  /// A step is taken again at half its length if it is this many times as long as what it found allows.
+  double too_long = 2;
+  /// Phases may change at one moment, but not for ever.
+  int most_idle_events = 16;
+  /// Where neither phase has a solution the pad is held for this long, in rho^2 of a step.
+  double held_moment = 0.1;
+  /// Reloadings count from this drive (Eq. 20) on, in impact speeds; below, they may come from rounding.
+  double least_drive = 1e-3;
+
+  // --- Step length ---
+
+  /// Growth of steps from one to the next, also after an event, where the strain rate may jump.
+  double growth = 1.5;
+  /// The gap closes in a step by at most this many rho of it, but no more than `most_closing`.
+  double closing = 4;
+  double most_closing = 0.5;
+  /// And by this many rho^2 of the thickness at least: a pad may lock.
+  double least_closing = 1e-2;
+  /// While the end of contact is to come, a step takes the force down by this many rho of it; after it, and
+  /// at the most, by `most_fall` of it. The end of contact is read between the entries.
+  double fall = 7;
+  double most_fall = 0.7;
+  /// Shortest step towards the release, in rho of a usual step, before and after the end of contact.
+  double shortest_before_end = 0.25;
+  double shortest_after_end = 1;
+  /// The first step, in steps that its own stiffness would allow.
+  double first_step = 0.25;
+  int most_first_halvings = 400;
+  /// A step shorter than this, in rho of a usual step, has no rate but what the roots have left over.
+  double least_step_with_rate = 1e-2;
+
+  // --- Limits of a run ---
+
+  /// Column updates of one run, some seconds' worth; a run that asks for more is given up.
+  std::size_t most_updates = 50'000'000;
+};
+
+inline constexpr Numerics numerics;
+
+}  // namespace dashpad

@@ -1,0 +1,98 @@
+#pragma once
+/// Guesses for the next step, from the steps before: rate of the penetration, and stiffness of the pad.
+///
+/// A guess decides how many trials a step needs, not what its solution is.
+
+#include <algorithm>
+#include <cmath>
+
+#include "impact/numerics.hpp"
+#include "impact/rate_trend.hpp"
+#include "impact/trial.hpp"
+
+namespace dashpad {
+
+class Predictor {
+ public:
+  /// `speed` at first contact, m/s; `stiffness` of the pad there, N/m.
+  void start(double speed, double stiffness) {
+    *this = {};
+    pad_rate_ = speed;
+    pad_stiffness_ = spring_ = stiffness;
+  }
+
+  /// Mean rate of the penetration over the last step, or what a new phase begins with, m/s.
+  [[nodiscard]] double pad_rate() const { return pad_rate_; }
+  /// dF/dY over the last step, N/m, and what it is likely to be over the next.
+  [[nodiscard]] double pad_stiffness() const { return pad_stiffness_; }
+  [[nodiscard]] double next_stiffness() const { return pad_stiffness_ * stiffening_; }
+  /// In which the rate changes by a factor of e, s.
+  [[nodiscard]] double time_scale() const { return trend_.time_scale(); }
+  /// How long until the drive is 0, by the last step, s.
+  [[nodiscard]] double time_to_turning(const State& now) const { return -now.drive / drive_rate_; }
+
+  /// Mean rate over a step from `now`: by its trend, or between the rate now and that of the last step that
+  /// was tried from here, of which events take many. After an event the pad is taken as a spring; `slope` is
+  /// that of Eq. 19.
+  [[nodiscard]] double next_rate(Phase phase, const State& now, double step, double slope) const {
+    if (tried_step_ != 0) {
+      if (!trend_.is_known()) return tried_rate_;
+      const double rate = trend_.now();
+      return rate + (tried_rate_ - rate) * step / tried_step_;
+    }
+    if (trend_.is_known()) return trend_.over(step);
+    return phase == Phase::loading ? std::max(now.velocity, 0.0) / slope : -std::abs(now.velocity) / slope;
+  }
+
+  /// A trial that had a solution, though it may not be accepted.
+  void learn_from_try(const Trial& trial) {
+    if (trial.obstacle == Event::none && trial.pad.advance != 0)
+      tried_step_ = trial.step, tried_rate_ = trial.pad_rate();
+  }
+  /// A trial that is accepted, from the state `before` on; `event`: what it ends with.
+  void learn(Phase phase, const State& before, const Trial& trial, Event event) {
+    const double rate = trial.pad_rate();
+    tried_step_ = 0;
+    if (phase == Phase::loading && rate > numerics.breakdown_of_rate * pad_rate_)
+      spring_ = trial.pad_stiffness;
+    pad_rate_ = rate;
+    if (phase != Phase::held) {
+      const double most = numerics.most_stiffening;
+      stiffening_ = trend_.is_known() ? std::clamp(trial.pad_stiffness / pad_stiffness_, 1 / most, most) : 1;
+      pad_stiffness_ = trial.pad_stiffness;
+    }
+    if (event == Event::none && rate != 0)
+      trend_.add(rate, trial.step);
+    else
+      trend_.restart();
+    drive_rate_ = (trial.end.drive - before.drive) / trial.step;
+  }
+  /// A phase that begins with `event` at the state `now`.
+  void begin_phase(Event event, const State& now) {
+    tried_step_ = 0;
+    if (event == Event::turning) {
+      pad_rate_ = std::min(now.velocity, 0.0);
+      pad_stiffness_ = spring_;
+      stiffening_ = 1;
+    }
+    if (event == Event::reloading) pad_rate_ = std::max(now.velocity, 0.0);
+    if (event == Event::unlock) pad_rate_ = now.velocity;
+  }
+  /// The pad was held for a moment.
+  void forget_rate() {
+    pad_rate_ = tried_step_ = 0;
+    trend_.restart();
+  }
+
+ private:
+  double pad_rate_ = 0;
+  double pad_stiffness_ = 0;
+  double spring_ = 0;      ///< stiffness before the rate broke down towards the turning point
+  double stiffening_ = 1;  ///< of the pad from the step before to the last
+  double drive_rate_ = 0;
+  double tried_step_ = 0;  ///< the last that was tried from the state now and had a solution; 0: none
+  double tried_rate_ = 0;
+  RateTrend trend_;
+};
+
+}  // namespace dashpad

@@ -1,0 +1,116 @@
+#pragma once
+/// How long a step may be: each limit by its name (theory.md, section 4, Step length).
+///
+/// Times in s, lengths in m, stiffness in N/m.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dashpad/impact/solution.hpp"
+#include "dashpad/support/support.hpp"
+#include "impact/motion.hpp"
+#include "impact/numerics.hpp"
+#include "impact/predictor.hpp"
+
+namespace dashpad {
+
+class StepControl {
+ public:
+  StepControl(double mass, double radius, double thickness, const Support& support)
+      : mass_(mass), radius_(radius), thickness_(thickness), support_(support) {}
+
+  /// `lock`: penetration at which the pad locks, m.
+  void start(double resolution, double lock) {
+    resolution_ = resolution;
+    lock_ = lock;
+    largest_force_ = 0;
+    usual_ = std::numeric_limits<double>::infinity();
+  }
+
+  /// The first step, short against what the pad's stiffness over it allows; that is left in `pad_stiffness`.
+  /// `force_of(penetration, step)` is the pad's answer.
+  template <class ForceOf>
+  [[nodiscard]] double first_step(double speed, ForceOf&& force_of, double& pad_stiffness) const {
+    double y = resolution_ * std::min(thickness_, radius_);
+    for (int i = 0; i < numerics.most_first_halvings; ++i, y /= 2) {
+      const double step = y / speed;
+      pad_stiffness = 2 * force_of(y, step) / y;
+      if (!(step > numerics.first_step * longest(Phase::loading, {}, pad_stiffness, speed))) return step;
+    }
+    return y / speed;
+  }
+
+  /// The longest step from a state: it resolves the momentary oscillation, the strain and the closing gap.
+  [[nodiscard]] double longest(Phase phase, const State& state, double pad_stiffness, double pad_rate) const {
+    double step = oscillation_limit(phase, state, pad_stiffness);
+    if (phase != Phase::held && pad_rate != 0)
+      step = std::min({step, strain_limit(state, pad_rate), gap_limit(state, pad_rate)});
+    return step;
+  }
+  [[nodiscard]] double longest(Phase phase, const Trial& trial) const {
+    return longest(phase, trial.end, trial.pad_stiffness, trial.pad_rate());
+  }
+  [[nodiscard]] double longest(Phase phase, const State& now, const Predictor& predictor) const {
+    return longest(phase, now, predictor.pad_stiffness(), predictor.pad_rate());
+  }
+
+  /// What a step from here on is usually as long as: the longest, but no jump from what it was.
+  [[nodiscard]] double usual() const { return usual_; }
+  void learn(Phase phase, const State& now, const Predictor& predictor) {
+    usual_ = std::min(longest(phase, now, predictor), numerics.growth * usual_);
+  }
+  void learn_force(double force) { largest_force_ = std::max(largest_force_, force); }
+
+  /// The next step: grown from the last by no more than a half, and shorter where something is approached.
+  template <class Contact>
+  [[nodiscard]] double next(Phase phase, const Motion<Contact>& motion, const Predictor& predictor) const {
+    const State& now = motion.now();
+    double step = usual_;
+    if (phase == Phase::unloading) {
+      step = std::min(step, end_of_unloading_limit(now, predictor));
+      if (motion.force_rate() < 0) step = std::min(step, release_limit(now, motion.force_rate(), step));
+    }
+    return std::min(numerics.growth * std::max(motion.last_step(), resolution_ * usual_), step);
+  }
+
+ private:
+  [[nodiscard]] double oscillation_limit(Phase phase, const State& state, double pad_stiffness) const {
+    const double compliance = support_.compliance(state.force);
+    const double stiffness = phase == Phase::held ? 1 / compliance : 1 / (1 / pad_stiffness + compliance);
+    return resolution_ * std::sqrt(mass_ / stiffness);
+  }
+  [[nodiscard]] double strain_limit(const State& state, double pad_rate) const {
+    return resolution_ * std::min(thickness_, radius_ + state.penetration) / std::abs(pad_rate);
+  }
+  [[nodiscard]] double gap_limit(const State& state, double pad_rate) const {
+    const double share = std::min(numerics.most_closing, numerics.closing * resolution_);
+    const double least = numerics.least_closing * resolution_ * resolution_ * thickness_;
+    return (share * (lock_ - state.penetration) + least) / std::abs(pad_rate);
+  }
+  /// Where the unloading may end any moment, the pad's rate changes with the square root of the time left.
+  [[nodiscard]] double end_of_unloading_limit(const State& now, const Predictor& predictor) const {
+    if (now.drive <= 0) return std::numeric_limits<double>::infinity();
+    return resolution_ * std::max(usual_, predictor.time_scale());
+  }
+  /// Towards the release steps shrink, since the force vanishes there with a power of the time left.
+  [[nodiscard]] double release_limit(const State& now, double force_rate, double step) const {
+    const bool in_contact = now.force > contact_end_share * largest_force_;
+    const double fall =
+        in_contact ? std::min(numerics.most_fall, numerics.fall * resolution_) : numerics.most_fall;
+    const double shortest =
+        (in_contact ? numerics.shortest_before_end : numerics.shortest_after_end) * resolution_ * step;
+    return std::max(shortest, -fall * now.force / force_rate);
+  }
+
+  double mass_;
+  double radius_;
+  double thickness_;
+  const Support& support_;
+  double resolution_ = 0;
+  double lock_ = 0;
+  double largest_force_ = 0;  ///< so far
+  double usual_ = 0;
+};
+
+}  // namespace dashpad

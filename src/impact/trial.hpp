@@ -1,0 +1,32 @@
+#pragma once
+/// The state of an impact, and a step that is tried from it: values both.
+
+#include "contact/contact.hpp"
+
+namespace dashpad {
+
+/// Lengths in m, velocity in m/s, force in N.
+struct State {
+  double time = 0, motion = 0, velocity = 0, penetration = 0, force = 0;
+  /// Speed by which the support outruns a pad held still; > 0 loads the pad (theory.md, Eq. 20).
+  double drive = 0;
+};
+
+enum class Phase { loading, unloading, held, over };
+
+/// What ends a phase or a smooth stretch (theory.md, section 4).
+enum class Event { none, release, unlock, turning, reloading, lock, corner };
+
+/// A step tried from the state now. Nothing has happened until it is accepted.
+struct Trial {
+  State end;
+  PadTrial pad;
+  double step = 0;               ///< s
+  double pad_stiffness = 0;      ///< dF/dY over the step, N/m
+  Event obstacle = Event::none;  ///< why Eq. 19 has no solution over this step in this phase
+
+  /// Mean rate of the penetration, m/s.
+  [[nodiscard]] double pad_rate() const { return pad.advance / step; }
+};
+
+}  // namespace dashpad

@@ -1,0 +1,234 @@
+/// The parts of a step, each alone: the table of events, the branch rule, the guess of the next step, step
+/// lengths.
+
+#include <gtest/gtest.h>
+
+#include "contact/curve_contact.hpp"
+#include "impact/branch.hpp"
+#include "impact/events.hpp"
+#include "impact/predictor.hpp"
+#include "impact/step_control.hpp"
+
+namespace dashpad::test {
+namespace {
+
+const Support rigid = Support::rigid();
+const Support spring = Support::linear(1e4);
+const Support corners = Support::through({{0.01, 100}, {0.02, 400}, {0.03, 1000}});
+
+/// A trial from a state with the force and drive `now` to one with those of `end`.
+struct Tried {
+  State now;
+  Trial trial;
+  Tried(double force_now, double drive_now, double force, double drive) {
+    now.force = force_now, now.drive = drive_now;
+    trial.end.force = force, trial.end.drive = drive;
+    trial.step = 1e-3;
+  }
+  [[nodiscard]] FirstEvent in(Phase phase, const Support& support = spring, bool recovers = true) const {
+    return first_event({phase, now, trial, recovers}, support);
+  }
+};
+
+TEST(Events, NoneInASmoothStep) {
+  EXPECT_EQ(Tried(50, 2, 60, 1).in(Phase::loading).event(), Event::none);
+  EXPECT_EQ(Tried(60, -1, 50, -2).in(Phase::unloading).event(), Event::none);
+  EXPECT_EQ(Tried(60, 0, 50, 0).in(Phase::held).event(), Event::none);
+}
+
+TEST(Events, TurningWhereTheDriveReachesZero) {
+  EXPECT_EQ(Tried(50, 2, 60, -1).in(Phase::loading).event(), Event::turning);
+  EXPECT_EQ(Tried(50, 2, 60, 0).in(Phase::loading).event(), Event::turning);
+  EXPECT_EQ(Tried(50, 2, 60, -1).in(Phase::unloading).event(), Event::none);
+  EXPECT_EQ(Tried(50, -1, 60, -2).in(Phase::loading).event(), Event::none) << "was not driven before either";
+}
+
+TEST(Events, ReleaseWhereTheForceIsGoneButNotOnLoading) {
+  const Tried without_force(5, -1, 0, -1);
+  EXPECT_EQ(without_force.in(Phase::unloading).event(), Event::release);
+  EXPECT_EQ(without_force.in(Phase::held).event(), Event::release);
+  EXPECT_EQ(without_force.in(Phase::loading).event(), Event::none);
+}
+
+TEST(Events, UnlockWhereThePadCarriesMoreThanTheSupport) {
+  Tried locked(90, -1, 80, -1);
+  locked.trial.pad.force = 85;
+  EXPECT_EQ(locked.in(Phase::held).event(), Event::unlock);
+  EXPECT_EQ(locked.in(Phase::held, spring, false).event(), Event::none) << "a rigid foam stays where it is";
+  locked.trial.pad.force = 75;
+  EXPECT_EQ(locked.in(Phase::held).event(), Event::none);
+}
+
+TEST(Events, CornersOfTheSupportEitherWayButNotFromTheCornerItself) {
+  const FirstEvent up = Tried(90, 2, 120, 1).in(Phase::loading, corners);
+  EXPECT_EQ(up.event(), Event::corner);
+  EXPECT_EQ(up.corner, 100);
+  EXPECT_EQ(Tried(120, -1, 90, -2).in(Phase::unloading, corners).event(), Event::corner);
+  EXPECT_EQ(Tried(100, 2, 120, 1).in(Phase::loading, corners).event(), Event::none);
+  EXPECT_EQ(Tried(90, 2, 500, 1).in(Phase::loading, corners).count, 2);
+}
+
+TEST(Events, AreCountedAndTakenInTheOrderOfTheTable) {
+  const FirstEvent both = Tried(50, 2, 120, -1).in(Phase::loading, corners);
+  EXPECT_EQ(both.event(), Event::turning);
+  EXPECT_EQ(both.count, 2);
+}
+
+TEST(Events, ATrialWithoutSolutionHasNoOtherEventThanWhatIsInItsWay) {
+  for (const auto& [obstacle, phase] : {std::pair{Event::lock, Phase::loading},
+                                        {Event::turning, Phase::loading},
+                                        {Event::reloading, Phase::unloading}}) {
+    Tried tried(90, -1, 120, -1);
+    tried.trial.obstacle = obstacle;
+    const FirstEvent first = tried.in(phase, corners);
+    EXPECT_EQ(first.event(), obstacle);
+    EXPECT_EQ(first.count, 1);
+  }
+}
+
+TEST(Branch, FollowsTheEventPadAndSupport) {
+  const BranchConditions foam, foam_on_rock{true, true}, crushed{false, false}, crushed_on_rock{false, true};
+  EXPECT_EQ(phase_after(Event::turning, Phase::loading, 0, foam), Phase::unloading);
+  EXPECT_EQ(phase_after(Event::turning, Phase::loading, 0, foam_on_rock), Phase::unloading);
+  EXPECT_EQ(phase_after(Event::turning, Phase::loading, 0, crushed), Phase::held);
+  EXPECT_EQ(phase_after(Event::turning, Phase::loading, 0, crushed_on_rock), Phase::over);
+  EXPECT_EQ(phase_after(Event::lock, Phase::loading, 1, foam), Phase::held);
+  EXPECT_EQ(phase_after(Event::lock, Phase::loading, 1, foam_on_rock), Phase::over);
+  EXPECT_EQ(phase_after(Event::unlock, Phase::held, -1, foam), Phase::unloading);
+  EXPECT_EQ(phase_after(Event::unlock, Phase::held, 1, foam), Phase::loading);
+  EXPECT_EQ(phase_after(Event::reloading, Phase::unloading, -1, foam), Phase::loading);
+  EXPECT_EQ(phase_after(Event::corner, Phase::unloading, 1, foam), Phase::unloading);
+  EXPECT_EQ(phase_after(Event::release, Phase::held, -1, foam), Phase::over);
+  EXPECT_EQ(phase_after_holding(1, 5), Phase::loading);
+  EXPECT_EQ(phase_after_holding(-1, 5), Phase::unloading);
+  EXPECT_EQ(phase_after_holding(1, 0), Phase::over);
+}
+
+/// Accepts a step of the given length and advance.
+void learn(Predictor& predictor, Phase phase, double step, double advance, double stiffness) {
+  Trial trial;
+  trial.step = step, trial.pad.advance = advance, trial.pad_stiffness = stiffness;
+  predictor.learn(phase, {}, trial, Event::none);
+}
+
+TEST(Predictor, BeginsAsASpring) {
+  Predictor predictor;
+  predictor.start(4, 1e5);
+  State now;
+  now.velocity = 3;
+  EXPECT_EQ(predictor.pad_rate(), 4);
+  EXPECT_EQ(predictor.next_rate(Phase::loading, now, 1e-3, 1.5), 2);
+  now.velocity = -3;
+  EXPECT_EQ(predictor.next_rate(Phase::loading, now, 1e-3, 1.5), 0);
+  EXPECT_EQ(predictor.next_rate(Phase::unloading, now, 1e-3, 1.5), -2);
+}
+
+TEST(Predictor, FollowsARateThatFallsLikeAnExponential) {
+  Predictor predictor;
+  predictor.start(4, 1e5);
+  constexpr double step = 1e-3, time_scale = 5e-3;
+  double expected = 4;
+  for (int i = 0; i < 4; ++i, expected *= std::exp(-step / time_scale))
+    learn(predictor, Phase::loading, step, expected * step, 1e5);
+  EXPECT_NEAR(predictor.next_rate(Phase::loading, {}, step, 1), expected, 1e-12);
+  EXPECT_NEAR(predictor.time_scale(), time_scale, 1e-12);
+}
+
+TEST(Predictor, ATriedStepServesTheNextTryFromThere) {
+  Predictor predictor;
+  predictor.start(4, 1e5);
+  Trial tried;
+  tried.step = 1e-3, tried.pad.advance = 2e-3;
+  predictor.learn_from_try(tried);
+  EXPECT_EQ(predictor.next_rate(Phase::loading, {}, 5e-4, 1), 2);
+  tried.obstacle = Event::lock, tried.pad.advance = 9e-3;
+  predictor.learn_from_try(tried);
+  EXPECT_EQ(predictor.next_rate(Phase::loading, {}, 5e-4, 1), 2)
+      << "without a solution there is nothing to learn";
+}
+
+TEST(Predictor, UnloadsWithTheStiffnessBeforeTheRateBrokeDown) {
+  Predictor predictor;
+  predictor.start(4, 1e5);
+  learn(predictor, Phase::loading, 1e-3, 3e-3, 2e5);
+  learn(predictor, Phase::loading, 1e-3, 1e-5, 9e9);
+  State now;
+  now.velocity = -0.5;
+  predictor.begin_phase(Event::turning, now);
+  EXPECT_EQ(predictor.pad_stiffness(), 2e5);
+  EXPECT_EQ(predictor.next_stiffness(), 2e5);
+  EXPECT_EQ(predictor.pad_rate(), -0.5);
+}
+
+constexpr double mass = 4, radius = 0.08, thickness = 0.03, resolution = 0.1;
+
+StepControl control_on(const Support& support) {
+  StepControl control(mass, radius, thickness, support);
+  control.start(resolution, thickness);
+  return control;
+}
+
+TEST(StepControl, ResolvesTheOscillationOfPadAndSupportInSeries) {
+  const double stiffness = 1 / (1 / 3e4 + 1 / 1e4);
+  EXPECT_NEAR(control_on(spring).longest(Phase::loading, {}, 3e4, 0),
+              resolution * std::sqrt(mass / stiffness), 1e-12);
+  EXPECT_NEAR(control_on(spring).longest(Phase::held, {}, 3e4, 7), resolution * std::sqrt(mass / 1e4), 1e-12);
+}
+
+TEST(StepControl, ResolvesStrainAndGap) {
+  const StepControl control = control_on(rigid);
+  State state;
+  state.penetration = 0.001;
+  EXPECT_NEAR(control.longest(Phase::loading, state, 1, 5), resolution * thickness / 5, 1e-12);
+  EXPECT_EQ(control.longest(Phase::loading, state, 1, -5), control.longest(Phase::loading, state, 1, 5));
+  state.penetration = 0.999 * thickness;
+  const double gap = 0.001 * thickness;
+  EXPECT_NEAR(control.longest(Phase::loading, state, 1, 5),
+              (4 * resolution * gap + 1e-2 * resolution * resolution * thickness) / 5, 1e-12);
+}
+
+TEST(StepControl, BeginsWithAQuarterOfWhatItsOwnStiffnessAllows) {
+  const StepControl control = control_on(rigid);
+  constexpr double speed = 2, pad = 3e9;
+  double stiffness = 0;
+  const double step = control.first_step(
+      speed, [](double y, double) { return pad * y / 2; }, stiffness);
+  EXPECT_NEAR(stiffness, pad, 1e-3);
+  const double allowed = numerics.first_step * control.longest(Phase::loading, {}, pad, speed);
+  EXPECT_LE(step, allowed);
+  EXPECT_GT(2 * step, allowed);
+}
+
+TEST(StepControl, GrowsByHalf) {
+  StepControl control = control_on(rigid);
+  Motion<CurveContact> motion(mass, spring);
+  Predictor predictor;
+  predictor.start(2, 1e5);
+  control.learn(Phase::loading, {}, predictor);
+  const double usual = control.usual();
+  motion.start(2);
+  motion.accept({}, 0.3 * usual, true);
+  EXPECT_NEAR(control.next(Phase::loading, motion, predictor), 0.45 * usual, 1e-15);
+  motion.accept({}, usual, true);
+  EXPECT_NEAR(control.next(Phase::loading, motion, predictor), usual, 1e-15);
+}
+
+TEST(StepControl, ShrinksTowardsTheRelease) {
+  StepControl control = control_on(rigid);
+  Motion<CurveContact> motion(mass, spring);
+  Predictor predictor;
+  predictor.start(-0.01, 1e5);
+  control.learn(Phase::unloading, {}, predictor);
+  control.learn_force(1000);
+  motion.start(2);
+  State now;
+  now.force = 10;
+  motion.accept(now, 1e-3, true);
+  now.force = 5;
+  motion.accept(now, 1e-4, true);
+  EXPECT_NEAR(control.next(Phase::unloading, motion, predictor), 0.7 * 1e-4, 1e-12)
+      << "seven tenths of the force";
+}
+
+}  // namespace
+}  // namespace dashpad::test
