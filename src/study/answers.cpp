@@ -64,7 +64,8 @@ Estimate quantile_of(const std::vector<double>& values, double probability, bool
   const Binomial binomial{static_cast<double>(count), probability};
   const std::uint64_t low = least_count(binomial, tail), high = least_count(binomial, 1 - tail) + 1;
   estimate.low = low == 0 ? -infinity : values[low - 1];
-  estimate.high = high > count ? infinity : values[high - 1];
+  estimate.high = infinity;
+  if (high <= count) estimate.high = values[high - 1];
   return estimate;
 }
 

@@ -113,8 +113,10 @@ std::vector<Reading> readings_of(const Study& study, const Records& records, con
     const Status status = records.statuses[group.places[i]];
     const bool is_final = status == Status::released || status == Status::bottomed_out;
     const bool is_known = !std::isnan(values[i]) && (is_final || (status == Status::time_limit && grows));
-    const double low = is_known ? values[i] : -infinity;
-    const double high = is_known && is_final ? values[i] : infinity;
+    double low = -infinity;
+    double high = infinity;
+    if (is_known) low = values[i];
+    if (is_known && is_final) high = values[i];
     readings.push_back({low, high});
   }
   return readings;

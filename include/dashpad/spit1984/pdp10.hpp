@@ -41,7 +41,8 @@ class Pdp10 {
   friend constexpr double to_double(Pdp10 x) { return x.value_; }
 
   friend constexpr bool operator==(Pdp10, Pdp10) = default;
-  friend constexpr auto operator<=>(Pdp10, Pdp10) = default;
+  // clang-tidy 14 takes the 0 that a defaulted comparison brings along for a pointer.
+  friend constexpr auto operator<=>(Pdp10, Pdp10) = default;  // NOLINT(modernize-use-nullptr)
 
   friend constexpr Pdp10 operator-(Pdp10 x) { return of_exact(0 - x.value_); }  // 0 - 0 is not negative
   friend constexpr Pdp10 abs(Pdp10 x) { return x.value_ < 0 ? -x : x; }
