@@ -197,12 +197,15 @@ class ColumnField {
       const double largest = (largest_penetration_ - depth) / thickness_;
       const auto power = power_.at(strain);
       const auto part = law_.strain_part(strain, power);
+      const double stress_before = columns_.now.stress[j];
       const double remainder =
-          columns_.now.stress[j] - law_.envelope(part_of(columns_.now, j), rate_part_, before, largest);
-      set_column(columns_.next_state, j,
-                 law_.envelope(part, rate_part_, strain.value, largest) +
-                     remainder * law_.decay(time_part_, before, strain.value, share_of_step(depth)),
-                 part, power);
+          stress_before - law_.envelope(part_of(columns_.now, j), rate_part_, before, largest);
+      const double envelope = law_.envelope(part, rate_part_, strain.value, largest);
+      double stress =
+          envelope + remainder * law_.decay(time_part_, before, strain.value, share_of_step(depth));
+      // A column in tension does not press again while its envelope is in tension (theory.md, Eq. 30).
+      if (stress_before <= 0 && envelope < 0) stress = std::min(stress, 0.0);
+      set_column(columns_.next_state, j, stress, part, power);
     }
   }
   /// For how much of the trial step the sphere touches a column.

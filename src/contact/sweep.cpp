@@ -188,11 +188,16 @@ HWY_INLINE void sweep_columns(const Lanes& law, const SweepStep& step, const Col
     V part_before[Lanes::parts];
     for (std::size_t k = 0; k < Lanes::parts; ++k) part_before[k] = load(now.part[k] + j);
     const Shape at = law.strain_part({strain, complement}, part);
-    const V remainder = hn::Sub(load(now.stress + j), law.envelope(part_before, before, largest));
+    const V stress_before = load(now.stress + j);
+    const V remainder = hn::Sub(stress_before, law.envelope(part_before, before, largest));
     V share = set(1);
     if (loading) share = hn::Min(share, hn::Mul(hn::Sub(set(step.after), depth), per_advance));
-    const V stress =
-        hn::MulAdd(remainder, law.decay(before, strain, share), law.envelope(part, strain, largest));
+    const V envelope = law.envelope(part, strain, largest);
+    V stress = hn::MulAdd(remainder, law.decay(before, strain, share), envelope);
+    // A column in tension does not press again while its envelope is in tension.
+    const V zero = hn::Zero(Tag());
+    const M lets_go = hn::And(hn::Le(stress_before, zero), hn::Lt(envelope, zero));
+    stress = hn::IfThenElse(lets_go, hn::Min(stress, zero), stress);
     store(stress, next.stress + j);
     for (std::size_t k = 0; k < Lanes::parts; ++k) store(part[k], next.part[k] + j);
     store(at.shape, next.shape + j);
