@@ -193,7 +193,9 @@ class Equilibrium {
       const double allowed = of_.allowed_residual(scale) * (trials_ > 1 ? 1 : numerics.solved_first_trial);
       if (std::abs(left) > allowed) return false;
       if (std::abs(missing) > numerics.largest_take_up * of_.resolution_ * std::abs(trial.pad.advance))
-        return std::abs(left) < numerics.solved_small_advance * allowed;
+        return is_rounding(left, scale) ||
+               (std::abs(left) < numerics.solved_small_advance * allowed &&
+                std::abs(missing) < numerics.most_take_up * std::abs(trial.pad.advance));
       const double force = end.force;
       if (force > 0)
         of_.motion_.residual(of_.contact_, end.penetration,

@@ -151,7 +151,8 @@ void read_contact_end(const Track& track, double mass, Figures& figures) {
   const double least = contact_end_share * figures.peak_force;
   std::size_t last = force.size() - 1;
   while (last > 0 && !(force[last] > least)) --last;
-  if (last + 1 < force.size()) figures.contact_end = where_force_falls_below(least, track, last, mass);
+  // No entry is above: what was read as the peak is no number, or far from all of them.
+  if (last > 0 && last + 1 < force.size()) figures.contact_end = where_force_falls_below(least, track, last, mass);
 }
 
 double work_on_pad(const Track& track) {

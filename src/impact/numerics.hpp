@@ -21,6 +21,10 @@ struct Numerics {
   /// stricter `solved_small_advance` holds: the columns stay where they were tried.
   double largest_take_up = 0.05;
   double solved_small_advance = 0.1;  ///< share of the allowed residual
+  /// And it may then be no more than this share of the advance, but for rounding: what is left over of one
+  /// step is made up for in the next, whose rate would be nothing else where the pad hardly moves. (Without
+  /// this, steps near the turning point on a rigid support shrank to rounding.)
+  double most_take_up = 0.1;
   /// Rounding of a sum of a few terms, relative: what a residual without memory is solved to.
   double rounding = 4 * std::numeric_limits<double>::epsilon();
   /// Two trials that differ by less say nothing about the slope dF/dY: relative, of advance and force.

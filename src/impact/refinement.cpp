@@ -51,17 +51,11 @@ std::array<double*, 9> all(ErrorEstimates& e) {
           &e.weight,           &e.bottomed,           &e.energy_absorbed};
 }
 
-/// More reloadings than this are an oscillation of the pad on the support; what counts then is its mean.
-constexpr int few_reloadings = 6;
-
-bool same_branches(const Figures& a, const Figures& b) {
-  return a.reloadings == b.reloadings || std::min(a.reloadings, b.reloadings) > few_reloadings;
-}
-
+/// Ended alike and passed the same events.
 bool same_kind(const Figures& a, const Figures& b) {
   return a.ending == b.ending && a.weight.has_value() == b.weight.has_value() &&
          a.contact_end.has_value() == b.contact_end.has_value() &&
-         a.bottomed.has_value() == b.bottomed.has_value() && same_branches(a, b);
+         a.bottomed.has_value() == b.bottomed.has_value() && a.reloadings == b.reloadings;
 }
 
 Figures extrapolate(const Figures& fine, const Figures& coarse) {
