@@ -141,6 +141,24 @@ TEST(RandomCases, AreSolvedOrSaidNotToBe) {
   EXPECT_LE(not_met, most * static_cast<double>(cases));
 }
 
+/// Extreme cases on rigid supports whose steps once shrank to rounding before the turning point: what one
+/// step had left over of its residual was the rate of the next.
+TEST(RandomCases, TurnOnARigidSupportInFewSteps) {
+  for (const std::uint64_t seed : {284ULL, 363ULL, 654ULL}) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    const ImpactCase impact = random_case(seed);
+    ASSERT_TRUE(impact.support.is_rigid());
+    const Summary coarse = solve(impact, {.tolerance = 1e-3}).summary;
+    const Summary fine = solve(impact, {.tolerance = 5e-4}).summary;
+    EXPECT_TRUE(coarse.trustworthy()) << to_string(coarse.status);
+    EXPECT_LT(coarse.steps, 5000U);
+    expect_relative(coarse.peak_motion, fine.peak_motion, 1.1e-3, "peak motion");
+    ASSERT_EQ(coarse.rebound_speed.has_value(), fine.rebound_speed.has_value());
+    if (fine.rebound_speed)
+      expect_relative(*coarse.rebound_speed, *fine.rebound_speed, 1.1e-3, "rebound speed");
+  }
+}
+
 TEST(RandomCases, AreTheSameForTheSameSeed) {
   for (const std::uint64_t seed : {1ULL, 77ULL}) {
     const Summary a = solve(random_case(seed)).summary;

@@ -113,7 +113,7 @@ TEST(CfcFilter, TreatsTheEndsAsDefined) {
     const Pulse filtered = cfc_filtered(pulse, channel_class, corner, ends);
     EXPECT_EQ(filtered.time, pulse.time);
     std::vector<double> found;
-    for (const std::size_t place : {0, 1, 15, 28, 29}) found.push_back(filtered.acceleration[place]);
+    for (const std::size_t place : {0U, 1U, 15U, 28U, 29U}) found.push_back(filtered.acceleration[place]);
     for (std::size_t k = 0; k < found.size(); ++k) EXPECT_NEAR(found[k], expected[k], 1e-10) << k;
   };
   expect(30, 60, Corner::sae_j211, Ends::mirrored,

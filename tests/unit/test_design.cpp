@@ -103,7 +103,7 @@ TEST(random_words, are_those_of_philox) {
 }
 
 TEST(permutation, holds_every_number_once) {
-  for (const std::uint64_t count : {1, 2, 3, 4, 5, 7, 16, 17, 100, 1000, 65537}) {
+  for (const std::uint64_t count : {1U, 2U, 3U, 4U, 5U, 7U, 16U, 17U, 100U, 1000U, 65537U}) {
     const Permutation permutation(count, 42, 0);
     std::set<std::uint64_t> seen;
     for (std::uint64_t i = 0; i < count; ++i) seen.insert(permutation.at(i));
@@ -230,7 +230,7 @@ TEST(design, gives_the_same_row_in_any_order) {
 }
 
 TEST(design, has_one_point_in_each_stratum_of_a_latin_hypercube) {
-  for (const std::uint64_t samples : {1, 2, 7, 100, 1000}) {
+  for (const std::uint64_t samples : {1U, 2U, 7U, 100U, 1000U}) {
     const Study study = study_with(
         {fraction_of("impactor.speed"), fraction_of("impactor.mass"), fraction_of("impactor.radius")},
         samples, Sampling::latin_hypercube);
@@ -247,7 +247,7 @@ TEST(design, has_one_point_in_each_stratum_of_a_latin_hypercube) {
 
 /// The first two dimensions are a (0, k, 2)-net in base 2, and the scrambling keeps it one.
 TEST(design, has_one_sobol_point_in_each_elementary_interval) {
-  for (const std::uint64_t seed : {1, 2, 3})
+  for (const std::uint64_t seed : {1U, 2U, 3U})
     for (const int k : {1, 4, 8, 10}) {
       Study study = study_with({fraction_of("impactor.speed"), fraction_of("impactor.mass")}, 1ULL << k,
                                Sampling::sobol);
@@ -368,7 +368,7 @@ TEST(application, scales_a_curve_and_chooses_a_material) {
   const Design design(study);
   const Application application(study);
   ImpactCase impact = study.base;
-  for (const std::uint64_t row : {3, 0, 3}) {
+  for (const std::uint64_t row : {3U, 0U, 3U}) {
     application(row_of(design, row, 2), impact);
     EXPECT_DOUBLE_EQ(impact.support.force(0.02), row == 3 ? 1500 : 500);
     EXPECT_EQ(std::holds_alternative<Elastic>(impact.pad.material.law), row == 3);

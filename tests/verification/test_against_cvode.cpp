@@ -118,7 +118,7 @@ TEST(AgainstCvodeLettingGo, AgreesWhereColumnsHadPressedAgain) {
     fmt::print("{:20} {}\n", name, oracle::compare(summary, other).text());
     expect_agreement(summary, other, {2e-4, 3e-3, 1e-3, 2e-4});
   };
-  for (const std::uint64_t seed : {1, 149, 653, 1167, 2408, 2830})
+  for (const std::uint64_t seed : {1U, 149U, 653U, 1167U, 2408U, 2830U})
     compare_with_oracle(fmt::format("ordinary case {}", seed), ordinary_case(seed));
   compare_with_oracle(
       "let-go.toml",
