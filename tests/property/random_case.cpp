@@ -160,7 +160,59 @@ Support ordinary_support(Draw& draw) {
   }
 }
 
+/// Laws 1 to 3 about foams of some 100 kPa; laws 4 and 5 are the Ensolite cards.
+PadLaw plausible_law(Draw& draw) {
+  const auto near = [&draw](double value) { return value * draw.uniform(0.5, 1.5); };
+  const auto exponent = [&near](double value) { return std::min(near(value), 1.0); };
+  switch (draw.choice(5)) {
+    case 0: return Elastic{near(3e5)};
+    case 1: {
+      const double lasting = near(1.4e5);
+      return LinearViscoelastic{lasting, lasting * draw.uniform(1.5, 4.5), near(5e-3)};
+    }
+    case 2: {
+      const double stress = near(2e5);
+      const double strain = draw.uniform(0.3, 0.7);
+      return RigidFoam{stress, strain, stress * draw.uniform(1, 3), strain + draw.uniform(0.05, 0.25)};
+    }
+    case 3:
+      return NineParameter{near(7.96 * psi), exponent(0.675), near(1.09),    near(8.81e-3),
+                           near(5.45 * psi), exponent(0.166), near(9.76e-6), near(0.0987)};
+    default: {
+      const double m = exponent(0.675);
+      return TwentyOneParameter{near(7.96 * psi),
+                                m,
+                                near(1.09),
+                                exponent(0.13),
+                                near(0.156),
+                                near(3.08),
+                                near(4.153 * psi),
+                                exponent(0.19),
+                                near(3.17),
+                                near(0.58),
+                                std::max(near(2.57), 1.01 * m),
+                                near(0.296),
+                                std::max(near(2.23), 1.01 * m),
+                                near(1.64e-3),
+                                near(9.76e-6),
+                                near(0.0987)};
+    }
+  }
+}
+
 }  // namespace
+
+ImpactCase plausible_case(std::uint64_t seed) {
+  Draw draw(seed);
+  ImpactCase impact;
+  impact.title = "plausible case " + std::to_string(seed);
+  impact.impactor = {draw.decades(0.5, 20), draw.decades(0.0127, 0.254), draw.decades(1, 15)};
+  impact.pad.thickness = draw.decades(0.005, 0.1);
+  impact.pad.material.name = "in line";
+  impact.pad.material.law = plausible_law(draw);
+  impact.support = ordinary_support(draw);
+  return impact;
+}
 
 ImpactCase ordinary_case(std::uint64_t seed) {
   Draw draw(seed);

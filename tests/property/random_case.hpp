@@ -15,4 +15,9 @@ ImpactCase random_case(std::uint64_t seed);
 /// to 10 cm of foam. Laws 4 and 5 are the Ensolite cards, each parameter varied about its value.
 ImpactCase ordinary_case(std::uint64_t seed);
 
+/// A part of a body or a test head, half an inch to ten inches in radius, 0.5 to 20 kg at 1 to 15 m/s on 0.5
+/// to 10 cm of foam on a rigid, linear or curved support. Each parameter of a law is within half of a usual
+/// value, which for laws 4 and 5 is that of the Ensolite cards.
+ImpactCase plausible_case(std::uint64_t seed);
+
 }  // namespace dashpad::test
