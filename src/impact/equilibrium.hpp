@@ -32,7 +32,7 @@ class Equilibrium {
     const double locked = contact_.lock_penetration();
     const double unhindered = now().motion + now().velocity * step;
     const double most = std::min(unhindered, locked) - now().penetration;
-    if (most <= 0) return without_solution(Event::turning, step);
+    if (most <= 0) return without_solution(unhindered > locked ? Event::lock : Event::turning, step);
     MovingSearch at(*this, step, predictor);
     double advance = predictor.next_rate(Phase::loading, now(), step, at.slope) * step;
     if (!(advance > 0 && advance < most))

@@ -15,9 +15,9 @@ class ElasticBounce {
   ElasticBounce(double mass, double radius, double speed, double modulus, double thickness);
 
   /// F(Y) = 2 pi (E/L) integral of (Y - s)(R - s) ds from 0 to min(Y, R), N.
-  [[nodiscard]] double force(double penetration) const;
+  [[nodiscard]] double force(double y) const;
   /// Integral of F from 0 to Y, J.
-  [[nodiscard]] double energy(double penetration) const;
+  [[nodiscard]] double energy(double y) const;
   [[nodiscard]] double peak_penetration() const { return deepest_; }
   [[nodiscard]] double peak_force() const { return force(deepest_); }
   /// 2 integral of dY/|V|; Y = Ymax (1 - w^2) removes the singularity at the turning point.

@@ -139,8 +139,9 @@ void add_part(const Run& run, int interval, double from, double to, std::vector<
   const double half = (to - from) / 2;
   for (const double gauss : {-std::numbers::inv_sqrt3, std::numbers::inv_sqrt3}) {
     const auto share = basis(stencil.size, middle + gauss * half);
-    for (int k = 0; k < stencil.size; ++k)
-      weights[static_cast<std::size_t>(stencil.start + k)] += half * share[static_cast<std::size_t>(k)];
+    const auto start = static_cast<std::size_t>(stencil.start);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(stencil.size); ++k)
+      weights[start + k] += half * share[k];
   }
 }
 

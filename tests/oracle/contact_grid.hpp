@@ -27,7 +27,7 @@ double grid_coordinate(double rest, Grading grading);
 
 /// Chebyshev points with what a spectral method needs of them.
 struct ChebyshevGrid {
-  ChebyshevGrid(int count, Grading grading);
+  ChebyshevGrid(int count, Grading grades);
 
   Grading grading;
   std::vector<double> z;  ///< increasing, 0 to 1

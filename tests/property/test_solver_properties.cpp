@@ -159,6 +159,16 @@ TEST(RandomCases, TurnOnARigidSupportInFewSteps) {
   }
 }
 
+/// A pad that has closed to within rounding of its lock, and is driven on, is locked; it was taken for one
+/// that turns, and neither phase had a solution.
+TEST(RandomCases, LockWhereTheGapIsClosedToRounding) {
+  for (const double tolerance : {1e-3, 1e-4}) {
+    const Summary s = solve(plausible_case(135), {.tolerance = tolerance}).summary;
+    EXPECT_EQ(s.status, Status::released);
+    EXPECT_TRUE(s.bottomed);
+  }
+}
+
 TEST(RandomCases, AreTheSameForTheSameSeed) {
   for (const std::uint64_t seed : {1ULL, 77ULL}) {
     const Summary a = solve(random_case(seed)).summary;

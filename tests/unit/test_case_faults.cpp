@@ -1,5 +1,6 @@
 /// Case files: what is said about each kind of bad one.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -239,7 +240,7 @@ TEST(case_faults, deep_nesting_is_refused) {
   for (int i = 0; i < 200'000; ++i) deep += ".a";
   expect_faults(faults_in([&] { read(good_case + deep + " = 1\n"); }), {{15, "", "more than 64 dots"}});
   std::string tables = "1";
-  for (int i = 0; i < 1000; ++i) tables = "{a.a.a.a.a.a.a.a=" + tables + "}";
+  for (int i = 0; i < 1000; ++i) tables = fmt::format("{{a.a.a.a.a.a.a.a={}}}", tables);
   expect_faults(faults_in([&] { read(good_case + "x = " + tables + "\n"); }), {{15, "", "is not TOML"}});
 }
 
@@ -262,10 +263,10 @@ TEST(case_faults, only_regular_files_of_moderate_size_are_read) {
                         {"/dev/zero", "is not a regular file"},
                         {"", "no such file"}};
   if (::geteuid() != 0) rows.push_back({locked, "cannot be read"});  // root may read everything
-  for (const auto& [file, rule] : rows) {
-    SCOPED_TRACE(file);
-    expect_faults(faults_in([&] { read_case(file, materials); }), {{0, "", rule}});
-    expect_faults(faults_in([&] { read_material(file); }), {{0, "", rule}});
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.file);
+    expect_faults(faults_in([&] { read_case(row.file, materials); }), {{0, "", row.rule}});
+    expect_faults(faults_in([&] { read_material(row.file); }), {{0, "", row.rule}});
   }
 }
 

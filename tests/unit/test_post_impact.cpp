@@ -3,11 +3,9 @@
 
 #include "dashpad/impact/post_impact.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>

@@ -21,7 +21,6 @@ namespace {
 
 using study::Store;
 using study::StoredRow;
-using ::testing::IsEmpty;
 
 std::vector<std::uint64_t> numbers(std::uint64_t count) {
   std::vector<std::uint64_t> list(count);

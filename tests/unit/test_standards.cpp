@@ -1,5 +1,6 @@
 /// The presets of standards that Dashpad brings along, and what is said about a bad one.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -403,7 +404,7 @@ TEST(standard_faults, each_fault_is_named_with_line_key_and_rule) {
        {{27, "variants.light.mass", "must replace"}, {29, "variants.light.weight", "unknown key"}}},
   };
   for (const auto& [from, to, expected] : edits) {
-    SCOPED_TRACE(from + " -> " + to);
+    SCOPED_TRACE(fmt::format("{} -> {}", from, to));
     expect_faults(edited(good_preset, from, to), expected);
   }
 }

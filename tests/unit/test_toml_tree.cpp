@@ -1,5 +1,6 @@
 // How deep TOML may nest: what a user writes is read, what would overflow the stack is refused.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -46,7 +47,7 @@ TEST(toml_tree, dots_in_comments_and_strings_are_text) {
   const std::string dots(100'000, '.');
   EXPECT_EQ(read("# " + dots + "\na = 1 # " + dots).children.size(), 1U);
   for (const std::string quote : {"\"", "'", "\"\"\"", "'''"}) {
-    const TomlNode root = read("a = " + quote + dots + quote + "\n\"b" + dots + "\" = 1\n");
+    const TomlNode root = read(fmt::format("a = {0}{1}{0}\n\"b{1}\" = 1\n", quote, dots));
     ASSERT_EQ(root.children.size(), 2U);
     EXPECT_EQ(root.children[0].text, dots);
     EXPECT_EQ(root.children[1].key, "b" + dots);
