@@ -49,11 +49,13 @@ inline double force_over_held_pad(const Sight& s) { return s.trial.end.force - s
 inline bool pad_recovers(const Sight& s) { return s.recovers; }
 /// Eq. 20; without a solution of Eq. 19 it is passed.
 inline double drive(const Sight& s) {
-  return s.trial.obstacle == Event::turning ? far_beyond : s.trial.end.drive;
+  if (s.trial.obstacle == Event::turning) return far_beyond;
+  return s.trial.end.drive;
 }
 inline bool is_driven(const Sight& s) { return s.now.drive > 0 || s.trial.obstacle == Event::turning; }
 inline double has_unloading_step(const Sight& s) {
-  return s.trial.obstacle == Event::reloading ? far_beyond : 1;
+  if (s.trial.obstacle == Event::reloading) return far_beyond;
+  return 1;
 }
 inline double has_step_below_lock(const Sight& s) { return s.trial.obstacle == Event::lock ? -1 : 1; }
 inline double force_to_corner(const Sight& s) {

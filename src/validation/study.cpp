@@ -11,7 +11,7 @@ constexpr TestSupport supports[] = {TestSupport::load_cell, TestSupport::plate};
 
 std::vector<double> without_repeats(std::vector<double> radii) {
   std::ranges::sort(radii);
-  radii.erase(std::ranges::unique(radii).begin(), radii.end());
+  radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
   return radii;
 }
 
