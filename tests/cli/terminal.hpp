@@ -52,7 +52,7 @@ class Terminal {
     return testing::AssertionSuccess();
   }
 
-  void type(const std::string& keys) {
+  void type(const std::string& keys) const {
     if (::write(screen_, keys.data(), keys.size()) != static_cast<ssize_t>(keys.size()))
       throw std::runtime_error("the terminal takes no more keys");
   }

@@ -1,6 +1,7 @@
 // Files that a command reads are never written to, not even with --force, under whatever name; and no two
 // results share a file.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -59,7 +60,7 @@ class InputFilesTest : public CommandTest {
       arguments.insert(arguments.end(), {name, "--force"});
       const Outcome outcome = dashpad(arguments);
       EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(arguments);
-      EXPECT_THAT(outcome.err, HasSubstr(name + ": is " + kind + "; name another"));
+      EXPECT_THAT(outcome.err, HasSubstr(fmt::format("{}: is {}; name another", name, kind)));
       EXPECT_EQ(outcome.out, "");
       EXPECT_EQ(read_file(file(input)), before) << testing::PrintToString(arguments);
     }

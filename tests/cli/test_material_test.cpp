@@ -46,7 +46,7 @@ class MaterialTestTest : public CommandTest {
     return json::parse(outcome.out, nullptr, false);
   }
   /// What is said to a command line that is refused; nothing may be written.
-  std::string refused(std::vector<std::string> arguments) {
+  std::string refused(const std::vector<std::string>& arguments) {
     const auto before = other_files();
     const Outcome outcome = material_test(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(arguments) << outcome.err;

@@ -53,7 +53,7 @@ class PulseTest : public CommandTest {
     return dashpad(arguments);
   }
   /// What is said to a command line that is refused; nothing may be written.
-  std::string refused(std::vector<std::string> arguments) {
+  std::string refused(const std::vector<std::string>& arguments) {
     const auto before = other_files();
     const Outcome outcome = pulse(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(arguments) << outcome.err;
