@@ -67,8 +67,9 @@ TEST_F(StudyDoctored, writes_no_escape_codes_to_the_terminal) {
     changes.push_back("UPDATE study SET value = replace(value, '" + std::string{word} + "', '" + word +
                       "\\u001b[31m\\u009b2J') WHERE key = 'resolved'");
   // What SQLite says of a table quotes its text.
-  changes.push_back("ALTER TABLE samples RENAME TO kept; CREATE VIEW samples AS SELECT * FROM \"\x1b[31m\"");
-  changes.push_back("ALTER TABLE study RENAME TO kept; CREATE VIEW study AS SELECT \"\x1b[31m\"() AS key");
+  changes.emplace_back(
+      "ALTER TABLE samples RENAME TO kept; CREATE VIEW samples AS SELECT * FROM \"\x1b[31m\"");
+  changes.emplace_back("ALTER TABLE study RENAME TO kept; CREATE VIEW study AS SELECT \"\x1b[31m\"() AS key");
   for (const std::string& sql : changes) {
     change(sql);
     int answered = 0;
