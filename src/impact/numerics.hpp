@@ -1,5 +1,6 @@
 #pragma once
-/// Every constant of the numerical method: what it is, in which unit, and why it has this value.
+/// The constants of one run through an impact: what each is, in which unit, and why it has this value. Those
+/// of the root and event searches, of the stations and of the refinement stand in their own files.
 ///
 /// None of them is physics: with a finer resolution the figures tend to the same values whatever these are.
 /// Equation numbers are those of theory.md; rho is the resolution of a run.

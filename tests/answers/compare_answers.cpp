@@ -1,10 +1,17 @@
 /// Two answers of the solver over many random cases (property/answer_comparison.hpp): its fast path against
 /// the plain one, or its answer against one to a fraction of the tolerance.
 ///
-///   compare_answers --cases 100000 --threads 2                    ordinary cases, the seeds 1 to 100000,
-///   both paths compare_answers --finer 20 --kind plausible --tolerance 1e-4  true errors, estimates, and how
-///   many are unsolved compare_answers --kind extreme --from 1234 --cases 1 --all    one case again, printed
-///   whatever it gives
+///   compare_answers --cases 100000 --threads 2
+///
+/// takes the ordinary cases of the seeds 1 to 100000 by both paths;
+///
+///   compare_answers --finer 20 --kind plausible --tolerance 1e-4
+///
+/// gives true errors beside the estimates, and how many cases are unsolved;
+///
+///   compare_answers --kind extreme --from 1234 --cases 1 --all
+///
+/// repeats one case and prints it whatever it gives.
 
 #include <fmt/format.h>
 
