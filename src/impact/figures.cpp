@@ -152,7 +152,8 @@ void read_contact_end(const Track& track, double mass, Figures& figures) {
   std::size_t last = force.size() - 1;
   while (last > 0 && !(force[last] > least)) --last;
   // No entry is above: what was read as the peak is no number, or far from all of them.
-  if (last > 0 && last + 1 < force.size()) figures.contact_end = where_force_falls_below(least, track, last, mass);
+  if (last > 0 && last + 1 < force.size())
+    figures.contact_end = where_force_falls_below(least, track, last, mass);
 }
 
 double work_on_pad(const Track& track) {
