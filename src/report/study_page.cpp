@@ -69,7 +69,7 @@ Plot study_plot(const StudyAnswers& answers, const UnitSystem& units) {
   std::vector<PageFigure> maps = map_figures(answers, units);
   if (maps.size() > 1) maps.erase(maps.begin() + 1, maps.end());
   for (std::vector<PageFigure> figures :
-       {cushion_figures(answers, units), std::move(maps), curve_figures(answers, units),
+       {cushion_figures(answers, units), maps, curve_figures(answers, units),
         distribution_figures(answers, units)})
     if (!figures.empty()) return together(std::move(figures), title);
   return {};
