@@ -1,6 +1,6 @@
 #include "study/run_batches.hpp"
 
-#include <utility>
+#include <vector>
 
 #include <oneapi/tbb/concurrent_queue.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
@@ -29,7 +29,10 @@ bool run_batches(std::span<const std::uint64_t> batches, int threads, const std:
   const tbb::global_control allowed{tbb::global_control::max_allowed_parallelism, workers};
   tbb::enumerable_thread_specific<BatchWork::Compute> compute{[&work] { return work.worker(); }};
 
-  tbb::concurrent_queue<std::vector<StoredRow>> written;  // whose memory is free
+  // What is on its way when a filter throws is forgotten by the pipeline: it is owned here, and pointed at.
+  std::vector<Computed> in_flight(batches_a_thread * workers);
+  tbb::concurrent_queue<Computed*> unused;
+  for (Computed& of : in_flight) unused.push(&of);
   std::size_t begun = 0;
   const auto next = tbb::make_filter<void, std::uint64_t>(
       tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) -> std::uint64_t {
@@ -40,20 +43,22 @@ bool run_batches(std::span<const std::uint64_t> batches, int threads, const std:
         return batches[begun++];
       });
   const auto compute_rows =
-      tbb::make_filter<std::uint64_t, Computed>(tbb::filter_mode::parallel, [&](std::uint64_t batch) {
-        Computed result{.batch = batch, .rows = {}};
-        written.try_pop(result.rows);
-        compute.local()(batch, result.rows);
+      tbb::make_filter<std::uint64_t, Computed*>(tbb::filter_mode::parallel, [&](std::uint64_t batch) {
+        Computed* result = nullptr;
+        unused.try_pop(result);  // there are as many as the pipeline has under way at most
+        result->batch = batch;
+        compute.local()(batch, result->rows);
         return result;
       });
   // In order: the file grows at its end, which is fastest, and holds the same bytes whatever the threads.
-  const auto write = tbb::make_filter<Computed, void>(tbb::filter_mode::serial_in_order, [&](Computed done) {
-    work.write(done.batch, done.rows);
-    written.push(std::move(done.rows));
-  });
+  const auto write =
+      tbb::make_filter<Computed*, void>(tbb::filter_mode::serial_in_order, [&](Computed* done) {
+        work.write(done->batch, done->rows);
+        unused.push(done);
+      });
 
   tbb::task_arena arena{threads};
-  arena.execute([&] { tbb::parallel_pipeline(batches_a_thread * workers, next & compute_rows & write); });
+  arena.execute([&] { tbb::parallel_pipeline(in_flight.size(), next & compute_rows & write); });
   return begun == batches.size();
 }
 
