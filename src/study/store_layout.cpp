@@ -85,6 +85,15 @@ std::vector<StoredColumn> read_columns(const Database& database, const char* sel
   return columns;
 }
 
+/// A view in the place of a table may be anything that SQL can say, and go on for ever.
+void check_tables(const Database& database) {
+  Statement own{database,
+                "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND rootpage > 0 AND name IN "
+                "('study', 'factors', 'responses', 'materials', 'batches', 'samples')"};
+  own.next();
+  if (own.integer(0) != 6) database.damaged("one of its tables is missing");
+}
+
 void check_columns(const Database& database, const StoreHeading& heading) {
   constexpr std::size_t others = 5;  // row, status, extrapolated, bottomed, error
   Statement columns{database, "SELECT count(*) FROM pragma_table_info('samples')"};
@@ -154,6 +163,7 @@ StoreHeading read_heading(const Database& database) {
         fmt::format("{}: it has layout {}, and this program reads layout {}: use the program that "
                     "made it",
                     database.name(), found, layout));
+  check_tables(database);
   StoreHeading heading{.program = text_fact(database, "program", &Statement::name),
                        .text = text_fact(database, "text"),
                        .resolved = text_fact(database, "resolved"),

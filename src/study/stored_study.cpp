@@ -15,6 +15,18 @@ namespace {
 
 using Numbers = std::vector<double>;
 
+/// Nothing else than what is written for an unsigned integer: no fraction, no sign, no more than 64 bits.
+std::uint64_t count_of(const Json& json) {
+  if (!json.is_number_unsigned()) throw std::runtime_error("no count");
+  return json.get<std::uint64_t>();
+}
+
+Sampling sampling_of(const Json& json) {
+  for (const Sampling method : {Sampling::monte_carlo, Sampling::latin_hypercube, Sampling::sobol})
+    if (count_of(json) == static_cast<std::uint64_t>(method)) return method;
+  throw std::runtime_error("no such sampling");
+}
+
 Spread spread_of(const Json& json) {
   if (json.contains("levels")) return Levels{json["levels"].get<Numbers>()};
   if (json.contains("empirical")) return Empirical{json["empirical"].get<Numbers>()};
@@ -85,15 +97,16 @@ Study study_of(const Json& json) {
   study.title = json.at("title");
   study.base = case_of(json.at("case"));
   const Json& options = json.at("options");
-  study.options = {.tolerance = options.at(0), .time_limit = options.at(1), .most_steps = options.at(2)};
+  study.options = {
+      .tolerance = options.at(0), .time_limit = options.at(1), .most_steps = count_of(options.at(2))};
   for (const Json& factor : json.at("factors")) study.factors.push_back(factor_of(factor));
   for (const Json& material : json.at("materials")) study.materials.push_back(material_of(material));
   const Json& sampling = json.at("sampling");
   for (const Json& pair : sampling.at("correlations"))
-    study.correlations.push_back({pair.at(0), pair.at(1), pair.at(2)});
-  study.sampling = static_cast<Sampling>(sampling.at("method").get<int>());
-  study.samples = sampling.at("samples");
-  study.seed = sampling.at("seed");
+    study.correlations.push_back({count_of(pair.at(0)), count_of(pair.at(1)), pair.at(2)});
+  study.sampling = sampling_of(sampling.at("method"));
+  study.samples = count_of(sampling.at("samples"));
+  study.seed = count_of(sampling.at("seed"));
   study.indices = sampling.at("indices");
   study.responses = json.at("responses").get<std::vector<std::string>>();
   return study;

@@ -82,6 +82,22 @@ TEST_F(StoredStudyTest, ADamagedStudyIsRefused) {
   EXPECT_THROW(study::stored_study(Store::open_to_read(file("small.db"))), std::runtime_error);
 }
 
+TEST_F(StoredStudyTest, CountsThatNoStudyHasAreRefused) {
+  { Store::open_for(small_study(10), file("good.db")); }
+  ASSERT_NO_THROW(study::stored_study(Store::open_to_read(file("good.db"))));
+  for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+           {"\"method\": 2", "\"method\": 7"},
+           {"\"samples\": 1", "\"samples\": -1"},
+           {"\"seed\": 1", "\"seed\": 1e300"},
+           {"100000", "1e300"},
+           {"\"correlations\": []", "\"correlations\": [[1e300, 0, 0.5]]"}}) {
+    fs::copy_file(file("good.db"), file("bad.db"), fs::copy_options::overwrite_existing);
+    edit(file("bad.db"),
+         "UPDATE study SET value = replace(value, '" + from + "', '" + to + "') WHERE key = 'resolved'");
+    EXPECT_THROW(study::stored_study(Store::open_to_read(file("bad.db"))), std::runtime_error) << to;
+  }
+}
+
 /// Two speeds, three draws with indices: each group has the rows of both matrices and no others.
 TEST_F(StoredStudyTest, GroupsAreTheDrawsOfOneCombination) {
   Study study = small_study(2);

@@ -288,6 +288,7 @@ INSTANTIATE_TEST_SUITE_P(
         "UPDATE samples SET peak_force = 'x' WHERE row = 5", "UPDATE samples SET status = 'x' WHERE row = 5",
         "UPDATE samples SET bottomed = 2 WHERE row = 5", "DROP TABLE batches",
         "DROP TABLE samples; CREATE TABLE samples (row INTEGER PRIMARY KEY)",
+        "ALTER TABLE samples RENAME TO kept; CREATE VIEW samples AS SELECT * FROM kept",
         "DELETE FROM study WHERE key = 'rows'", "UPDATE study SET value = 'many' WHERE key = 'rows'",
         "UPDATE study SET value = -1 WHERE key = 'rows'",
         "UPDATE study SET value = 0 WHERE key = 'batch_size'",
