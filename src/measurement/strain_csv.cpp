@@ -110,9 +110,15 @@ class StrainReader {
       ++repeated_;
       return;
     }
-    if (last_time_ && !(*time > *last_time_))
+    // The first time is taken off all others: what counts is what rounding leaves of them.
+    const double begin = table.time.empty() ? *time : table.time.front();
+    if (!std::isfinite(*time - begin))
       faults_.add(row.line, columns_.time.name, field(row, columns_.time),
-                  "must be later than the time before");
+                  rule_for(NumberKind::out_of_range));
+    else if (last_time_ && !(*time - begin > *last_time_ - begin))
+      faults_.add(row.line, columns_.time.name, field(row, columns_.time),
+                  *time > *last_time_ ? "is too near the time before, so long after the first"
+                                      : "must be later than the time before");
     last_time_ = time;
     if (!(*strain >= 0 && *strain < 1))
       faults_.add(row.line, columns_.strain.name, field(row, columns_.strain),
