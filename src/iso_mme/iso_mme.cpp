@@ -20,6 +20,14 @@ using Channels = std::vector<IsoMmeChannel>;
 
 struct EvenTimes {
   double first = 0, interval = 0;
+
+  [[nodiscard]] double at(std::size_t sample) const { return first + interval * static_cast<double>(sample); }
+  /// Not where rounding makes one of two neighbours.
+  [[nodiscard]] bool increase(std::size_t count) const {
+    for (std::size_t i = 1; i < count; ++i)
+      if (!(at(i) > at(i - 1))) return false;
+    return std::isfinite(at(count));
+  }
 };
 
 std::optional<double> number_of(const MmeLabels& labels, const std::string& name, MeasurementFaults& faults) {
@@ -43,12 +51,12 @@ EvenTimes times_of(const MmeLabels& labels, std::size_t count, MeasurementFaults
   const auto interval = number_of(labels, "Sampling interval", faults);
   if (!first || !interval) return {};
   const MmeLabel* label = labels.find("Sampling interval");
-  const double last = *first + *interval * static_cast<double>(count);
+  const EvenTimes times{*first, *interval};
   if (!(*interval > 0))
     faults.add(label->line, label->name, label->value, "must be more than 0");
-  else if (!std::isfinite(last) || !(*first + *interval > *first) || !(last > last - *interval))
+  else if (!times.increase(count))
     faults.add(label->line, label->name, label->value, "does not give times that increase");
-  return {*first, *interval};
+  return times;
 }
 
 /// Adds one channel to the result: its values, or a direction of a resultant.
@@ -86,8 +94,7 @@ class Combiner {
     const bool is_first = result_.acceleration.empty();
     if (is_first) {
       times_ = times;
-      for (std::size_t i = 0; i < values.size(); ++i)
-        pulse.time.push_back(times.first + times.interval * static_cast<double>(i));
+      for (std::size_t i = 0; i < values.size(); ++i) pulse.time.push_back(times.at(i));
     }
     std::vector<double> scaled(values.size());
     std::ranges::transform(values, scaled.begin(), [&](double value) { return value * column.factor; });

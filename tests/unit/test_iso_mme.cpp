@@ -193,6 +193,10 @@ TEST(iso_mme, each_kind_of_bad_channel_is_told) {
               HasSubstr("must be more than 0"));
   EXPECT_THAT(changed("interval           :0.001", "interval           :1e-30"),
               HasSubstr("times that increase"));
+  // 1e16, 1.0000000000000002e16 and the same again: between 1e16 and 2e16 doubles are 2 apart.
+  EXPECT_THAT(changed("sample        :-0.001\nSampling interval           :0.001",
+                      "sample        :1e16\nSampling interval           :1.2"),
+              HasSubstr("times that increase"));
   EXPECT_THAT(changed("interval           :0.001", "interval           :NOVALUE"), HasSubstr("is missing"));
   EXPECT_THAT(changed("interval ", "intervall"), HasSubstr("Sampling interval: is missing"));
   EXPECT_THAT(changed("sample        :-0.001", "sample        :x"), HasSubstr("must be a number"));
