@@ -53,6 +53,12 @@ double positive(TableReader& table, const std::string& key, double value) {
   return value;
 }
 
+/// What was computed from an entry that is in itself a number.
+double finite(TableReader& table, const std::string& key, double value) {
+  if (std::isinf(value)) table.fault(key, "the number is too large to compute with");
+  return value;
+}
+
 /// Nothing where the standard leaves the value to the case. `drop_height` is known for speeds only.
 std::optional<double> read_number(TableReader& table, const std::string& si_unit,
                                   std::optional<double>& drop_height) {
@@ -66,7 +72,7 @@ std::optional<double> read_number(TableReader& table, const std::string& si_unit
   if (has_value) return positive(table, "value", table.quantity("value", si_unit));
   if (!has_height) return std::nullopt;
   drop_height = positive(table, "drop_height", table.quantity("drop_height", "m"));
-  return speed_after_fall(*drop_height);
+  return finite(table, "drop_height", speed_after_fall(*drop_height));
 }
 
 StandardValue read_value(TableReader table, const std::string& si_unit) {
@@ -95,7 +101,7 @@ std::optional<Metric> read_metric(TableReader& table) {
 
 /// Accelerations are in g, which no unit of files says: g is a gram.
 double read_acceleration(TableReader& table, const std::string& key) {
-  return standard_gravity * positive(table, key, table.number(key));
+  return finite(table, key, standard_gravity * positive(table, key, table.number(key)));
 }
 
 double read_limit(TableReader& table, const MetricFacts& metric) {
