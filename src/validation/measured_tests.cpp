@@ -27,6 +27,8 @@ void read_supports(const fs::path& file, ValidationData& data, std::vector<Fault
       if (has_plate) table.fault(record, "support", "the plate is linear: one point");
       has_plate = true;
       data.plate_stiffness_lb_per_in = point.force_lb / point.deflection_in;
+      if (data.plate_stiffness_lb_per_in == 0 || std::isinf(data.plate_stiffness_lb_per_in))
+        table.fault(record, "force_lb", "gives a stiffness that is too large or too small to compute with");
       continue;
     }
     const StaticPoint last = data.load_cell.empty() ? StaticPoint{} : data.load_cell.back();

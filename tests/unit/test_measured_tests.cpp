@@ -199,6 +199,10 @@ constexpr WrongText wrong_texts[] = {
     {"no_reading", groups, "19,24,0.94", "19,24,", "readings: is missing"},
     {"twice", "printed-constants.csv", "\nexpected_travel_in", "\ntravel_in,1,in,here\nexpected_travel_in",
      "name = travel_in: is there twice"},
+    {"no_stiffness", "supports.csv", "plate,1,5180", "plate,1e300,1e-300",
+     "force_lb = 1e-300: gives a stiffness that is too large or too small"},
+    {"endless_stiffness", "supports.csv", "plate,1,5180", "plate,1e-300,1e300",
+     "force_lb = 1e300: gives a stiffness that is too large or too small"},
     {"two_plates", "supports.csv", "plate,1,5180", "plate,1,5180\nplate,2,10360",
      "the plate is linear: one point"},
 };
