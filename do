@@ -21,6 +21,8 @@ Usage: ./do TASK [arguments]
   format                   lay out the C++ code with clang-format
   lint                     check layout, clang-tidy, cppcheck and shellcheck; changes nothing
   coverage                 run the tests and report the lines they reach
+  fuzz [TARGET] [SECONDS]  feed made-up bytes to the readers of files, each for SECONDS (default: 300), or to one of
+                           them (tests/fuzz/fuzz_TARGET.cpp); what breaks them goes to build/fuzz/findings
   clean                    remove build/
   install-packages [GROUP...]
                            install the Debian packages of packages.txt (default: all groups)
@@ -223,6 +225,37 @@ task_coverage() {
   say "Line by line: build/coverage/report/index.html"
 }
 
+# What a target learns from one run to the next stays in build/fuzz/corpus; tests/fuzz/corpus is what is tested
+# everywhere. Stops at the first target that breaks.
+task_fuzz() {
+  local names=() seconds=300 name
+  if [[ $# -gt 0 && ! "$1" =~ ^[0-9]+$ ]]; then
+    [[ -f "$root/tests/fuzz/fuzz_$1.cpp" ]] || fail "no target '$1': there is no tests/fuzz/fuzz_$1.cpp"
+    names=("$1")
+    shift
+  else
+    for name in "$root"/tests/fuzz/fuzz_*.cpp; do
+      name="${name##*/fuzz_}"
+      names+=("${name%.cpp}")
+    done
+  fi
+  seconds="${1:-$seconds}"
+  [[ "$seconds" =~ ^[1-9][0-9]*$ ]] || fail "no number of seconds: '$seconds'"
+  need_packages run fuzz
+  say "Building the fuzz targets (the first time takes a quarter of an hour) ..."
+  configure fuzz
+  build fuzz "${names[@]/#/fuzz_}"
+  mkdir -p "$root/build/fuzz/findings"
+  if [[ -w /dev/shm ]]; then export TMPDIR=/dev/shm; fi  # readers want files; in memory they take half the time
+  for name in "${names[@]}"; do
+    say "Fuzzing $name for $seconds s ..."
+    mkdir -p "$root/build/fuzz/corpus/$name"
+    "$root/build/fuzz/tests/fuzz/fuzz_$name" "$root/build/fuzz/corpus/$name" "$root/tests/fuzz/corpus/$name" \
+      -max_total_time="$seconds" -max_len=8192 -timeout=10 -rss_limit_mb=4096 -print_final_stats=1 -verbosity=0 \
+      -artifact_prefix="$root/build/fuzz/findings/$name-"
+  done
+}
+
 task_clean() { rm -rf "$root/build"; }
 
 task_install_packages() { need_packages "$@"; }
@@ -230,7 +263,7 @@ task_install_packages() { need_packages "$@"; }
 task="${1:-help}"
 [[ $# -eq 0 ]] || shift
 case "$task" in
-  run | test | bench | format | lint | coverage | clean | install-packages) "task_${task//-/_}" "$@" ;;
+  run | test | bench | format | lint | coverage | fuzz | clean | install-packages) "task_${task//-/_}" "$@" ;;
   help | -h | --help) help ;;
   *)
     help >&2

@@ -1,0 +1,1 @@
+ALTER TABLE samples RENAME TO kept; CREATE VIEW samples AS WITH RECURSIVE n(row) AS (SELECT 0 UNION ALL SELECT (row + 1) % 4 FROM n) SELECT n.row, status, extrapolated, bottomed, error, "impactor.speed", peak_force, rebound_speed FROM n, kept

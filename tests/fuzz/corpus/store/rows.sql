@@ -1,0 +1,1 @@
+UPDATE samples SET peak_force = -1, status = 'bottomed out', error = 1e9 WHERE row = 1

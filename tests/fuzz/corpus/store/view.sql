@@ -1,0 +1,1 @@
+ALTER TABLE samples RENAME TO kept; CREATE VIEW samples AS SELECT * FROM kept UNION ALL SELECT * FROM kept
