@@ -16,6 +16,8 @@ namespace {
 /// What cannot be judged while a factor is not known.
 const std::vector<std::string> keys_about_all_factors{"factors", "samples", "indices"};
 
+constexpr std::size_t most_materials = 1000;
+
 struct Entry {
   std::string key;
   const TomlNode* node;
@@ -66,7 +68,10 @@ Levels read_materials(TableReader& table, const FactorFolders& folders, Study& s
   Levels levels;
   const TomlNode* list = table.array("values");
   if (!list) return levels;
-  if (list->children.empty()) table.fault("values", "must hold one material or more");
+  if (list->children.empty() || list->children.size() > most_materials) {
+    table.fault("values", fmt::format("must hold 1 to {} materials", most_materials));
+    return levels;
+  }
   for (const TomlNode& entry : list->children) {
     const auto material = read_named(entry, table.full_key("values") + entry.key, folders, table.faults());
     if (!material) continue;

@@ -57,9 +57,11 @@ void check_materials(const Study& study, const Factor& factor, std::vector<Viola
       broken.push_back({key, value, "is no number of a material"});
   for (std::size_t i = 0; i < study.materials.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (study.materials[i].name == study.materials[j].name)
+      if (study.materials[i].name == study.materials[j].name) {
         broken.push_back(
             {key, no_value, fmt::format("has two materials called {}", study.materials[i].name)});
+        break;
+      }
 }
 
 void check_factor(const Study& study, const Factor& factor, std::vector<Violation>& broken) {
@@ -80,6 +82,12 @@ void check_correlations(const Study& study, std::vector<Violation>& broken) {
   const auto sampled = [&](std::size_t i) {
     return i < study.factors.size() && study.factors[i].is_sampled();
   };
+  // Each is compared with all before it: of thousands, there would be millions of faults.
+  if (const std::size_t pairs = study.factors.size() * study.factors.size() / 2; all.size() > pairs) {
+    broken.push_back(
+        {"correlations", no_value, fmt::format("are {}, more than pairs of factors", all.size())});
+    return;
+  }
   bool good = true;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto add = [&](double value, const char* rule) {
@@ -110,6 +118,12 @@ void check_responses(const Study& study, std::vector<Violation>& broken) {
   std::vector<std::string> known;
   for (const ResponseKind& kind : response_kinds()) known.emplace_back(kind.name);
   if (study.responses.empty()) broken.push_back({"responses", no_value, "needs one response or more"});
+  if (study.responses.size() > 2 * known.size()) {
+    broken.push_back(
+        {"responses", no_value,
+         fmt::format("has {} names, and there are {} responses", study.responses.size(), known.size())});
+    return;
+  }
   for (std::size_t i = 0; i < study.responses.size(); ++i) {
     const std::string key = fmt::format("responses[{}]", i + 1), &name = study.responses[i];
     if (!std::ranges::count(known, name)) {

@@ -1,5 +1,6 @@
 /// Study files: what is read from a good one, and what is said about bad ones.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -324,6 +325,23 @@ value = -0.9
 [[correlations]])"),
                       "value = 0.4", "value = 0.9"),
                23, "correlations", "positive definite");
+}
+
+/// Each entry of these lists is compared with all others: a list that is far too long has one fault, at once.
+TEST_F(StudyFile, refuses_endless_lists) {
+  std::string names, materials, correlations;
+  for (int i = 0; i < 5000; ++i) {
+    names += fmt::format("\"r{}\", ", i);
+    materials += "\"elastic\", ";
+    correlations += "[[correlations]]\nbetween = [\"impactor.speed\", \"impactor.speed\"]\nvalue = 0.1\n";
+  }
+  const std::string values = "values = [\"1 m/s\"]";
+  expect_fault("responses = [" + names + "]\n" + grid_of("impactor.speed", values), 1, "responses",
+               "has 5000 names, and there are ");
+  expect_fault(grid_of("pad.material", "values = [" + materials + "]"), 3, "factors.pad.material.values",
+               "must hold 1 to 1000 materials");
+  expect_fault(grid_of("impactor.speed", values + "\n" + correlations), 4, "correlations",
+               "are 5000, more than pairs of factors");
 }
 
 TEST_F(StudyFile, refuses_factors_that_contradict) {
