@@ -19,7 +19,7 @@ namespace dashpad {
 namespace {
 
 constexpr const char* description =
-    "dashpad: the impact of a rigid sphere on a foam pad on an elastic support.\n"
+    "dashpad: the impact of a rigid nose on a foam pad on an elastic support.\n"
     "Give it a case file; it answers with peak force, g, penetration, rebound and energy.";
 
 constexpr const char* footer = R"(Start here:

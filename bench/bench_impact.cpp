@@ -40,7 +40,7 @@ void storage(benchmark::State& state) {
 template <class Law>
 void try_step(benchmark::State& state, const Law& law, bool unloading) {
   constexpr double thickness = 0.0254, radius = 0.0762, speed = 4, step = 2e-5;
-  ColumnField<Law> field(law, thickness, radius);
+  ColumnField<Law> field(law, thickness, Sphere{radius}.sections());
   field.start(0.05);
   double time = 0;
   while (speed * time < thickness / 2) {

@@ -53,7 +53,7 @@ void write_case(const ImpactCase& impact, const fs::path& file) {
   stream << nlohmann::json{{"law", name_of(impact.pad.material.law)},
                            {"parameters", parameters},
                            {"mass", impact.impactor.mass},
-                           {"radius", impact.impactor.radius},
+                           {"radius", sphere_radius(impact.impactor.nose)},
                            {"speed", impact.impactor.speed},
                            {"thickness", impact.pad.thickness},
                            {"stiffness", point.force / point.deflection}};

@@ -14,11 +14,15 @@ struct Columns {
   std::array<double*, 3> part{};
   double* shape = nullptr;    ///< A
   double* measure = nullptr;  ///< w
-  double* ratio = nullptr;    ///< g, stress over A times (R - s); of the columns under strain only
+  double* ratio = nullptr;    ///< g, stress over A times a'/(2 pi); of the columns under strain only
+
+  [[nodiscard]] std::array<double*, 7> all() const {
+    return {stress, part[0], part[1], part[2], shape, measure, ratio};
+  }
 };
 
-/// Depths and two states, in memory taken once. Behind the last column there is room for a vector's worth of
-/// columns that are computed and thrown away.
+/// Depths, weights and two states, in memory taken once. Behind the last column there is room for a vector's
+/// worth of columns that are computed and thrown away.
 class ColumnStorage {
  public:
   static constexpr std::size_t most = 20'000;
@@ -31,37 +35,38 @@ class ColumnStorage {
       return array;
     };
     depth_ = take();
-    for (Columns* columns : {&now, &next_state}) {
-      columns->stress = take();
-      for (double*& part : columns->part) part = take();
-      columns->shape = take();
-      columns->measure = take();
-      columns->ratio = take();
-    }
+    weight_ = take();
+    for (Columns* columns : {&now, &next_state})
+      *columns = {take(), {take(), take(), take()}, take(), take(), take()};
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const double* depth() const { return depth_; }
+  /// a'(s) / (2 pi) of the nose at each depth, m.
+  [[nodiscard]] const double* weight() const { return weight_; }
   void clear() { size_ = 0; }
 
   /// A column at rest behind the others; after the last of several fill_spare() is due.
-  void append(double depth) {
+  void append(double depth, double weight) {
     depth_[size_] = depth;
-    for (double* array : state()) array[size_] = 0;
+    weight_[size_] = weight;
+    for (double* array : now.all()) array[size_] = 0;
     ++size_;
   }
   void fill_spare() {
     std::fill_n(depth_ + size_, spare, depth_[size_ - 1]);
-    for (double* array : state()) std::fill_n(array + size_, spare, 0.0);
+    std::fill_n(weight_ + size_, spare, weight_[size_ - 1]);
+    for (double* array : now.all()) std::fill_n(array + size_, spare, 0.0);
   }
   /// Moves the columns from `at` on outwards by one; their state `now` goes along. The new column is at rest.
-  void insert(std::size_t at, double depth) {
-    std::copy_backward(depth_ + at, depth_ + size_, depth_ + size_ + 1);
-    depth_[at] = depth;
-    for (double* array : state()) {
+  void insert(std::size_t at, double depth, double weight) {
+    const auto make_room = [&](double* array, double value) {
       std::copy_backward(array + at, array + size_, array + size_ + 1);
-      array[at] = 0;
-    }
+      array[at] = value;
+    };
+    make_room(depth_, depth);
+    make_room(weight_, weight);
+    for (double* array : now.all()) make_room(array, 0);
     ++size_;
     fill_spare();
   }
@@ -73,12 +78,9 @@ class ColumnStorage {
   static constexpr std::size_t spare = 64;  ///< lanes of the widest vector that is known
   static constexpr std::size_t stride = most + spare;
 
-  [[nodiscard]] std::array<double*, 6> state() const {
-    return {now.stress, now.part[0], now.part[1], now.part[2], now.shape, now.measure};
-  }
-
-  std::unique_ptr<double[]> memory_ = std::make_unique_for_overwrite<double[]>(15 * stride);
+  std::unique_ptr<double[]> memory_ = std::make_unique_for_overwrite<double[]>(16 * stride);
   double* depth_ = nullptr;  ///< s, increasing
+  double* weight_ = nullptr;
   std::size_t size_ = 0;
 };
 

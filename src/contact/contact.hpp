@@ -20,8 +20,12 @@ struct PadTrial {
   double force = 0;    ///< of the pad at its end
 
   [[nodiscard]] double end() const { return from + step; }
-  [[nodiscard]] bool is_over(double an_advance, double a_time, double a_step) const {
-    return advance == an_advance && from == a_time && step == a_step;
+  /// Of the same length from the same moment; what depends on time alone is the same.
+  [[nodiscard]] bool shares_time_with(const PadTrial& other) const {
+    return from == other.from && step == other.step;
+  }
+  [[nodiscard]] bool is_same_step_as(const PadTrial& other) const {
+    return advance == other.advance && shares_time_with(other);
   }
 };
 
@@ -39,6 +43,8 @@ concept IsContact = requires(C contact, const C fixed, const PadTrial& trial, do
   contact.accept(trial);
   /// Whether the pad follows its law back on unloading; if not, it holds its deformation.
   { fixed.recovers() } -> std::same_as<bool>;
+  /// Force at which the pad, untouched before, begins to give way, N.
+  { fixed.first_force() } -> std::same_as<double>;
   /// Where the pad locks (theory.md, Eq. 26).
   { fixed.lock_penetration() } -> std::same_as<double>;
   { fixed.contact_radius() } -> std::same_as<double>;

@@ -19,7 +19,7 @@ class Contacts {
   template <class Visit>
   auto visit(const ImpactCase& impact, ColumnMath math, Visit&& visit) {
     const double thickness = impact.pad.thickness;
-    const double radius = impact.impactor.radius;
+    const Sections sections = sections_of(impact.impactor.nose);
     const auto renewed = [&](auto& contact, const auto&... arguments) -> auto& {
       if (contact)
         contact->set(arguments...);
@@ -30,13 +30,12 @@ class Contacts {
     const auto of_law = [&](const auto& law) {
       using Law = std::decay_t<decltype(law)>;
       if constexpr (IsMemoryless<Law>) {
-        CurveContact contact(law.curve(), Law::recovers, thickness, radius);
+        CurveContact contact(law.curve(), Law::recovers, thickness, sections);
         return visit(contact);
       } else {
         if constexpr (std::is_same_v<Law, NineParameter>)
-          if (math == ColumnMath::vector) return visit(renewed(nine_parameter_, law, thickness, radius));
-        return visit(
-            renewed(std::get<std::optional<ColumnField<Law>>>(fields_), law, thickness, radius, math));
+          if (math == ColumnMath::vector) return visit(renewed(nine_parameter_, law, thickness, sections));
+        return visit(renewed(std::get<Field<Law>>(fields_), law, thickness, sections, math));
       }
     };
     return std::visit(of_law, impact.pad.material.law);
@@ -44,9 +43,9 @@ class Contacts {
 
  private:
   std::optional<NineParameterContact> nine_parameter_;
-  std::tuple<std::optional<ColumnField<LinearViscoelastic>>, std::optional<ColumnField<NineParameter>>,
-             std::optional<ColumnField<TwentyOneParameter>>>
-      fields_;
+  template <class Law>
+  using Field = std::optional<ColumnField<Law>>;
+  WithMemory<Field> fields_;
 };
 
 }  // namespace dashpad

@@ -1,7 +1,7 @@
 #pragma once
 /// The contact force of the 9-parameter law while the pad is only loaded: a closed form, without columns.
 ///
-///   K(Y) = 2 pi int A((Y - s) / L) (R - s) ds, over s in [0, min(Y, R)]              (theory.md, Eq. 27)
+///   K(Y) = a0 A(Y / L) + int A((Y - s) / L) a'(s) ds, over s in [0, min(Y, d)]       (theory.md, Eq. 27)
 ///   F1 = B K(Y1) + (F0 - B K(Y0)) exp(-dt / tau)                                    (theory.md, Eq. 28)
 ///
 /// All columns share the relaxation, so their integral obeys the law of one column, A replaced by K.
@@ -10,20 +10,21 @@
 #include <numbers>
 #include <vector>
 
+#include "dashpad/nose/sections.hpp"
 #include "dashpad/pad/nine_parameter.hpp"
 
 namespace dashpad {
 
-/// K(Y): with (R - s) = (R - Y) + L e the integral is that of A and of e A over the strain e, both of the
-/// kind of Eq. 22.
+/// K(Y): with a'(s) / (2 pi) = w - t s = (w - t Y) + t L e the integral is that of A and of e A over the
+/// strain e, both of the kind of Eq. 22.
 class ContactShape {
  public:
-  ContactShape(PowerExponents exponents, double thickness, double radius) {
-    set(exponents, thickness, radius);
+  ContactShape(PowerExponents exponents, double thickness, const Sections& nose) {
+    set(exponents, thickness, nose);
   }
-  void set(PowerExponents exponents, double thickness, double radius) {
+  void set(PowerExponents exponents, double thickness, const Sections& nose) {
     thickness_ = thickness;
-    radius_ = radius;
+    nose_ = nose;
     if (exponents != power_.exponents()) {
       power_ = PowerShape(exponents);
       moment_ = PowerShape({exponents.m + 1, exponents.n});
@@ -34,24 +35,26 @@ class ContactShape {
   /// Pa m2 per Pa of B.
   [[nodiscard]] double at(double penetration) const {
     if (penetration <= 0) return 0;
-    double sum =
-        between_axis_and(penetration, {penetration / thickness_, (thickness_ - penetration) / thickness_});
-    if (penetration > radius_)
-      sum -= between_axis_and(penetration, {(penetration - radius_) / thickness_,
-                                            ((thickness_ - penetration) + radius_) / thickness_});
-    return 2 * std::numbers::pi * thickness_ * sum;
+    const Strain axis{penetration / thickness_, (thickness_ - penetration) / thickness_};
+    double sum = integral_up_to(axis, penetration);
+    if (penetration > nose_.depth)
+      sum -= integral_up_to(
+          {(penetration - nose_.depth) / thickness_, ((thickness_ - penetration) + nose_.depth) / thickness_},
+          penetration);
+    return (nose_.tip > 0 ? nose_.tip * power_.at(axis).shape : 0) + 2 * std::numbers::pi * thickness_ * sum;
   }
 
  private:
-  [[nodiscard]] double between_axis_and(double penetration, Strain strain) const {
+  /// Over the strains from 0 to `strain`.
+  [[nodiscard]] double integral_up_to(Strain strain, double penetration) const {
     const PowerShape::Value at = power_.at(strain);
-    return (radius_ - penetration) * at.measure +
-           thickness_ *
+    return (nose_.width - nose_.taper * penetration) * at.measure +
+           nose_.taper * thickness_ *
                moment_.measure(strain, {strain.value * at.shape, 0, at.log_strain, at.log_complement});
   }
 
   double thickness_ = 0;
-  double radius_ = 0;
+  Sections nose_;
   PowerShape power_;
   PowerShape moment_{{2, 0}};
 };

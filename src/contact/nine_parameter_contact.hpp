@@ -1,5 +1,5 @@
 #pragma once
-/// The sphere on a pad of the 9-parameter law: a closed form while the pad is only loaded
+/// A nose on a pad of the 9-parameter law: a closed form while the pad is only loaded
 /// (contact/loading_force.hpp), a field of columns from the first unloading on (contact/column_field.hpp).
 
 #include <algorithm>
@@ -15,23 +15,24 @@ namespace dashpad {
 class NineParameterContact {
  public:
   /// All storage is taken here: later calls do not allocate.
-  NineParameterContact(const NineParameter& law, double thickness, double radius)
+  NineParameterContact(const NineParameter& law, double thickness, const Sections& nose)
       : law_(law),
-        shape_(law.exponents(), thickness, radius),
+        shape_(law.exponents(), thickness, nose),
         thickness_(thickness),
-        radius_(radius),
-        field_(law, thickness, radius) {}
+        nose_(nose),
+        field_(law, thickness, nose) {}
 
   /// Another pad in the same storage.
-  void set(const NineParameter& law, double thickness, double radius) {
+  void set(const NineParameter& law, double thickness, const Sections& nose) {
     law_ = law;
-    shape_.set(law.exponents(), thickness, radius);
+    shape_.set(law.exponents(), thickness, nose);
     thickness_ = thickness;
-    radius_ = radius;
-    field_.set(law, thickness, radius, ColumnMath::vector);
+    nose_ = nose;
+    field_.set(law, thickness, nose, ColumnMath::vector);
   }
 
   [[nodiscard]] bool recovers() const { return true; }
+  [[nodiscard]] double first_force() const { return 0; }
   [[nodiscard]] double lock_penetration() const { return field_.lock_penetration(); }
   [[nodiscard]] std::size_t stations() const { return was_unloaded_ ? field_.stations() : 0; }
   [[nodiscard]] std::size_t updates() const { return updates_ + field_.updates(); }
@@ -47,8 +48,8 @@ class NineParameterContact {
 
   PadTrial trial(double advance, double from, double step) {
     if (!is_closed_form(advance)) return field().trial(advance, from, step);
-    // The tries of one step share their time.
-    if (from != last_.from || step != last_.step) time_part_ = law_.time_part(from, from + step);
+    const PadTrial next{advance, from, step, 0};
+    if (!next.shares_time_with(last_)) time_part_ = law_.time_part(from, from + step);
     ++updates_;
     trial_ = loading_.trial(shape_, law_, penetration_ + advance,
                             law_.rate_part(advance / (thickness_ * step)), time_part_);
@@ -78,15 +79,13 @@ class NineParameterContact {
 
   [[nodiscard]] double contact_radius() const {
     if (was_unloaded_) return field_.contact_radius();
-    const double depth = std::min(penetration_, radius_);
-    return std::sqrt(depth * (2 * radius_ - depth));
+    return nose_.radius(penetration_);
   }
 
  private:
   [[nodiscard]] bool is_closed_form(double advance) const { return !was_unloaded_ && advance >= 0; }
   void recall(const PadTrial& wanted) {
-    if (!last_.is_over(wanted.advance, wanted.from, wanted.step))
-      trial(wanted.advance, wanted.from, wanted.step);
+    if (!last_.is_same_step_as(wanted)) trial(wanted.advance, wanted.from, wanted.step);
   }
   /// The columns in the accepted state.
   ColumnField<NineParameter>& field() {
@@ -100,7 +99,7 @@ class NineParameterContact {
   NineParameter law_;
   ContactShape shape_;
   double thickness_;
-  double radius_;
+  Sections nose_;
   double penetration_ = 0;
   bool was_unloaded_ = false;
   bool has_columns_ = false;  ///< laid for the accepted state

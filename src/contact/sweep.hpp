@@ -1,13 +1,11 @@
 #pragma once
-/// One step of all columns under strain, by vectors of columns: strain, envelope, stress (theory.md, Eq. 7)
-/// and g (Eq. 23). The instruction set is that of the processor the program runs on.
+/// One step of all columns under strain: strain, envelope, stress (theory.md, Eq. 7) and g (Eq. 23).
 ///
-/// The plain form of the same formulas is in the laws (dashpad/pad/law.hpp) and in
-/// contact/column_field.hpp; tests/property/test_vector_path.cpp compares the two.
+/// By vectors of columns, for the instruction set of the processor that the program runs on, or one by one in
+/// doubles: one text (contact/sweep_columns.hpp), two number types.
 
-#include <cmath>
 #include <cstddef>
-#include <vector>
+#include <tuple>
 
 #include "contact/columns.hpp"
 #include "contact/loading_force.hpp"
@@ -15,57 +13,47 @@
 
 namespace dashpad {
 
-/// How columns are computed: by vectors, or one by one with the laws' own functions.
+/// How columns are computed: by vectors, or one by one.
 enum class ColumnMath { vector, plain };
 
 /// What is the same for all columns of a step. Lengths in m.
 struct SweepStep {
   const double* depth = nullptr;
-  std::size_t count = 0;  ///< columns under strain after the step, > 0
+  const double* weight = nullptr;  ///< a'(s) / (2 pi) of the nose at each depth
+  std::size_t count = 0;           ///< columns under strain after the step, > 0
   double thickness = 0;
-  double radius = 0;
   double before = 0;   ///< penetration before the step
   double after = 0;    ///< and after it
   double largest = 0;  ///< largest penetration so far
 };
 
-/// Fills `next` from `now`.
-void sweep(const LinearViscoelastic& law, const PowerShape& power, const LinearViscoelastic::RatePart& rate,
-           const LinearViscoelastic::TimePart& time, const SweepStep& step, const Columns& now,
-           const Columns& next);
-void sweep(const NineParameter& law, const PowerShape& power, const NineParameter::RatePart& rate,
-           const NineParameter::TimePart& time, const SweepStep& step, const Columns& now,
-           const Columns& next);
-void sweep(const TwentyOneParameter& law, const PowerShape& power, const TwentyOneParameter::RatePart& rate,
-           const TwentyOneParameter::TimePart& time, const SweepStep& step, const Columns& now,
-           const Columns& next);
-
-/// The state of `step.count` columns after a loading that is known step by step, from rest.
-void replay(const NineParameter& law, const PowerShape& power, const std::vector<LoadingStep>& steps,
-            const SweepStep& step, const Columns& columns);
-
-/// Sum of the positive parts of the first `cells` cells between neighbouring columns, in which g is linear
-/// in w.
-double sum_of_cells(const Columns& columns, std::size_t cells);
-
-/// The rate at which held columns relax: h (G - stress) / A (R - s) where they press, else 0. G is
-/// `still` times the law's first strain part, h is `rate` times exp(-log_base strain).
-struct HeldRate {
-  double still = 1;
-  double rate = 0;  ///< 1/s
-  double log_base = 0;
+/// The functions of one law.
+template <class Law>
+struct SweepOf {
+  /// Fills `next` from `now`.
+  void (*step)(const Law&, const PowerShape&, const typename Law::RatePart&, const typename Law::TimePart&,
+               const SweepStep&, const Columns& now, const Columns& next) = nullptr;
+  /// Integral over w, from column to column, all of the step's count, of the rate at which held columns relax
+  /// at a time: h (G - stress) / A a'/(2 pi) where they press, else 0, with G at rate zero. The last column's
+  /// value is left in `edge`.
+  double (*sum_of_held)(const Law&, const PowerShape&, double time, const SweepStep&, const Columns&,
+                        double& edge) = nullptr;
 };
-inline HeldRate held_rate(const LinearViscoelastic& law, double time) {
-  return {1, law.relaxation_rate(time, 0), 0};
-}
-inline HeldRate held_rate(const NineParameter& law, double time) {
-  return {law.asymptotic_modulus, law.relaxation_rate(time, 0), 0};
-}
-inline HeldRate held_rate(const TwentyOneParameter& law, double time) {
-  return {1, law.relaxation_rate(time, 0), std::log(law.relaxation_strain_base)};
-}
-/// Integral over w of that rate from column to column, all of `step.count`; the last column's value is left
-/// in `edge`.
-double sum_of_held(const HeldRate& held, const SweepStep& step, const Columns& columns, double& edge);
+
+struct Sweeps {
+  WithMemory<SweepOf> of_laws;
+  /// The state of the columns after a loading of the 9-parameter law that is known step by step, from rest.
+  void (*replay)(const PowerShape&, const LoadingStep* first, const LoadingStep* last, const SweepStep&,
+                 const Columns&) = nullptr;
+  /// Sum of the positive parts of the first cells between neighbouring columns, in which g is linear in w.
+  double (*sum_of_cells)(const Columns&, std::size_t cells) = nullptr;
+
+  template <class Law>
+  [[nodiscard]] const SweepOf<Law>& of() const {
+    return std::get<SweepOf<Law>>(of_laws);
+  }
+};
+
+const Sweeps& sweeps(ColumnMath math);
 
 }  // namespace dashpad

@@ -23,6 +23,7 @@ inline Phase phase_after(Event event, Phase now, double drive, BranchConditions 
     case Event::turning:
       if (conditions.pad_recovers) return Phase::unloading;
       return conditions.rigid_support ? Phase::over : Phase::held;
+    case Event::yielding:
     case Event::reloading: return Phase::loading;
     case Event::unlock: return by_drive;
     case Event::corner:

@@ -22,8 +22,6 @@ constexpr int most_points = 160;
 /// is nearly closed.
 constexpr double largest_jump = 0.05;
 
-double radius_at(double depth, double sphere) { return std::sqrt(depth * (2 * sphere - depth)); }
-
 /// Entries of the history, increasing.
 std::vector<std::size_t> chosen_entries(const History& history) {
   const auto peak = static_cast<std::size_t>(std::max_element(history.force.begin(), history.force.end()) -
@@ -65,35 +63,38 @@ void add_point(ContactSnapshot& snapshot, double radius, double strain, double s
 
 /// The columns that press, out to where the stress vanishes.
 template <class Law>
-void look_at(const ColumnField<Law>& field, double penetration, double sphere, double thickness,
+void look_at(const ColumnField<Law>& field, double penetration, const Sections& nose, double thickness,
              ContactSnapshot& snapshot) {
   std::size_t pressing = field.strained_columns();
   while (pressing > 0 && field.column(pressing - 1).stress <= 0) --pressing;
   if (pressing == 0) return;
-  double edge = std::min(penetration, sphere);
+  double edge = std::min(penetration, nose.depth);
   if (pressing < field.strained_columns()) {
     const auto inner = field.column(pressing - 1);
     const auto outer = field.column(pressing);
     edge = inner.depth + (outer.depth - inner.depth) * inner.stress / (inner.stress - outer.stress);
   }
-  const double spacing = radius_at(edge, sphere) / most_points;
+  const double spacing = nose.radius(edge) / most_points;
+  // Below a flat tip all is as on the axis.
+  if (nose.tip > 0) add_point(snapshot, 0, field.column(0).strain, field.column(0).stress);
   for (std::size_t j = 0; j < pressing; ++j) {
     const auto column = field.column(j);
-    const double radius = radius_at(column.depth, sphere);
+    const double radius = nose.radius(column.depth);
     const bool kept =
         j == 0 || j + 1 == pressing || radius - snapshot.radius.back() >= spacing ||
         std::abs(column.stress - snapshot.stress.back()) > largest_jump * snapshot.stress.back();
     if (kept) add_point(snapshot, radius, column.strain, column.stress);
   }
-  if (radius_at(edge, sphere) > snapshot.radius.back())
-    add_point(snapshot, radius_at(edge, sphere), (penetration - edge) / thickness,
-              edge < sphere ? 0 : field.column(pressing - 1).stress);
+  if (nose.radius(edge) > snapshot.radius.back())
+    add_point(snapshot, nose.radius(edge), (penetration - edge) / thickness,
+              edge < nose.depth ? 0 : field.column(pressing - 1).stress);
 }
 
 template <class Law>
 std::vector<ContactSnapshot> replayed(const Law& law, const ImpactCase& impact, const History& history) {
   const double thickness = impact.pad.thickness;
-  ColumnField<Law> field(law, thickness, impact.impactor.radius, ColumnMath::plain);
+  const Sections nose = sections_of(impact.impactor.nose);
+  ColumnField<Law> field(law, thickness, nose, ColumnMath::plain);
   field.start(resolution, *std::max_element(history.penetration.begin(), history.penetration.end()));
   std::vector<ContactSnapshot> snapshots;
   std::size_t now = 0;
@@ -105,7 +106,7 @@ std::vector<ContactSnapshot> replayed(const Law& law, const ImpactCase& impact, 
     }
     ContactSnapshot snapshot = empty_snapshot(history, entry);
     snapshot.determined = history.penetration[entry] < field.lock_penetration() * (1 - 1e-12);
-    look_at(field, history.penetration[entry], impact.impactor.radius, thickness, snapshot);
+    look_at(field, history.penetration[entry], nose, thickness, snapshot);
     if (snapshot.radius.size() > 1) snapshots.push_back(std::move(snapshot));
   }
   return snapshots;
@@ -115,21 +116,19 @@ std::vector<ContactSnapshot> replayed(const Law& law, const ImpactCase& impact, 
 /// penetration has stopped.
 std::vector<ContactSnapshot> from_curve(const StressCurve& curve, const ImpactCase& impact,
                                         const History& history) {
-  const double sphere = impact.impactor.radius;
+  const Sections nose = sections_of(impact.impactor.nose);
   const double thickness = impact.pad.thickness;
-  const CurveContact contact(curve, true, thickness, sphere);
+  const CurveContact contact(curve, true, thickness, nose);
   std::vector<ContactSnapshot> snapshots;
   for (const std::size_t entry : chosen_entries(history)) {
     const double penetration = history.penetration[entry];
-    const double depth = std::min(penetration, sphere);
-    if (!(depth > 0)) continue;
+    if (!(penetration > 0)) continue;
     ContactSnapshot snapshot = empty_snapshot(history, entry);
     const double share = snapshot.force / contact.force(penetration);
     snapshot.determined = std::abs(share - 1) < 1e-6;
     for (int k = 0; k <= most_points; ++k) {
-      const double radius = radius_at(depth, sphere) * k / most_points;
-      const double here = sphere - std::sqrt(std::max(sphere * sphere - radius * radius, 0.0));
-      const double strain = std::max((penetration - here) / thickness, 0.0);
+      const double radius = nose.radius(penetration) * k / most_points;
+      const double strain = std::max((penetration - nose.depth_at(radius)) / thickness, 0.0);
       add_point(snapshot, radius, strain,
                 share * curve.at(std::max(strain, std::numeric_limits<double>::min())));
     }

@@ -118,16 +118,21 @@ class Equilibrium {
     return finished(trial);
   }
 
-  /// The penetration reaches the lock. `residual`: of Eq. 19 there, positive before the pad locks.
-  Trial at_lock(double step, const Predictor& predictor, double& residual) {
+  /// The penetration reaches the lock, which satisfies Eq. 19 for one step only.
+  Trial at_lock(double step, const Predictor& predictor) {
     Trial trial;
     trial.step = step;
     trial.pad_stiffness = predictor.pad_stiffness();
     const double y = contact_.lock_penetration();
     trial.pad = contact_.trial(y - now().penetration, now().time, step);
-    residual = motion_.residual(contact_, y, trial.pad.force, step, trial.end);
+    motion_.residual(contact_, y, trial.pad.force, step, trial.end);
     trial.end.drive = trial.end.velocity;
     return trial;
+  }
+
+  /// Residual of Eq. 19 at the end of a trial, m; at the lock it is positive before the pad locks.
+  [[nodiscard]] double residual(const Trial& trial) const {
+    return trial.end.penetration + support_.deflection(trial.end.force) - trial.end.motion;
   }
 
   /// Residual at which a trial of a pad with memory is solved, m; `scale`: the motion, m.

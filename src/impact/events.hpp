@@ -46,6 +46,11 @@ inline constexpr double far_beyond = -std::numeric_limits<double>::infinity();
 inline bool always(const Sight&) { return true; }
 inline double force(const Sight& s) { return s.trial.end.force; }
 inline double force_over_held_pad(const Sight& s) { return s.trial.end.force - s.trial.pad.force; }
+inline double strength_left(const Sight& s) { return s.trial.pad.force - s.trial.end.force; }
+/// A flat nose stands on the uncrushed foam until the support pushes hard enough.
+inline bool is_below_strength(const Sight& s) {
+  return !s.recovers && s.now.penetration == 0 && s.now.force < s.trial.pad.force;
+}
 inline bool pad_recovers(const Sight& s) { return s.recovers; }
 /// Eq. 20; without a solution of Eq. 19 it is passed.
 inline double drive(const Sight& s) {
@@ -68,9 +73,10 @@ inline bool is_off_corner(const Sight& s) {
 }  // namespace event_rules
 
 /// In the order in which they count when they coincide.
-inline constexpr std::array<EventKind, 6> event_table{{
+inline constexpr std::array<EventKind, 7> event_table{{
     {Event::release, false, true, true, event_rules::force, event_rules::always, true},
     {Event::unlock, false, false, true, event_rules::force_over_held_pad, event_rules::pad_recovers, true},
+    {Event::yielding, false, false, true, event_rules::strength_left, event_rules::is_below_strength, true},
     {Event::turning, true, false, false, event_rules::drive, event_rules::is_driven, false},
     {Event::reloading, false, true, false, event_rules::has_unloading_step, event_rules::always, false},
     {Event::lock, true, false, false, event_rules::has_step_below_lock, event_rules::always, true},

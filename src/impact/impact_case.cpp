@@ -27,6 +27,16 @@ void check(std::vector<Violation>& broken, std::string key, double value, const 
   if (!range.contains(value)) broken.push_back({std::move(key), value, range.rule()});
 }
 
+/// All numbers of a nose are lengths so far.
+void check_nose(std::vector<Violation>& broken, const Nose& nose) {
+  std::visit(
+      [&]<class Shape>(const Shape& shape) {
+        for (const Parameter<Shape>& parameter : Shape::parameters)
+          check(broken, std::string("impactor.") + parameter.key, shape.*parameter.member, lengths);
+      },
+      nose);
+}
+
 void check_support(std::vector<Violation>& broken, const Support& support) {
   const auto& points = support.points();
   Support::Point before;
@@ -44,7 +54,7 @@ void check_support(std::vector<Violation>& broken, const Support& support) {
 std::vector<Violation> violations(const ImpactCase& impact) {
   std::vector<Violation> broken;
   check(broken, "impactor.mass", impact.impactor.mass, masses);
-  check(broken, "impactor.radius", impact.impactor.radius, lengths);
+  check_nose(broken, impact.impactor.nose);
   check(broken, "impactor.speed", impact.impactor.speed, speeds);
   check(broken, "pad.thickness", impact.pad.thickness, lengths);
   for (Violation& violation : violations(impact.pad.material)) {

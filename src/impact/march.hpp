@@ -36,7 +36,7 @@ class March {
         options_(options),
         motion_(impactor.mass, support),
         equilibrium_(contact, support, motion_, thickness),
-        control_(impactor.mass, impactor.radius, thickness, support) {}
+        control_(impactor.mass, sections_of(impactor.nose), thickness, support) {}
   March(const March&) = delete;
   March& operator=(const March&) = delete;
 
@@ -73,18 +73,20 @@ class March {
     resolution_ = resolution;
     figures_ = {};
     figures_.peak_pad_rate = impactor_.speed;
-    phase_ = Phase::loading;
+    // What does not give way at once is held until the support pushes hard enough.
+    const double strength = contact_.first_force();
+    phase_ = strength > 0 && !support_.is_rigid() ? Phase::held : Phase::loading;
     idle_ = 0;
     turning_time_ = std::numeric_limits<double>::infinity();
     contact_.start(resolution, expected);
-    motion_.start(impactor_.speed);
+    motion_.start(impactor_.speed, phase_ == Phase::held ? 0 : strength);
     equilibrium_.start(resolution);
     control_.start(resolution, contact_.lock_penetration());
     track.clear();
     add_entry(track);
     double stiffness = 0;
-    const auto force_of = [&](double y, double step) { return contact_.trial(y, 0, step).force; };
-    const double step = control_.first_step(impactor_.speed, force_of, stiffness);
+    const auto force_of = [&](double y, double step) { return contact_.trial(y, 0, step).force - strength; };
+    const double step = control_.first_step(phase_, impactor_.speed, force_of, stiffness);
     predictor_.start(impactor_.speed, stiffness);
     control_.learn(phase_, now_, predictor_);
     return step;
@@ -143,9 +145,8 @@ class March {
     Trial trial = is_lost_contact(event) ? equilibrium_.released(step, predictor_) : attempt(step);
     if (trial.obstacle != Event::none && trial.obstacle != Event::lock) return {{}, event, false};
     if (event == Event::lock) {
-      double residual = 0;
       const double stiffness = trial.pad_stiffness;
-      trial = equilibrium_.at_lock(step, predictor_, residual);
+      trial = equilibrium_.at_lock(step, predictor_);
       trial.pad_stiffness = stiffness;
     }
     if (event == Event::release) trial.end.force = 0;
@@ -163,7 +164,7 @@ class March {
     const auto value_at = [&](double x) {
       double value = 0;
       if (kind.event == Event::lock) {
-        equilibrium_.at_lock(x, predictor_, value);
+        value = equilibrium_.residual(equilibrium_.at_lock(x, predictor_));
       } else if (is_lost_contact(kind.event)) {
         value = contact_.largest_stress(equilibrium_.released(x, predictor_).pad);
       } else {

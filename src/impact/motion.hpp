@@ -20,9 +20,11 @@ class Motion {
  public:
   Motion(double mass, const Support& support) : mass_(mass), support_(support) {}
 
-  void start(double speed) {
+  /// `force`: at first contact, N.
+  void start(double speed, double force) {
     now_ = {};
     now_.velocity = now_.drive = speed;
+    now_.force = force;
     force_rate_ = last_step_ = 0;
     smooth_ = false;
   }

@@ -75,7 +75,7 @@ class Predictor {
       pad_stiffness_ = spring_;
       stiffening_ = 1;
     }
-    if (event == Event::reloading) pad_rate_ = std::max(now.velocity, 0.0);
+    if (event == Event::reloading || event == Event::yielding) pad_rate_ = std::max(now.velocity, 0.0);
     if (event == Event::unlock) pad_rate_ = now.velocity;
   }
   /// The pad was held for a moment.

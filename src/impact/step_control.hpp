@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/nose/sections.hpp"
 #include "dashpad/support/support.hpp"
 #include "impact/motion.hpp"
 #include "impact/numerics.hpp"
@@ -17,8 +18,8 @@ namespace dashpad {
 
 class StepControl {
  public:
-  StepControl(double mass, double radius, double thickness, const Support& support)
-      : mass_(mass), radius_(radius), thickness_(thickness), support_(support) {}
+  StepControl(double mass, const Sections& nose, double thickness, const Support& support)
+      : mass_(mass), nose_(nose), thickness_(thickness), support_(support) {}
 
   /// `lock`: penetration at which the pad locks, m.
   void start(double resolution, double lock) {
@@ -29,14 +30,15 @@ class StepControl {
   }
 
   /// The first step, short against what the pad's stiffness over it allows; that is left in `pad_stiffness`.
-  /// `force_of(penetration, step)` is the pad's answer.
+  /// `force_of(penetration, step)` is by how much the pad's force grows.
   template <class ForceOf>
-  [[nodiscard]] double first_step(double speed, ForceOf&& force_of, double& pad_stiffness) const {
-    double y = resolution_ * std::min(thickness_, radius_);
+  [[nodiscard]] double first_step(Phase phase, double speed, ForceOf&& force_of,
+                                  double& pad_stiffness) const {
+    double y = resolution_ * std::min(thickness_, widening(0));
     for (int i = 0; i < numerics.most_first_halvings; ++i, y /= 2) {
       const double step = y / speed;
       pad_stiffness = 2 * force_of(y, step) / y;
-      if (!(step > numerics.first_step * longest(Phase::loading, {}, pad_stiffness, speed))) return step;
+      if (!(step > numerics.first_step * longest(phase, {}, pad_stiffness, speed))) return step;
     }
     return y / speed;
   }
@@ -81,7 +83,11 @@ class StepControl {
     return resolution_ * std::sqrt(mass_ / stiffness);
   }
   [[nodiscard]] double strain_limit(const State& state, double pad_rate) const {
-    return resolution_ * std::min(thickness_, radius_ + state.penetration) / std::abs(pad_rate);
+    return resolution_ * std::min(thickness_, widening(state.penetration)) / std::abs(pad_rate);
+  }
+  /// Penetration over which the area of the contact changes, m.
+  [[nodiscard]] double widening(double penetration) const {
+    return nose_.depth > 0 ? nose_.depth + penetration : std::numeric_limits<double>::infinity();
   }
   [[nodiscard]] double gap_limit(const State& state, double pad_rate) const {
     const double share = std::min(numerics.most_closing, numerics.closing * resolution_);
@@ -104,7 +110,7 @@ class StepControl {
   }
 
   double mass_;
-  double radius_;
+  Sections nose_;
   double thickness_;
   const Support& support_;
   double resolution_ = 0;

@@ -101,8 +101,9 @@ Standard with_user_values(const Standard& standard, const UserValues& values) {
   return result;
 }
 
-/// Units are exact to some digits of a double; nobody means less than nine.
+/// Units are exact to some digits of a double; nobody means less than nine. NaN is what a case does not have.
 bool differ(double one, double other) {
+  if (std::isnan(one) || std::isnan(other)) return std::isnan(one) != std::isnan(other);
   return std::abs(one - other) > 1e-9 * std::max(std::abs(one), std::abs(other));
 }
 
@@ -111,7 +112,7 @@ double speed_after_fall(double height) { return std::sqrt(2 * standard_gravity *
 ImpactCase with_impactor_of(const Standard& standard, const ImpactCase& impact) {
   ImpactCase result = impact;
   result.impactor.mass = standard.mass.value.value_or(impact.impactor.mass);
-  result.impactor.radius = standard.radius.value.value_or(impact.impactor.radius);
+  if (standard.radius.value) result.impactor.nose = Sphere{*standard.radius.value};
   result.impactor.speed = standard.speed.value.value_or(impact.impactor.speed);
   return result;
 }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "io/law_table.hpp"
+#include "io/parameter_table.hpp"
 #include "io/spelling.hpp"
 #include "io/support_table.hpp"
 
@@ -22,10 +23,15 @@ double read_mass(TableReader& table) {
   return has_mass ? table.quantity("mass", "kg") : table.quantity("weight", "N") / standard_gravity;
 }
 
+/// A nose that is not named is a sphere.
+Nose read_nose(TableReader& table) {
+  const auto shape = table.has("nose") ? read_alternative<Nose>(table, "nose") : Sphere{};
+  return with_parameters(shape.value_or(Sphere{}), table);
+}
+
 Impactor read_impactor(TableReader& table) {
-  const Impactor impactor{.mass = read_mass(table),
-                          .radius = table.quantity("radius", "m"),
-                          .speed = table.quantity("speed", "m/s")};
+  const Impactor impactor{
+      .mass = read_mass(table), .nose = read_nose(table), .speed = table.quantity("speed", "m/s")};
   table.refuse_others();
   return impactor;
 }

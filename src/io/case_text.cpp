@@ -9,6 +9,14 @@ namespace dashpad {
 
 namespace {
 
+/// `and radius 76.2 mm`
+std::string nose_text(const Nose& nose, const UnitSystem& units) {
+  std::string text;
+  for (const ParameterValue& number : parameter_values(nose))
+    text += fmt::format(" and {} {}", number.key, brief_quantity(number.value, number.unit, units));
+  return text;
+}
+
 std::string support_text(const Support& support, const UnitSystem& units) {
   if (support.is_rigid()) return "a rigid support";
   const Support::Point& last = support.points().back();
@@ -36,9 +44,9 @@ std::string case_text(const ImpactCase& impact, const UnitSystem& units) {
   const Impactor& impactor = impact.impactor;
   const Material& material = impact.pad.material;
   std::string text = impact.title.empty() ? "" : one_line(impact.title) + "\n";
-  text +=
-      fmt::format("A sphere of {} and radius {} strikes at {}\n", brief_quantity(impactor.mass, "kg", units),
-                  brief_quantity(impactor.radius, "m", units), brief_quantity(impactor.speed, "m/s", units));
+  text += fmt::format("A {} of {}{} strikes at {}\n", words_of(impactor.nose),
+                      brief_quantity(impactor.mass, "kg", units), nose_text(impactor.nose, units),
+                      brief_quantity(impactor.speed, "m/s", units));
   text += fmt::format("a pad of {} {} ({} law) on {}.\n", brief_quantity(impact.pad.thickness, "m", units),
                       one_line(material.name), name_of(material.law), support_text(impact.support, units));
   return text;
@@ -51,7 +59,9 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
     text += fmt::format("  {} = {}{}{}\n", key, value, unit == "1" ? "" : " ", unit == "1" ? "" : unit);
   };
   line("impactor.mass", impact.impactor.mass, "kg");
-  line("impactor.radius", impact.impactor.radius, "m");
+  text += fmt::format("  impactor.nose = {}\n", name_of(impact.impactor.nose));
+  for (const ParameterValue& number : parameter_values(impact.impactor.nose))
+    line("impactor." + number.key, number.value, number.unit);
   line("impactor.speed", impact.impactor.speed, "m/s");
   line("pad.thickness", impact.pad.thickness, "m");
   text +=

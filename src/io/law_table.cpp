@@ -1,51 +1,16 @@
 #include "io/law_table.hpp"
 
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
+#include "io/parameter_table.hpp"
 
 namespace dashpad {
-namespace {
-
-template <class Law>
-Law read_parameters(TableReader& table) {
-  Law law;
-  for (const Parameter<Law>& parameter : Law::parameters)
-    law.*parameter.member = std::string_view(parameter.unit) == "1"
-                                ? table.number(parameter.key)
-                                : table.quantity(parameter.key, parameter.unit);
-  return law;
-}
-
-struct LawReader {
-  std::string name;
-  PadLaw (*read)(TableReader&);
-};
-
-template <std::size_t... index>
-std::vector<LawReader> law_readers(std::index_sequence<index...>) {
-  return {LawReader{std::variant_alternative_t<index, PadLaw>::name, [](TableReader& table) {
-                      return PadLaw(read_parameters<std::variant_alternative_t<index, PadLaw>>(table));
-                    }}...};
-}
-
-}  // namespace
 
 std::optional<PadLaw> read_law(TableReader& table) {
-  const auto readers = law_readers(std::make_index_sequence<std::variant_size_v<PadLaw>>());
-  std::vector<std::string> names;
-  for (const LawReader& reader : readers) names.push_back(reader.name);
-  const std::string name = table.choice("law", names);
+  const auto law = read_alternative<PadLaw>(table, "law");
   auto parameters = table.table("parameters");
-  if (!parameters) return std::nullopt;
-  for (const LawReader& reader : readers) {
-    if (reader.name != name) continue;
-    const PadLaw law = reader.read(*parameters);
-    parameters->refuse_others();
-    return law;
-  }
-  return std::nullopt;
+  if (!parameters || !law) return std::nullopt;
+  const PadLaw result = with_parameters(*law, *parameters);
+  parameters->refuse_others();
+  return result;
 }
 
 std::optional<FittedRange> read_fitted(TableReader& table) {

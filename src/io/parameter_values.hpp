@@ -1,11 +1,15 @@
 #pragma once
-/// The parameters of a law of any kind, as a list: what writers of results and listings go through.
+/// Variants whose alternatives have a name and a table of parameters (laws, noses): by name, and their
+/// numbers as a list, which writers of results and listings go through.
 
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
-#include "dashpad/pad/law.hpp"
+#include "dashpad/units/parameter.hpp"
 
 namespace dashpad {
 
@@ -17,16 +21,43 @@ struct ParameterValue {
   std::string meaning;
 };
 
-inline std::vector<ParameterValue> parameter_values(const PadLaw& law) {
+template <class... Alternatives>
+std::vector<ParameterValue> parameter_values(const std::variant<Alternatives...>& variant) {
   return std::visit(
-      []<class Law>(const Law& of) {
+      []<class Of>(const Of& of) {
         std::vector<ParameterValue> values;
-        for (const Parameter<Law>& parameter : Law::parameters)
+        for (const Parameter<Of>& parameter : Of::parameters)
           values.push_back(
               {parameter.key, parameter.symbol, parameter.unit, of.*(parameter.member), parameter.meaning});
         return values;
       },
-      law);
+      variant);
+}
+
+/// Calls visit(alternative) with a default-made one of each kind, in order.
+template <class Variant, class Visit>
+void for_each_alternative(Visit&& visit) {
+  [&]<std::size_t... index>(std::index_sequence<index...>) {
+    (visit(std::variant_alternative_t<index, Variant>()), ...);
+  }
+  (std::make_index_sequence<std::variant_size_v<Variant>>());
+}
+
+template <class Variant>
+std::vector<std::string> names_of_alternatives() {
+  std::vector<std::string> names;
+  for_each_alternative<Variant>([&](const auto& of) { names.emplace_back(of.name); });
+  return names;
+}
+
+/// Its numbers still to be set; nothing for a name that is none.
+template <class Variant>
+std::optional<Variant> alternative_named(std::string_view name) {
+  std::optional<Variant> result;
+  for_each_alternative<Variant>([&](const auto& of) {
+    if (name == of.name) result = of;
+  });
+  return result;
 }
 
 }  // namespace dashpad

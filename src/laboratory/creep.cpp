@@ -80,18 +80,17 @@ class Creep {
   }
   /// Of the lasting stress, Pa.
   [[nodiscard]] double lasting_slope(double strain) const {
-    return law_.envelope_slope(strain_of(strain), power_, law_.rate_part(0), strain);
+    return envelope_slope(law_, power_, strain_of(strain), law_.rate_part(0), strain);
   }
 
  private:
   [[nodiscard]] double envelope(double at, typename Law::RatePart rate) const {
-    const Strain strain = strain_of(at);
-    return law_.envelope(law_.strain_part(strain, power_.at(strain)), rate, at, at);
+    return dashpad::envelope(law_, power_, strain_of(at), rate, at);
   }
   [[nodiscard]] double balance(double time, double strain, double rate) const {
     const auto part = law_.rate_part(rate);
-    return law_.envelope_slope(strain_of(strain), power_, part, strain) * rate +
-           law_.relaxation_rate(time, strain) * (envelope(strain, part) - stress_);
+    return envelope_slope(law_, power_, strain_of(strain), part, strain) * rate +
+           relaxation_rate(law_, power_, time, strain) * (envelope(strain, part) - stress_);
   }
 
   Law law_;

@@ -17,13 +17,14 @@
 #include "dashpad/pad/law.hpp"
 #include "laboratory/arc.hpp"
 #include "laboratory/quadrature.hpp"
+#include "pad/column_law.hpp"
 
 namespace dashpad {
 
 /// H over the part of a stretch between two times from its start.
 template <IsViscous Law>
 Estimate relaxation(const Law& law, const Stretch&, double from, double to) {
-  return {(to - from) * law.relaxation_rate(0, 0), 0};
+  return {(to - from) * law.relaxation_rate(0), 0};
 }
 
 /// Law 5: h depends on time and strain. In u = t^a it is not singular where contact begins.
@@ -70,9 +71,7 @@ class ViscousStress {
   static constexpr double least_strain = 1e-300;
 
   [[nodiscard]] double envelope(Motion motion, double largest) const {
-    const Strain strain = strain_of(motion.strain);
-    return law_.envelope(law_.strain_part(strain, power_.at(strain)), law_.rate_part(motion.rate),
-                         motion.strain, largest);
+    return dashpad::envelope(law_, power_, strain_of(motion.strain), law_.rate_part(motion.rate), largest);
   }
 
   /// exp(-H(t)) (dG/de de/dt + h G), `x` s after the start of the stretch.
@@ -80,8 +79,8 @@ class ViscousStress {
     if (motion.strain < least_strain) return 0;
     const Strain strain = strain_of(motion.strain);
     const auto rate = law_.rate_part(motion.rate);
-    const double slope = law_.envelope_slope(strain, power_, rate, largest);
-    const double h = law_.relaxation_rate(stretch.time + x, motion.strain);
+    const double slope = envelope_slope(law_, power_, strain, rate, largest);
+    const double h = relaxation_rate(law_, power_, stretch.time + x, motion.strain);
     const double kept = std::exp(-relaxation(law_, stretch, x, stretch.duration).value);
     return kept * (slope * motion.rate + h * envelope(motion, largest));
   }

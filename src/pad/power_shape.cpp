@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pad/column_law.hpp"
+
 namespace dashpad {
 namespace {
 
@@ -33,19 +35,6 @@ std::array<double, N> interpolate(F&& f) {
     now = next;
   }
   return coefficient;
-}
-
-/// In four sums that do not wait for each other.
-template <std::size_t N>
-double polynomial(const std::array<double, N>& coefficient, double x) {
-  static_assert(N % 4 == 0);
-  const double y = 4 * x - 1;
-  const double y2 = y * y;
-  const double y4 = y2 * y2;
-  std::array<double, 4> sum{};
-  for (std::size_t i = N; i > 0; i -= 4)
-    for (std::size_t k = 0; k < 4; ++k) sum[k] = sum[k] * y4 + coefficient[i - 4 + k];
-  return (sum[0] + sum[1] * y) + (sum[2] + sum[3] * y) * y2;
 }
 
 }  // namespace
@@ -79,24 +68,20 @@ PowerShape::PowerShape(PowerExponents exponents) : exponents_(exponents) {
     return std::pow(1 - q, -m) * sum;
   });
   const double shape = std::exp2(n - m);
-  const double measure_at_half = shape / 2 * polynomial(near_contact_, 0.5);
-  offset_ = measure_at_half + shape / 2 * polynomial(near_bottom_, 0.5) + log_weight_ * std::log(0.5);
+  const double measure_at_half = shape / 2 * scalar::polynomial(near_contact_, 0.5);
+  offset_ = measure_at_half + shape / 2 * scalar::polynomial(near_bottom_, 0.5) + log_weight_ * std::log(0.5);
 }
 
 PowerShape::Value PowerShape::at(Strain strain) const {
   if (strain.value <= 0) return {};
-  Value value;
-  value.log_strain = std::log(strain.value);
-  value.log_complement = std::log(strain.complement);
-  value.shape = std::exp(exponents_.m * value.log_strain - exponents_.n * value.log_complement);
-  value.measure = measure(strain, value);
-  return value;
+  const scalar::Strains<double> e{strain.value, strain.complement};
+  const auto at = scalar::shape_at(*this, e);
+  return {at.shape, scalar::measure_at(*this, e, at), at.log_strain, at.log_complement};
 }
 
 double PowerShape::measure(Strain strain, const Value& value) const {
-  if (strain.value <= 0.5) return strain.value * value.shape * polynomial(near_contact_, strain.value);
-  return offset_ - strain.complement * value.shape * polynomial(near_bottom_, strain.complement) -
-         log_weight_ * value.log_complement;
+  return scalar::measure_at(*this, scalar::Strains<double>{strain.value, strain.complement},
+                            scalar::Shape<double>{value.shape, value.log_strain, value.log_complement});
 }
 
 }  // namespace dashpad

@@ -32,7 +32,7 @@ Json impactor(const AssessmentReport& report) {
   const Impactor& used = report.assessed.impactor;
   const Impactor& of_case = report.given.impactor;
   return {{"mass_kg", input(standard.mass, used.mass, of_case.mass)},
-          {"radius_m", input(standard.radius, used.radius, of_case.radius)},
+          {"radius_m", input(standard.radius, sphere_radius(used.nose), sphere_radius(of_case.nose))},
           {"speed_m_per_s", input(standard.speed, used.speed, of_case.speed)}};
 }
 

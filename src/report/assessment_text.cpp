@@ -124,7 +124,7 @@ std::string giver(const StandardValue& value) {
 }
 
 std::array<double, 3> values_of(const Impactor& impactor) {
-  return {impactor.mass, impactor.radius, impactor.speed};
+  return {impactor.mass, sphere_radius(impactor.nose), impactor.speed};
 }
 
 /// What the user did not want.

@@ -61,8 +61,12 @@ std::string pad_toml(const Pad& pad) {
 std::string case_toml(const ImpactCase& impact, const Options& options) {
   std::string text;
   if (!impact.title.empty()) text += "title = " + quoted(impact.title) + "\n";
-  text += "\n[impactor]\n" + line("mass", impact.impactor.mass, "kg") +
-          line("radius", impact.impactor.radius, "m") + line("speed", impact.impactor.speed, "m/s");
+  const Impactor& impactor = impact.impactor;
+  text += "\n[impactor]\n" + line("mass", impactor.mass, "kg");
+  text += fmt::format("nose = \"{}\"\n", name_of(impactor.nose));
+  for (const ParameterValue& number : parameter_values(impactor.nose))
+    text += line(number.key, number.value, number.unit);
+  text += line("speed", impactor.speed, "m/s");
   text += pad_toml(impact.pad) + support_toml(impact.support);
   text += "\n[solver]\n" + line("tolerance", options.tolerance, "1") +
           line("time_limit", options.time_limit, "s");

@@ -57,7 +57,7 @@ std::string post_impact_text(const Body& first, const Body& second, const Impact
   const auto shown = [&](double value, const char* si_unit) { return brief_quantity(value, si_unit, units); };
   const std::string other = std::isinf(second.mass) ? "held in place" : shown(second.mass, "kg");
   std::string text = fmt::format(
-      "Two bodies: the impactor, {} at {}; the other, {}, at {}.\nSolved as one sphere of {} at {}, which is "
+      "Two bodies: the impactor, {} at {}; the other, {}, at {}.\nSolved as one body of {} at {}, which is "
       "their "
       "motion towards each other.\n\n",
       shown(first.mass, "kg"), shown(first.velocity, "m/s"), other, shown(second.velocity, "m/s"),

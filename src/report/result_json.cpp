@@ -68,12 +68,17 @@ Json support(const Support& of) {
       {"type", "linear"}, {"stiffness_N_per_m", number(point.force / point.deflection)}, {"points", points}};
 }
 
+Json impactor(const Impactor& of) {
+  Json json = {{"mass_kg", number(of.mass)}, {"speed_m_per_s", number(of.speed)}};
+  json["nose"] = name_of(of.nose);
+  for (const ParameterValue& value : parameter_values(of.nose))
+    json[value.key + (value.unit == "1" ? "" : "_" + value.unit)] = number(value.value);
+  return json;
+}
+
 Json echo(const ImpactCase& impact) {
   return {{"title", impact.title},
-          {"impactor",
-           {{"mass_kg", number(impact.impactor.mass)},
-            {"radius_m", number(impact.impactor.radius)},
-            {"speed_m_per_s", number(impact.impactor.speed)}}},
+          {"impactor", impactor(impact.impactor)},
           {"pad", pad(impact.pad)},
           {"support", support(impact.support)}};
 }

@@ -144,13 +144,14 @@ std::vector<PageFigure> map_figures(const StudyAnswers& answers, const UnitSyste
 
 std::vector<PageFigure> cushion_figures(const StudyAnswers& answers, const UnitSystem& units) {
   if (!answers.cushion_curves) return {};
-  Plot plot{.title = "Cushion curves of a sphere", .panels = {}, .source = study_source(answers)};
+  const std::string nose = words_of(answers.study.base.impactor.nose);
+  Plot plot{.title = "Cushion curves of a " + nose, .panels = {}, .source = study_source(answers)};
   for (const study::CushionCurves::Drop& drop : answers.cushion_curves->drops)
     plot.panels.push_back(cushion_panel(drop, units));
   return {{"", std::move(plot),
-           "In the manner of ASTM D1596, but of a sphere, not of the standard's flat platen: the loaded area "
-           "is the "
-           "projected contact area at the largest penetration. Do not mix them with a maker's curves."}};
+           "In the manner of ASTM D1596, but of a " + nose +
+               ", not of a platen wider than the cushion: the loaded area is the projected contact area at the "
+               "largest penetration. Do not mix them with a maker's curves."}};
 }
 
 }  // namespace dashpad

@@ -92,7 +92,7 @@ Json cushion_json(const study::CushionCurves& curves) {
                        {"thickness_m", curve.thickness},
                        {"points", points}});
     }
-  return {{"loaded_area", "projected contact area of the sphere at the largest penetration"},
+  return {{"loaded_area", "projected contact area of the nose at the largest penetration"},
           {"curves", drops}};
 }
 

@@ -79,6 +79,8 @@ void store_support(const Support& support, Deck& deck) {
 }  // namespace
 
 std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
+  if (!std::holds_alternative<Sphere>(impact.impactor.nose))
+    return {{"impactor.nose", 0, "the 1984 program knows no nose but a sphere"}};
   const std::size_t points = impact.support.points().size();
   if (points == 0)
     return {{"support.type", 0,
@@ -92,7 +94,7 @@ std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
 
 Deck deck_of(const ImpactCase& impact) {
   Deck deck;
-  deck.radius_in = typed(impact.impactor.radius, "m", "in");
+  deck.radius_in = typed(std::get<Sphere>(impact.impactor.nose).radius, "m", "in");
   deck.speed_mph = typed(impact.impactor.speed, "m/s", "mph");
   deck.weight_lb = typed(impact.impactor.mass, "kg", "lb");
   deck.thickness_in = typed(impact.pad.thickness, "m", "in");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "dashpad/study/design.hpp"
@@ -12,9 +13,21 @@ namespace {
 
 const std::string parameter_prefix = "pad.parameters.";
 
-double& parameter(PadLaw& law, std::size_t index) {
-  return std::visit([index]<class Law>(Law& of) -> double& { return of.*(Law::parameters.at(index).member); },
-                    law);
+const std::string nose_prefix = "impactor.";
+
+/// Of a law or of a nose.
+template <class Variant>
+double& parameter(Variant& variant, std::size_t index) {
+  return std::visit([index]<class Of>(Of& of) -> double& { return of.*(Of::parameters.at(index).member); },
+                    variant);
+}
+
+std::optional<std::size_t> place_of(const std::string& key, const std::string& prefix,
+                                    const std::vector<ParameterValue>& parameters) {
+  if (!key.starts_with(prefix)) return std::nullopt;
+  const auto found = std::ranges::find(parameters, key.substr(prefix.size()), &ParameterValue::key);
+  if (found == parameters.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - parameters.begin());
 }
 
 /// The forces of a support times a factor. NaN, zero and less make no support: its stiffness then breaks the
@@ -28,8 +41,10 @@ Support scaled(const Support& support, double factor) {
 }  // namespace
 
 std::vector<FactorKey> factor_keys(const ImpactCase& base) {
-  std::vector<FactorKey> keys{{"impactor.mass", "kg"},   {"impactor.weight", "N"}, {"impactor.radius", "m"},
-                              {"impactor.speed", "m/s"}, {"pad.thickness", "m"},   {"pad.material", ""}};
+  std::vector<FactorKey> keys{{"impactor.mass", "kg"}, {"impactor.weight", "N"}};
+  for (const ParameterValue& of : parameter_values(base.impactor.nose))
+    keys.push_back({nose_prefix + of.key, of.unit});
+  keys.insert(keys.end(), {{"impactor.speed", "m/s"}, {"pad.thickness", "m"}, {"pad.material", ""}});
   for (const ParameterValue& of : parameter_values(base.pad.material.law))
     keys.push_back({parameter_prefix + of.key, of.unit});
   if (base.support.points().size() == 1) keys.push_back({"support.stiffness", "N/m"});
@@ -43,18 +58,19 @@ Application::Application(const Study& study) : study_(&study) {
 
 Application::Step Application::step_for(const std::string& key) const {
   static const std::vector<std::pair<std::string, Place>> places{
-      {"impactor.mass", Place::mass},          {"impactor.weight", Place::weight},
-      {"impactor.radius", Place::radius},      {"impactor.speed", Place::speed},
-      {"pad.thickness", Place::thickness},     {"pad.material", Place::material},
-      {"support.stiffness", Place::stiffness}, {"support.scale", Place::support_scale}};
+      {"impactor.mass", Place::mass},         {"impactor.weight", Place::weight},
+      {"impactor.speed", Place::speed},       {"pad.thickness", Place::thickness},
+      {"pad.material", Place::material},      {"support.stiffness", Place::stiffness},
+      {"support.scale", Place::support_scale}};
   const auto keys = factor_keys(study_->base);
   if (!std::ranges::count(keys, key, &FactorKey::key))
     throw std::invalid_argument("no quantity of the case: " + key);
   for (const auto& [name, place] : places)
     if (name == key) return {place, 0};
-  const auto parameters = parameter_values(study_->base.pad.material.law);
-  const auto found = std::ranges::find(parameters, key.substr(parameter_prefix.size()), &ParameterValue::key);
-  return {Place::parameter, static_cast<std::size_t>(found - parameters.begin())};
+  if (const auto place = place_of(key, nose_prefix, parameter_values(study_->base.impactor.nose)))
+    return {Place::nose, *place};
+  return {Place::parameter,
+          *place_of(key, parameter_prefix, parameter_values(study_->base.pad.material.law))};
 }
 
 void Application::operator()(std::span<const double> values, ImpactCase& into) const {
@@ -63,7 +79,7 @@ void Application::operator()(std::span<const double> values, ImpactCase& into) c
     switch (steps_[i].place) {
       case Place::mass: into.impactor.mass = value; break;
       case Place::weight: into.impactor.mass = value / standard_gravity; break;
-      case Place::radius: into.impactor.radius = value; break;
+      case Place::nose: parameter(into.impactor.nose, steps_[i].parameter) = value; break;
       case Place::speed: into.impactor.speed = value; break;
       case Place::thickness: into.pad.thickness = value; break;
       case Place::parameter: parameter(into.pad.material.law, steps_[i].parameter) = value; break;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/study/application.hpp"
@@ -30,11 +29,6 @@ bool is_of_cushion_curves(const Study& study) {
 
 }  // namespace
 
-double contact_area(double radius, double penetration) {
-  const double depth = std::clamp(penetration, 0.0, radius);
-  return std::numbers::pi * depth * (2 * radius - depth);
-}
-
 std::optional<CushionCurves> cushion_curves(const Study& study, const Records& records) {
   const auto deceleration = place_of(study.responses, "peak_acceleration");
   const auto penetration = place_of(study.responses, "peak_penetration");
@@ -56,7 +50,8 @@ std::optional<CushionCurves> cushion_curves(const Study& study, const Records& r
     for (const auto& [thickness, by_mass] : by_thickness) {
       CushionCurve curve{.thickness = thickness, .static_stress = {}, .peak_deceleration = {}};
       for (const auto& [mass, place] : by_mass) {
-        const double area = contact_area(study.base.impactor.radius, records.responses[*penetration][place]);
+        const double area =
+            sections_of(study.base.impactor.nose).area(records.responses[*penetration][place]);
         curve.static_stress.push_back(mass * standard_gravity / area);
         curve.peak_deceleration.push_back(records.responses[*deceleration][place]);
       }

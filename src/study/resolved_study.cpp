@@ -32,11 +32,18 @@ Json material_json(const Material& of) {
   return json;
 }
 
+Json nose_json(const Nose& of) {
+  Json json = {{"shape", name_of(of)}};
+  for (const ParameterValue& value : parameter_values(of)) json[value.key] = number(value.value);
+  return json;
+}
+
 Json case_json(const ImpactCase& of) {
   Json points = Json::array();
   for (const Support::Point& point : of.support.points()) points.push_back({point.deflection, point.force});
   return {{"title", of.title},
-          {"impactor", {of.impactor.mass, of.impactor.radius, of.impactor.speed}},
+          {"impactor",
+           {{"mass", of.impactor.mass}, {"nose", nose_json(of.impactor.nose)}, {"speed", of.impactor.speed}}},
           {"thickness", of.pad.thickness},
           {"material", material_json(of.pad.material)},
           {"support", points}};

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <utility>
 
 #include "dashpad/study/application.hpp"
 #include "dashpad/study/design.hpp"
 #include "dashpad/study/resolved_study.hpp"
 #include "io/json_values.hpp"
+#include "io/parameter_values.hpp"
 
 namespace dashpad::study {
 
@@ -50,31 +50,25 @@ Factor factor_of(const Json& json) {
           .highest = bound_of(json.at("highest"))};
 }
 
-template <class Law>
-PadLaw law_with(const Json& parameters) {
-  Law law;
-  for (const Parameter<Law>& parameter : Law::parameters)
-    law.*parameter.member = parameters.at(parameter.key).template get<double>();
-  return law;
-}
-
-template <std::size_t... index>
-PadLaw law_of(const std::string& name, const Json& parameters, std::index_sequence<index...>) {
-  std::optional<PadLaw> law;
-  const auto try_law = [&]<class Law>(const Law&) {
-    if (name == Law::name) law = law_with<Law>(parameters);
-  };
-  (try_law(std::variant_alternative_t<index, PadLaw>{}), ...);
-  if (!law) throw std::runtime_error("no law \"" + name + "\"");
-  return *law;
+/// A law or a nose.
+template <class Variant>
+Variant alternative_of(const std::string& name, const Json& numbers) {
+  auto result = alternative_named<Variant>(name);
+  if (!result) throw std::runtime_error("nothing is called \"" + name + "\"");
+  std::visit(
+      [&]<class Of>(Of& of) {
+        for (const Parameter<Of>& parameter : Of::parameters)
+          of.*parameter.member = numbers.at(parameter.key).template get<double>();
+      },
+      *result);
+  return *result;
 }
 
 Material material_of(const Json& json) {
   Material material;
   material.name = json.at("name");
   material.title = json.at("title");
-  material.law =
-      law_of(json.at("law"), json.at("parameters"), std::make_index_sequence<std::variant_size_v<PadLaw>>());
+  material.law = alternative_of<PadLaw>(json.at("law"), json.at("parameters"));
   if (json.contains("fitted")) {
     const Numbers range = json["fitted"].get<Numbers>();
     material.fitted = FittedRange{range.at(0), range.at(1), range.at(2)};
@@ -83,11 +77,14 @@ Material material_of(const Json& json) {
 }
 
 ImpactCase case_of(const Json& json) {
-  const Numbers impactor = json.at("impactor").get<Numbers>();
+  const Json& impactor = json.at("impactor");
+  const Json& nose = impactor.at("nose");
   std::vector<Support::Point> points;
   for (const Json& point : json.at("support")) points.push_back({point.at(0), point.at(1)});
   return {.title = json.at("title"),
-          .impactor = {impactor.at(0), impactor.at(1), impactor.at(2)},
+          .impactor = {.mass = impactor.at("mass"),
+                       .nose = alternative_of<Nose>(nose.at("shape"), nose),
+                       .speed = impactor.at("speed")},
           .pad = {json.at("thickness"), material_of(json.at("material"))},
           .support = points.empty() ? Support::rigid() : Support::through(points)};
 }

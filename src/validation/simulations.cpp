@@ -118,7 +118,7 @@ ImpactCase impact_case(const ValidationData& data, const Material& ensolite, con
   impact.title = fmt::format("{} at {:.4g} mph on the {}", to_string(setup.projectile), setup.speed_mph,
                              to_string(setup.support));
   impact.impactor = {.mass = weight_of(data, setup.projectile) * to_si("1 lb", "kg"),
-                     .radius = setup.radius_in * inch,
+                     .nose = Sphere{setup.radius_in * inch},
                      .speed = setup.speed_mph * to_si("1 mph", "m/s")};
   impact.pad = {data.pad_thickness_in * inch, ensolite};
   impact.support = support_of(data, setup.support, false);

@@ -20,7 +20,7 @@ int main() {
 
   dashpad::ImpactCase impact;
   impact.title = "elastic pad on a rigid support";
-  impact.impactor = {.mass = mass, .radius = radius, .speed = std::sqrt(2 * work / mass)};
+  impact.impactor = {.mass = mass, .nose = dashpad::Sphere{radius}, .speed = std::sqrt(2 * work / mass)};
   impact.pad.thickness = thickness;
   impact.pad.material.name = "in line";
   impact.pad.material.law = dashpad::Elastic{.modulus = modulus};

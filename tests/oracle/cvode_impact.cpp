@@ -37,7 +37,7 @@ void solve_law(ImpactRun& run, const TwentyOneParameter& law) { solve_columns(ru
 CvodeImpact solve_with_cvode(const ImpactCase& impact, const CvodeOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   ImpactRun run{impact.impactor.mass,
-                impact.impactor.radius,
+                sphere_radius(impact.impactor.nose),
                 impact.impactor.speed,
                 impact.pad.thickness,
                 SupportLine(impact.support),

@@ -18,7 +18,7 @@ class DampedRun {
   DampedRun(const ImpactCase& impact, const Formulas& law, const DampedOptions& options)
       : impact_(impact), law_(law), options_(options), velocity_(impact.impactor.speed), rate_(velocity_) {
     const auto count = static_cast<std::size_t>(options.columns);
-    const double deepest = std::min(impact.pad.thickness, impact.impactor.radius);
+    const double deepest = std::min(impact.pad.thickness, sphere_radius(impact.impactor.nose));
     depth_.resize(count);
     for (std::size_t j = 1; j < count; ++j)
       depth_[j] = deepest * std::pow(shallowest, 1 - static_cast<double>(j) / static_cast<double>(count - 1));
@@ -28,7 +28,7 @@ class DampedRun {
 
   DampedImpact run() {
     while (time_ < options_.longest && !result_.released) step();
-    if (largest_ > impact_.impactor.radius)
+    if (largest_ > sphere_radius(impact_.impactor.nose))
       throw std::invalid_argument("damped oracle: the penetration exceeds the sphere's radius");
     return result_;
   }
@@ -63,7 +63,8 @@ class DampedRun {
       const double middle = std::max(after.strain - v * options_.step / thickness / 2, 0.0);
       const double decay = std::exp(-law_.relaxation(time_ + options_.step / 2, middle) * options_.step);
       trial_stress_[j] = law_.envelope(after, law_.at_strain(after), rate, largest).value + remainder * decay;
-      const double pressing = std::max(trial_stress_[j], 0.0) * (impact_.impactor.radius - depth_[j]);
+      const double pressing =
+          std::max(trial_stress_[j], 0.0) * (sphere_radius(impact_.impactor.nose) - depth_[j]);
       if (j > 0) sum += (previous + pressing) / 2 * (depth_[j] - outer);
       outer = depth_[j], previous = pressing;
     }

@@ -47,7 +47,7 @@ ReferenceCase case_of(const std::vector<std::string>& fields) {
   ReferenceCase result;
   result.id = fields.at(0);
   result.impact.title = "reference case " + result.id;
-  result.impact.impactor = {number(8), number(3) * inch, number(9)};
+  result.impact.impactor = {number(8), Sphere{number(3) * inch}, number(9)};
   result.impact.pad.thickness = number(6) * inch;
   result.impact.pad.material.law = law_of(fields.at(1), fields.at(2));
   result.impact.support = support_of(fields.at(7));

@@ -206,7 +206,7 @@ ImpactCase plausible_case(std::uint64_t seed) {
   Draw draw(seed);
   ImpactCase impact;
   impact.title = "plausible case " + std::to_string(seed);
-  impact.impactor = {draw.decades(0.5, 20), draw.decades(0.0127, 0.254), draw.decades(1, 15)};
+  impact.impactor = {draw.decades(0.5, 20), Sphere{draw.decades(0.0127, 0.254)}, draw.decades(1, 15)};
   impact.pad.thickness = draw.decades(0.005, 0.1);
   impact.pad.material.name = "in line";
   impact.pad.material.law = plausible_law(draw);
@@ -218,7 +218,7 @@ ImpactCase ordinary_case(std::uint64_t seed) {
   Draw draw(seed);
   ImpactCase impact;
   impact.title = "ordinary case " + std::to_string(seed);
-  impact.impactor = {draw.decades(0.5, 50), draw.decades(0.03, 0.5), draw.decades(0.5, 15)};
+  impact.impactor = {draw.decades(0.5, 50), Sphere{draw.decades(0.03, 0.5)}, draw.decades(0.5, 15)};
   impact.pad.thickness = draw.decades(0.01, 0.1);
   impact.pad.material.name = "in line";
   impact.pad.material.law = ordinary_law(draw, impact.impactor.speed / impact.pad.thickness);
@@ -230,7 +230,7 @@ ImpactCase random_case(std::uint64_t seed) {
   Draw draw(seed);
   ImpactCase impact;
   impact.title = "random case " + std::to_string(seed);
-  impact.impactor = {draw.decades(0.01, 100), draw.decades(1e-3, 1), draw.decades(0.1, 50)};
+  impact.impactor = {draw.decades(0.01, 100), Sphere{draw.decades(1e-3, 1)}, draw.decades(0.1, 50)};
   impact.pad.thickness = draw.decades(1e-3, 0.5);
   impact.pad.material.name = "in line";
   impact.pad.material.law = random_law(draw, impact.impactor.speed / impact.pad.thickness);

@@ -17,7 +17,7 @@ Study many_factors(Sampling sampling) {
     return Factor{.key = key, .unit = "", .spread = std::move(spread), .lowest = lowest, .highest = highest};
   };
   Study study;
-  study.base.impactor = {.mass = 4, .radius = 0.1, .speed = 8};
+  study.base.impactor = {.mass = 4, .nose = Sphere{0.1}, .speed = 8};
   study.base.pad.thickness = 0.02;
   study.base.pad.material.law = LinearViscoelastic{1e5, 1e6, 0.01};
   study.base.support = Support::linear(1e5);

@@ -31,14 +31,6 @@ const std::vector<double> strains{1e-9, 1e-6, 1e-3, 0.05, 0.2,  0.4,   0.55,
                                   0.6,  0.7,  0.8,  0.9,  0.97, 0.999, 1 - 1e-9};
 const std::vector<double> rates{1e-6, 1e-2, 1.0, 10.0, 60.0, 300.0, 2000.0};
 
-/// G at a signed rate.
-template <class Law>
-double envelope(const Law& law, double strain, double rate, double largest_strain) {
-  const Strain at = strain_of(strain);
-  const auto part = law.strain_part(at, PowerShape(law.exponents()).at(at));
-  return law.envelope(part, law.rate_part(rate), strain, largest_strain);
-}
-
 template <class Law>
 class LawTable : public testing::Test {
  protected:
@@ -63,7 +55,7 @@ TEST(LawTableOfCards, HasEveryCard) {
 
 TYPED_TEST(LawTable, HasNoStressWithoutStrain) {
   this->for_each_row([](const auto& law) {
-    EXPECT_EQ(envelope(law, 0, 0, 0), 0);
+    EXPECT_EQ(envelope_at(law, 0, 0, 0), 0);
     // A column that has just been touched: its stress comes from strain alone, but for the crush stress of a
     // foam.
     if constexpr (!std::is_same_v<TypeParam, RigidFoam>) {
@@ -83,8 +75,8 @@ TYPED_TEST(LawTable, GrowsWithStrainOnLoading) {
   this->for_each_row([](const auto& law) {
     for (const double rate : rates)
       for (std::size_t i = 1; i < strains.size(); ++i)
-        EXPECT_GE(envelope(law, strains[i], rate, strains[i]),
-                  envelope(law, strains[i - 1], rate, strains[i - 1]))
+        EXPECT_GE(envelope_at(law, strains[i], rate, strains[i]),
+                  envelope_at(law, strains[i - 1], rate, strains[i - 1]))
             << "rate " << rate << ", strain " << strains[i];
   });
 }
@@ -92,9 +84,9 @@ TYPED_TEST(LawTable, GrowsWithStrainOnLoading) {
 TYPED_TEST(LawTable, GrowsWithTheStrainRateOnLoading) {
   this->for_each_row([](const auto& law) {
     for (const double strain : strains) {
-      double before = envelope(law, strain, 0, strain);
+      double before = envelope_at(law, strain, 0, strain);
       for (const double rate : rates) {
-        const double now = envelope(law, strain, rate, strain);
+        const double now = envelope_at(law, strain, rate, strain);
         EXPECT_GE(now, before) << "rate " << rate << ", strain " << strain;
         before = now;
       }
@@ -108,30 +100,30 @@ TYPED_TEST(LawTable, IsNotStifferOnUnloading) {
       for (const double strain : strains)
         for (const double largest : strains)
           if (strain <= largest) {
-            EXPECT_LE(envelope(law, strain, -rate, largest),
-                      envelope(law, strain, rate, largest) * (1 + 1e-12))
+            EXPECT_LE(envelope_at(law, strain, -rate, largest),
+                      envelope_at(law, strain, rate, largest) * (1 + 1e-12))
                 << "rate " << rate << ", strain " << strain << " of " << largest;
           }
   });
 }
 
 template <class Law>
-class EnvelopeSlope : public LawTable<Law> {};
-using LawsWithSlope = testing::Types<LinearViscoelastic, NineParameter, TwentyOneParameter>;
-TYPED_TEST_SUITE(EnvelopeSlope, LawsWithSlope);
+class LawWithMemory : public LawTable<Law> {};
+using LawsWithMemory = testing::Types<LinearViscoelastic, NineParameter, TwentyOneParameter>;
+TYPED_TEST_SUITE(LawWithMemory, LawsWithMemory);
 
-TYPED_TEST(EnvelopeSlope, IsThatOfTheEnvelope) {
+TYPED_TEST(LawWithMemory, HasTheSlopeOfItsEnvelope) {
   this->for_each_row([](const auto& law) {
     const PowerShape power(law.exponents());
     for (const double rate : {0.0, 1e-6, 1.0, 60.0, 2000.0, -1e-6, -1.0, -60.0, -2000.0})
       for (const double strain : {1e-6, 1e-3, 0.05, 0.4, 0.7, 0.9, 0.97}) {
         const double largest = rate < 0 ? std::min(1.2 * strain, 0.98) : strain;
-        const auto value = [&](double at) { return envelope(law, at, rate, largest); };
+        const auto value = [&](double at) { return envelope_at(law, at, rate, largest); };
         // Central differences at two widths, extrapolated: order four.
         const double width = 1e-3 * std::min(strain, 1 - strain);
         const auto difference = [&](double w) { return (value(strain + w) - value(strain - w)) / (2 * w); };
         const double expected = (4 * difference(width / 2) - difference(width)) / 3;
-        const double slope = law.envelope_slope(strain_of(strain), power, law.rate_part(rate), largest);
+        const double slope = envelope_slope(law, power, strain_of(strain), law.rate_part(rate), largest);
         EXPECT_NEAR(slope, expected, 1e-8 * (std::abs(expected) + std::abs(value(strain)) / strain))
             << "rate " << rate << ", strain " << strain;
       }
@@ -147,23 +139,23 @@ TYPED_TEST(UnloadingFactor, IsOneAtTheLargestStrainAndZeroAtTheResidualOne) {
   this->for_each_row([](const auto& law) {
     for (const double rate : rates)
       for (const double largest : strains) {
-        const double top = envelope(law, largest, rate, largest);
-        expect_relative(envelope(law, largest, -rate, largest), top, 1e-9, "at the largest strain");
+        const double top = envelope_at(law, largest, rate, largest);
+        expect_relative(envelope_at(law, largest, -rate, largest), top, 1e-9, "at the largest strain");
         const double ratio =
             residual_ratio(std::log(rate), law.residual_strain_time, law.residual_strain_exponent);
-        EXPECT_NEAR(envelope(law, largest * ratio, -rate, largest), 0, 1e-6 * top)
+        EXPECT_NEAR(envelope_at(law, largest * ratio, -rate, largest), 0, 1e-6 * top)
             << "at the residual strain";
       }
   });
 }
 
-TYPED_TEST(LawTable, OnlyEverForgets) {
+TYPED_TEST(LawWithMemory, OnlyEverForgets) {
   this->for_each_row([](const auto& law) {
     for (const double start : {0.0, 1e-9, 1e-3, 0.5})
       for (const double step : {1e-12, 1e-6, 1e-3, 0.1, 100.0})
         for (const double from : {0.0, 0.3, 0.9})
           for (const double to : {0.0, 0.31, 0.999}) {
-            const double decay = law.decay(law.time_part(start, start + step), from, to, 1);
+            const double decay = decay_over(law, start, start + step, from, to);
             EXPECT_GE(decay, 0);
             EXPECT_LE(decay, 1) << start << " + " << step << ": " << from << " to " << to;
           }

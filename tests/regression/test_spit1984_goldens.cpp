@@ -40,7 +40,7 @@ std::uint64_t fingerprint(const spit1984::Run& run) {
 
 ImpactCase sample(const PadLaw& law) {
   ImpactCase impact;
-  impact.impactor = {.mass = 4.53592370, .radius = 0.0762, .speed = 4.4704};
+  impact.impactor = {.mass = 4.53592370, .nose = Sphere{0.0762}, .speed = 4.4704};
   impact.pad.thickness = 0.0508;
   impact.pad.material.law = law;
   impact.support = Support::linear(105076.1);

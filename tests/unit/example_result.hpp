@@ -9,7 +9,7 @@ namespace dashpad::test {
 inline ImpactCase example_case() {
   ImpactCase impact;
   impact.title = "Head on a dashboard";
-  impact.impactor = {.mass = 4.5, .radius = 0.0762, .speed = 8.9408};
+  impact.impactor = {.mass = 4.5, .nose = Sphere{0.0762}, .speed = 8.9408};
   impact.pad.thickness = 0.0254;
   impact.pad.material.name = "soft-foam";
   impact.pad.material.title = "Soft foam";

@@ -21,7 +21,7 @@ inline study::Study small_study(std::size_t rows = 1000) {
   study::Study study;
   study.title = "Speeds";
   study.text = "title = \"Speeds\"\n";
-  study.base.impactor = {.mass = 5, .radius = 0.08, .speed = 1};
+  study.base.impactor = {.mass = 5, .nose = Sphere{0.08}, .speed = 1};
   study.base.pad.thickness = 0.05;
   study.base.pad.material.law = Elastic{.modulus = 3e5};
   std::vector<double> speeds(rows);

@@ -101,7 +101,7 @@ const std::vector<Edit> edits{
     {"[solver]", "[solvers]", {{12, "solvers", "unknown key; did you mean \"solver\"?"}}},
     {"speed = ",
      "colour = \"red\"\nspeed = ",
-     {{5, "impactor.colour", "known here are mass, weight, radius, speed"}}},
+     {{5, "impactor.colour", "known here are mass, weight, nose, radius, speed"}}},
     {"speed = \"20 mph\"\n", "", {{2, "impactor.speed", "is missing"}}},
     {"[impactor]", "[sphere]", {{0, "impactor", "is missing"}, {2, "sphere", "unknown key"}}},
     {"title = \"A case\"", "title = 3", {{1, "title", "text in quotes"}}},

@@ -23,7 +23,7 @@ using testing::source;
 TEST(case_file, good_case_is_read_into_si) {
   const auto [impact, options, files] = read(good_case);
   EXPECT_EQ(impact.title, "A case");
-  EXPECT_DOUBLE_EQ(impact.impactor.radius, 0.0762);
+  EXPECT_DOUBLE_EQ(std::get<Sphere>(impact.impactor.nose).radius, 0.0762);
   EXPECT_DOUBLE_EQ(impact.impactor.mass, 4.5359237);
   EXPECT_DOUBLE_EQ(impact.impactor.speed, 8.9408);
   EXPECT_DOUBLE_EQ(impact.pad.thickness, 0.0254);

@@ -35,9 +35,7 @@ double drive(ColumnField<Law>& field, double depth, double resolution) {
 
 /// Stress of a column after loading from rest at the constant rate of the test.
 double stress(const NineParameter& law, double strain) {
-  const auto power = PowerShape(law.exponents()).at(strain_of(strain));
-  return law.envelope(law.strain_part(strain_of(strain), power), law.rate_part(speed / thickness), strain,
-                      strain);
+  return envelope_at(law, strain, speed / thickness, strain);
 }
 double stress(const LinearViscoelastic& law, double strain) {
   const double time = strain * thickness / speed;
@@ -66,7 +64,7 @@ void expect_force(const Law& law, double radius) {
     const double expected = contact_integral(depth, radius, [&](double e) { return stress(law, e); });
     double error[2];
     for (const int fine : {0, 1}) {
-      ColumnField<Law> field(law, thickness, radius);
+      ColumnField<Law> field(law, thickness, Sphere{radius}.sections());
       error[fine] = relative_error(drive(field, depth, fine == 1 ? 0.02 : 0.08), expected);
     }
     fmt::print("{} R {} Y/L {}: {:.1e} {:.1e}\n", Law::name, radius, share, error[0], error[1]);
@@ -90,7 +88,7 @@ TEST(column_field, integrates_it_beyond_the_radius_too) {
 template <class Law>
 void expect_held_rate(const Law& law, double radius) {
   const double depth = 0.7 * thickness;
-  ColumnField<Law> field(law, thickness, radius);
+  ColumnField<Law> field(law, thickness, Sphere{radius}.sections());
   drive(field, depth, 0.02);
   const double time = depth / speed;
   constexpr double moment = 1e-7;  // s
@@ -114,7 +112,7 @@ TEST(column_field, knows_how_fast_its_force_falls_when_held) {
 
 TEST(column_field, tries_without_changing_its_state) {
   const auto law = sample_law<TwentyOneParameter>();
-  ColumnField<TwentyOneParameter> field(law, thickness, 0.08);
+  ColumnField<TwentyOneParameter> field(law, thickness, Sphere{0.08}.sections());
   drive(field, 0.4 * thickness, 0.05);
   const double time = 0.4 * thickness / speed;
   const PadTrial forth = field.trial(1e-3, time, 5e-4);
@@ -146,9 +144,9 @@ double force_after_probes(Contact& contact, bool probe) {
 }
 
 TEST(column_field, a_trial_leaves_no_trace) {
-  ColumnField<TwentyOneParameter> field(sample_law<TwentyOneParameter>(), thickness, 0.08);
+  ColumnField<TwentyOneParameter> field(sample_law<TwentyOneParameter>(), thickness, Sphere{0.08}.sections());
   EXPECT_EQ(force_after_probes(field, true), force_after_probes(field, false));
-  NineParameterContact contact(sample_law<NineParameter>(), thickness, 0.08);
+  NineParameterContact contact(sample_law<NineParameter>(), thickness, Sphere{0.08}.sections());
   EXPECT_EQ(force_after_probes(contact, true), force_after_probes(contact, false));
   EXPECT_EQ(contact.stations(), 0U) << "a pad that was only loaded has no columns";
 }
@@ -157,7 +155,8 @@ TEST(column_field, a_trial_leaves_no_trace) {
 /// press again before the sphere leaves it, the harder the faster the pad recovers.
 TEST(column_field, a_column_that_let_go_does_not_press_again) {
   for (const ColumnMath math : {ColumnMath::vector, ColumnMath::plain}) {
-    ColumnField<TwentyOneParameter> field(sample_law<TwentyOneParameter>(), thickness, 0.08, math);
+    ColumnField<TwentyOneParameter> field(sample_law<TwentyOneParameter>(), thickness,
+                                          Sphere{0.08}.sections(), math);
     drive(field, 0.6 * thickness, 0.02);
     double time = 0.6 * thickness / speed;
     constexpr double slow = 0.2, fast = 20;  // m/s, back
@@ -179,7 +178,7 @@ TEST(column_field, a_column_that_let_go_does_not_press_again) {
 }
 
 TEST(column_field, starts_anew) {
-  ColumnField<NineParameter> field(sample_law<NineParameter>(), thickness, 0.08);
+  ColumnField<NineParameter> field(sample_law<NineParameter>(), thickness, Sphere{0.08}.sections());
   const double once = drive(field, 0.4 * thickness, 0.05);
   const std::size_t stations = field.stations();
   EXPECT_EQ(drive(field, 0.4 * thickness, 0.05), once);
@@ -187,7 +186,7 @@ TEST(column_field, starts_anew) {
 }
 
 TEST(column_field, touches_as_far_as_the_sphere_reaches) {
-  ColumnField<LinearViscoelastic> field(sample_law<LinearViscoelastic>(), thickness, 0.08);
+  ColumnField<LinearViscoelastic> field(sample_law<LinearViscoelastic>(), thickness, Sphere{0.08}.sections());
   const double depth = 0.5 * thickness;
   drive(field, depth, 0.02);
   expect_relative(field.contact_radius(), std::sqrt(depth * (2 * 0.08 - depth)), 1e-12, "contact radius");

@@ -350,7 +350,7 @@ TEST(application, writes_each_quantity) {
   ImpactCase impact = study.base;
   apply(study, row_of(Design(study), 0, 6), impact);
   EXPECT_DOUBLE_EQ(impact.impactor.mass, 2);
-  EXPECT_EQ(impact.impactor.radius, 0.1);
+  EXPECT_EQ(std::get<Sphere>(impact.impactor.nose).radius, 0.1);
   EXPECT_EQ(impact.impactor.speed, 3);
   EXPECT_EQ(impact.pad.thickness, 0.05);
   EXPECT_EQ(std::get<NineParameter>(impact.pad.material.law).relaxation_time, 0.02);

@@ -12,7 +12,7 @@
 namespace dashpad {
 namespace {
 
-const Impactor impactor{.mass = 2, .radius = 0.1, .speed = 3};
+const Impactor impactor{.mass = 2, .nose = Sphere{0.1}, .speed = 3};
 constexpr double impact_energy = 9;  // J
 constexpr double rebound = 2;        // m/s
 

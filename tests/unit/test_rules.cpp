@@ -88,7 +88,7 @@ TEST(law_rules_between_parameters, are_checked) {
 
 ImpactCase sound_case() {
   return {.title = "",
-          .impactor = {.mass = 4.5, .radius = 0.08, .speed = 9},
+          .impactor = {.mass = 4.5, .nose = Sphere{0.08}, .speed = 9},
           .pad = {.thickness = 0.025,
                   .material = {.name = "",
                                .title = "",
@@ -109,8 +109,8 @@ TEST(case_rules, each_is_checked) {
   const std::vector<Change> changes{
       {[](ImpactCase& impact) { impact.impactor.mass = 0; }, {"impactor.mass"}},
       {[](ImpactCase& impact) { impact.impactor.mass = nan; }, {"impactor.mass"}},
-      {[](ImpactCase& impact) { impact.impactor.radius = -1; }, {"impactor.radius"}},
-      {[](ImpactCase& impact) { impact.impactor.radius = infinity; }, {"impactor.radius"}},
+      {[](ImpactCase& impact) { impact.impactor.nose = Sphere{-1}; }, {"impactor.radius"}},
+      {[](ImpactCase& impact) { impact.impactor.nose = Sphere{infinity}; }, {"impactor.radius"}},
       {[](ImpactCase& impact) { impact.impactor.speed = 1e4; }, {"impactor.speed"}},
       {[](ImpactCase& impact) { impact.pad.thickness = 1e-9; }, {"pad.thickness"}},
       {[](ImpactCase& impact) { impact.pad.material.law = Elastic(); }, {"pad.parameters.modulus"}},

@@ -29,7 +29,7 @@ class Simulations : public ::testing::Test {
 TEST_F(Simulations, CaseIsThatOfTheReportInExactUnits) {
   const ImpactCase impact = impact_case(data, ensolite, {Projectile::steel, TestSupport::load_cell, 14.6, 2});
   EXPECT_NEAR(impact.impactor.mass, 7.7 * 0.45359237, 1e-12);
-  EXPECT_NEAR(impact.impactor.radius, 0.0508, 1e-15);
+  EXPECT_NEAR(std::get<Sphere>(impact.impactor.nose).radius, 0.0508, 1e-15);
   EXPECT_NEAR(impact.impactor.speed, 14.6 * 0.44704, 1e-12);
   EXPECT_NEAR(impact.pad.thickness, 0.03048, 1e-15);
   const double force = 860 * 4.4482216152605;

@@ -245,7 +245,7 @@ TEST(standards, the_impactor_takes_the_place_of_that_of_the_case) {
   const ImpactCase impact = testing::read(testing::good_case).impact;
   const ImpactCase assessed = with_impactor_of(preset("en-1177"), impact);
   EXPECT_DOUBLE_EQ(assessed.impactor.mass, 4.6);
-  EXPECT_DOUBLE_EQ(assessed.impactor.radius, 0.08);
+  EXPECT_DOUBLE_EQ(std::get<Sphere>(assessed.impactor.nose).radius, 0.08);
   EXPECT_EQ(assessed.impactor.speed, impact.impactor.speed);
   EXPECT_EQ(assessed.pad.thickness, impact.pad.thickness);
 }

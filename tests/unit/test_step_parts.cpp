@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "contact/curve_contact.hpp"
+#include "dashpad/nose/sphere.hpp"
 #include "impact/branch.hpp"
 #include "impact/events.hpp"
 #include "impact/predictor.hpp"
@@ -163,7 +164,7 @@ TEST(Predictor, UnloadsWithTheStiffnessBeforeTheRateBrokeDown) {
 constexpr double mass = 4, radius = 0.08, thickness = 0.03, resolution = 0.1;
 
 StepControl control_on(const Support& support) {
-  StepControl control(mass, radius, thickness, support);
+  StepControl control(mass, Sphere{radius}.sections(), thickness, support);
   control.start(resolution, thickness);
   return control;
 }
@@ -192,7 +193,7 @@ TEST(StepControl, BeginsWithAQuarterOfWhatItsOwnStiffnessAllows) {
   constexpr double speed = 2, pad = 3e9;
   double stiffness = 0;
   const double step = control.first_step(
-      speed, [](double y, double) { return pad * y / 2; }, stiffness);
+      Phase::loading, speed, [](double y, double) { return pad * y / 2; }, stiffness);
   EXPECT_NEAR(stiffness, pad, 1e-3);
   const double allowed = numerics.first_step * control.longest(Phase::loading, {}, pad, speed);
   EXPECT_LE(step, allowed);
@@ -206,7 +207,7 @@ TEST(StepControl, GrowsByHalf) {
   predictor.start(2, 1e5);
   control.learn(Phase::loading, {}, predictor);
   const double usual = control.usual();
-  motion.start(2);
+  motion.start(2, 0);
   motion.accept({}, 0.3 * usual, true);
   EXPECT_NEAR(control.next(Phase::loading, motion, predictor), 0.45 * usual, 1e-15);
   motion.accept({}, usual, true);
@@ -220,7 +221,7 @@ TEST(StepControl, ShrinksTowardsTheRelease) {
   predictor.start(-0.01, 1e5);
   control.learn(Phase::unloading, {}, predictor);
   control.learn_force(1000);
-  motion.start(2);
+  motion.start(2, 0);
   State now;
   now.force = 10;
   motion.accept(now, 1e-3, true);

@@ -145,7 +145,7 @@ TEST_F(StoredStudyTest, CushionCurvesHoldTheRowsInOrder) {
     const auto i = static_cast<std::size_t>(mass) - 1;
     EXPECT_EQ(thin.peak_deceleration[i], records.responses[1][place]);
     EXPECT_DOUBLE_EQ(thin.static_stress[i],
-                     mass * standard_gravity / study::contact_area(0.08, records.responses[0][place]));
+                     mass * standard_gravity / Sphere{0.08}.sections().area(records.responses[0][place]));
   }
   study.responses = {"peak_acceleration"};
   EXPECT_FALSE(study::cushion_curves(study, records).has_value()) << "no penetration, no area";

@@ -57,7 +57,7 @@ class CurveContacts : public testing::TestWithParam<double> {
 
   template <class Law>
   void expect_integrals(const Law& law) const {
-    const CurveContact contact(law.curve(), Law::recovers, thickness, radius);
+    const CurveContact contact(law.curve(), Law::recovers, thickness, Sphere{radius}.sections());
     double before = 0;
     double work = 0;
     for (int i = 1; i <= 100; ++i) {
@@ -78,7 +78,7 @@ TEST_P(CurveContacts, IntegrateTheStressOverTheContact) {
 }
 
 TEST_P(CurveContacts, TryAndAccept) {
-  CurveContact contact(Elastic{3e5}.curve(), true, thickness, radius);
+  CurveContact contact(Elastic{3e5}.curve(), true, thickness, Sphere{radius}.sections());
   contact.start(0.1, thickness);
   EXPECT_EQ(contact.contact_radius(), 0);
   const PadTrial tried = contact.trial(0.04, 0, 1);

@@ -23,9 +23,9 @@ constexpr double start = 4e-3;  // s since first contact
 constexpr double duration = 2e-4;
 
 template <class Law>
-class SweepOf : public testing::Test {};
+class SweepOfLaw : public testing::Test {};
 using Laws = testing::Types<LinearViscoelastic, NineParameter, TwentyOneParameter>;
-TYPED_TEST_SUITE(SweepOf, Laws);
+TYPED_TEST_SUITE(SweepOfLaw, Laws);
 
 /// A step of columns in any state, from `before` to `after`; their number is no multiple of a vector's lanes.
 template <class Law>
@@ -34,43 +34,42 @@ void expect_alike(double before, double after, double largest) {
   const PowerShape power(law.exponents());
   const auto rate = law.rate_part((after - before) / (thickness * duration));
   const auto time = law.time_part(start, start + duration);
-  using Part = typename Law::StrainPart;
-  using Numbers = std::array<double, sizeof(Part) / sizeof(double)>;
   constexpr std::size_t count = 37;
   ColumnStorage columns;
   std::mt19937_64 draw(7);
+  const Sections nose = Sphere{radius}.sections();
   for (std::size_t j = 0; j < count; ++j) {
     // From the axis to a last column that is hardly touched.
-    const double share = static_cast<double>(j) / (count - 1);
-    columns.insert(j, after * (1 - 1e-9) * share);
-    const double strain = (before - columns.depth()[j]) / thickness;
-    if (strain <= 0) continue;
-    const auto part = std::bit_cast<Numbers>(law.strain_part(strain_of(strain), power.at(strain_of(strain))));
-    for (std::size_t k = 0; k < part.size(); ++k) columns.now.part[k][j] = part[k];
-    columns.now.stress[j] = 1e5 * static_cast<double>(draw() >> 11) * 0x1p-53;
+    const double depth = after * (1 - 1e-9) * static_cast<double>(j) / (count - 1);
+    columns.insert(j, depth, nose.rate(depth));
   }
-  const SweepStep step{columns.depth(), count, thickness, radius, before, after, largest};
-  sweep(law, power, rate, time, step, columns.now, columns.next_state);
+  // The parts of the columns before, from a step up to there.
+  const SweepStep to_before{columns.depth(), columns.weight(), count, thickness, 0, before, before};
+  const auto& of_law = sweeps(ColumnMath::plain).of<Law>();
+  of_law.step(law, power, rate, time, to_before, columns.next_state, columns.now);
+  for (std::size_t j = 0; j < count; ++j)
+    columns.now.stress[j] =
+        columns.depth()[j] < before ? 1e5 * static_cast<double>(draw() >> 11) * 0x1p-53 : 0;
+
+  const SweepStep step{columns.depth(), columns.weight(), count, thickness, before, after, largest};
+  sweeps(ColumnMath::vector).of<Law>().step(law, power, rate, time, step, columns.now, columns.next_state);
   for (std::size_t j = 0; j < count; ++j) {
     const double depth = columns.depth()[j];
     const Strain strain{(after - depth) / thickness, ((thickness - after) + depth) / thickness};
-    const double strain_before = std::max((before - depth) / thickness, 0.0);
+    const double strain_before = std::max((before - depth) / thickness, 1e-300);
     const double largest_strain = (largest - depth) / thickness;
     const double share_of_step = depth > before ? (after - depth) / (after - before) : 1;
-    Numbers stored;
-    for (std::size_t k = 0; k < stored.size(); ++k) stored[k] = columns.now.part[k][j];
     const auto value = power.at(strain);
-    const auto part = law.strain_part(strain, value);
-    const double envelope = law.envelope(part, rate, strain.value, largest_strain);
-    const double remainder = columns.now.stress[j] -
-                             law.envelope(std::bit_cast<Part>(stored), rate, strain_before, largest_strain);
-    const double expected =
-        envelope + remainder * law.decay(time, strain_before, strain.value, share_of_step);
+    const double envelope = dashpad::envelope(law, power, strain, rate, largest_strain);
+    const double remainder =
+        columns.now.stress[j] -
+        dashpad::envelope(law, power, strain_of(strain_before), rate, std::max(largest_strain, 1e-300));
+    const scalar::Formulas<Law> formulas{law, power, rate, time};
+    const double expected = envelope + remainder * formulas.decay(strain_before, strain.value, share_of_step);
     const double size = std::abs(envelope) + std::abs(remainder);
     EXPECT_NEAR(columns.next_state.stress[j], expected, 1e-12 * size) << "column " << j;
     expect_relative(columns.next_state.shape[j], value.shape, 1e-13, "A");
-    // Above a half w is a difference from the offset of its expansion; for law 2 the vectors take the exact
-    // e^2 / 2.
+    // Above a half w is a difference from the offset of its expansion; for law 2 it is the exact e^2 / 2.
     const double of_measure = value.measure + (strain.value > 0.5 ? std::abs(power.offset()) : 0);
     EXPECT_NEAR(columns.next_state.measure[j], value.measure, 1e-12 * of_measure) << "column " << j;
     EXPECT_NEAR(columns.next_state.ratio[j], expected / value.shape * (radius - depth),
@@ -79,14 +78,14 @@ void expect_alike(double before, double after, double largest) {
   }
 }
 
-TYPED_TEST(SweepOf, LoadingIsTheLaw) {
+TYPED_TEST(SweepOfLaw, LoadingIsTheLaw) {
   expect_alike<TypeParam>(0.2 * thickness, 0.21 * thickness, 0.2 * thickness);
   expect_alike<TypeParam>(0.96 * thickness, 0.97 * thickness, 0.96 * thickness);
 }
-TYPED_TEST(SweepOf, UnloadingIsTheLaw) {
+TYPED_TEST(SweepOfLaw, UnloadingIsTheLaw) {
   expect_alike<TypeParam>(0.9 * thickness, 0.88 * thickness, 0.97 * thickness);
 }
-TYPED_TEST(SweepOf, HoldingIsTheLaw) {
+TYPED_TEST(SweepOfLaw, HoldingIsTheLaw) {
   expect_alike<TypeParam>(0.9 * thickness, 0.9 * thickness, 0.97 * thickness);
 }
 
@@ -95,7 +94,7 @@ TEST(sum_of_cells, takes_the_part_that_presses) {
   ColumnStorage columns;
   const std::vector<double> g{3, 1, -1, -2, 4, 4, 0, 1, -3, 2, 5};
   for (std::size_t j = 0; j < g.size(); ++j) {
-    columns.insert(j, static_cast<double>(j));
+    columns.insert(j, static_cast<double>(j), 0);
     columns.now.measure[j] = 100 - static_cast<double>(j * j);
     columns.now.ratio[j] = g[j];
   }
@@ -106,7 +105,9 @@ TEST(sum_of_cells, takes_the_part_that_presses) {
     const double bottom = std::min(g[j], g[j + 1]);
     const double share = bottom >= 0 ? 1 : top <= 0 ? 0 : top / (top - bottom);
     expected += (top + std::max(bottom, 0.0)) / 2 * share * width;
-    expect_relative(sum_of_cells(columns.now, j + 1), expected, 1e-14, fmt::format("{} cells", j + 1));
+    for (const ColumnMath math : {ColumnMath::vector, ColumnMath::plain})
+      expect_relative(sweeps(math).sum_of_cells(columns.now, j + 1), expected, 1e-14,
+                      fmt::format("{} cells", j + 1));
   }
 }
 
@@ -114,8 +115,8 @@ TEST(contact_shape, is_the_integral_of_the_shape_over_the_contact) {
   boost::math::quadrature::tanh_sinh<double> quadrature;
   for (const PowerExponents x : {PowerExponents{0.675, 1.09}, {1, 0}, {0.3, 2}, {0.5, 0.7}})
     for (const double sphere : {0.08, 0.01}) {
-      ContactShape shape({2, 3}, 1, 1);
-      shape.set(x, thickness, sphere);
+      ContactShape shape({2, 3}, 1, Sphere{1}.sections());
+      shape.set(x, thickness, Sphere{sphere}.sections());
       for (const double share : {1e-4, 0.1, 0.5, 0.9, 0.99, 1 - 1e-6}) {
         const double depth = share * thickness;
         const double edge = std::min(depth, sphere);
@@ -130,7 +131,7 @@ TEST(contact_shape, is_the_integral_of_the_shape_over_the_contact) {
                         fmt::format("m {} n {} R {} Y/L {}", x.m, x.n, sphere, share));
       }
     }
-  EXPECT_EQ(ContactShape({0.7, 1}, thickness, 0.08).at(0), 0);
+  EXPECT_EQ(ContactShape({0.7, 1}, thickness, Sphere{0.08}.sections()).at(0), 0);
 }
 
 }  // namespace

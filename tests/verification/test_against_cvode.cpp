@@ -52,10 +52,10 @@ struct Geometry {
   double thickness;
 };
 const std::vector<Geometry> geometries{
-    {"head", {4, 0.08, 3}, 0.03},
-    {"ball", {0.5, 0.04, 4}, 0.02},
-    {"slow", {4, 0.08, 0.5}, 0.03},
-    {"plate", {8, 0.5, 2}, 0.05},
+    {"head", {4, Sphere{0.08}, 3}, 0.03},
+    {"ball", {0.5, Sphere{0.04}, 4}, 0.02},
+    {"slow", {4, Sphere{0.08}, 0.5}, 0.03},
+    {"plate", {8, Sphere{0.5}, 2}, 0.05},
 };
 
 template <class Law>
@@ -90,7 +90,9 @@ TEST(AgainstCvodeAtRandom, AgreesWhereTheOracleIsSure) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const ImpactCase impact = random_case(seed);
     const bool foam = std::holds_alternative<RigidFoam>(impact.pad.material.law);
-    if (foam || impact.pad.thickness > impact.impactor.radius || impact.support.points().size() > 1) continue;
+    if (foam || impact.pad.thickness > sphere_radius(impact.impactor.nose) ||
+        impact.support.points().size() > 1)
+      continue;
     const Summary summary = solve(impact, {.tolerance = 1e-4}).summary;
     if (summary.status != Status::released || summary.bottomed) continue;
     const auto other = oracle::solve_with_cvode(impact);

@@ -33,9 +33,9 @@ TEST(Conservation, AnElasticPadLosesNothingOnAnySupport) {
 TEST(Conservation, AnElasticPadLosesNothingWhenPenetratedBeyondTheRadius) {
   for (const Support& support : {Support::rigid(), yielding, stiffening}) {
     ImpactCase impact = impact_on(Elastic{2e6}, support);
-    impact.impactor.radius = 0.01;
+    impact.impactor.nose = Sphere{0.01};
     impact.pad.thickness = 0.1;
-    ASSERT_GT(solve(impact).summary.peak_penetration, impact.impactor.radius);
+    ASSERT_GT(solve(impact).summary.peak_penetration, sphere_radius(impact.impactor.nose));
     expect_no_loss(impact);
   }
 }

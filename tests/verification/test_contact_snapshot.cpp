@@ -57,7 +57,7 @@ TEST(contact_snapshot, stress_adds_up_to_the_force_in_the_examples) {
 
 TEST(contact_snapshot, deeper_than_the_radius_the_edge_is_the_sphere_s_side) {
   ImpactCase impact = impact_on(Elastic{.modulus = 1e4});
-  impact.impactor.radius = 0.01;
+  impact.impactor.nose = Sphere{0.01};
   impact.impactor.mass = 0.05;
   impact.pad.thickness = 0.1;
   const Solution solution = solve(impact, {});

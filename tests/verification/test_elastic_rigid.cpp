@@ -18,21 +18,21 @@ struct Geometry {
 };
 
 const std::vector<Geometry> geometries{
-    {"head on a thick pad", {4, 0.08, 3}, 6e5, 0.1},
-    {"slow and shallow", {4, 0.08, 0.01}, 6e5, 0.1},
-    {"deeper than its radius", {2, 0.05, 3}, 3e5, 0.5},
-    {"much deeper than its radius", {1, 0.002, 5}, 2e7, 0.4},
-    {"nearly flat", {50, 10, 1}, 1e5, 0.1},
-    {"close to full compression", {4, 0.08, 2.8}, 6e5, 0.0221},
-    {"a grain", {1e-5, 1e-3, 20}, 1e6, 5e-3},
+    {"head on a thick pad", {4, Sphere{0.08}, 3}, 6e5, 0.1},
+    {"slow and shallow", {4, Sphere{0.08}, 0.01}, 6e5, 0.1},
+    {"deeper than its radius", {2, Sphere{0.05}, 3}, 3e5, 0.5},
+    {"much deeper than its radius", {1, Sphere{0.002}, 5}, 2e7, 0.4},
+    {"nearly flat", {50, Sphere{10}, 1}, 1e5, 0.1},
+    {"close to full compression", {4, Sphere{0.08}, 2.8}, 6e5, 0.0221},
+    {"a grain", {1e-5, Sphere{1e-3}, 20}, 1e6, 5e-3},
 };
 
 class ElasticOnRigid : public testing::TestWithParam<Geometry> {};
 
 TEST_P(ElasticOnRigid, FollowsTheEnergyIntegral) {
   const Geometry& g = GetParam();
-  const oracle::ElasticBounce bounce(g.impactor.mass, g.impactor.radius, g.impactor.speed, g.modulus,
-                                     g.thickness);
+  const oracle::ElasticBounce bounce(g.impactor.mass, std::get<Sphere>(g.impactor.nose).radius,
+                                     g.impactor.speed, g.modulus, g.thickness);
   ASSERT_LT(bounce.peak_penetration(), g.thickness);
   ImpactCase impact = impact_on(Elastic{g.modulus});
   impact.impactor = g.impactor;
@@ -40,7 +40,8 @@ TEST_P(ElasticOnRigid, FollowsTheEnergyIntegral) {
   const Summary s = solve(impact, {.tolerance = 1e-6}).summary;
   ASSERT_EQ(s.status, Status::released);
   constexpr double limit = 2e-6;
-  fmt::print("{}: Y/L {:.3f}, Y/R {:.3f}\n", g.what, s.peak_strain, s.peak_penetration / g.impactor.radius);
+  fmt::print("{}: Y/L {:.3f}, Y/R {:.3f}\n", g.what, s.peak_strain,
+             s.peak_penetration / std::get<Sphere>(g.impactor.nose).radius);
   expect_relative(s.peak_force.value(), bounce.peak_force(), limit, "peak force");
   expect_relative(s.peak_penetration, bounce.peak_penetration(), limit, "peak penetration");
   expect_relative(s.peak_motion, bounce.peak_penetration(), limit, "peak motion");

@@ -50,7 +50,7 @@ Support scaled(const Support& support, const Scale& s) {
 
 ImpactCase scaled(ImpactCase impact, const Scale& s) {
   impact.impactor.mass *= s.mass;
-  impact.impactor.radius *= s.length;
+  std::get<Sphere>(impact.impactor.nose).radius *= s.length;
   impact.impactor.speed *= s.speed();
   impact.pad.thickness *= s.length;
   impact.pad.material.law =

@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Solver, ReferenceCases, testing::Values("c1", "c2", "c3
 TEST(ReferenceCaseC6, BottomsOutWhenAndAsFastAsTheReferenceSays) {
   // Given in words in the comment of the file.
   ImpactCase impact = impact_on(oracle::ensolite_nine());
-  impact.impactor = {6.79840198938, 3.25 * 0.0254, 6.72084};
+  impact.impactor = {6.79840198938, Sphere{3.25 * 0.0254}, 6.72084};
   impact.pad.thickness = 1.5 * 0.0254;
   for (const double tolerance : {1e-4, 1e-6}) {
     const Summary s = solve(impact, {.tolerance = tolerance}).summary;

@@ -16,7 +16,7 @@ constexpr int seeds = 200;
 /// Five factors, uniform from 1 to 2.
 Study five_factors(Sampling sampling, std::uint64_t samples) {
   Study study;
-  study.base.impactor = {.mass = 1, .radius = 1, .speed = 1};
+  study.base.impactor = {.mass = 1, .nose = Sphere{1}, .speed = 1};
   study.base.pad.thickness = 1;
   study.base.pad.material.law = LinearViscoelastic{1, 10, 1};
   study.base.support = Support::linear(1);

@@ -269,13 +269,5 @@ TEST(StudyAnswersVerification, EmptyAndSingle) {
   EXPECT_EQ(of.quantiles[3].value.high, std::numeric_limits<double>::infinity());
 }
 
-/// The area of the circle that a plane cuts off a sphere.
-TEST(StudyAnswersVerification, ContactArea) {
-  EXPECT_DOUBLE_EQ(contact_area(5, 1), pi * 9);
-  EXPECT_DOUBLE_EQ(contact_area(5, 5), pi * 25);
-  EXPECT_DOUBLE_EQ(contact_area(5, 7), pi * 25) << "its side is a cylinder";
-  EXPECT_EQ(contact_area(5, 0), 0);
-}
-
 }  // namespace
 }  // namespace dashpad::study

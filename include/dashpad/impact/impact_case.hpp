@@ -4,17 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "dashpad/nose/nose.hpp"
 #include "dashpad/pad/material.hpp"
 #include "dashpad/support/support.hpp"
 
 namespace dashpad {
 
-/// The impactor is rigid; its nose is a sphere of the given radius. Penetrated deeper than its radius, its
-/// side is taken to be a cylinder of that radius.
+/// A rigid body that moves along one line.
 struct Impactor {
-  double mass = 0;    ///< kg, > 0
-  double radius = 0;  ///< m, > 0
-  double speed = 0;   ///< m/s at first contact, towards the pad, > 0
+  double mass = 0;   ///< kg, > 0
+  Nose nose;         ///< the part of it that meets the pad
+  double speed = 0;  ///< m/s at first contact, towards the pad, > 0
 };
 
 struct Pad {

@@ -7,9 +7,8 @@
 
 #include <array>
 
-#include "dashpad/pad/parameter.hpp"
-#include "dashpad/pad/power_shape.hpp"
 #include "dashpad/pad/stress_curve.hpp"
+#include "dashpad/units/parameter.hpp"
 
 namespace dashpad {
 
@@ -26,21 +25,6 @@ struct Elastic {
     curve.add_kink(0, modulus);
     return curve;
   }
-
-  struct StrainPart {
-    double stress = 0;
-  };
-  struct RatePart {};
-  struct TimePart {};
-
-  [[nodiscard]] PowerExponents exponents() const { return {1, 0}; }
-  [[nodiscard]] StrainPart strain_part(Strain strain, const PowerShape::Value&) const {
-    return {modulus * strain.value};
-  }
-  [[nodiscard]] RatePart rate_part(double) const { return {}; }
-  [[nodiscard]] double envelope(StrainPart part, RatePart, double, double) const { return part.stress; }
-  [[nodiscard]] TimePart time_part(double, double) const { return {}; }
-  [[nodiscard]] double decay(TimePart, double, double, double) const { return 0; }
 };
 
 inline constexpr std::array<Parameter<Elastic>, 1> Elastic::parameters{{

@@ -9,11 +9,13 @@
 ///
 ///   stress_1 = G(e_1) + (stress_0 - G(e_0)) exp(-H),   H = integral of h over the step.
 ///
-/// A law is a value: it remembers nothing, so a step can be tried, accepted or dropped. The envelope is split
-/// into a strain part (the costly powers, one set a column), a rate part and a time part (one a step).
+/// A law is a value: it remembers nothing, so a step can be tried, accepted or dropped. Its parameters, and
+/// what is the same for all columns of a step, stand in its struct; its formulas, which vectors of columns
+/// share with single numbers, below it (src/pad/formulas.hpp).
 
 #include <concepts>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -27,22 +29,12 @@ namespace dashpad {
 
 using PadLaw = std::variant<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter>;
 
-/// What every law offers. Stresses in Pa, rates in 1/s, times in s since first contact.
+/// What every law offers.
 template <class L>
-concept IsPadLaw = requires(const L law, Strain strain, PowerShape::Value power, double x,
-                            typename L::StrainPart strain_part, typename L::RatePart rate_part,
-                            typename L::TimePart time_part) {
+concept IsPadLaw = requires {
   { L::name } -> std::convertible_to<const char*>;
   { L::memoryless } -> std::convertible_to<bool>;
-  { law.exponents() } -> std::same_as<PowerExponents>;
-  { law.strain_part(strain, power) } -> std::same_as<typename L::StrainPart>;
-  { law.rate_part(x) } -> std::same_as<typename L::RatePart>;
-  /// G at a strain, given the largest strain that the column has seen.
-  { law.envelope(strain_part, rate_part, x, x) } -> std::same_as<double>;
-  { law.time_part(x, x) } -> std::same_as<typename L::TimePart>;
-  /// exp(-H) over a step in which the strain goes linearly from one value to another, and of which the column
-  /// is in contact for a share.
-  { law.decay(time_part, x, x, x) } -> std::same_as<double>;
+  L::parameters;
 };
 
 /// A law whose stress is its envelope at once: it needs no columns, its contact force is a closed form.
@@ -52,18 +44,33 @@ concept IsMemoryless = IsPadLaw<L> && L::memoryless && requires(const L law) {
   { L::recovers } -> std::convertible_to<bool>;
 };
 
-/// A law with memory: the stress of a column depends on its history.
+/// A law with memory: the stress of a column depends on its history. Stresses in Pa, rates in 1/s, times in s
+/// since first contact.
 template <class L>
 concept IsViscous =
-    IsPadLaw<L> && !L::memoryless &&
-    requires(const L law, Strain strain, const PowerShape& power, double x, typename L::RatePart rate) {
-  { law.envelope_slope(strain, power, rate, x) } -> std::same_as<double>;
-  { law.relaxation_rate(x, x) } -> std::same_as<double>;
+    IsPadLaw<L> && !L::memoryless && requires(const L law, double x, typename L::RatePart rate) {
+  { law.exponents() } -> std::same_as<PowerExponents>;
+  { law.rate_part(x) } -> std::same_as<typename L::RatePart>;
+  /// From one time to another.
+  { law.time_part(x, x) } -> std::same_as<typename L::TimePart>;
+  /// h of a column at strain zero, at a time.
+  { law.relaxation_rate(x) } -> std::same_as<double>;
+  /// Limit of stress / A at the contact edge, where the strain has just begun to grow.
   { law.edge_ratio(rate) } -> std::same_as<double>;
 };
 
-static_assert(IsMemoryless<Elastic> && IsMemoryless<RigidFoam>);
-static_assert(IsViscous<LinearViscoelastic> && IsViscous<NineParameter> && IsViscous<TwentyOneParameter>);
+/// Of<Law> for each law with memory.
+template <template <class> class Of, class... Laws>
+auto tuple_with_memory(const std::variant<Laws...>*) {
+  return std::tuple_cat([]<class Law>(const Law*) {
+    if constexpr (IsViscous<Law>)
+      return std::tuple<Of<Law>>();
+    else
+      return std::tuple<>();
+  }(static_cast<const Laws*>(nullptr))...);
+}
+template <template <class> class Of>
+using WithMemory = decltype(tuple_with_memory<Of>(static_cast<const PadLaw*>(nullptr)));
 
 /// A value that breaks a rule: which one, what it is (SI), and the rule in words.
 struct Violation {

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef DASHPAD_PAD_LINEAR_VISCOELASTIC_HPP
+#define DASHPAD_PAD_LINEAR_VISCOELASTIC_HPP
 /// Law 2: linear viscoelastic pad (the standard linear solid).
 ///
 ///   G = E_inf e + (E_0 - E_inf) tau de/dt,  h = 1/tau              (theory.md, Eq. 9; report, KEYP = 2)
@@ -7,10 +8,9 @@
 /// unloading. A sudden strain is met with the modulus E_0, a lasting one with E_inf.
 
 #include <array>
-#include <cmath>
 
-#include "dashpad/pad/parameter.hpp"
 #include "dashpad/pad/power_shape.hpp"
+#include "dashpad/units/parameter.hpp"
 
 namespace dashpad {
 
@@ -23,40 +23,20 @@ struct LinearViscoelastic {
   static constexpr bool memoryless = false;
   static const std::array<Parameter<LinearViscoelastic>, 3> parameters;
 
-  struct StrainPart {
-    double equilibrium_stress = 0;  ///< E_inf e
-  };
   struct RatePart {
     double viscous_stress = 0;  ///< (E_0 - E_inf) tau de/dt
   };
   struct TimePart {
-    double decay = 1;
     double duration = 0;  ///< in relaxation times
   };
 
   [[nodiscard]] PowerExponents exponents() const { return {1, 0}; }
-  [[nodiscard]] StrainPart strain_part(Strain strain, const PowerShape::Value&) const {
-    return {asymptotic_modulus * strain.value};
-  }
   [[nodiscard]] RatePart rate_part(double rate) const {
     return {(initial_modulus - asymptotic_modulus) * relaxation_time * rate};
   }
-  [[nodiscard]] double envelope(StrainPart part, RatePart rate, double, double) const {
-    return part.equilibrium_stress + rate.viscous_stress;
-  }
-  /// dG/de with the rate held: E_inf.
-  [[nodiscard]] double envelope_slope(Strain, const PowerShape&, RatePart, double) const {
-    return asymptotic_modulus;
-  }
-  [[nodiscard]] TimePart time_part(double from, double to) const {
-    const double duration = (to - from) / relaxation_time;
-    return {std::exp(-duration), duration};
-  }
-  /// A column that is touched within the step relaxes for its share of it: G is not 0 there.
-  [[nodiscard]] double decay(TimePart time, double, double, double share) const {
-    return share < 1 ? std::exp(-time.duration * share) : time.decay;
-  }
-  [[nodiscard]] double relaxation_rate(double, double) const { return 1 / relaxation_time; }
+  [[nodiscard]] TimePart time_part(double from, double to) const { return {(to - from) / relaxation_time}; }
+  /// h at strain zero.
+  [[nodiscard]] double relaxation_rate(double) const { return 1 / relaxation_time; }
   /// Limit of stress / A at the contact edge, where the strain has just begun to grow.
   [[nodiscard]] double edge_ratio(RatePart) const { return initial_modulus; }
 };
@@ -71,3 +51,42 @@ inline constexpr std::array<Parameter<LinearViscoelastic>, 3> LinearViscoelastic
 }};
 
 }  // namespace dashpad
+
+#endif
+
+#ifdef DASHPAD_FORMULAS  // see src/pad/formulas.hpp
+
+template <>
+struct Formulas<LinearViscoelastic> {
+  static constexpr std::size_t parts = 1;
+  const LinearViscoelastic law;
+  const PowerShape& power;
+  const LinearViscoelastic::RatePart rate;
+  const LinearViscoelastic::TimePart time;
+
+  /// part: E_inf e.
+  template <class N>
+  DASHPAD_FORMULA Shape<N> strain_part(Strains<N> e, N* part) const {
+    part[0] = law.asymptotic_modulus * e.value;
+    return {e.value, e.value, e.complement};
+  }
+  template <class N>
+  DASHPAD_FORMULA N measure(Strains<N> e, const Shape<N>&) const {
+    return 0.5 * e.value * e.value;
+  }
+  template <class N>
+  DASHPAD_FORMULA N envelope(const N* part, N, N) const {
+    return part[0] + rate.viscous_stress;
+  }
+  /// A column that is touched within the step relaxes for its share of it: G is not 0 there.
+  template <class N>
+  DASHPAD_FORMULA N decay(N, N, N share) const {
+    return exp(-time.duration * share);
+  }
+  template <class N>
+  DASHPAD_FORMULA N relaxation(N) const {
+    return N(1.0);
+  }
+};
+
+#endif

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef DASHPAD_PAD_NINE_PARAMETER_HPP
+#define DASHPAD_PAD_NINE_PARAMETER_HPP
 /// Law 4: the report's empirical 9-parameter nonlinear viscoelastic foam.
 ///
 ///   loading:   G = A(e) B(de/dt),    A = e^m / (1 - e)^n,   B = E_inf + E_r |de/dt|^r,   h = 1/tau
@@ -12,9 +13,9 @@
 #include <array>
 #include <cmath>
 
-#include "dashpad/pad/parameter.hpp"
 #include "dashpad/pad/power_shape.hpp"
 #include "dashpad/pad/unloading.hpp"
+#include "dashpad/units/parameter.hpp"
 
 namespace dashpad {
 
@@ -32,9 +33,6 @@ struct NineParameter {
   static constexpr bool memoryless = false;
   static const std::array<Parameter<NineParameter>, 8> parameters;
 
-  struct StrainPart {
-    double shape = 0;  ///< A(e)
-  };
   struct RatePart {
     double modulus = 0;         ///< B
     double residual_ratio = 0;  ///< D, used on unloading
@@ -45,7 +43,6 @@ struct NineParameter {
   };
 
   [[nodiscard]] PowerExponents exponents() const { return {contact_exponent, compaction_exponent}; }
-  [[nodiscard]] StrainPart strain_part(Strain, const PowerShape::Value& power) const { return {power.shape}; }
   [[nodiscard]] RatePart rate_part(double rate) const {
     if (rate == 0) return {asymptotic_modulus, 0, false};
     const double log_rate = std::log(std::abs(rate));
@@ -54,26 +51,11 @@ struct NineParameter {
       part.residual_ratio = residual_ratio(log_rate, residual_strain_time, residual_strain_exponent);
     return part;
   }
-  [[nodiscard]] double envelope(StrainPart part, RatePart rate, double strain, double largest_strain) const {
-    const double loading = part.shape * rate.modulus;
-    return rate.unloading && strain > 0
-               ? loading * unloading_factor(strain, largest_strain, rate.residual_ratio)
-               : loading;
-  }
-  /// dG/de with rate and largest strain held: A' B on loading, A' B E + A B dE/de on unloading. Strain > 0.
-  [[nodiscard]] double envelope_slope(Strain strain, const PowerShape& power, RatePart rate,
-                                      double largest_strain) const {
-    const double value = power.at(strain).shape * rate.modulus;
-    const double slope = value * power.log_slope(strain);
-    if (!rate.unloading) return slope;
-    return slope * unloading_factor(strain.value, largest_strain, rate.residual_ratio) +
-           value * unloading_factor_slope(strain.value, largest_strain, rate.residual_ratio);
-  }
   [[nodiscard]] TimePart time_part(double from, double to) const {
     return {std::exp((from - to) / relaxation_time)};
   }
-  [[nodiscard]] double decay(TimePart time, double, double, double) const { return time.decay; }
-  [[nodiscard]] double relaxation_rate(double, double) const { return 1 / relaxation_time; }
+  /// h at strain zero.
+  [[nodiscard]] double relaxation_rate(double) const { return 1 / relaxation_time; }
   [[nodiscard]] double edge_ratio(RatePart rate) const { return rate.modulus; }
 };
 
@@ -98,3 +80,43 @@ inline constexpr std::array<Parameter<NineParameter>, 8> NineParameter::paramete
 }};
 
 }  // namespace dashpad
+
+#endif
+
+#ifdef DASHPAD_FORMULAS  // see src/pad/formulas.hpp
+
+template <>
+struct Formulas<NineParameter> {
+  static constexpr std::size_t parts = 1;
+  const NineParameter law;
+  const PowerShape& power;
+  const NineParameter::RatePart rate;
+  const NineParameter::TimePart time;
+
+  /// part: A.
+  template <class N>
+  DASHPAD_FORMULA Shape<N> strain_part(Strains<N> e, N* part) const {
+    const Shape<N> at = shape_at(power, e);
+    part[0] = at.shape;
+    return at;
+  }
+  template <class N>
+  DASHPAD_FORMULA N measure(Strains<N> e, const Shape<N>& at) const {
+    return measure_at(power, e, at);
+  }
+  template <class N>
+  DASHPAD_FORMULA N envelope(const N* part, N strain, N largest) const {
+    const N loading = part[0] * rate.modulus;
+    return rate.unloading ? loading * unloading_factor(strain, largest, rate.residual_ratio) : loading;
+  }
+  template <class N>
+  DASHPAD_FORMULA N decay(N, N, N) const {
+    return N(time.decay);
+  }
+  template <class N>
+  DASHPAD_FORMULA N relaxation(N) const {
+    return N(1.0);
+  }
+};
+
+#endif

@@ -37,10 +37,6 @@ class PowerShape {
   /// w alone, from a value of which all else is known; strain > 0.
   [[nodiscard]] double measure(Strain strain, const Value& value) const;
   [[nodiscard]] PowerExponents exponents() const { return exponents_; }
-  /// A'/A = m/e + n/(1 - e), for e > 0.
-  [[nodiscard]] double log_slope(Strain strain) const {
-    return exponents_.m / strain.value + exponents_.n / strain.complement;
-  }
 
   static constexpr int terms = 16;
   /// The expansions by which w is computed, for whoever computes it at many strains at once: as polynomials

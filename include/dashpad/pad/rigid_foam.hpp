@@ -9,9 +9,8 @@
 
 #include <array>
 
-#include "dashpad/pad/parameter.hpp"
-#include "dashpad/pad/power_shape.hpp"
 #include "dashpad/pad/stress_curve.hpp"
+#include "dashpad/units/parameter.hpp"
 
 namespace dashpad {
 
@@ -34,26 +33,6 @@ struct RigidFoam {
     curve.add_kink(second_strain, 9 * second_stress / (1 - second_strain) - slope);
     return curve;
   }
-
-  struct StrainPart {
-    double crush = 0;
-  };
-  struct RatePart {
-    bool unloading = false;
-  };
-  struct TimePart {};
-
-  [[nodiscard]] PowerExponents exponents() const { return {0, 0}; }
-  [[nodiscard]] StrainPart strain_part(Strain strain, const PowerShape::Value&) const {
-    return {curve().at(strain.value)};
-  }
-  [[nodiscard]] RatePart rate_part(double rate) const { return {rate < 0}; }
-  /// On unloading the column is off its crush curve and carries nothing of its own.
-  [[nodiscard]] double envelope(StrainPart part, RatePart rate, double, double) const {
-    return rate.unloading ? 0 : part.crush;
-  }
-  [[nodiscard]] TimePart time_part(double, double) const { return {}; }
-  [[nodiscard]] double decay(TimePart, double, double, double) const { return 0; }
 };
 
 inline constexpr std::array<Parameter<RigidFoam>, 4> RigidFoam::parameters{{

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef DASHPAD_PAD_TWENTY_ONE_PARAMETER_HPP
+#define DASHPAD_PAD_TWENTY_ONE_PARAMETER_HPP
 /// Law 5: the report's empirical 21-parameter nonlinear viscoelastic foam.
 ///
 ///   loading:   G = E_inf A(e) + S_r |de/dt|^(R exp(-e^U/V)) (exp(e^W/X) - exp(-e^Y/Z))
@@ -12,9 +13,9 @@
 #include <array>
 #include <cmath>
 
-#include "dashpad/pad/parameter.hpp"
 #include "dashpad/pad/power_shape.hpp"
 #include "dashpad/pad/unloading.hpp"
+#include "dashpad/units/parameter.hpp"
 
 namespace dashpad {
 
@@ -40,11 +41,6 @@ struct TwentyOneParameter {
   static constexpr bool memoryless = false;
   static const std::array<Parameter<TwentyOneParameter>, 16> parameters;
 
-  struct StrainPart {
-    double lasting = 0;    ///< E_inf A
-    double sensitive = 0;  ///< S_r (exp(e^W/X) - exp(-e^Y/Z))
-    double exponent = 0;   ///< R exp(-e^U/V)
-  };
   struct RatePart {
     double log_rate = 0;
     double residual_ratio = 0;
@@ -58,53 +54,12 @@ struct TwentyOneParameter {
   };
 
   [[nodiscard]] PowerExponents exponents() const { return {contact_exponent, compaction_exponent}; }
-  [[nodiscard]] StrainPart strain_part(Strain strain, const PowerShape::Value& power) const {
-    if (strain.value <= 0) return {0, 0, rate_exponent};
-    const double u = std::exp(rate_strain_exponent * power.log_strain);
-    const double w = std::exp(growth_strain_exponent * power.log_strain);
-    const double y = std::exp(onset_strain_exponent * power.log_strain);
-    return {asymptotic_modulus * power.shape,
-            rate_stress * (std::exp(w / growth_strain_scale) - std::exp(-y / onset_strain_scale)),
-            rate_exponent * std::exp(-u / rate_strain_scale)};
-  }
   [[nodiscard]] RatePart rate_part(double rate) const {
     if (rate == 0) return {};
     RatePart part{std::log(std::abs(rate)), 0, false, rate < 0};
     if (part.unloading)
       part.residual_ratio = residual_ratio(part.log_rate, residual_strain_time, residual_strain_exponent);
     return part;
-  }
-  [[nodiscard]] double envelope(StrainPart part, RatePart rate, double strain, double largest_strain) const {
-    if (rate.still) return part.lasting;
-    const double loading = part.lasting + part.sensitive * std::exp(part.exponent * rate.log_rate);
-    return rate.unloading && strain > 0
-               ? loading * unloading_factor(strain, largest_strain, rate.residual_ratio)
-               : loading;
-  }
-  /// dG/de with rate and largest strain held. With S = S_r (exp(w) - exp(-y)), w = e^W/X, y = e^Y/Z,
-  /// k = R exp(-u), u = e^U/V and r = |de/dt|, on loading
-  ///
-  ///   dG/de = E_inf A' + r^k (S_r (W w exp(w) + Y y exp(-y)) - S U u k ln r) / e
-  ///
-  /// and by the product rule with E on unloading. Strain > 0.
-  [[nodiscard]] double envelope_slope(Strain strain, const PowerShape& power, RatePart rate,
-                                      double largest_strain) const {
-    const auto at = power.at(strain);
-    const StrainPart part = strain_part(strain, at);
-    const double lasting_slope = part.lasting * power.log_slope(strain);
-    if (rate.still) return lasting_slope;
-    const double u = std::exp(rate_strain_exponent * at.log_strain) / rate_strain_scale;
-    const double w = std::exp(growth_strain_exponent * at.log_strain) / growth_strain_scale;
-    const double y = std::exp(onset_strain_exponent * at.log_strain) / onset_strain_scale;
-    const double growth =
-        rate_stress * (growth_strain_exponent * w * std::exp(w) + onset_strain_exponent * y * std::exp(-y));
-    const double fading = part.sensitive * rate_strain_exponent * u * part.exponent * rate.log_rate;
-    const double power_of_rate = std::exp(part.exponent * rate.log_rate);
-    const double slope = lasting_slope + power_of_rate * (growth - fading) / strain.value;
-    if (!rate.unloading) return slope;
-    const double value = part.lasting + part.sensitive * power_of_rate;
-    return slope * unloading_factor(strain.value, largest_strain, rate.residual_ratio) +
-           value * unloading_factor_slope(strain.value, largest_strain, rate.residual_ratio);
   }
   /// 0 <= from < to.
   [[nodiscard]] TimePart time_part(double from, double to) const {
@@ -118,13 +73,9 @@ struct TwentyOneParameter {
       centre = ((late * to - early * from) * a / ((a + 1) * (late - early)) - from) / step;
     return {(late - early) / relaxation_scale, centre, std::log(relaxation_strain_base)};
   }
-  [[nodiscard]] double decay(TimePart time, double strain_from, double strain_to, double) const {
-    const double strain = strain_from + time.centre * (strain_to - strain_from);
-    return std::exp(-time.scale * std::exp(-time.log_base * strain));
-  }
-  [[nodiscard]] double relaxation_rate(double time, double strain) const {
-    return relaxation_exponent * std::pow(time, relaxation_exponent - 1) /
-           (relaxation_scale * std::pow(relaxation_strain_base, strain));
+  /// h at strain zero: a t^(a-1) / b.
+  [[nodiscard]] double relaxation_rate(double time) const {
+    return relaxation_exponent * std::pow(time, relaxation_exponent - 1) / relaxation_scale;
   }
   [[nodiscard]] double edge_ratio(RatePart) const { return asymptotic_modulus; }
 };
@@ -167,3 +118,50 @@ inline constexpr std::array<Parameter<TwentyOneParameter>, 16> TwentyOneParamete
 }};
 
 }  // namespace dashpad
+
+#endif
+
+#ifdef DASHPAD_FORMULAS  // see src/pad/formulas.hpp
+
+template <>
+struct Formulas<TwentyOneParameter> {
+  static constexpr std::size_t parts = 3;
+  const TwentyOneParameter law;
+  const PowerShape& power;
+  const TwentyOneParameter::RatePart rate;
+  const TwentyOneParameter::TimePart time;
+
+  /// part: E_inf A, S_r (exp(e^W/X) - exp(-e^Y/Z)), R exp(-e^U/V).
+  template <class N>
+  DASHPAD_FORMULA Shape<N> strain_part(Strains<N> e, N* part) const {
+    const Shape<N> at = shape_at(power, e);
+    const N u = exp(law.rate_strain_exponent * at.log_strain);
+    const N w = exp(law.growth_strain_exponent * at.log_strain);
+    const N y = exp(law.onset_strain_exponent * at.log_strain);
+    part[0] = law.asymptotic_modulus * at.shape;
+    part[1] = law.rate_stress * (exp(1 / law.growth_strain_scale * w) - exp(-1 / law.onset_strain_scale * y));
+    part[2] = law.rate_exponent * exp(-1 / law.rate_strain_scale * u);
+    return at;
+  }
+  template <class N>
+  DASHPAD_FORMULA N measure(Strains<N> e, const Shape<N>& at) const {
+    return measure_at(power, e, at);
+  }
+  template <class N>
+  DASHPAD_FORMULA N envelope(const N* part, N strain, N largest) const {
+    if (rate.still) return part[0];
+    const N loading = part[0] + part[1] * exp(part[2] * rate.log_rate);
+    return rate.unloading ? loading * unloading_factor(strain, largest, rate.residual_ratio) : loading;
+  }
+  template <class N>
+  DASHPAD_FORMULA N decay(N before, N after, N) const {
+    return exp(-time.scale * relaxation(before + time.centre * (after - before)));
+  }
+  /// c^-e.
+  template <class N>
+  DASHPAD_FORMULA N relaxation(N strain) const {
+    return exp(-time.log_base * strain);
+  }
+};
+
+#endif

@@ -1,9 +1,10 @@
 #pragma once
-/// The unloading factor that the 9- and the 21-parameter law share.
+/// The residual strain of the unloading factor that the 9- and the 21-parameter law share.
 ///
 ///   E(e, e*, D) = (e - e* D) / (e (1 - D)),   D = (tau* |de/dt|)^p           (theory.md, Eq. 14)
 ///
-/// e* is the largest strain that the column has seen. E is 1 at e = e* and 0 at the residual strain e* D.
+/// e* is the largest strain that the column has seen. E (src/pad/formulas.hpp) is 1 at e = e* and 0 at the
+/// residual strain e* D.
 
 #include <algorithm>
 #include <cmath>
@@ -17,16 +18,6 @@ inline constexpr double largest_residual_ratio = 1 - 1e-6;
 /// D, from a strain rate given by the logarithm of its magnitude (1/s).
 inline double residual_ratio(double log_rate, double scale_time, double exponent) {
   return std::min(std::exp(exponent * (std::log(scale_time) + log_rate)), largest_residual_ratio);
-}
-
-/// E; strain > 0, 0 <= ratio < 1.
-inline double unloading_factor(double strain, double largest_strain, double ratio) {
-  return (strain - largest_strain * ratio) / (strain * (1 - ratio));
-}
-
-/// dE/de = e* D / (e^2 (1 - D)), with rate and largest strain held.
-inline double unloading_factor_slope(double strain, double largest_strain, double ratio) {
-  return largest_strain * ratio / (strain * strain * (1 - ratio));
 }
 
 }  // namespace dashpad

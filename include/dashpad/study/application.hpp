@@ -29,10 +29,10 @@ class Application {
   void operator()(std::span<const double> values, ImpactCase& into) const;
 
  private:
-  enum class Place { mass, weight, radius, speed, thickness, parameter, material, stiffness, support_scale };
+  enum class Place { mass, weight, nose, speed, thickness, parameter, material, stiffness, support_scale };
   struct Step {
     Place place = Place::mass;
-    std::size_t parameter = 0;  ///< of the law, for Place::parameter
+    std::size_t parameter = 0;  ///< of the law or the nose
   };
   Step step_for(const std::string& key) const;
 

@@ -2,13 +2,14 @@
 /// Cushion curves in the manner of ASTM D1596: peak deceleration over static stress, for drop heights and
 /// thicknesses.
 ///
-/// The standard drops a flat platen, wider than the cushion. Our body is a sphere, so its loaded area grows
-/// during the impact. Static stress here is the weight over the contact area at the largest penetration d,
+/// The standard drops a flat platen, wider than the cushion. The loaded area of a sphere grows during the impact;
+/// that of a flat disc does not, but the pad is wider than the disc. Static stress here is the weight over the
+/// area of the contact, projected along the direction of impact, at the largest penetration d,
 ///
-///   A = pi (2 R d - d^2)  for d < R,  else pi R^2,      static stress = M g / A,
+///   static stress = M g / a(d)                                                         (theory.md, Eq. 31);
 ///
-/// projected along the direction of impact; drop height is v^2 / 2 g. Curves of a sphere lie elsewhere than
-/// those of a platen and must not be mixed with them.
+/// drop height is v^2 / 2 g. Curves of a sphere lie elsewhere than those of a platen and must not be mixed with
+/// them.
 
 #include <optional>
 #include <vector>
@@ -31,9 +32,6 @@ struct CushionCurves {
   };
   std::vector<Drop> drops;
 };
-
-/// Projected contact area of a sphere that has penetrated by `penetration`, m2. `radius` > 0.
-double contact_area(double radius, double penetration);
 
 /// Absent unless the study is a grid of impactor.mass (or impactor.weight) and at most speed and thickness
 /// besides, and keeps peak_acceleration and peak_penetration.

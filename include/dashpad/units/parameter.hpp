@@ -1,5 +1,6 @@
 #pragma once
-/// What a law tells the rest of the program about its parameters: key, unit, admissible range, meaning.
+/// What a law of a pad or the shape of a nose tells the rest of the program about its numbers: key, unit,
+/// admissible range, meaning.
 
 #include <limits>
 
@@ -26,13 +27,13 @@ inline constexpr Bounds positive{.lowest = 0};
 /// Zero or greater.
 inline constexpr Bounds not_negative{.lowest = 0, .lowest_admitted = true};
 
-/// One entry of a law's parameter table. The tables serve case files, checks, listings and tests alike.
-template <class Law>
+/// One entry of a parameter table. The tables serve case files, checks, listings and tests alike.
+template <class Owner>
 struct Parameter {
   const char* key;     ///< name in case files and in results
-  const char* symbol;  ///< the report's symbol
+  const char* symbol;  ///< symbol in theory.md
   const char* unit;    ///< SI unit as text that UDUNITS-2 reads; "1" for a pure number
-  double Law::*member;
+  double Owner::*member;
   Bounds bounds;
   const char* meaning;
 };
