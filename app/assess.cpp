@@ -49,6 +49,7 @@ struct Request {
   std::optional<std::string> mass, radius, speed, drop_height;
   std::optional<std::string> json;
   std::string units;
+  Detail detail = Detail::main;
   std::optional<std::string> tolerance;
   std::string standards;
   std::string materials;
@@ -135,7 +136,7 @@ int run_assessment(const Request& request, const Folders& folders) {
   const AssessmentReport report{input.standard, input.given.impact, input.assessed, solution, assessment};
   publish(
       targets(request), request.force, [&](const Target&) { return assessment_json(report); },
-      assessment_text(report, unit_system(request.units)));
+      assessment_text(report, unit_system(request.units), request.detail));
   if (!solution.summary.trustworthy() || assessment.verdict == Verdict::undecided) return exit_not_trusted;
   return assessment.verdict == Verdict::pass ? int{exit_done} : exit_not_passed;
 }
@@ -158,6 +159,7 @@ void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
   sub->add_option("--json", request->json, "Write the assessment as JSON, SI and g (- for standard output)")
       ->type_name("FILE");
   add_units(*sub, request->units);
+  add_all(*sub, request->detail);
   add_tolerance(*sub, request->tolerance);
   add_force(*sub, request->force);
   add_standard_folder(*sub, request->standards);

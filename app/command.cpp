@@ -25,6 +25,11 @@ void add_units(CLI::App& app, std::string& units) {
       ->type_name("SYSTEM");
 }
 
+void add_all(CLI::App& app, Detail& detail) {
+  app.add_flag_callback(
+      "--all", [&detail] { detail = Detail::all; }, "Every figure, to five digits and with its error");
+}
+
 void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance) {
   app.add_option("--tolerance", tolerance,
                  "Relative error to keep to, from 1e-8 to 1e-2 (default: the case's, else 1e-4)")
@@ -99,6 +104,18 @@ std::optional<CaseFile> read_case(const std::string& file, const std::filesystem
     add_lines(error.faults(), wrong);
     return std::nullopt;
   }
+}
+
+CaseFile case_to_solve(
+    const std::string& file, const std::filesystem::path& materials,
+    const std::optional<std::string>& tolerance, std::vector<std::string> wrong,
+    const std::function<void(const std::vector<InputFile>&, std::vector<std::string>&)>& judge) {
+  const std::optional<double> chosen = tolerance_of(tolerance, wrong);
+  std::optional<CaseFile> input = read_case(file, materials, wrong);
+  judge(files_of(file, input), wrong);
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  if (chosen) input->options.tolerance = *chosen;
+  return *std::move(input);
 }
 
 std::vector<InputFile> files_of(const std::string& file, const std::optional<CaseFile>& input) {

@@ -12,6 +12,7 @@
 
 #include "dashpad/io/case_file.hpp"
 #include "dashpad/io/fault.hpp"
+#include "dashpad/report/result_text.hpp"
 
 namespace dashpad {
 
@@ -42,6 +43,8 @@ void add_study(CLI::App& app, Action& action, const std::filesystem::path& execu
 
 /// Adds --units; the help names the systems on offer.
 void add_units(CLI::App& app, std::string& units);
+/// Adds --all: every figure, to five digits and with its error.
+void add_all(CLI::App& app, Detail& detail);
 /// Adds --tolerance.
 void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance);
 /// The tolerance of --tolerance; absent where there is none, or where it is none and `wrong` is told so.
@@ -72,6 +75,13 @@ std::filesystem::path find_card(const std::string& name, const std::filesystem::
 /// The case of that file; absent where it has faults, of which `wrong` is told.
 std::optional<CaseFile> read_case(const std::string& file, const std::filesystem::path& materials,
                                   std::vector<std::string>& wrong);
+
+/// The case to solve, with the tolerance of --tolerance in place of its own. `judge` sees the files that it
+/// was read from, and may add to `wrong`. Throws Refused with all that is wrong then.
+CaseFile case_to_solve(
+    const std::string& file, const std::filesystem::path& materials,
+    const std::optional<std::string>& tolerance, std::vector<std::string> wrong,
+    const std::function<void(const std::vector<InputFile>&, std::vector<std::string>&)>& judge);
 
 /// The files that the case was read from; of a case with faults at least its own.
 std::vector<InputFile> files_of(const std::string& file, const std::optional<CaseFile>& input);

@@ -109,17 +109,6 @@ std::vector<std::string> wrong_curves(const Request& request) {
   return wrong;
 }
 
-/// The case, with the command line's changes. Throws Refused with all that is wrong with both.
-CaseFile read_and_check(const Request& request, const std::filesystem::path& materials) {
-  std::vector<std::string> wrong = wrong_curves(request);
-  const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
-  std::optional<CaseFile> input = read_case(request.case_file, materials, wrong);
-  judge_targets({{"--out", request.out}}, files_of(request.case_file, input), request.force, wrong);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
-  if (tolerance) input->options.tolerance = *tolerance;
-  return *std::move(input);
-}
-
 CurveFile curves_for(const Request& request, const CaseFile& input, const Solution& solution) {
   std::optional<std::size_t> points;
   if (request.points) points = static_cast<std::size_t>(*request.points);
@@ -146,7 +135,10 @@ std::string account(const Request& request, const CurveFile& file) {
 }
 
 int export_curves(const Request& request, const std::filesystem::path& materials) {
-  const CaseFile input = read_and_check(request, materials);
+  const CaseFile input = case_to_solve(request.case_file, materials, request.tolerance, wrong_curves(request),
+                                       [&](const auto& files, auto& wrong) {
+                                         judge_targets({{"--out", request.out}}, files, request.force, wrong);
+                                       });
   const Solution solution = solve_with_progress(input.impact, input.options);
   const CurveFile file = curves_for(request, input, solution);
   publish(

@@ -40,6 +40,26 @@ Exit codes:
   3  no verdict, or not reliable: results are there but miss the tolerance, or assess cannot decide
   4  assess: a limit of the standard is exceeded; validate --strict: a rule is missed)";
 
+struct Command {
+  const char* group;  ///< of the help
+  void (*add)(CLI::App&, Action&, const std::filesystem::path&);
+};
+
+/// As the help lists them: what is wanted every day first.
+constexpr Command commands[]{{"Every day", add_run},
+                             {"Every day", add_check},
+                             {"Every day", add_assess},
+                             {"Every day", add_standards},
+                             {"Every day", add_pulse},
+                             {"Every day", add_export},
+                             {"Every day", add_post_impact},
+                             {"Foams", add_materials},
+                             {"Foams", add_material_test},
+                             {"Many impacts", add_study},
+                             {"The report of 1986", add_compare},
+                             {"The report of 1986", add_spit1984},
+                             {"The report of 1986", add_validate}};
+
 /// More than that nobody reads, of however many kinds the faults are.
 constexpr std::size_t most_lines = 200;
 
@@ -101,19 +121,10 @@ int command(int argument_count, char** arguments) {
 
   const std::filesystem::path executable = running_executable(arguments[0]);
   Action action;
-  add_run(app, action, executable);
-  add_check(app, action, executable);
-  add_materials(app, action, executable);
-  add_material_test(app, action, executable);
-  add_assess(app, action, executable);
-  add_standards(app, action, executable);
-  add_post_impact(app, action, executable);
-  add_pulse(app, action, executable);
-  add_export(app, action, executable);
-  add_compare(app, action, executable);
-  add_spit1984(app, action, executable);
-  add_validate(app, action, executable);
-  add_study(app, action, executable);
+  for (const auto& [group, add] : commands) {
+    add(app, action, executable);
+    app.get_subcommands({}).back()->group(group);
+  }
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {

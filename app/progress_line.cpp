@@ -37,6 +37,11 @@ void ProgressLine::show(std::size_t done, std::size_t all) {
   if (all > 0) share_ = static_cast<double>(done) / static_cast<double>(all);
 }
 
+void ProgressLine::expect(double seconds) {
+  const std::lock_guard lock{mutex_};
+  say(seconds);
+}
+
 void ProgressLine::now(std::string what) {
   const std::lock_guard lock{mutex_};
   what_ = std::move(what);
@@ -65,11 +70,14 @@ void ProgressLine::draw(double seconds) {
 void ProgressLine::say_how_long(double seconds) {
   const double share = share_;
   if (said_how_long_ || seconds < enough_to_tell || share <= 0) return;
+  say(seconds / share);
+}
+
+void ProgressLine::say(double seconds) {
   said_how_long_ = true;
-  const double total = seconds / share;
-  if (total < worth_saying) return;
+  if (seconds < worth_saying) return;
   line_.wipe();
-  write_error(fmt::format("{} will take about {:.0f} minutes\n", what_, std::ceil(total / 60)));
+  write_error(fmt::format("{} will take about {:.0f} minutes\n", what_, std::ceil(seconds / 60)));
 }
 
 }  // namespace dashpad

@@ -26,6 +26,8 @@ class ProgressLine {
 
   /// `done` of `all`; from any thread.
   void show(std::size_t done, std::size_t all);
+  /// Says at once that it takes so many seconds, if that is more than a minute.
+  void expect(double seconds);
   /// The next step.
   void now(std::string what);
 
@@ -33,6 +35,7 @@ class ProgressLine {
   void tick(const std::stop_token& stop);
   void draw(double seconds);
   void say_how_long(double seconds);
+  void say(double seconds);
 
   std::string what_;
   std::atomic<double> share_ = 0;  ///< done, of 1; 0 as long as the computation does not tell

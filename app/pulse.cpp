@@ -1,11 +1,11 @@
 // dashpad pulse: injury figures of a measured acceleration.
 
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -115,13 +115,11 @@ std::optional<SensorOffset> offset_of(const PulseRequest& request, const PulseSe
   }
 }
 
-/// Says so if a file is so large that it will take minutes to read it and to compute its figures.
-void announce_length(const std::string& file) {
+/// How long it takes to read a file and to compute its figures, s.
+double expected_time(const std::string& file) {
   std::error_code error;
   const auto bytes = static_cast<double>(std::filesystem::file_size(file, error));
-  if (const double minutes = bytes / usual_speed / 60; !error && minutes > 1)
-    write_error(fmt::format("{} has {:.0f} MiB; this will take about {:.0f} min\n", file, bytes / (1 << 20),
-                            std::ceil(minutes)));
+  return error ? 0 : bytes / usual_speed;
 }
 
 /// Adds the remarks on what was done and found.
@@ -151,8 +149,8 @@ PulseReport report_on(const PulseRequest& request) {
                      .windows = {},
                      .dwells = {},
                      .flags = {}};
-  if (wrong.empty()) announce_length(request.file);
   ProgressLine waiting("Reading " + request.file);
+  if (wrong.empty()) waiting.expect(expected_time(request.file));
   try {
     report.measured = read(request, settings, is_test);
   } catch (const InputError& error) {
@@ -167,17 +165,21 @@ PulseReport report_on(const PulseRequest& request) {
   if (!wrong.empty()) throw Refused(std::move(wrong));
   Pulse zero =
       offset ? processed(zeroed(report.measured, *offset), settings, report.filter, wrong) : report.pulse;
-  if (offset)
-    report.offset = {*offset, settings.zero_interval.has_value(), request.zero.has_value(),
-                     hic(report.pulse, hic15_window).value, hic(zero, hic15_window).value};
-  if (request.zero) report.pulse = zero;
+  Pulse& other = request.zero ? report.pulse : zero;
+  const double hic15_of_other = offset ? hic(other, hic15_window).value : 0;
+  if (request.zero) std::swap(report.pulse, zero);
   report.figures = injury_figures(report.pulse);
+  if (offset) {
+    report.offset = {*offset, settings.zero_interval.has_value(), request.zero.has_value(),
+                     report.figures.hic15.value, hic15_of_other};
+    if (request.zero) std::swap(report.offset->hic15_with, report.offset->hic15_without);
+  }
   for (const double window : settings.windows) report.windows.push_back({window, hic(report.pulse, window)});
   for (const double level : settings.levels)
     report.dwells.push_back(
         {level, cumulative_dwell(report.pulse, level), longest_dwell(report.pulse, level)});
   remark_on(report);
-  report.flags = flags(report, zero);
+  report.flags = flags(report, request.zero ? report.pulse : zero);
   return report;
 }
 
@@ -190,7 +192,7 @@ int show_figures(const PulseRequest& request) {
     if (target.option == "--csv") return pulse_csv(report, units_of_files(units));
     return picture(pulse_plot(report, units), *picture_format(target.file));
   };
-  publish(targets(request), request.force, text_of, pulse_text(report, units));
+  publish(targets(request), request.force, text_of, pulse_text(report, units, request.detail));
   return exit_done;
 }
 
@@ -239,6 +241,7 @@ void add_pulse(CLI::App& app, Action& action, const std::filesystem::path&) {
       ->excludes(list)
       ->type_name("FILE");
   add_units(*sub, request->units);
+  add_all(*sub, request->detail);
   add_force(*sub, request->force);
   sub->footer(footer);
   sub->callback([request, &action] {

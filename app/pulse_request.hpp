@@ -34,6 +34,7 @@ struct PulseRequest {
   std::optional<std::string> csv;
   std::optional<std::string> picture;
   std::string units;
+  Detail detail = Detail::main;
   bool force = false;
 };
 

@@ -2,11 +2,10 @@
 
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/io/history_csv.hpp"
-#include "dashpad/io/summary_text.hpp"
 #include "dashpad/report/page.hpp"
-#include "dashpad/report/pulse_text.hpp"
 #include "dashpad/report/result_json.hpp"
 #include "dashpad/report/result_plot.hpp"
+#include "dashpad/report/result_text.hpp"
 #include "output.hpp"
 
 namespace dashpad {
@@ -32,6 +31,7 @@ void add_result_files(CLI::App& app, ResultFiles& files) {
   app.add_option("--png", files.png, "Draw acceleration and hysteresis as a still; needs gnuplot")
       ->type_name("FILE");
   add_units(app, files.units);
+  add_all(app, files.detail);
 }
 
 void judge_result_files(const ResultFiles& files, const std::vector<InputFile>& inputs,
@@ -53,8 +53,8 @@ void publish(const ResultFiles& files, const SolvedCase& solved, std::string_vie
     if (target.option == "--csv") return history_csv(solution.history, units_of_files(units));
     return page(impact, solved.options, solution, units, contact_snapshots(impact, solution.history));
   };
-  std::string summary = std::string{heading} + summary_text(impact, solution.summary, units);
-  if (injury) summary += "\nThe pulse:\n" + injury_text(*injury, units);
+  std::string summary =
+      std::string{heading} + result_text(impact, solution.summary, injury, units, files.detail);
   publish(targets(files), files.force, text_of, summary.append(after));
 }
 

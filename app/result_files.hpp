@@ -17,10 +17,11 @@ namespace dashpad {
 struct ResultFiles {
   std::optional<std::string> json, csv, report, png;
   std::string units;
+  Detail detail = Detail::main;
   bool force = false;
 };
 
-/// Adds --json, --csv, --report, --png and --units.
+/// Adds --json, --csv, --report, --png, --units and --all.
 void add_result_files(CLI::App& app, ResultFiles& files);
 
 /// Tells `wrong` what forbids writing them, as judge_targets does.

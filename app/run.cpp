@@ -19,9 +19,12 @@ constexpr const char* footer = R"(Examples:
   dashpad run examples/dashboard-20mph.toml --tolerance 1e-6 --json - | jq .peak_force_N
 
 Units: si shows mm, kg, ms, m/s, N, J; us shows in, lb, ms, mph, lbf, in-lbf; engineering-metric shows
-mm, kg, ms, km/h, kN, J. Accelerations are in g everywhere. The JSON summary is always in SI and its keys
+mm, kg, ms, km/h, kN, J. Accelerations are in g everywhere. The JSON summary is in SI and g, and its keys
 name the units; the CSV history is in SI (m, s, N, m/s, g) or, with --units us or engineering-metric, in
 those units, which its header names. Case files take any unit.
+
+The text has what matters first, to four digits: the law of a foam is rarely known to three. --all shows every
+figure with its estimated error; files have all digits.
 
 Files: - as FILE is standard output; the summary for people then goes to standard error. An existing file
 is kept unless --force is given. A file is written whole or not at all.
@@ -38,15 +41,11 @@ struct Request {
 };
 
 int run(const Request& request, const std::filesystem::path& materials) {
-  std::vector<std::string> wrong;
-  const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
-  std::optional<CaseFile> input = read_case(request.case_file, materials, wrong);
-  judge_result_files(request.files, files_of(request.case_file, input), wrong);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
-  if (tolerance) input->options.tolerance = *tolerance;
-
-  const Solution solution = solve_with_progress(input->impact, input->options);
-  publish(request.files, {input->impact, input->options, solution});
+  const CaseFile input =
+      case_to_solve(request.case_file, materials, request.tolerance, {},
+                    [&](const auto& files, auto& wrong) { judge_result_files(request.files, files, wrong); });
+  const Solution solution = solve_with_progress(input.impact, input.options);
+  publish(request.files, {input.impact, input.options, solution});
   return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
 }
 

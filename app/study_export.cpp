@@ -29,8 +29,8 @@ constexpr const char* footer = R"(Examples:
   dashpad study export rows.db --hdf5 rows.h5
   dashpad study export rows.db --csv - | head
 
-All rows that are computed, by number: status, error, factors and responses, in SI; the CSV names the units in its
-heading, the HDF5 in attributes. Values that an impact does not have are empty in the CSV and NaN in the HDF5.
+All rows that are computed, by number: status, error, factors and responses, in SI and accelerations in g; names carry
+their unit. Values that an impact does not have are empty in the CSV and NaN in the HDF5.
 Memory does not grow with the rows.
 
 Files: - as the FILE of --csv is standard output. An existing file is kept unless --force is given. A file is

@@ -11,6 +11,8 @@
 
 #include <hdf5.h>
 
+#include "dashpad/study/export_csv.hpp"
+
 namespace dashpad {
 
 namespace {
@@ -58,13 +60,13 @@ void write_attribute(const Handle& owner, const char* name, const std::string& t
 class Column {
  public:
   Column(const Handle& group, const study::StoredColumn& of, hid_t type, hsize_t rows)
-      : set_(make(group, of.name, type, rows)) {
-    write_attribute(set_, "unit", of.unit);
+      : exported_(study::exported(of)), set_(make(group, exported_.name, type, rows)) {
+    write_attribute(set_, "unit", exported_.unit);
     write_attribute(set_, "meaning", of.meaning);
     values_.reserve(rows_a_chunk);
   }
   void add(double value) {
-    values_.push_back(value);
+    values_.push_back(exported_.scale * value);
     if (values_.size() == rows_a_chunk) flush();
   }
   void flush() {
@@ -94,6 +96,7 @@ class Column {
         H5Dclose};
   }
 
+  study::ExportedColumn exported_;
   Handle set_;
   std::vector<double> values_;
   hsize_t written_ = 0;

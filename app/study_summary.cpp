@@ -102,7 +102,7 @@ void add_study_summary(CLI::App& study, Action& action) {
       ->allow_extra_args(false)
       ->type_name("LIMIT");
   add_report(*sub, request->report);
-  sub->add_option("--json", request->json, "Write all answers as JSON, SI (- for standard output)")
+  sub->add_option("--json", request->json, "Write all answers as JSON, SI and g (- for standard output)")
       ->type_name("FILE");
   sub->add_option("--picture", request->picture, "Draw the most telling figure (.svg, .png, .pdf)")
       ->type_name("FILE");

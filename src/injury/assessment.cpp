@@ -42,11 +42,11 @@ Estimate estimate(double value, double error) { return {value, std::abs(value) *
 Estimate estimate(const Criterion& criterion, const Solution& solution, const InjuryFigures& figures) {
   const InjuryFigures::Errors& errors = figures.errors;
   switch (criterion.metric) {
-    case Metric::peak:  // the solver's own lies between its steps
+    case Metric::peak_acceleration:  // the solver's own lies between its steps
       return estimate(solution.summary.peak_acceleration.value_or(figures.peak.magnitude), errors.peak);
-    case Metric::contiguous_3ms: return estimate(figures.contiguous_3ms.level, errors.contiguous_3ms);
+    case Metric::clip_3ms: return estimate(figures.clip_3ms.level, errors.clip_3ms);
     case Metric::cumulative_3ms: return estimate(figures.cumulative_3ms.level, errors.cumulative_3ms);
-    case Metric::dwell: return dwell(solution, figures, criterion.level);
+    case Metric::dwell_time: return dwell(solution, figures, criterion.level);
     case Metric::hic15: return estimate(figures.hic15.value, errors.hic15);
     case Metric::hic36: return estimate(figures.hic36.value, errors.hic36);
     case Metric::hic_unlimited: return estimate(figures.hic_unlimited.value, errors.hic_unlimited);
@@ -63,7 +63,7 @@ bool has_no_finite_force(const Summary& summary) { return !summary.peak_force.ha
 bool peak_is_final(const Summary& summary) { return summary.release.has_value(); }
 
 bool is_lower_bound(Metric metric, const Summary& summary) {
-  return metric == Metric::peak ? !peak_is_final(summary) : !pulse_is_whole(summary);
+  return metric == Metric::peak_acceleration ? !peak_is_final(summary) : !pulse_is_whole(summary);
 }
 
 CriterionResult struck_through(const Criterion& criterion) {
@@ -144,13 +144,6 @@ void add_reservations_about(const Material& material, std::vector<Flag>& reserva
   const std::string where = material.name == "in line" ? "case" : "card";
   reservations.push_back(
       {"UNKNOWN RANGE", "UNKNOWN RANGE: the " + where + " does not say where its law was fitted"});
-}
-
-std::string limit_of(const Criterion& criterion) {
-  std::string text = std::string("limit of ") + facts(criterion.metric).key;
-  if (criterion.metric == Metric::dwell)
-    text += " above " + std::to_string(std::lround(criterion.level / standard_gravity)) + " g";
-  return text;
 }
 
 void add_reservations_about(const Standard& standard, std::vector<Flag>& reservations) {

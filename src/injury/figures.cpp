@@ -33,11 +33,30 @@ InjuryFigures injury_figures(const Pulse& pulse) {
   figures.hic36 = hic(pulse, 36e-3);
   figures.hic_unlimited = hic(pulse, unlimited_window);
   figures.hic_d = hic_d(figures.hic36.value);
-  figures.contiguous_3ms = contiguous_clip(pulse, three_milliseconds);
+  figures.clip_3ms = contiguous_clip(pulse, three_milliseconds);
   figures.cumulative_3ms = cumulative_clip(pulse, three_milliseconds);
   figures.severity_index = severity_index(pulse);
   figures.velocity_change = velocity_change(pulse);
   return figures;
+}
+
+std::array<InjuryValue, 9> injury_values(const InjuryFigures& of) {
+  const InjuryFigures::Errors& errors = of.errors;
+  const auto hic = [](const char* key, const Hic& value, double error) {
+    return InjuryValue{&result_quantity(key), value.value, error, {}, value.begin, value.end};
+  };
+  const auto clip = [](const char* key, const Clip& value, double error) {
+    return InjuryValue{&result_quantity(key), value.level, error, {}, value.begin, value.end};
+  };
+  return {{{&result_quantity("peak_acceleration"), of.peak.magnitude, errors.peak, of.peak.time, {}, {}},
+           hic("hic15", of.hic15, errors.hic15),
+           hic("hic36", of.hic36, errors.hic36),
+           hic("hic_unlimited", of.hic_unlimited, errors.hic_unlimited),
+           {&result_quantity("hic_d"), of.hic_d, errors.hic_d, {}, {}, {}},
+           clip("clip_3ms", of.clip_3ms, errors.clip_3ms),
+           clip("cumulative_3ms", of.cumulative_3ms, errors.cumulative_3ms),
+           {&result_quantity("severity_index"), of.severity_index, errors.severity_index, {}, {}, {}},
+           {&result_quantity("velocity_change"), of.velocity_change, errors.velocity_change, {}, {}, {}}}};
 }
 
 Pulse pulse_of(const History& history) { return {history.time, history.acceleration}; }
@@ -69,7 +88,7 @@ InjuryFigures injury_figures(const Solution& solution) {
   figures.errors.hic36 = error(figures.hic36.value, coarser.hic36.value, 2.5);
   figures.errors.hic_unlimited = error(figures.hic_unlimited.value, coarser.hic_unlimited.value, 2.5);
   figures.errors.hic_d = error(figures.hic_d, coarser.hic_d, 2.5);
-  figures.errors.contiguous_3ms = error(figures.contiguous_3ms.level, coarser.contiguous_3ms.level, 1);
+  figures.errors.clip_3ms = error(figures.clip_3ms.level, coarser.clip_3ms.level, 1);
   figures.errors.cumulative_3ms = error(figures.cumulative_3ms.level, coarser.cumulative_3ms.level, 1);
   figures.errors.severity_index = error(figures.severity_index, coarser.severity_index, 2.5);
   figures.errors.velocity_change = error(figures.velocity_change, coarser.velocity_change, 1);

@@ -22,7 +22,7 @@ double velocity_change(const Pulse& pulse) {
     const double mean = pulse.acceleration[i - 1] / 2 + pulse.acceleration[i] / 2;
     sum.add(mean * (pulse.time[i] - pulse.time[i - 1]));
   }
-  return sum.value();
+  return std::abs(sum.value());
 }
 
 }  // namespace dashpad

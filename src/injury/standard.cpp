@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace dashpad {
 
 namespace {
@@ -60,22 +62,36 @@ std::string to_string(SourceKind kind) {
   return "";
 }
 
-const std::vector<MetricFacts>& metrics() {
-  static const std::vector<MetricFacts> all{
-      {Metric::peak, "peak", "Peak acceleration", "m/s2"},
-      {Metric::contiguous_3ms, "contiguous-3ms", "3 ms clip, uninterrupted", "m/s2"},
-      {Metric::cumulative_3ms, "cumulative-3ms", "3 ms clip, cumulative", "m/s2"},
-      {Metric::dwell, "dwell", "Time above", "s"},
-      {Metric::hic15, "hic15", "HIC15", "1"},
-      {Metric::hic36, "hic36", "HIC36", "1"},
-      {Metric::hic_unlimited, "hic", "HIC, any window", "1"},
-      {Metric::hic_d, "hic-d", "HIC(d)", "1"},
-      {Metric::severity_index, "severity-index", "Severity index", "1"},
-  };
+const std::vector<Metric>& metrics() {
+  static const std::vector<Metric> all{Metric::peak_acceleration, Metric::clip_3ms, Metric::cumulative_3ms,
+                                       Metric::dwell_time,        Metric::hic15,    Metric::hic36,
+                                       Metric::hic_unlimited,     Metric::hic_d,    Metric::severity_index};
   return all;
 }
 
-const MetricFacts& facts(Metric metric) { return metrics()[static_cast<std::size_t>(metric)]; }
+const ResultQuantity& quantity_of(Metric metric) {
+  constexpr const char* keys[]{"peak_acceleration", "clip_3ms", "cumulative_3ms",
+                               "dwell_time",        "hic15",    "hic36",
+                               "hic_unlimited",     "hic_d",    "severity_index"};
+  return result_quantity(keys[static_cast<std::size_t>(metric)]);
+}
+
+namespace {
+
+std::string above_level(const Criterion& criterion) {
+  if (criterion.metric != Metric::dwell_time) return "";
+  return fmt::format(" above {:.5g} g", criterion.level / standard_gravity);
+}
+
+}  // namespace
+
+std::string title_of(const Criterion& criterion) {
+  return quantity_of(criterion.metric).title + above_level(criterion);
+}
+
+std::string limit_of(const Criterion& criterion) {
+  return "limit of " + title_in_sentence(quantity_of(criterion.metric)) + above_level(criterion);
+}
 
 Standard with_variants(const Standard& standard, const std::vector<std::string>& names) {
   Standard result = standard;

@@ -92,11 +92,11 @@ std::optional<StandardValue> read_value(TableReader& parent, const std::string& 
 /// Nothing after a fault.
 std::optional<Metric> read_metric(TableReader& table) {
   std::vector<std::string> keys;
-  for (const MetricFacts& metric : metrics()) keys.emplace_back(metric.key);
+  for (const Metric metric : metrics()) keys.emplace_back(quantity_of(metric).key);
   const std::string chosen = table.choice("metric", keys);
   const auto found = std::ranges::find(keys, chosen);
   if (found == keys.end()) return std::nullopt;
-  return metrics()[static_cast<std::size_t>(found - keys.begin())].metric;
+  return metrics()[static_cast<std::size_t>(found - keys.begin())];
 }
 
 /// Accelerations are in g, which no unit of files says: g is a gram.
@@ -104,8 +104,8 @@ double read_acceleration(TableReader& table, const std::string& key) {
   return finite(table, key, standard_gravity * positive(table, key, table.number(key)));
 }
 
-double read_limit(TableReader& table, const MetricFacts& metric) {
-  const std::string unit = metric.unit;
+double read_limit(TableReader& table, const ResultQuantity& of) {
+  const std::string unit = of.si_unit;
   if (unit == "m/s2") return read_acceleration(table, "limit_g");
   return positive(table, "limit", unit == "1" ? table.number("limit") : table.quantity("limit", unit));
 }
@@ -114,8 +114,8 @@ Criterion read_criterion(TableReader table) {
   Criterion criterion;
   if (const auto metric = read_metric(table)) {
     criterion.metric = *metric;
-    criterion.limit = read_limit(table, facts(*metric));
-    if (*metric == Metric::dwell) criterion.level = read_acceleration(table, "level_g");
+    criterion.limit = read_limit(table, quantity_of(*metric));
+    if (*metric == Metric::dwell_time) criterion.level = read_acceleration(table, "level_g");
   } else {
     for (const char* key : {"limit", "limit_g", "level_g"}) table.has(key);  // right or wrong: who knows
   }

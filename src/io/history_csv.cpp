@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/io/result_quantity.hpp"
+
 namespace dashpad {
 
 namespace {
@@ -19,16 +21,9 @@ struct Column {
   double factor;  ///< from SI to the column's unit; these units have no offset
 };
 
-/// "m/s" as part of a name: "m_per_s".
-std::string in_name(const std::string& unit) {
-  std::string name;
-  for (const char character : unit) name += character == '/' ? "_per_" : std::string(1, character);
-  return name;
-}
-
-Column column(const std::string& name, const std::vector<double>& values, const std::string& si_unit,
-              const UnitSystem& units) {
-  return {name + "_" + in_name(unit_for(units, si_unit)), &values, value_in(units, 1, si_unit)};
+Column column(const char* key, const std::vector<double>& values, const UnitSystem& units) {
+  const ResultQuantity& of = result_quantity(key);
+  return {key_with_unit(of, units), &values, scaled_unit(of.si_unit, units).scale};
 }
 
 void append_number(fmt::memory_buffer& text, double value) {
@@ -39,15 +34,15 @@ void append_number(fmt::memory_buffer& text, double value) {
 
 std::string history_csv(const History& history, const UnitSystem& units) {
   const std::array<Column, 9> columns{
-      column("time", history.time, "s", units),
-      column("force", history.force, "N", units),
-      Column{"acceleration_g", &history.acceleration, 1 / standard_gravity},
-      column("velocity", history.velocity, "m/s", units),
-      column("motion", history.motion, "m", units),
-      column("penetration", history.penetration, "m", units),
-      column("support_deflection", history.support_deflection, "m", units),
-      column("contact_radius", history.contact_radius, "m", units),
-      Column{"largest_strain", &history.largest_strain, 1},
+      column("time", history.time, units),
+      column("force", history.force, units),
+      column("acceleration", history.acceleration, units),
+      column("velocity", history.velocity, units),
+      column("motion", history.motion, units),
+      column("penetration", history.penetration, units),
+      column("support_deflection", history.support_deflection, units),
+      column("contact_radius", history.contact_radius, units),
+      column("axis_strain", history.largest_strain, units),
   };
   fmt::memory_buffer text;
   const auto end_field = [&](const Column& of) { text.push_back(&of == &columns.back() ? '\n' : ','); };

@@ -10,8 +10,10 @@ namespace dashpad {
 
 namespace {
 
-/// Five whole digits or more, but not so many that an exponent is easier to read.
-bool is_long(double value) { return std::abs(value) >= 9999.95 && std::abs(value) < 1e9; }
+/// As many whole digits or more, but not so many that an exponent is easier to read.
+bool is_long(double value, int digits) {
+  return std::abs(value) >= std::pow(10.0, digits - 1) - 0.05 && std::abs(value) < 1e9;
+}
 
 /// Bytes of a UTF-8 character at the start of `text` that a terminal obeys instead of showing it: the C1
 /// controls, line separators, and what changes the direction of writing. 0 if there is none.
@@ -26,22 +28,28 @@ std::size_t unseen(std::string_view text) {
 
 }  // namespace
 
-std::string significant(double value) {
+std::string significant(double value, int digits) {
   if (!std::isfinite(value)) return "none";
   if (value == 0) return "0";
-  if (is_long(value)) return fmt::format("{:.0f}", value);
-  return fmt::format("{:#.5g}", value);
+  if (is_long(value, digits)) return fmt::format("{:.0f}", value);
+  return fmt::format("{:#.{}g}", value, digits);
 }
 
-std::string brief(double value) {
+std::string brief(double value, int digits) {
   if (!std::isfinite(value)) return "none";
-  return is_long(value) ? fmt::format("{:.0f}", value) : fmt::format("{:.5g}", value);
+  return is_long(value, digits) ? fmt::format("{:.0f}", value) : fmt::format("{:.{}g}", value, digits);
 }
 
-std::string brief_quantity(double value, const std::string& si_unit, const UnitSystem& units) {
-  const std::string unit = shown_unit(unit_for(units, si_unit));
-  const std::string number = brief(value_in(units, value, si_unit));
-  return unit.empty() ? number : number + " " + unit;
+ScaledUnit shown_as(const std::string& si_unit, const UnitSystem& units) {
+  ScaledUnit shown = scaled_unit(si_unit, units);
+  shown.unit = shown_unit(shown.unit);
+  return shown;
+}
+
+std::string brief_quantity(double value, const std::string& si_unit, const UnitSystem& units, int digits) {
+  const ScaledUnit shown = shown_as(si_unit, units);
+  const std::string number = brief(shown.scale * value, digits);
+  return shown.unit.empty() ? number : number + " " + shown.unit;
 }
 
 std::string percentage(double fraction) {
@@ -83,7 +91,7 @@ std::string one_line(std::string_view text) {
 }
 
 std::string wrapped(std::string_view line, std::size_t indent) {
-  constexpr std::size_t widest = 110;
+  constexpr std::size_t widest = 100;
   const std::string margin(indent, ' ');
   std::string text;
   std::string rest(line);
@@ -96,6 +104,16 @@ std::string wrapped(std::string_view line, std::size_t indent) {
     rest.replace(0, blank + 1, margin);
   }
   return text + rest;
+}
+
+std::string wrapped_lines(std::string_view text) {
+  std::string result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    result += wrapped(text.substr(begin, end - begin), 2) + "\n";
+    begin = end + 1;
+  }
+  return result;
 }
 
 }  // namespace dashpad

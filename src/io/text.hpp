@@ -5,18 +5,23 @@
 #include <string>
 #include <string_view>
 
+#include "dashpad/io/result_quantity.hpp"
 #include "dashpad/io/unit_system.hpp"
 
 namespace dashpad {
 
-/// Five significant digits, trailing zeros kept: "8.9408", "5768.8", "123457". "none" if not finite.
-std::string significant(double value);
+/// Significant digits, trailing zeros kept: "8.9408", "5768.8"; whole numbers are not cut: "123457". "none"
+/// if not finite.
+std::string significant(double value, int digits = 5);
 
-/// Up to five significant digits without trailing zeros: "25.4".
-std::string brief(double value);
+/// The same without trailing zeros: "25.4".
+std::string brief(double value, int digits = 5);
 
-/// An SI value with its unit, brief: "25.4 mm". Pure numbers have no unit.
-std::string brief_quantity(double value, const std::string& si_unit, const UnitSystem& units);
+/// The unit in which people see an SI unit: g for accelerations, "" for pure numbers, "in·lbf" for in.lbf.
+ScaledUnit shown_as(const std::string& si_unit, const UnitSystem& units);
+
+/// An SI value as people see it, with its unit, brief: "25.4 mm", "80 g". Pure numbers have no unit.
+std::string brief_quantity(double value, const std::string& si_unit, const UnitSystem& units, int digits = 5);
 
 /// A fraction as a percentage of two digits: "0.0031 %". "unknown" if not finite.
 std::string percentage(double fraction);
@@ -33,8 +38,10 @@ std::size_t width_of(std::string_view text);
 /// Text from a file, safe for a terminal: line breaks and other control characters become spaces.
 std::string one_line(std::string_view text);
 
-/// Breaks a line at blanks so that no line is wider than 110 columns, as far as the words allow; all but the
+/// Breaks a line at blanks so that no line is wider than 100 columns, as far as the words allow; all but the
 /// first are indented.
 std::string wrapped(std::string_view line, std::size_t indent);
+/// The same with each line of a text, by two columns.
+std::string wrapped_lines(std::string_view text);
 
 }  // namespace dashpad

@@ -36,28 +36,21 @@ Json impactor(const AssessmentReport& report) {
           {"speed_m_per_s", input(standard.speed, used.speed, of_case.speed)}};
 }
 
-/// Accelerations are in g, as in all results.
-double shown(double value, const MetricFacts& metric) {
-  return std::string(metric.unit) == "m/s2" ? value / standard_gravity : value;
-}
-
-std::string shown_unit(const MetricFacts& metric) {
-  return std::string(metric.unit) == "m/s2" ? "g" : metric.unit;
-}
-
 Json criterion(const CriterionResult& result) {
   const Criterion& of = result.criterion;
-  const MetricFacts& metric = facts(of.metric);
-  Json entry{{"metric", metric.key}};
-  entry["level_g"] = of.metric == Metric::dwell ? number(of.level / standard_gravity) : Json(nullptr);
+  const ResultQuantity& quantity = quantity_of(of.metric);
+  const ScaledUnit unit = scaled_unit(quantity.si_unit, plain_si());
+  const auto shown = [&](double value) { return number(unit.scale * value); };
+  Json entry{{"metric", quantity.key}};
+  entry["level_g"] = of.metric == Metric::dwell_time ? number(of.level / standard_gravity) : Json(nullptr);
   entry["description"] = of.description;
-  entry["unit"] = shown_unit(metric);
-  entry["value"] = result.value ? number(shown(*result.value, metric)) : Json(nullptr);
-  entry["error"] = result.value ? number(shown(result.error, metric)) : Json(nullptr);
+  entry["unit"] = unit.unit;
+  entry["value"] = result.value ? shown(*result.value) : Json(nullptr);
+  entry["error"] = result.value ? shown(result.error) : Json(nullptr);
   entry["lower_bound"] = result.lower_bound;
-  entry["limit"] = number(shown(of.limit, metric));
+  entry["limit"] = shown(of.limit);
   entry["strict"] = of.strict;
-  entry["margin"] = result.margin ? number(shown(*result.margin, metric)) : Json(nullptr);
+  entry["margin"] = result.margin ? shown(*result.margin) : Json(nullptr);
   entry["margin_is_upper_bound"] = result.lower_bound;
   entry["margin_fraction"] = number(result.relative_margin);
   entry["verdict"] = to_string(result.verdict);
@@ -69,18 +62,22 @@ Json criterion(const CriterionResult& result) {
   return entry;
 }
 
-Json figure(const Figure& of, double unit = 1) {
-  return {{"value", of.value ? number(*of.value / unit) : Json(nullptr)}, {"lower_bound", of.lower_bound}};
-}
-
 Json key_figures(const KeyFigures& of) {
-  return {{"peak_acceleration_g", figure(of.peak_acceleration, standard_gravity)},
-          {"hic15", figure(of.hic15)},
-          {"hic36", figure(of.hic36)},
-          {"peak_strain", figure(of.peak_strain)},
-          {"contact_end_s", figure(of.contact_end)},
-          {"rebound_speed_m_per_s", figure(of.rebound_speed)},
-          {"restitution", figure(of.restitution)}};
+  Json all;
+  const auto add = [&](const char* key, const Figure& figure) {
+    const ResultQuantity& quantity = result_quantity(key);
+    const double scale = scaled_unit(quantity.si_unit, plain_si()).scale;
+    all[key_with_unit(quantity)] = {{"value", figure.value ? number(scale * *figure.value) : Json(nullptr)},
+                                    {"lower_bound", figure.lower_bound}};
+  };
+  add("peak_acceleration", of.peak_acceleration);
+  add("hic15", of.hic15);
+  add("hic36", of.hic36);
+  add("peak_strain", of.peak_strain);
+  add("contact_end", of.contact_end);
+  add("rebound_speed", of.rebound_speed);
+  add("restitution", of.restitution);
+  return all;
 }
 
 Json texts(const std::vector<Flag>& reservations) {

@@ -24,18 +24,6 @@ std::array<NamedValue, 3> values_of(const Standard& standard) {
       {{"mass", "kg", &standard.mass}, {"radius", "m", &standard.radius}, {"speed", "m/s", &standard.speed}}};
 }
 
-/// Accelerations in g, times in the unit of the system, criteria as they are.
-std::string shown(double value, const std::string& si_unit, const UnitSystem& units) {
-  if (si_unit == "m/s2") return brief(value / standard_gravity) + " g";
-  return brief_quantity(value, si_unit, units);
-}
-
-std::string title_of(const Criterion& criterion) {
-  const std::string title = facts(criterion.metric).title;
-  if (criterion.metric != Metric::dwell) return title;
-  return fmt::format("{} {} g", title, brief(criterion.level / standard_gravity));
-}
-
 std::string value_text(const NamedValue& entry, const UnitSystem& units) {
   if (!entry.value->value) return "the case's";
   std::string text = brief_quantity(*entry.value->value, entry.si_unit, units);
@@ -62,7 +50,7 @@ std::string entry_text(const NamedValue& entry, const UnitSystem& units) {
 
 std::string criterion_text(const Criterion& criterion, const UnitSystem& units) {
   return wrapped(fmt::format("    {}: {} {}; {}", title_of(criterion), criterion.strict ? "below" : "at most",
-                             shown(criterion.limit, facts(criterion.metric).unit, units),
+                             brief_quantity(criterion.limit, quantity_of(criterion.metric).si_unit, units),
                              one_line(criterion.description)),
                  6) +
          "\n" + origin_text(criterion.origin);
@@ -153,13 +141,6 @@ std::string replaced_text(const AssessmentReport& report, const UnitSystem& unit
          wrapped(fmt::format("Kept from the case: {}pad, support, solver.", kept), 2) + "\n";
 }
 
-std::string limit_of(const Criterion& criterion) {
-  std::string text = fmt::format("limit of {}", facts(criterion.metric).key);
-  if (criterion.metric == Metric::dwell)
-    text += fmt::format(" above {} g", brief(criterion.level / standard_gravity));
-  return text;
-}
-
 /// The figures in force that have sources of one kind; what the user gives or the case has is none of them.
 std::vector<std::string> figures_from(SourceKind kind, const Standard& standard) {
   std::vector<std::string> names;
@@ -183,52 +164,50 @@ std::string sources_text(const Standard& standard) {
 }
 
 /// The sign is there always: a margin of a failed criterion is negative. Of a lower bound it can only shrink.
-std::string margin_text(const CriterionResult& result, const UnitSystem& units) {
+std::string margin_text(const CriterionResult& result, const UnitSystem& units, int digits) {
   if (!result.margin) return "none";
-  const std::string margin = shown(*result.margin, facts(result.criterion.metric).unit, units);
+  const std::string margin =
+      brief_quantity(*result.margin, quantity_of(result.criterion.metric).si_unit, units, digits);
   return fmt::format("{}{} ({:+.1f} %)", result.lower_bound ? "≤ " : "",
                      margin.starts_with('-') ? margin : "+" + margin, 100 * *result.relative_margin);
 }
 
-std::string error_text(const CriterionResult& result, const UnitSystem& units) {
-  if (!result.value) return "";
+/// Only where it may decide, or is asked for.
+std::string error_text(const CriterionResult& result, const UnitSystem& units, Detail detail) {
+  if (!result.value || (detail == Detail::main && result.verdict != Verdict::undecided)) return "";
   if (!std::isfinite(result.error)) return "± unknown";
-  const std::string unit = facts(result.criterion.metric).unit;
-  if (unit == "m/s2") return fmt::format("± {:.2g} g", result.error / standard_gravity);
-  return fmt::format("± {:.2g} {}", value_in(units, result.error, unit), shown_unit(unit_for(units, unit)));
+  const ScaledUnit unit = shown_as(quantity_of(result.criterion.metric).si_unit, units);
+  return fmt::format("± {:.2g} {}", unit.scale * result.error, unit.unit);
 }
 
-std::string row(const CriterionResult& result, const UnitSystem& units) {
-  const std::string unit = facts(result.criterion.metric).unit;
-  const std::string value = result.value ? shown(*result.value, unit, units) : "none";
+std::string row(const CriterionResult& result, const UnitSystem& units, Detail detail) {
+  const int digits = digits_of(detail);
+  const std::string unit = quantity_of(result.criterion.metric).si_unit;
+  const std::string value = result.value ? brief_quantity(*result.value, unit, units, digits) : "none";
   std::string line =
-      fmt::format("  {:<26}{:>12} {:<12}{:>10}  {:<23}{}\n", title_of(result.criterion),
-                  (result.lower_bound ? "≥ " : "") + value, error_text(result, units),
-                  (result.criterion.strict ? "< " : "") + shown(result.criterion.limit, unit, units),
-                  margin_text(result, units), to_string(result.verdict));
-  if (!result.reason.empty()) line += "    " + result.reason + "\n";
+      fmt::format("  {:<24}{:>12} {:<12}{:>10}  {:<23}{}\n", title_of(result.criterion),
+                  (result.lower_bound ? "≥ " : "") + value, error_text(result, units, detail),
+                  (result.criterion.strict ? "< " : "") + brief_quantity(result.criterion.limit, unit, units),
+                  margin_text(result, units, digits), to_string(result.verdict));
+  if (!result.reason.empty()) line += wrapped("    " + result.reason, 4) + "\n";
   return line;
 }
 
-std::string figure_text(const Figure& figure, const std::string& si_unit, const UnitSystem& units) {
-  if (!figure.value) return "none";
-  return (figure.lower_bound ? "≥ " : "") + shown(*figure.value, si_unit, units);
-}
-
-std::string figures_text(const KeyFigures& of, const UnitSystem& units) {
-  const auto line = [](const auto&... cells) {
-    return fmt::format("  {:<19}{:>12}     {:<14}{:>12}", cells...);
+/// A line of two figures: "  Peak acceleration        108.7 g     Peak strain             0.8".
+std::string figures_text(const KeyFigures& of, const UnitSystem& units, int digits) {
+  const auto cell = [&](const char* key, const Figure& figure) {
+    const ResultQuantity& quantity = result_quantity(key);
+    return fmt::format("{:<19}{:>12}", quantity.title,
+                       figure.value ? (figure.lower_bound ? "≥ " : "") +
+                                          brief_quantity(*figure.value, quantity.si_unit, units, digits)
+                                    : "none");
   };
-  std::string text = line("Peak acceleration", figure_text(of.peak_acceleration, "m/s2", units),
-                          "Peak strain", figure_text(of.peak_strain, "1", units)) +
-                     "\n" +
-                     line("HIC15", figure_text(of.hic15, "1", units), "End of contact",
-                          figure_text(of.contact_end, "s", units)) +
-                     "\n" +
-                     line("HIC36", figure_text(of.hic36, "1", units), "Rebound speed",
-                          figure_text(of.rebound_speed, "m/s", units));
-  if (of.restitution.value) text += fmt::format("  restitution {}", figure_text(of.restitution, "1", units));
-  return text + "\n";
+  return fmt::format("  {}     {}\n  {}     {}\n  {}     {}\n",
+                     cell("peak_acceleration", of.peak_acceleration), cell("peak_strain", of.peak_strain),
+                     cell("hic15", of.hic15), cell("contact_end", of.contact_end), cell("hic36", of.hic36),
+                     cell("rebound_speed", of.rebound_speed)) +
+         (of.restitution.value ? fmt::format("  {:<31}     {}\n", "", cell("restitution", of.restitution))
+                               : "");
 }
 
 std::string upper_case(std::string text) {
@@ -264,8 +243,7 @@ std::string reservations_text(const Assessment& assessment) {
 
 const std::string& assessment_caveat() {
   static const std::string caveat =
-      "This is a computation with one rigid sphere on a flat pad. It is no test to the standard and no "
-      "certification.";
+      "A computation with one rigid sphere on a flat pad: no test to the standard and no certification.";
   return caveat;
 }
 
@@ -294,14 +272,15 @@ std::string standard_text(const Standard& standard, const UnitSystem& units) {
   return text + "\n" + assessment_caveat() + "\n";
 }
 
-std::string assessment_text(const AssessmentReport& report, const UnitSystem& units) {
+std::string assessment_text(const AssessmentReport& report, const UnitSystem& units, Detail detail) {
   const Standard& standard = report.standard;
   std::string text = verdict_text(report, units);
   text += wrapped(fmt::format("{} ({})", one_line(standard.title), full_name(standard)), 2) + "\n\n";
-  text += fmt::format("  {:<26}{:>12} {:<12}{:>10}  {}\n", "Criterion", "value", "error", "limit", "margin");
-  for (const CriterionResult& result : report.assessment.results) text += row(result, units);
-  text += "\nThe impact:\n" + figures_text(report.assessment.figures, units) + "\n";
-  text += reservations_text(report.assessment) + case_text(report.assessed, units);
+  text += fmt::format("  {:<24}{:>12} {:<12}{:>10}  {}\n", "Criterion", "value",
+                      detail == Detail::all ? "error" : "", "limit", "margin");
+  for (const CriterionResult& result : report.assessment.results) text += row(result, units, detail);
+  text += "\nThe impact:\n" + figures_text(report.assessment.figures, units, digits_of(detail)) + "\n";
+  text += reservations_text(report.assessment) + wrapped_lines(case_text(report.assessed, units));
   text += replaced_text(report, units) + sources_text(standard);
   if (!standard.note.empty()) text += wrapped(one_line(standard.note), 0) + "\n";
   return text + "\n" + assessment_caveat() + "\n";

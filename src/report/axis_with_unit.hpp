@@ -13,8 +13,14 @@ namespace dashpad {
 
 inline Axis axis_with_unit(const char* meaning, const char* si_unit, const UnitSystem& units) {
   Axis axis;
-  axis.label = fmt::format("{} ({})", meaning, shown_unit(unit_for(units, si_unit)));
+  axis.label = fmt::format("{} ({})", meaning, shown_as(si_unit, units).unit);
   return axis;
+}
+
+/// The axis of a quantity of the table of results.
+inline Axis axis_of(const char* key, const UnitSystem& units) {
+  const ResultQuantity& of = result_quantity(key);
+  return axis_with_unit(of.title, of.si_unit, units);
 }
 
 /// SI values in the unit of that axis.

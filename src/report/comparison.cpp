@@ -209,7 +209,7 @@ std::string comparison_json(const Comparison& comparison) {
                     {"trustworthy", run.trustworthy},
                     {"remark", run.remark},
                     {"peak_force_N", number(run.peak_force)},
-                    {"time_of_peak_force_s", number(run.time_of_peak_force)},
+                    {"time_to_peak_force_s", number(run.time_of_peak_force)},
                     {"peak_penetration_m", number(run.peak_penetration)},
                     {"peak_motion_m", number(run.peak_motion)},
                     {"end_time_s", number(run.end_time)},

@@ -82,12 +82,12 @@ Json page_history(const ImpactCase& impact, const History& history) {
       column(entries, [&](std::size_t i) { return 0 - history.acceleration[i] / standard_gravity; });
   result["motion"] = shown(history.motion);
   result["penetration"] = shown(history.penetration);
-  result["deflection"] = shown(history.support_deflection);
-  result["kinetic"] = column(entries, kinetic);
-  result["support"] = column(entries, support);
-  result["pad"] = shown(pad);
-  result["sum"] = column(entries, sum);
-  result["energy_residual"] = rounded(worst);
+  result["support_deflection"] = shown(history.support_deflection);
+  result["kinetic_energy"] = column(entries, kinetic);
+  result["support_energy"] = column(entries, support);
+  result["pad_energy"] = shown(pad);
+  result["total_energy"] = column(entries, sum);
+  result["energy_residual_fraction"] = rounded(worst);
   return result;
 }
 

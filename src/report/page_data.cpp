@@ -9,10 +9,10 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/io/case_text.hpp"
 #include "dashpad/version.hpp"
-#include "io/summary_rows.hpp"
 #include "io/text.hpp"
 #include "report/case_toml.hpp"
 #include "report/page_columns.hpp"
+#include "report/result_rows.hpp"
 
 namespace dashpad {
 
@@ -29,34 +29,15 @@ std::string title_of(const UnitSystem& units) {
   return units.name == "engineering-metric" ? "Engineering metric" : units.name;
 }
 
-Json row(const SummaryRow& of) {
-  return {{"label", of.label},
-          {"value", of.value},
-          {"unit", of.unit},
-          {"error", of.error},
-          {"remark", of.remark}};
-}
-
-std::string window(double begin, double end, const UnitSystem& units) {
-  return "from " + brief_quantity(begin, "s", units) + " to " + brief_quantity(end, "s", units);
-}
-
-Json injury_rows(const InjuryFigures& of, const UnitSystem& units) {
-  const auto& errors = of.errors;
-  const auto hic = [&](const char* label, const Hic& figure, double error) {
-    return row(
-        {label, significant(figure.value), "", shown_error(error), window(figure.begin, figure.end, units)});
-  };
-  Json rows = Json::array();
-  rows.push_back(hic("HIC15", of.hic15, errors.hic15));
-  rows.push_back(hic("HIC36", of.hic36, errors.hic36));
-  rows.push_back(row({"3 ms level", significant(of.contiguous_3ms.level / standard_gravity), "g",
-                      shown_error(errors.contiguous_3ms), "held without a break"}));
-  rows.push_back(row(
-      {"Severity index", significant(of.severity_index), "", shown_error(errors.severity_index), "Gadd"}));
-  rows.push_back(row({"Velocity change", significant(value_in(units, std::abs(of.velocity_change), "m/s")),
-                      shown_unit(unit_for(units, "m/s")), shown_error(errors.velocity_change), ""}));
-  return rows;
+Json rows_json(const std::vector<ResultRow>& rows) {
+  Json all = Json::array();
+  for (const ResultRow& of : rows)
+    all.push_back({{"label", of.label},
+                   {"value", of.value},
+                   {"unit", of.unit},
+                   {"error", of.error ? shown_error(*of.error) : ""},
+                   {"remark", of.remark}});
+  return all;
 }
 
 Json injury_marks(const InjuryFigures& of) {
@@ -65,8 +46,7 @@ Json injury_marks(const InjuryFigures& of) {
   };
   return {{"hic15", mark(of.hic15.value, of.hic15.begin, of.hic15.end)},
           {"hic36", mark(of.hic36.value, of.hic36.begin, of.hic36.end)},
-          {"clip",
-           mark(of.contiguous_3ms.level / standard_gravity, of.contiguous_3ms.begin, of.contiguous_3ms.end)}};
+          {"clip_3ms", mark(of.clip_3ms.level / standard_gravity, of.clip_3ms.begin, of.clip_3ms.end)}};
 }
 
 /// All that depends on the units: the factors, and texts with figures in them.
@@ -75,9 +55,6 @@ Json system(const UnitSystem& units, const ImpactCase& impact, const Solution& s
   Json factors = Json::object();
   for (const char* unit : plotted_units)
     factors[unit] = {{"unit", shown_unit(unit_for(units, unit))}, {"factor", value_in(units, 1, unit)}};
-  Json figures = Json::array();
-  for (const SummaryRow& figure : summary_rows(impact, solution.summary, units))
-    figures.push_back(row(figure));
   ImpactCase untitled = impact;
   untitled.title.clear();
   return {{"name", units.name},
@@ -85,8 +62,18 @@ Json system(const UnitSystem& units, const ImpactCase& impact, const Solution& s
           {"factors", factors},
           {"words", case_text(untitled, units)},
           {"warnings", warnings(solution.summary, units)},
-          {"figures", figures},
-          {"injury", injury ? injury_rows(*injury, units) : Json::array()}};
+          {"figures", rows_json(summary_rows(impact, solution.summary, units, Detail::all))},
+          {"injury", injury ? rows_json(pulse_rows(*injury, units, Detail::all)) : Json::array()}};
+}
+
+/// The names of what the page plots.
+Json titles() {
+  Json all = Json::object();
+  for (const char* key :
+       {"time", "force", "acceleration", "deceleration", "motion", "penetration", "support_deflection",
+        "kinetic_energy", "support_energy", "pad_energy", "total_energy", "hic15", "hic36", "clip_3ms"})
+    all[key] = result_quantity(key).title;
+  return all;
 }
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
@@ -107,10 +94,11 @@ std::string page_data(const ImpactCase& impact, const Options& options, const So
   data["status"] = to_string(solution.summary.status);
   data["outcome"] = outcome(solution.summary);
   data["numbers"] = numbers_text(solution.summary);
-  data["energy_residual"] =
+  data["energy_residual_fraction"] =
       rounded(std::abs(solution.summary.energy.residual / solution.summary.energy.initial));
   data["program"] = {{"version", version()}, {"commit", build_facts().git_commit}};
   data["case"] = case_toml(impact, options);
+  data["titles"] = titles();
   data["systems"] = systems;
   data["injury"] = injury ? injury_marks(*injury) : Json(nullptr);
   data["history"] = page_history(impact, solution.history);

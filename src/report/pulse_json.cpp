@@ -8,6 +8,7 @@
 #include "dashpad/report/pulse_text.hpp"
 #include "dashpad/version.hpp"
 #include "io/json_values.hpp"
+#include "report/injury_json.hpp"
 
 namespace dashpad {
 
@@ -15,36 +16,19 @@ namespace {
 
 Json in_g(double acceleration) { return number(acceleration / standard_gravity); }
 
-Json hic(const Hic& of) {
-  return {{"value", number(of.value)}, {"begin_s", number(of.begin)}, {"end_s", number(of.end)}};
-}
-
-Json clip(const Clip& of) {
-  return {{"level_g", in_g(of.level)}, {"begin_s", number(of.begin)}, {"end_s", number(of.end)}};
-}
-
 Json figures(const PulseReport& report) {
-  const InjuryFigures& of = report.figures;
-  Json windows = Json::array(), dwells = Json::array();
-  for (const WindowedHic& window : report.windows) {
-    windows.push_back(hic(window.hic));
-    windows.back()["longest_window_s"] = number(window.longest_window);
-  }
-  for (const DwellTime& dwell : report.dwells)
-    dwells.push_back({{"level_g", in_g(dwell.level)},
-                      {"cumulative_s", number(dwell.cumulative)},
-                      {"longest_s", number(dwell.longest)}});
-  return {{"peak", {{"acceleration_g", in_g(of.peak.magnitude)}, {"time_s", number(of.peak.time)}}},
-          {"hic15", hic(of.hic15)},
-          {"hic36", hic(of.hic36)},
-          {"hic_unlimited", hic(of.hic_unlimited)},
-          {"hic_windows", windows},
-          {"hic_d", number(of.hic_d)},
-          {"clip_3ms_contiguous", clip(of.contiguous_3ms)},
-          {"clip_3ms_cumulative", clip(of.cumulative_3ms)},
-          {"severity_index", number(of.severity_index)},
-          {"dwell", dwells},
-          {"velocity_change_m_per_s", number(of.velocity_change)}};
+  Json all = injury_json(report.figures, false);
+  all["hic_windows"] = Json::array();
+  for (const WindowedHic& of : report.windows)
+    all["hic_windows"].push_back({{"value", number(of.hic.value)},
+                                  {"begin_s", number(of.hic.begin)},
+                                  {"end_s", number(of.hic.end)},
+                                  {"longest_window_s", number(of.longest_window)}});
+  Json& dwells = all[result_quantity("dwell_time").key] = Json::array();
+  for (const DwellTime& of : report.dwells)
+    dwells.push_back(
+        {{"level_g", in_g(of.level)}, {"value_s", number(of.cumulative)}, {"longest_s", number(of.longest)}});
+  return all;
 }
 
 Json column(const MeasuredColumn& of) {
@@ -129,9 +113,11 @@ std::string pulse_json(const PulseReport& report) {
 }
 
 std::string pulse_csv(const PulseReport& report, const UnitSystem& units) {
-  const double time_factor = value_in(units, 1, "s");
+  const ResultQuantity &time = result_quantity("time"), &acceleration = result_quantity("acceleration");
+  const double time_factor = scaled_unit(time.si_unit, units).scale;
   fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "time_{},acceleration_g\n", unit_for(units, "s"));
+  fmt::format_to(std::back_inserter(text), "{},{}\n", key_with_unit(time, units),
+                 key_with_unit(acceleration, units));
   for (std::size_t i = 0; i < report.pulse.time.size(); ++i)
     fmt::format_to(std::back_inserter(text), "{},{}\n", time_factor * report.pulse.time[i],
                    report.pulse.acceleration[i] / standard_gravity);

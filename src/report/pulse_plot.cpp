@@ -6,6 +6,7 @@
 
 #include "dashpad/version.hpp"
 #include "io/text.hpp"
+#include "report/axis_with_unit.hpp"
 #include "report/pulse_words.hpp"
 
 namespace dashpad {
@@ -32,12 +33,11 @@ double side_of_peak(const PulseReport& report) {
 }
 
 /// The window of a HIC as a rectangle as high as the mean acceleration in it.
-Series window(const std::string& label, const Hic& hic, double side, std::size_t turn,
-              const UnitSystem& units) {
+Series window(const char* key, const Hic& hic, double side, std::size_t turn, const UnitSystem& units) {
   const double begin = value_in(units, hic.begin, "s"), end = value_in(units, hic.end, "s");
   const double duration = hic.end - hic.begin;
   const double mean = duration > 0 ? side * std::pow(hic.value / duration, 0.4) : 0;
-  return {.label = fmt::format("{} = {}", label, brief(hic.value)),
+  return {.label = fmt::format("{} = {}", result_quantity(key).title, brief(hic.value, 4)),
           .style = SeriesStyle::band,
           .x = {begin, end},
           .y = {0, 0},
@@ -50,13 +50,10 @@ Series window(const std::string& label, const Hic& hic, double side, std::size_t
 Plot pulse_plot(const PulseReport& report, const UnitSystem& units) {
   const double side = side_of_peak(report);
   const InjuryFigures& figures = report.figures;
-  Panel panel{.title = {},
-              .x = {.label = fmt::format("Time ({})", unit_for(units, "s"))},
-              .y = {.label = "Acceleration (g)"},
-              .series = {}};
+  Panel panel{.title = {}, .x = axis_of("time", units), .y = axis_of("acceleration", units), .series = {}};
   if (figures.hic36.begin != figures.hic15.begin || figures.hic36.end != figures.hic15.end)
-    panel.series.push_back(window("HIC36", figures.hic36, side, turn_of_hic36, units));
-  panel.series.push_back(window("HIC15", figures.hic15, side, turn_of_hic15, units));
+    panel.series.push_back(window("hic36", figures.hic36, side, turn_of_hic36, units));
+  panel.series.push_back(window("hic15", figures.hic15, side, turn_of_hic15, units));
   if (report.filter) {
     panel.series.push_back(line("as measured", report.measured.pulse, turn_of_raw, units));
     panel.series.push_back(line(fmt::format("CFC{}", report.filter->channel_frequency_class), report.pulse,
@@ -64,10 +61,11 @@ Plot pulse_plot(const PulseReport& report, const UnitSystem& units) {
   } else {
     panel.series.push_back(line("pulse", report.pulse, turn_of_filtered, units));
   }
-  const double level = side * figures.contiguous_3ms.level / standard_gravity;
-  panel.series.push_back({.label = fmt::format("3 ms clip, {} g", brief(std::abs(level))),
-                          .style = SeriesStyle::horizontal_line,
-                          .y = {level}});
+  const double level = side * figures.clip_3ms.level / standard_gravity;
+  panel.series.push_back(
+      {.label = fmt::format("{}, {} g", result_quantity("clip_3ms").title, brief(std::abs(level), 4)),
+       .style = SeriesStyle::horizontal_line,
+       .y = {level}});
   return {.title = one_line(report.file),
           .panels = {panel},
           .source = fmt::format("dashpad {}; filter: {}", version(),

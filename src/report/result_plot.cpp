@@ -21,17 +21,17 @@ Series line(std::string label, std::vector<double> x, std::vector<double> y) {
   return series;
 }
 
-/// Acceleration away from the pad in g, the window of HIC15 and the 3 ms level.
+/// Deceleration, the window of HIC15 and the 3 ms clip.
 Panel acceleration_panel(const History& history, const std::optional<InjuryFigures>& injury,
                          const UnitSystem& units) {
-  Panel panel{"Acceleration", axis_with_unit("Time", "s", units), {}, {}};
-  panel.y.label = "Acceleration away from the pad (g)";
+  Panel panel{
+      result_quantity("deceleration").title, axis_of("time", units), axis_of("deceleration", units), {}};
   panel.y.low = 0;
   std::vector<double> deceleration;
   for (const double value : history.acceleration) deceleration.push_back(-value / standard_gravity);
   if (injury) {
     Series window;
-    window.label = fmt::format("HIC15 {}", significant(injury->hic15.value));
+    window.label = fmt::format("{} {}", result_quantity("hic15").title, significant(injury->hic15.value, 4));
     window.style = SeriesStyle::band;
     window.turn = 0;
     window.x = values_in(units, {injury->hic15.begin, injury->hic15.end}, "s");
@@ -40,12 +40,14 @@ Panel acceleration_panel(const History& history, const std::optional<InjuryFigur
     window.y2 = {top, top};
     panel.series.push_back(window);
     Series level;
-    level.label = fmt::format("3 ms: {} g", significant(injury->contiguous_3ms.level / standard_gravity));
+    level.label = fmt::format("{} {} g", result_quantity("clip_3ms").title,
+                              significant(injury->clip_3ms.level / standard_gravity, 4));
     level.style = SeriesStyle::horizontal_line;
-    level.y = {injury->contiguous_3ms.level / standard_gravity};
+    level.y = {injury->clip_3ms.level / standard_gravity};
     panel.series.push_back(level);
   }
-  panel.series.push_back(line("acceleration", values_in(units, history.time, "s"), std::move(deceleration)));
+  panel.series.push_back(line(result_quantity("deceleration").title, values_in(units, history.time, "s"),
+                              std::move(deceleration)));
   panel.series.back().turn = 0;
   return panel;
 }
@@ -53,12 +55,13 @@ Panel acceleration_panel(const History& history, const std::optional<InjuryFigur
 Panel loop_panel(const History& history, const UnitSystem& units) {
   Panel panel{"Force over motion and penetration",
               axis_with_unit("Distance", "m", units),
-              axis_with_unit("Force", "N", units),
+              axis_of("force", units),
               {}};
   panel.x.low = panel.y.low = 0;
-  panel.series.push_back(line("over the motion of the impactor", values_in(units, history.motion, "m"),
+  panel.series.push_back(line(result_quantity("motion").title, values_in(units, history.motion, "m"),
                               values_in(units, history.force, "N")));
-  panel.series.push_back(line("over the penetration of the pad", values_in(units, history.penetration, "m"),
+  panel.series.push_back(line(result_quantity("penetration").title,
+                              values_in(units, history.penetration, "m"),
                               values_in(units, history.force, "N")));
   return panel;
 }

@@ -99,14 +99,14 @@ std::vector<PageFigure> coloured_scatter_figures(const StudyAnswers& answers, co
     const std::vector<std::size_t> leading = leading_factors(answers, values);
     if (leading.size() < 2) return {};
     const std::string& name = answers.study.responses[response];
-    const ShownUnit shown = shown_as(si_unit_of(name), units);
+    const ScaledUnit shown = shown_as(si_unit_of(name), units);
     const Rows rows = rows_of(answers, leading, values, shown.scale, units);
     const std::vector<double> levels = levels_of(rows.value);
     if (levels.size() < 3) continue;
     const study::Factor &across = answers.study.factors[leading[0]], &up = answers.study.factors[leading[1]];
     figures.push_back(
         {.plot = {.title = fmt::format("{} over {} and {}", name, across.key, up.key),
-                  .panels = {{.title = meaning_of(name),
+                  .panels = {{.title = title_of(name),
                               .x = {.label = label(across.key, across.unit, units)},
                               .y = {.label = label(up.key, up.unit, units)},
                               .series = classes(rows, levels, shown.unit)}},

@@ -40,8 +40,8 @@ Series distribution_function(std::vector<double> values, double scale) {
 
 Panel distribution_panel(const StudyAnswers& answers, std::size_t i, const UnitSystem& units) {
   const std::string name = name_of(answers, i), unit = si_unit_of(name);
-  const ShownUnit shown = shown_as(unit, units);
-  Panel panel{.title = fmt::format("{}: {}", name, meaning_of(name)),
+  const ScaledUnit shown = shown_as(unit, units);
+  Panel panel{.title = title_of(name),
               .x = {.label = label(name, unit, units)},
               .y = {.label = "Rows at or below (%)", .low = 0, .high = 100},
               .series = {}};
@@ -63,7 +63,7 @@ Panel scatter_panel(const StudyAnswers& answers, std::size_t factor, std::size_t
                     const UnitSystem& units) {
   const study::Factor& of = answers.study.factors[factor];
   const std::string& name = answers.study.responses[response];
-  const ShownUnit x = shown_as(of.unit, units), y = shown_as(si_unit_of(name), units);
+  const ScaledUnit x = shown_as(of.unit, units), y = shown_as(si_unit_of(name), units);
   Panel panel{.title = fmt::format("{} over {}", name, of.key),
               .x = {.label = label(of.key, of.unit, units)},
               .y = {.label = label(name, si_unit_of(name), units)},

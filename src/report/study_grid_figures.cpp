@@ -39,7 +39,7 @@ Plot curves(const StudyAnswers& answers, const GridPlane& plane, std::size_t res
             const UnitSystem& units) {
   const std::string name = name_of(answers, response);
   const study::Factor& across = answers.study.factors[plane.across];
-  Panel panel{.title = meaning_of(name),
+  Panel panel{.title = title_of(name),
               .x = axis_of(across, units),
               .y = {.label = label(name, si_unit_of(name), units)},
               .series = {}};
@@ -71,8 +71,8 @@ Plot map_of(const StudyAnswers& answers, const GridPlane& plane, std::size_t res
   const std::string name = name_of(answers, response);
   const study::Factor &across = answers.study.factors[plane.across],
                       &up = answers.study.factors[*plane.lines];
-  const ShownUnit shown = shown_as(si_unit_of(name), units);
-  Panel panel{.title = meaning_of(name), .x = axis_of(across, units), .y = axis_of(up, units), .series = {}};
+  const ScaledUnit shown = shown_as(si_unit_of(name), units);
+  Panel panel{.title = title_of(name), .x = axis_of(across, units), .y = axis_of(up, units), .series = {}};
   std::vector<std::vector<double>> values;
   double least = HUGE_VAL, greatest = -HUGE_VAL;
   for (const std::vector<double>& line : plane.values) {
@@ -96,15 +96,15 @@ Plot map_of(const StudyAnswers& answers, const GridPlane& plane, std::size_t res
 }
 
 Panel cushion_panel(const study::CushionCurves::Drop& drop, const UnitSystem& units) {
-  const ShownUnit height = shown_as("m", units), stress = shown_as("Pa", units),
-                  speed = shown_as("m/s", units);
+  const ScaledUnit height = shown_as("m", units), stress = shown_as("Pa", units),
+                   speed = shown_as("m/s", units);
   Panel panel{
       .title = fmt::format("Drop height {} {} ({} {})", four_digits(height.scale * drop.height), height.unit,
                            four_digits(speed.scale * drop.speed), speed.unit),
       .x = {.label = fmt::format("Static stress: weight over contact area at the largest penetration ({})",
                                  stress.unit),
             .logarithmic = true},
-      .y = {.label = "Peak deceleration (g)", .low = 0},
+      .y = {.label = "Peak acceleration (g)", .low = 0},
       .series = {}};
   for (std::size_t i = 0; i < drop.curves.size(); ++i)
     panel.series.push_back(
@@ -148,10 +148,11 @@ std::vector<PageFigure> cushion_figures(const StudyAnswers& answers, const UnitS
   Plot plot{.title = "Cushion curves of a " + nose, .panels = {}, .source = study_source(answers)};
   for (const study::CushionCurves::Drop& drop : answers.cushion_curves->drops)
     plot.panels.push_back(cushion_panel(drop, units));
-  return {{"", std::move(plot),
-           "In the manner of ASTM D1596, but of a " + nose +
-               ", not of a platen wider than the cushion: the loaded area is the projected contact area at the "
-               "largest penetration. Do not mix them with a maker's curves."}};
+  return {
+      {"", std::move(plot),
+       "In the manner of ASTM D1596, but of a " + nose +
+           ", not of a platen wider than the cushion: the loaded area is the projected contact area at the "
+           "largest penetration. Do not mix them with a maker's curves."}};
 }
 
 }  // namespace dashpad

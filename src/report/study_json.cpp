@@ -1,4 +1,4 @@
-// The answers of a study as JSON, in SI.
+// The answers of a study as JSON, in SI and g.
 
 #include "dashpad/report/study_report.hpp"
 #include "io/json_values.hpp"
@@ -8,33 +8,37 @@ namespace dashpad {
 
 namespace {
 
-Json estimate_json(const study::Estimate& of) {
-  return {{"value", number(of.value)}, {"low", number(of.low)}, {"high", number(of.high)}};
+Json estimate_json(const study::Estimate& of, double scale = 1) {
+  return {{"value", number(scale * of.value)},
+          {"low", number(scale * of.low)},
+          {"high", number(scale * of.high)}};
 }
 
 Json distribution_json(const std::string& response, const study::Distribution& of) {
+  const auto [scale, unit] = scaled_unit(si_unit_of(response), plain_si());
   Json quantiles = Json::array();
   for (const study::Distribution::Quantile& quantile : of.quantiles) {
     Json json = {{"probability", quantile.probability}};
-    json.update(estimate_json(quantile.value));
+    json.update(estimate_json(quantile.value, scale));
     quantiles.push_back(json);
   }
   return {{"response", response},
-          {"unit", si_unit_of(response)},
+          {"unit", unit},
           {"rows", of.rows},
           {"rows_struck_through", of.struck_through},
           {"rows_without", of.without},
-          {"mean", estimate_json(of.mean)},
-          {"deviation", number(of.deviation)},
-          {"least", number(of.least)},
-          {"greatest", number(of.greatest)},
+          {"mean", estimate_json(of.mean, scale)},
+          {"deviation", number(scale * of.deviation)},
+          {"least", number(scale * of.least)},
+          {"greatest", number(scale * of.greatest)},
           {"quantiles", quantiles}};
 }
 
 Json exceedance_json(const StudyLimit& limit, const study::Exceedance& of) {
+  const auto [scale, unit] = scaled_unit(si_unit_of(limit.response), plain_si());
   return {{"response", limit.response},
-          {"unit", si_unit_of(limit.response)},
-          {"limit", number(limit.value)},
+          {"unit", unit},
+          {"limit", number(scale * limit.value)},
           {"probability", estimate_json(of.probability)},
           {"rows_above", of.exceeding},
           {"rows_struck_through", of.struck_through},
@@ -86,9 +90,9 @@ Json cushion_json(const study::CushionCurves& curves) {
       Json points = Json::array();
       for (std::size_t i = 0; i < curve.static_stress.size(); ++i)
         points.push_back({{"static_stress_Pa", number(curve.static_stress[i])},
-                          {"peak_acceleration_m_s2", number(curve.peak_deceleration[i])}});
+                          {"peak_acceleration_g", number(curve.peak_deceleration[i] / standard_gravity)}});
       drops.push_back({{"drop_height_m", drop.height},
-                       {"speed_m_s", drop.speed},
+                       {"speed_m_per_s", drop.speed},
                        {"thickness_m", curve.thickness},
                        {"points", points}});
     }

@@ -39,7 +39,7 @@ void add_distributions(PageTable& table, const StudyAnswers& answers, const Stud
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::string name = name_of(answers, answers.responses[i]);
     const study::Distribution& distribution = of.distributions[i];
-    const ShownUnit shown = shown_as(si_unit_of(name), units);
+    const ScaledUnit shown = shown_as(si_unit_of(name), units);
     const auto digits = [&](double value) { return four_digits_or_struck(shown.scale * value); };
     Row row{label(name, si_unit_of(name), units), with_interval(distribution.mean, shown.scale),
             digits(distribution.deviation)};
@@ -63,8 +63,8 @@ void add_exceedances(PageTable& table, const StudyAnswers& answers, const StudyA
   for (std::size_t i = 0; i < answers.limits.size(); ++i) {
     const StudyLimit& limit = answers.limits[i];
     const study::Exceedance& exceedance = of.exceedances[i];
-    const ShownUnit shown = shown_as(si_unit_of(limit.response), units);
-    Row row{limit.response,
+    const ScaledUnit shown = shown_as(si_unit_of(limit.response), units);
+    Row row{title_of(limit.response),
             four_digits(shown.scale * limit.value) + (shown.unit.empty() ? "" : " " + shown.unit),
             share_above(exceedance), std::to_string(exceedance.exceeding)};
     if (answers.records.struck_through > 0)
@@ -82,7 +82,7 @@ void add_indices(PageTable& table, const StudyAnswers& answers, const StudyAnswe
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     if (!of.sensitivities[i]) continue;
     for (const study::Sensitivity::Index& index : of.sensitivities[i]->indices)
-      table.rows.push_back({name_of(answers, answers.responses[i]), index.factor,
+      table.rows.push_back({title_of(name_of(answers, answers.responses[i])), index.factor,
                             share_with_interval(index.first), share_with_interval(index.total),
                             std::to_string(of.sensitivities[i]->draws)});
   }

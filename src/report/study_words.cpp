@@ -5,17 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/impact/solution.hpp"
-#include "dashpad/study/responses.hpp"
 #include "io/text.hpp"
 
 namespace dashpad {
-
-ShownUnit shown_as(const std::string& si_unit, const UnitSystem& units) {
-  if (si_unit == "m/s2") return {1 / standard_gravity, "g"};
-  if (si_unit.empty() || si_unit == "1") return {};
-  return {value_in(units, 1, si_unit), shown_unit(unit_for(units, si_unit))};
-}
 
 std::string four_digits(double value) {
   if (!std::isfinite(value)) return "-";
@@ -44,19 +36,19 @@ std::string share_with_interval(const study::Estimate& share) {
 
 std::string percent_with_interval(const study::Estimate& estimate) { return with_interval(estimate, 100); }
 
-std::string meaning_of(const std::string& response) {
-  const study::ResponseKind* kind = study::find_response_kind(response);
-  return kind == nullptr ? "" : kind->meaning;
+std::string title_of(const std::string& name) {
+  const ResultQuantity* quantity = find_result_quantity(name);
+  return quantity == nullptr ? name : quantity->title;
 }
 
 std::string si_unit_of(const std::string& response) {
-  const study::ResponseKind* kind = study::find_response_kind(response);
-  return kind == nullptr ? "1" : kind->unit;
+  const ResultQuantity* quantity = find_result_quantity(response);
+  return quantity == nullptr ? "1" : quantity->si_unit;
 }
 
 std::string label(const std::string& name, const std::string& si_unit, const UnitSystem& units) {
   const std::string unit = shown_as(si_unit, units).unit;
-  return unit.empty() ? name : fmt::format("{} ({})", name, unit);
+  return unit.empty() ? title_of(name) : fmt::format("{} ({})", title_of(name), unit);
 }
 
 std::vector<std::size_t> level_factors(const study::Study& study) {
@@ -77,7 +69,7 @@ std::string level_text(const study::Study& study, std::size_t factor, double val
   const study::Factor& of = study.factors[factor];
   const auto number = static_cast<std::size_t>(std::max(value, 0.0));
   if (of.unit.empty() && number < study.materials.size()) return one_line(study.materials[number].name);
-  const ShownUnit shown = shown_as(of.unit, units);
+  const ScaledUnit shown = shown_as(of.unit, units);
   return four_digits(shown.scale * value) + (shown.unit.empty() ? "" : " " + shown.unit);
 }
 
@@ -93,7 +85,7 @@ std::string group_label(const StudyAnswers& answers, const study::Group& group, 
 std::string shown_factor(const std::string& unit, double value, const Material& material,
                          const UnitSystem& units) {
   if (unit.empty()) return one_line(material.name);
-  const ShownUnit shown = shown_as(unit, units);
+  const ScaledUnit shown = shown_as(unit, units);
   return brief(shown.scale * value) + (shown.unit.empty() ? "" : " " + shown.unit);
 }
 

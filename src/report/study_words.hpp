@@ -5,15 +5,9 @@
 #include <vector>
 
 #include "dashpad/report/study_report.hpp"
+#include "io/text.hpp"
 
 namespace dashpad {
-
-/// How values of an SI unit are shown: accelerations in g, all else as the unit system has it.
-struct ShownUnit {
-  double scale = 1;
-  std::string unit = {};  ///< "" for a pure number
-};
-ShownUnit shown_as(const std::string& si_unit, const UnitSystem& units);
 
 /// Four significant digits: what a study of some thousand rows can tell. "-" if not finite.
 std::string four_digits(double value);
@@ -27,10 +21,10 @@ std::string share_with_interval(const study::Estimate& share);
 /// In per cent.
 std::string percent_with_interval(const study::Estimate& estimate);
 
-/// The response's own words from response_kinds(), "largest force"; its SI unit.
-std::string meaning_of(const std::string& response);
+/// "Peak force" of the response peak_force; a factor has no other name than its key.
+std::string title_of(const std::string& name);
 std::string si_unit_of(const std::string& response);
-/// "peak_force (kN)".
+/// "Peak force (kN)".
 std::string label(const std::string& name, const std::string& si_unit, const UnitSystem& units);
 
 /// Numbers in Study::factors of those with levels, and of those with distributions.

@@ -56,7 +56,7 @@ double PulseFigures::Sampled::hic(double longest_window) {
 /// The difference from every second sample, and the error of the force to the power that it has in the
 /// figure.
 template <class Figure>
-FigureWithError PulseFigures::with_error(Figure figure, double power) {
+EstimatedValue PulseFigures::with_error(Figure figure, double power) {
   const double value = figure(fine_);
   if (!has_coarse_) return {value, std::numeric_limits<double>::infinity()};
   const double coarse = figure(coarse_);
@@ -64,7 +64,7 @@ FigureWithError PulseFigures::with_error(Figure figure, double power) {
 }
 
 /// A window longer than the pulse is none: HIC15 of a short pulse is its HIC36, and computed once.
-FigureWithError PulseFigures::hic(double longest_window) {
+EstimatedValue PulseFigures::hic(double longest_window) {
   const auto figure = [](double window) { return [window](Sampled& of) { return of.hic(window); }; };
   if (fine_.pulse.time.back() - fine_.pulse.time.front() > longest_window)
     return with_error(figure(longest_window), hic_power);
@@ -72,8 +72,8 @@ FigureWithError PulseFigures::hic(double longest_window) {
   return *whole_window_;
 }
 
-FigureWithError PulseFigures::hic_d() {
-  const FigureWithError hic36 = hic(36e-3);
+EstimatedValue PulseFigures::hic_d() {
+  const EstimatedValue hic36 = hic(36e-3);
   const double value = dashpad::hic_d(hic36.value);
   // The offset of HIC(d) has no error; that of the samples shrinks with it, that of the force is kept, as
   // there.
@@ -81,7 +81,7 @@ FigureWithError PulseFigures::hic_d() {
   return {value, of_samples + hic_power * force_error_};
 }
 
-FigureWithError PulseFigures::contiguous_3ms() {
+EstimatedValue PulseFigures::clip_3ms() {
   const auto figure = [](const Sampled& of) {
     return of.hump ? clip_of(*of.hump, of.pulse, three_milliseconds).level
                    : contiguous_clip(of.pulse, three_milliseconds).level;
@@ -92,16 +92,16 @@ FigureWithError PulseFigures::contiguous_3ms() {
   return *clip_;
 }
 
-FigureWithError PulseFigures::cumulative_3ms() {
-  if (fine_.hump && (coarse_.hump || !has_coarse_)) return contiguous_3ms();
+EstimatedValue PulseFigures::cumulative_3ms() {
+  if (fine_.hump && (coarse_.hump || !has_coarse_)) return clip_3ms();
   return with_error([](const Sampled& of) { return cumulative_clip(of.pulse, three_milliseconds).level; }, 1);
 }
 
-FigureWithError PulseFigures::severity_index() {
+EstimatedValue PulseFigures::severity_index() {
   return with_error([](const Sampled& of) { return dashpad::severity_index(of.pulse); }, hic_power);
 }
 
-FigureWithError PulseFigures::velocity_change() {
+EstimatedValue PulseFigures::velocity_change() {
   return with_error([](const Sampled& of) { return dashpad::velocity_change(of.pulse); }, 1);
 }
 

@@ -8,13 +8,9 @@
 #include "dashpad/injury/pulse.hpp"
 #include "injury/hic_curve.hpp"
 #include "injury/hump.hpp"
+#include "io/summary_values.hpp"
 
 namespace dashpad::study {
-
-struct FigureWithError {
-  double value = 0;
-  double error = 0;  ///< relative
-};
 
 /// The same numbers and errors as injury_figures() of dashpad/injury/figures.hpp, of one solution after the
 /// other.
@@ -25,12 +21,12 @@ class PulseFigures {
   /// False: the impactor did not leave the pad, or a value is not finite. Nothing may be asked then.
   [[nodiscard]] bool whole() const { return whole_; }
 
-  FigureWithError hic(double longest_window);
-  FigureWithError hic_d();
-  FigureWithError contiguous_3ms();
-  FigureWithError cumulative_3ms();
-  FigureWithError severity_index();
-  FigureWithError velocity_change();
+  EstimatedValue hic(double longest_window);
+  EstimatedValue hic_d();
+  EstimatedValue clip_3ms();
+  EstimatedValue cumulative_3ms();
+  EstimatedValue severity_index();
+  EstimatedValue velocity_change();
 
  private:
   /// A pulse, and what several figures need of it.
@@ -44,14 +40,14 @@ class PulseFigures {
     double hic(double longest_window);
   };
   template <class Figure>
-  FigureWithError with_error(Figure figure, double power);
+  EstimatedValue with_error(Figure figure, double power);
 
   Sampled fine_, coarse_;
   bool has_coarse_ = false;
   double force_error_ = 0;
   bool whole_ = false;
-  std::optional<FigureWithError> whole_window_;  ///< HIC with a window that is no limit
-  std::optional<FigureWithError> clip_;          ///< of a hump: contiguous and cumulative are the same
+  std::optional<EstimatedValue> whole_window_;  ///< HIC with a window that is no limit
+  std::optional<EstimatedValue> clip_;          ///< of a hump: contiguous and cumulative are the same
 };
 
 }  // namespace dashpad::study

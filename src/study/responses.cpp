@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <iterator>
 #include <stdexcept>
 #include <string_view>
 
+#include "io/summary_values.hpp"
 #include "study/pulse_figures.hpp"
 
 namespace dashpad::study {
@@ -17,88 +18,64 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// How a response is got: one of the two functions.
 struct Recipe {
   ResponseKind kind;
-  FigureWithError (*of_summary)(const Summary&) = nullptr;
-  FigureWithError (*of_pulse)(PulseFigures&) = nullptr;
+  EstimatedValue (*of_summary)(const Summary&) = nullptr;
+  EstimatedValue (*of_pulse)(PulseFigures&) = nullptr;
 };
 
-FigureWithError present(const std::optional<double>& value, double error) {
-  return value ? FigureWithError{*value, error} : FigureWithError{no_value, 0};
+/// A figure of a pulse grows with what is missing of it, but for the velocity change.
+struct PulseRecipe {
+  const char* key;
+  EstimatedValue (*of)(PulseFigures&);
+};
+constexpr PulseRecipe of_pulses[] = {
+    {"hic15", [](PulseFigures& of) { return of.hic(15e-3); }},
+    {"hic36", [](PulseFigures& of) { return of.hic(36e-3); }},
+    {"hic_unlimited", [](PulseFigures& of) { return of.hic(unlimited_window); }},
+    {"hic_d", [](PulseFigures& of) { return of.hic_d(); }},
+    {"clip_3ms", [](PulseFigures& of) { return of.clip_3ms(); }},
+    {"cumulative_3ms", [](PulseFigures& of) { return of.cumulative_3ms(); }},
+    {"severity_index", [](PulseFigures& of) { return of.severity_index(); }},
+    {"velocity_change", [](PulseFigures& of) { return of.velocity_change(); }},
+};
+
+/// What is no figure of a study: moments of which not every impact has one, and an audit of the run.
+constexpr std::string_view left_out[] = {"force_below_weight", "bottomed", "energy_residual_fraction"};
+
+Growth growth_of(std::string_view key) {
+  for (const char* with_force : {"peak_force", "peak_acceleration"})
+    if (key == with_force) return Growth::with_force;
+  for (const char* with_motion : {"peak_motion", "peak_penetration", "peak_strain", "peak_strain_rate"})
+    if (key == with_motion) return Growth::with_motion;
+  return Growth::none;
 }
 
-const Recipe recipes[] = {
-    {{"peak_force", "N", "largest force", false, Growth::with_force},
-     [](const Summary& of) { return present(of.peak_force, of.errors.peak_force); }},
-    {{"peak_acceleration", "m/s2", "largest deceleration of the impactor", false, Growth::with_force},
-     [](const Summary& of) { return present(of.peak_acceleration, of.errors.peak_force); }},
-    {{"time_of_peak_force", "s", "time of the largest force", false},
-     [](const Summary& of) { return present(of.time_of_peak_force, of.errors.time_of_peak_force); }},
-    {{"peak_motion", "m", "largest motion of the impactor", false, Growth::with_motion},
-     [](const Summary& of) {
-       return FigureWithError{of.peak_motion, of.errors.peak_motion};
-     }},
-    {{"peak_penetration", "m", "largest penetration of the pad", false, Growth::with_motion},
-     [](const Summary& of) {
-       return FigureWithError{of.peak_penetration, of.errors.peak_penetration};
-     }},
-    {{"peak_strain", "1", "largest strain on the axis", false, Growth::with_motion},
-     [](const Summary& of) {
-       return FigureWithError{of.peak_strain, of.errors.peak_penetration};
-     }},
-    {{"peak_strain_rate", "1/s", "largest strain rate on the axis", false, Growth::with_motion},
-     [](const Summary& of) {
-       return FigureWithError{of.peak_strain_rate, 0};
-     }},
-    {{"rebound_speed", "m/s", "speed when the impactor leaves the pad", false},
-     [](const Summary& of) { return present(of.rebound_speed, of.errors.rebound_speed); }},
-    {{"restitution", "1", "rebound speed over impact speed", false},
-     [](const Summary& of) { return present(of.restitution, of.errors.rebound_speed); }},
-    {{"contact_end_time", "s", "end of contact: the force falls below 0.1 % of its peak", false},
-     [](const Summary& of) {
-       return of.contact_end ? FigureWithError{of.contact_end->time, of.errors.contact_end}
-                             : FigureWithError{no_value, 0};
-     }},
-    {{"release_time", "s", "when the last column is without pressure; has no error estimate", false},
-     [](const Summary& of) {
-       return FigureWithError{of.release ? of.release->time : no_value, 0};
-     }},
-    {{"energy_absorbed_fraction", "1", "part of the impact energy that the pad absorbs", false, Growth::none,
-      true},
-     [](const Summary& of) {
-       return FigureWithError{of.energy_absorbed_fraction, of.errors.energy_absorbed};
-     }},
-    {{"hic15", "1", "head injury criterion, windows up to 15 ms", true, Growth::with_force},
-     nullptr,
-     [](PulseFigures& of) { return of.hic(15e-3); }},
-    {{"hic36", "1", "head injury criterion, windows up to 36 ms", true, Growth::with_force},
-     nullptr,
-     [](PulseFigures& of) { return of.hic(36e-3); }},
-    {{"hic_unlimited", "1", "head injury criterion, windows of any length", true, Growth::with_force},
-     nullptr,
-     [](PulseFigures& of) { return of.hic(unlimited_window); }},
-    {{"hic_d", "1", "HIC(d) of the free-motion headform", true, Growth::with_force},
-     nullptr,
-     [](PulseFigures& of) { return of.hic_d(); }},
-    {{"clip_3ms_contiguous", "m/s2", "deceleration exceeded for 3 ms without a break", true,
-      Growth::with_force},
-     nullptr,
-     [](PulseFigures& of) { return of.contiguous_3ms(); }},
-    {{"clip_3ms_cumulative", "m/s2", "deceleration exceeded for 3 ms in all", true, Growth::with_force},
-     nullptr,
-     [](PulseFigures& of) { return of.cumulative_3ms(); }},
-    {{"severity_index", "1", "Gadd severity index", true, Growth::with_force},
-     nullptr,
-     [](PulseFigures& of) { return of.severity_index(); }},
-    {{"velocity_change", "m/s", "velocity change over the pulse, with sign", true, Growth::none, true},
-     nullptr,
-     [](PulseFigures& of) { return of.velocity_change(); }},
-};
+std::vector<Recipe> make_recipes() {
+  std::vector<Recipe> all;
+  for (const SummaryQuantity& entry : summary_quantities()) {
+    const std::string_view key = entry.quantity->key;
+    if (std::ranges::find(left_out, key) == std::end(left_out))
+      all.push_back(
+          {{*entry.quantity, false, growth_of(key), key == "energy_absorbed_fraction"}, entry.of, nullptr});
+  }
+  for (const PulseRecipe& entry : of_pulses)
+    all.push_back({{result_quantity(entry.key), true,
+                    entry.key == std::string_view{"velocity_change"} ? Growth::none : Growth::with_force},
+                   nullptr,
+                   entry.of});
+  return all;
+}
+
+const std::vector<Recipe>& recipes() {
+  static const std::vector<Recipe> all = make_recipes();
+  return all;
+}
 
 }  // namespace
 
 const std::vector<ResponseKind>& response_kinds() {
   static const std::vector<ResponseKind> kinds = [] {
     std::vector<ResponseKind> all;
-    for (const Recipe& recipe : recipes) all.push_back(recipe.kind);
+    for (const Recipe& recipe : recipes()) all.push_back(recipe.kind);
     return all;
   }();
   return kinds;
@@ -106,7 +83,7 @@ const std::vector<ResponseKind>& response_kinds() {
 
 const ResponseKind* find_response_kind(const std::string& name) {
   const auto& kinds = response_kinds();
-  const auto found = std::ranges::find_if(kinds, [&](const ResponseKind& kind) { return name == kind.name; });
+  const auto found = std::ranges::find_if(kinds, [&](const ResponseKind& kind) { return name == kind.key; });
   return found == kinds.end() ? nullptr : &*found;
 }
 
@@ -117,7 +94,7 @@ bool is_possible(const ResponseKind& kind, double value) {
 bool has_response(const ResponseKind& kind, Status status) {
   switch (status) {
     // Contact may never be lost: a rigid foam stops the impactor on a rigid support.
-    case Status::released: return kind.name != std::string_view{"contact_end_time"};
+    case Status::released: return kind.key != std::string_view{"contact_end"};
     case Status::bottomed_out: return kind.growth == Growth::with_motion;
     case Status::time_limit: return kind.growth != Growth::none && !kind.of_pulse;
     case Status::tolerance_not_met:
@@ -129,7 +106,7 @@ bool has_response(const ResponseKind& kind, Status status) {
 std::vector<std::string> default_responses() {
   std::vector<std::string> names;
   for (const ResponseKind& kind : response_kinds())
-    if (!kind.of_pulse) names.emplace_back(kind.name);
+    if (!kind.of_pulse) names.emplace_back(kind.key);
   return names;
 }
 
@@ -155,9 +132,9 @@ void ResponseReader::operator()(const Solution& solution, Outcome& outcome) {
   outcome.values.assign(kinds_.size(), no_value);
   if (pulse_) pulse_->take(solution);
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
-    const Recipe& recipe = recipes[kinds_[i]];
+    const Recipe& recipe = recipes()[kinds_[i]];
     if (recipe.of_pulse && !pulse_->whole()) continue;
-    const FigureWithError figure = recipe.of_pulse ? recipe.of_pulse(*pulse_) : recipe.of_summary(summary);
+    const EstimatedValue figure = recipe.of_pulse ? recipe.of_pulse(*pulse_) : recipe.of_summary(summary);
     if (is_possible(recipe.kind, figure.value)) outcome.values[i] = figure.value;
     // An estimate that is no number bounds nothing.
     outcome.error = std::max(outcome.error, std::isnan(figure.error) ? infinity : figure.error);

@@ -40,7 +40,7 @@ std::uint64_t bytes_per_row(const StoreHeading& heading) {
 StoredColumn response_column(const std::string& name) {
   const ResponseKind* kind = find_response_kind(name);
   if (kind == nullptr) throw std::invalid_argument("no response \"" + name + "\"");
-  return {name, kind->unit, kind->meaning};
+  return {name, kind->si_unit, kind->meaning};
 }
 
 std::int64_t pragma(const Database& database, const std::string& name) {

@@ -123,7 +123,7 @@ bool has_columns_of(const Store& store, const Study& study) {
   return factors_fit &&
          std::ranges::equal(store.responses(), study.responses,
                             [&](const StoredColumn& column, const std::string& name) {
-                              return same(column, name, find_response_kind(name)->unit);
+                              return same(column, name, find_response_kind(name)->si_unit);
                             }) &&
          store.rows() == Design{study}.rows();
 }

@@ -44,7 +44,7 @@ case = "case.toml"
 samples = {}
 sampling = "monte-carlo"
 seed = 7
-responses = ["peak_force", "peak_strain", "rebound_speed", "release_time"]
+responses = ["peak_force", "peak_strain", "rebound_speed", "release"]
 [factors."impactor.speed"]
 distribution = "normal"
 mean = "3 m/s"

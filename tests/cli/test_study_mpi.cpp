@@ -74,7 +74,8 @@ TEST_F(StudyMpiTest, TwoAndThreeRanksGiveTheRowsOfOneProcess) {
 TEST_F(StudyMpiTest, GoesOnAfterARankWasKilled) {
   write_study("60000");
   const std::string kill_one =
-      "$RANKS sh -c 'if [ \"$OMPI_COMM_WORLD_RANK\" = 1 ]; then (sleep 1; kill -9 $$) & fi; exec " +
+      "$RANKS sh -c 'if [ \"$OMPI_COMM_WORLD_RANK\" = 1 ]; then (for i in $(seq 400); do [ -s " +
+      file("killed.db") + "-wal ] && break; sleep 0.05; done; sleep 0.5; kill -9 $$) & fi; exec " +
       with(command("killed.db"), "$DASHPAD", "\"$0\"") + "' \"$DASHPAD\"";
   const Outcome killed = with_ranks(3, kill_one);
   EXPECT_NE(killed.exit_code, 0) << killed.out;

@@ -27,7 +27,7 @@ void require_sound(const Standard& standard) {
   require(!standard.criteria.empty(), "a standard has a criterion");
   for (const Criterion& criterion : standard.criteria) {
     require_sound(std::optional{criterion.limit});
-    if (criterion.metric == Metric::dwell) require_sound(std::optional{criterion.level});
+    if (criterion.metric == Metric::dwell_time) require_sound(std::optional{criterion.level});
   }
 }
 

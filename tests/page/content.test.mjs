@@ -42,8 +42,8 @@ test("the example of the README", async () => {
   assert.match(warnings[0], /^EXTRAPOLATED: strain reaches 0\.987/);
   const peak = await page.getByRole("row", { name: /^Peak force/ }).innerText();
   assert.match(peak, /5756\.[78]\s+N\s+± 0\.0\d* %/);
-  assert.match(await page.locator("table").nth(1).innerText(), /HIC15[\s\S]*HIC36[\s\S]*3 ms level/);
-  assert.match(await legend(page), /3 ms level: 126\.\d g/);
+  assert.match(await page.locator("table").nth(1).innerText(), /HIC15[\s\S]*HIC36[\s\S]*3 ms clip[\s\S]*Cumulative 3 ms clip/);
+  assert.match(await legend(page), /3 ms clip 126\.\d g/);
   assert.match(await page.locator("#stress .note").innerText(), /differs from the force by 0\.\d+ %/);
   assert.match(await page.locator("pre").innerText(), /\[impactor\]\nmass = "4\.5359237 kg"/);
   assert.match(await page.locator("footer").innerText(), /dashpad \d+\.\d+\.\d+, commit \w+/);

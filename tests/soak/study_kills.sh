@@ -29,7 +29,7 @@ tolerance = 1e-2
 samples = $rows
 sampling = "monte-carlo"
 seed = 7
-responses = ["peak_force", "peak_strain", "rebound_speed", "release_time", "hic15"]
+responses = ["peak_force", "peak_strain", "rebound_speed", "release", "hic15"]
 [factors."impactor.speed"]
 distribution = "uniform"
 low = "10 mph"

@@ -37,7 +37,7 @@ TEST(InjuryFigures, OfASolvedImpactAreWithinTheirErrors) {
           Named{"HIC36", now.hic36.value, now.errors.hic36, exact.hic36.value},
           Named{"HIC", now.hic_unlimited.value, now.errors.hic_unlimited, exact.hic_unlimited.value},
           Named{"HIC(d)", now.hic_d, now.errors.hic_d, exact.hic_d},
-          Named{"clip", now.contiguous_3ms.level, now.errors.contiguous_3ms, exact.contiguous_3ms.level},
+          Named{"clip", now.clip_3ms.level, now.errors.clip_3ms, exact.clip_3ms.level},
           Named{"cumulative", now.cumulative_3ms.level, now.errors.cumulative_3ms,
                 exact.cumulative_3ms.level},
           Named{"SI", now.severity_index, now.errors.severity_index, exact.severity_index},
@@ -51,7 +51,7 @@ TEST(InjuryFigures, OfASolvedImpactAreWithinTheirErrors) {
 
 TEST(InjuryFigures, TheVelocityChangeIsThatOfTheImpactor) {
   const Solution solution = solved(1e-5);
-  const double change = -*solution.summary.rebound_speed - solution.history.velocity.front();
+  const double change = *solution.summary.rebound_speed + solution.history.velocity.front();
   EXPECT_NEAR(injury_figures(solution).velocity_change / change, 1, 1e-4);
 }
 
@@ -63,7 +63,7 @@ TEST(InjuryFigures, OfAShortHistoryHaveUnknownErrors) {
   solution.summary.errors.peak_force = 1e-3;
   const InjuryFigures::Errors few = injury_figures(solution).errors;
   EXPECT_EQ(few.peak, 1e-3);
-  for (const double error : {few.hic15, few.hic36, few.hic_unlimited, few.hic_d, few.contiguous_3ms,
+  for (const double error : {few.hic15, few.hic36, few.hic_unlimited, few.hic_d, few.clip_3ms,
                              few.cumulative_3ms, few.severity_index, few.velocity_change})
     EXPECT_EQ(error, std::numeric_limits<double>::infinity());
   solution.history.time = {0, 0.0025, 0.005, 0.01};

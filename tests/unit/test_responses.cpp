@@ -33,15 +33,15 @@ TEST(responses, are_the_figures_of_the_summary) {
   const std::map<std::string, std::pair<double, double>> expected{
       {"peak_force", {*summary.peak_force, summary.errors.peak_force}},
       {"peak_acceleration", {*summary.peak_acceleration, summary.errors.peak_force}},
-      {"time_of_peak_force", {*summary.time_of_peak_force, summary.errors.time_of_peak_force}},
+      {"time_to_peak_force", {*summary.time_of_peak_force, summary.errors.time_of_peak_force}},
       {"peak_motion", {summary.peak_motion, summary.errors.peak_motion}},
       {"peak_penetration", {summary.peak_penetration, summary.errors.peak_penetration}},
       {"peak_strain", {summary.peak_strain, summary.errors.peak_penetration}},
       {"peak_strain_rate", {summary.peak_strain_rate, 0}},
       {"rebound_speed", {*summary.rebound_speed, summary.errors.rebound_speed}},
       {"restitution", {*summary.restitution, summary.errors.rebound_speed}},
-      {"contact_end_time", {summary.contact_end->time, summary.errors.contact_end}},
-      {"release_time", {summary.release->time, 0}},
+      {"contact_end", {summary.contact_end->time, summary.errors.contact_end}},
+      {"release", {summary.release->time, 0}},
       {"energy_absorbed_fraction", {summary.energy_absorbed_fraction, summary.errors.energy_absorbed}}};
   EXPECT_EQ(default_responses().size(), expected.size());
   for (const std::string& name : default_responses()) {
@@ -63,18 +63,18 @@ TEST(responses, are_the_injury_figures) {
         {"hic36", {of.hic36.value, of.errors.hic36}},
         {"hic_unlimited", {of.hic_unlimited.value, of.errors.hic_unlimited}},
         {"hic_d", {of.hic_d, of.errors.hic_d}},
-        {"clip_3ms_contiguous", {of.contiguous_3ms.level, of.errors.contiguous_3ms}},
-        {"clip_3ms_cumulative", {of.cumulative_3ms.level, of.errors.cumulative_3ms}},
+        {"clip_3ms", {of.clip_3ms.level, of.errors.clip_3ms}},
+        {"cumulative_3ms", {of.cumulative_3ms.level, of.errors.cumulative_3ms}},
         {"severity_index", {of.severity_index, of.errors.severity_index}},
         {"velocity_change", {of.velocity_change, of.errors.velocity_change}}};
     std::size_t of_pulse = 0;
     for (const ResponseKind& kind : response_kinds()) {
       if (!kind.of_pulse) continue;
       ++of_pulse;
-      const Outcome outcome = outcome_of(solution, {kind.name});
-      EXPECT_NEAR(outcome.values.at(0), expected.at(kind.name).first, 1e-11 * std::abs(outcome.values[0]))
-          << kind.name;
-      EXPECT_NEAR(outcome.error, expected.at(kind.name).second, 1e-9) << kind.name;
+      const Outcome outcome = outcome_of(solution, {kind.key});
+      EXPECT_NEAR(outcome.values.at(0), expected.at(kind.key).first, 1e-11 * std::abs(outcome.values[0]))
+          << kind.key;
+      EXPECT_NEAR(outcome.error, expected.at(kind.key).second, 1e-9) << kind.key;
     }
     EXPECT_EQ(of_pulse, expected.size());
   }
@@ -96,8 +96,8 @@ TEST(responses, have_no_value_where_the_impact_has_none) {
   const Solution solution =
       solve(read_case(testing::source / "examples/rigid-floor-bottoming.toml", testing::materials).impact);
   ASSERT_EQ(solution.summary.status, Status::bottomed_out);
-  const Outcome outcome = outcome_of(solution, {"peak_force", "peak_acceleration", "rebound_speed",
-                                                "release_time", "hic15", "velocity_change", "peak_strain"});
+  const Outcome outcome = outcome_of(solution, {"peak_force", "peak_acceleration", "rebound_speed", "release",
+                                                "hic15", "velocity_change", "peak_strain"});
   for (std::size_t i = 0; i < 6; ++i) EXPECT_TRUE(std::isnan(outcome.values[i])) << i;
   EXPECT_EQ(outcome.values[6], 1);
   EXPECT_TRUE(outcome.bottomed);
@@ -165,9 +165,9 @@ TEST(responses, of_a_pulse_that_is_cut_are_doubtful_where_they_need_it_whole) {
 
 TEST(responses, may_be_below_zero_where_they_have_a_sign) {
   EXPECT_TRUE(is_possible(*find_response_kind("energy_absorbed_fraction"), -0.01));
-  EXPECT_TRUE(is_possible(*find_response_kind("velocity_change"), -9));
+  EXPECT_FALSE(is_possible(*find_response_kind("velocity_change"), -9));
   EXPECT_FALSE(is_possible(*find_response_kind("peak_force"), -1e-9));
-  EXPECT_FALSE(is_possible(*find_response_kind("velocity_change"), -HUGE_VAL));
+  EXPECT_FALSE(is_possible(*find_response_kind("energy_absorbed_fraction"), -HUGE_VAL));
   EXPECT_EQ(find_response_kind("peak_farce"), nullptr);
 }
 

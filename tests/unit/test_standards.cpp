@@ -156,23 +156,23 @@ struct Row {
 /// The figures of the sources, typed a second time.
 TEST(standards, presets_have_the_figures_of_their_sources) {
   const std::vector<Row> rows{
-      {"fmvss-201-instrument-panel", 6.8, 0.0825, 24 * kmh, Metric::contiguous_3ms, 80 * g},
-      {"fmvss-201-instrument-panel:air-bag", 6.8, 0.0825, 19.3 * kmh, Metric::contiguous_3ms, 80 * g},
-      {"fmvss-201-seat-back", 6.8, 0.0825, 24 * kmh, Metric::contiguous_3ms, 80 * g},
+      {"fmvss-201-instrument-panel", 6.8, 0.0825, 24 * kmh, Metric::clip_3ms, 80 * g},
+      {"fmvss-201-instrument-panel:air-bag", 6.8, 0.0825, 19.3 * kmh, Metric::clip_3ms, 80 * g},
+      {"fmvss-201-seat-back", 6.8, 0.0825, 24 * kmh, Metric::clip_3ms, 80 * g},
       {"fmvss-201u", 4.54, 0.08, 24 * kmh, Metric::hic_d, 1000},
       {"fmvss-201u:deployed", 4.54, 0.08, 19 * kmh, Metric::hic_d, 1000},
-      {"ece-r21", 6.8, 0.0825, 24.1 * kmh, Metric::contiguous_3ms, 80 * g},
-      {"en-1078", 4.7, 0.091, 5.52, Metric::peak, 250 * g},
-      {"en-1078:kerbstone:a", 3.1, 0.080, 16.5 * kmh, Metric::peak, 250 * g},
-      {"cpsc-1203", 5, 0.091, 6.2, Metric::peak, 300 * g},
-      {"cpsc-1203:hemispherical", 5, 0.048, 4.8, Metric::peak, 300 * g},
-      {"ece-22-05:o", 6.1, 0.099, 7.5, Metric::peak, 275 * g},
-      {"fmvss-218", 5, 0.088, 6, Metric::peak, 400 * g},
-      {"fmvss-218:hemispherical:small", 3.5, 0.048, 5.2, Metric::peak, 400 * g},
+      {"ece-r21", 6.8, 0.0825, 24.1 * kmh, Metric::clip_3ms, 80 * g},
+      {"en-1078", 4.7, 0.091, 5.52, Metric::peak_acceleration, 250 * g},
+      {"en-1078:kerbstone:a", 3.1, 0.080, 16.5 * kmh, Metric::peak_acceleration, 250 * g},
+      {"cpsc-1203", 5, 0.091, 6.2, Metric::peak_acceleration, 300 * g},
+      {"cpsc-1203:hemispherical", 5, 0.048, 4.8, Metric::peak_acceleration, 300 * g},
+      {"ece-22-05:o", 6.1, 0.099, 7.5, Metric::peak_acceleration, 275 * g},
+      {"fmvss-218", 5, 0.088, 6, Metric::peak_acceleration, 400 * g},
+      {"fmvss-218:hemispherical:small", 3.5, 0.048, 5.2, Metric::peak_acceleration, 400 * g},
       {"nocsae-football", 4.9, 0.09, std::sqrt(2 * g * 1.524), Metric::severity_index, 1200},
       {"nocsae-football-1970s", 4.9, 0.09, std::sqrt(2 * g * 1.524), Metric::severity_index, 1500},
       {"en-1177", 4.6, 0.08, 0, Metric::hic_unlimited, 1000},
-      {"astm-f1292", 4.6, 0.08, 0, Metric::peak, 200 * g},
+      {"astm-f1292", 4.6, 0.08, 0, Metric::peak_acceleration, 200 * g},
       {"fmvss-208-hic15", 0, 0, 0, Metric::hic15, 700},
       {"fmvss-208-hic36", 0, 0, 0, Metric::hic36, 1000},
       {"fmvss-202a-hic15", 0, 0, 0, Metric::hic15, 500},
@@ -199,7 +199,7 @@ TEST(standards, fmvss_218_limits_two_dwell_times) {
 
 TEST(standards, metrics_are_listed_in_the_order_of_their_enumeration) {
   for (std::size_t i = 0; i < metrics().size(); ++i)
-    EXPECT_EQ(static_cast<std::size_t>(metrics()[i].metric), i) << metrics()[i].key;
+    EXPECT_EQ(static_cast<std::size_t>(metrics()[i]), i) << quantity_of(metrics()[i]).key;
 }
 
 TEST(standards, a_choice_is_a_name_with_variants) {
@@ -292,7 +292,7 @@ source = "made up"
 kind = "secondary"
 verified = true
 [[criteria]]
-metric = "dwell"
+metric = "dwell_time"
 level_g = 150
 limit = "4 ms"
 description = "short"
@@ -383,9 +383,11 @@ TEST(standard_faults, each_fault_is_named_with_line_key_and_rule) {
        {{15, "speed.value", "give one of value, drop_height"}}},
       {"verified = false\n", "", {{9, "radius.verified", "is missing; must be true or false"}}},
       {"verified = false", "verified = \"no\"", {{13, "radius.verified", "must be true or false"}}},
-      {"metric = \"dwell\"", "metric = \"dwel\"", {{20, "criteria[1].metric", "did you mean \"dwell\"?"}}},
-      {"metric = \"dwell\"",
-       "metric = \"peak\"",
+      {"metric = \"dwell_time\"",
+       "metric = \"dwel_time\"",
+       {{20, "criteria[1].metric", "did you mean \"dwell_time\"?"}}},
+      {"metric = \"dwell_time\"",
+       "metric = \"peak_acceleration\"",
        {{19, "criteria[1].limit_g", "is missing"},
         {21, "criteria[1].level_g", "unknown key"},
         {22, "criteria[1].limit", "unknown key"}}},

@@ -232,10 +232,10 @@ TEST_F(StoredStudyTest, RowsThatStruckThroughHaveAColumnOfTheirOwn) {
     EXPECT_THAT(text, AllOf(HasSubstr("STRUCK THROUGH: in 229 of 1000 rows (22.9 %)"),
                             HasSubstr("TIME LIMIT: in 1 of 1000 rows"), HasSubstr("DOUBTFUL: 3 of 1000")));
     EXPECT_THAT(
-        text, ContainsRegex("peak_force +5000 N +22.99 \\([0-9.]+ to [0-9.]+\\) +229 +229 \\(22.9 %\\) +996 "
+        text, ContainsRegex("Peak force +5000 N +22.99 \\([0-9.]+ to [0-9.]+\\) +229 +229 \\(22.9 %\\) +996 "
                             "\\(4 undecided\\)"))
         << text;
-    EXPECT_THAT(text, ContainsRegex("peak_force \\(N\\) +- +- +1000 .* +struck through .*229 \\(22.9 %\\)"));
+    EXPECT_THAT(text, ContainsRegex("Peak force \\(N\\) +- +- +1000 .* +struck through .*229 \\(22.9 %\\)"));
     const auto page = study_page(answers, unit_systems().front());
     EXPECT_EQ(page.sections.at(1).tables.at(1).columns.at(4), "Struck through");
     EXPECT_EQ(page.sections.at(1).tables.at(1).rows.at(0).at(4), "229 (22.9 %)");

@@ -31,11 +31,11 @@ TEST(WidthOf, CountsCharactersNotBytes) {
 }
 
 TEST(Wrapped, BreaksAtBlanksAndIndentsAllButTheFirstLine) {
-  const std::string word(50, 'w');
+  const std::string word(46, 'w');
   EXPECT_EQ(wrapped("  short", 4), "  short");
   EXPECT_EQ(wrapped(word + " " + word + " " + word + " end", 4),
             word + " " + word + "\n    " + word + " end");
-  const std::string widest(110, 'w');
+  const std::string widest(100, 'w');
   EXPECT_EQ(wrapped(widest, 2), widest);
   EXPECT_EQ(wrapped(widest + " a", 2), widest + "\n  a");
 }

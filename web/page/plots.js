@@ -7,13 +7,13 @@ import { LoopChart } from "./loop_chart.js";
 const place = (values, best) => values.reduce((top, value, i) => (value !== null && value > (values[top] ?? -Infinity) ? i : top), best);
 
 export function plots(data) {
-  const { history, injury, snapshots, status } = data;
+  const { history, injury, snapshots, status, titles } = data;
   const shown = shownForces(history, status);
   const peak = place(shown, 0);
   const high = shown[peak];
   const closing = status === "bottomed out" ? "Without a finite limit at full compression: the curve leaves the plot." : "";
   const over = (y, series, more) => ({
-    x: { label: "Time", unit: "s" },
+    x: { label: titles.time, unit: "s" },
     y,
     series: series.map((each) => ({ x: history.time, ...each })),
     overTime: true,
@@ -23,7 +23,7 @@ export function plots(data) {
   const loop = (label, values) => ({
     time: history.time,
     x: { label, unit: "m", values },
-    y: { label: "Force", unit: "N", values: history.force, high },
+    y: { label: titles.force, unit: "N", values: history.force, high },
     note: closing,
     turn: place(values, 0),
     closed: status === "released" || history.force.at(-1) === 0,
@@ -32,23 +32,23 @@ export function plots(data) {
   const list = [
     new CurveChart({
       name: "force", title: "Force over time", note: closing,
-      ...over({ label: "Force", unit: "N", high }, [{ label: "force", y: history.force, colour: "line-0" }]),
+      ...over({ label: titles.force, unit: "N", high }, [{ label: titles.force, y: history.force, colour: "line-0" }]),
     }),
-    new CurveChart({ name: "acceleration", title: "Acceleration over time", note: closing, ...acceleration(over, history, injury, peak) }),
+    new CurveChart({ name: "acceleration", title: "Deceleration over time", note: closing, ...deceleration(over, history, injury, peak, titles) }),
     new LoopChart({
       name: "force-penetration", title: "Force against penetration",
-      ...loop("Penetration", history.penetration),
+      ...loop(titles.penetration, history.penetration),
     }),
-    new LoopChart({ name: "force-motion", title: "Force against motion", ...loop("Motion", history.motion) }),
+    new LoopChart({ name: "force-motion", title: "Force against motion", ...loop(titles.motion, history.motion) }),
     new CurveChart({
       name: "motion", title: "Penetration and motion over time",
       ...over({ label: "Distance", unit: "m" }, [
-        { label: "motion of the impactor", y: history.motion, colour: "line-0" },
-        { label: "penetration of the pad", y: history.penetration, colour: "line-1", dash: "dashed" },
-        { label: "deflection of the support", y: history.deflection, colour: "line-2", dash: "dotted" },
+        { label: titles.motion, y: history.motion, colour: "line-0" },
+        { label: titles.penetration, y: history.penetration, colour: "line-1", dash: "dashed" },
+        { label: titles.support_deflection, y: history.support_deflection, colour: "line-2", dash: "dotted" },
       ]),
     }),
-    energy(over, history, data.energy_residual),
+    energy(over, history, data.energy_residual_fraction, titles),
   ];
   if (snapshots.length > 0) list.push(...contact(snapshots));
   return list;
@@ -62,18 +62,18 @@ function shownForces({ force, penetration }, status) {
   return force.map((value, i) => (penetration[i] < end ? value : null));
 }
 
-// The deceleration in g, with the windows of the head injury criterion and the 3 ms level.
-function acceleration(over, history, injury, peak) {
-  const y = { label: "Acceleration", unit: "g", high: history.deceleration[peak] };
-  const series = [{ label: "acceleration, away from the pad", y: history.deceleration, colour: "line-0" }];
+// The deceleration in g, with the windows of the head injury criterion and the 3 ms clip.
+function deceleration(over, history, injury, peak, titles) {
+  const y = { label: titles.deceleration, unit: "g", high: history.deceleration[peak] };
+  const series = [{ label: titles.deceleration, y: history.deceleration, colour: "line-0" }];
   if (!injury) return over(y, series);
-  const { hic15, hic36, clip } = injury;
+  const { hic15, hic36, clip_3ms: clip } = injury;
   const span = (name, { value }) => `${name} ${Number(value.toPrecision(4))}`;
-  const level = `3 ms level: ${Number(clip.value.toPrecision(4))} g`;
+  const level = `${titles.clip_3ms} ${Number(clip.value.toPrecision(4))} g`;
   return over(y, series, {
     bands: [
-      { from: hic36.begin, to: hic36.end, colour: "band", label: span("HIC36", hic36) },
-      { from: hic15.begin, to: hic15.end, colour: "band-2", label: span("HIC15", hic15) },
+      { from: hic36.begin, to: hic36.end, colour: "band", label: span(titles.hic36, hic36) },
+      { from: hic15.begin, to: hic15.end, colour: "band-2", label: span(titles.hic15, hic15) },
     ],
     lines: [
       { y: clip.value, label: level, dash: "dashed" },
@@ -124,17 +124,17 @@ function isSteep(snapshots, high) {
   return high > 30 * Math.min(...snapshots.map(({ stress }) => Math.max(...stress)));
 }
 
-function energy(over, history, residual) {
+function energy(over, history, residual, titles) {
   return new CurveChart({
     name: "energy", title: "Energy over time",
     note:
-      `The sum of these curves (work by trapezoids) stays within ${percent(history.energy_residual)} of the impact ` +
+      `The sum of these curves (work by trapezoids) stays within ${percent(history.energy_residual_fraction)} of the impact ` +
       `energy. By the solver's own audit, of higher order, the residual at the end is ${percent(residual)}.`,
     ...over({ label: "Energy", unit: "J" }, [
-      { label: "sum", y: history.sum, colour: "text" },
-      { label: "kinetic", y: history.kinetic, colour: "line-0", dash: "dashed" },
-      { label: "in the support", y: history.support, colour: "line-2", dash: "dotted" },
-      { label: "work on the pad", y: history.pad, colour: "line-1" },
+      { label: titles.total_energy, y: history.total_energy, colour: "text" },
+      { label: titles.kinetic_energy, y: history.kinetic_energy, colour: "line-0", dash: "dashed" },
+      { label: titles.support_energy, y: history.support_energy, colour: "line-2", dash: "dotted" },
+      { label: titles.pad_energy, y: history.pad_energy, colour: "line-1" },
     ]),
   });
 }

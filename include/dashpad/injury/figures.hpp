@@ -1,6 +1,7 @@
 #pragma once
 /// All injury figures of a pulse, and of a solved impact with their errors.
 
+#include <array>
 #include <optional>
 
 #include "dashpad/impact/solution.hpp"
@@ -8,6 +9,7 @@
 #include "dashpad/injury/hic.hpp"
 #include "dashpad/injury/peak.hpp"
 #include "dashpad/injury/pulse.hpp"
+#include "dashpad/io/result_quantity.hpp"
 
 namespace dashpad {
 
@@ -15,18 +17,29 @@ struct InjuryFigures {
   Peak peak;
   Hic hic15, hic36, hic_unlimited;
   double hic_d = 0;
-  Clip contiguous_3ms, cumulative_3ms;
+  Clip clip_3ms, cumulative_3ms;  ///< held for 3 ms without a break, and in all
   double severity_index = 0;
-  double velocity_change = 0;  ///< m/s
+  double velocity_change = 0;  ///< m/s, magnitude
 
   /// Estimated relative errors of a solved impact; 0 for a pulse that is taken as it is.
   struct Errors {
-    double peak = 0, hic15 = 0, hic36 = 0, hic_unlimited = 0, hic_d = 0, contiguous_3ms = 0,
-           cumulative_3ms = 0, severity_index = 0, velocity_change = 0;
+    double peak = 0, hic15 = 0, hic36 = 0, hic_unlimited = 0, hic_d = 0, clip_3ms = 0, cumulative_3ms = 0,
+           severity_index = 0, velocity_change = 0;
   } errors;
 };
 
 InjuryFigures injury_figures(const Pulse& pulse);
+
+/// A figure of a pulse as it is written: SI, with its relative error, and where it has its value.
+struct InjuryValue {
+  const ResultQuantity* quantity;
+  double value = 0;
+  double error = 0;
+  std::optional<double> time = {};             ///< s, of a peak
+  std::optional<double> begin = {}, end = {};  ///< s, of a window or stretch
+};
+/// All of them, for text, page and JSON alike.
+std::array<InjuryValue, 9> injury_values(const InjuryFigures& figures);
 
 /// The acceleration of the impactor. Until its end the history of an impact on a rigid support that bottomed
 /// out is finite; it is no whole pulse.

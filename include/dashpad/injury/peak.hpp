@@ -14,7 +14,7 @@ struct Peak {
 
 Peak peak(const Pulse& pulse);
 
-/// Integral of a over the whole pulse, m/s, with sign.
+/// Magnitude of the integral of a over the whole pulse, m/s: how a sensor is mounted does not change it.
 double velocity_change(const Pulse& pulse);
 
 }  // namespace dashpad

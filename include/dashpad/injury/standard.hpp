@@ -10,6 +10,7 @@
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/io/result_quantity.hpp"
 
 namespace dashpad {
 
@@ -40,10 +41,10 @@ struct StandardValue {
 };
 
 enum class Metric {
-  peak,
-  contiguous_3ms,
+  peak_acceleration,
+  clip_3ms,
   cumulative_3ms,
-  dwell,  ///< cumulative time above a level
+  dwell_time,  ///< cumulative, above a level
   hic15,
   hic36,
   hic_unlimited,
@@ -51,27 +52,24 @@ enum class Metric {
   severity_index,
 };
 
-/// A metric as files name it, as people read it, and the SI unit of its values: "m/s2", "s" or "1".
-struct MetricFacts {
-  Metric metric = Metric::peak;
-  const char* key = "";
-  const char* title = "";
-  const char* unit = "";
-};
-
-/// One entry for each metric, in the order of the enumeration.
-const std::vector<MetricFacts>& metrics();
-const MetricFacts& facts(Metric metric);
+/// All of them, in the order of the enumeration.
+const std::vector<Metric>& metrics();
+/// What a metric limits: its key is that of files; the unit is "m/s2", "s" or "1".
+const ResultQuantity& quantity_of(Metric metric);
 
 /// A limit: the value of the metric must be at most this, or below it.
 struct Criterion {
-  Metric metric = Metric::peak;
-  double level = 0;     ///< m/s2; of dwell only
+  Metric metric = Metric::peak_acceleration;
+  double level = 0;     ///< m/s2; of dwell_time only
   double limit = 0;     ///< in the unit of the metric
   bool strict = false;  ///< the value must be below the limit
   std::string description;
   Origin origin;
 };
+/// What a criterion limits, for people; of a dwell time with the level: "Dwell time above 150 g".
+std::string title_of(const Criterion& criterion);
+/// "limit of peak acceleration".
+std::string limit_of(const Criterion& criterion);
 
 /// Values that take the place of those of the standard: another anvil, another size of headform.
 struct StandardVariant {

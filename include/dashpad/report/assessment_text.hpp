@@ -7,6 +7,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/io/unit_system.hpp"
+#include "dashpad/report/result_text.hpp"
 
 namespace dashpad {
 
@@ -29,8 +30,9 @@ struct AssessmentReport {
   const Assessment& assessment;
 };
 
-/// What was replaced and what was kept, the verdict, a row a criterion with its margin, the reservations.
-std::string assessment_text(const AssessmentReport& report, const UnitSystem& units);
+/// The verdict, a row a criterion with its margin, the reservations, what was replaced and what was kept.
+/// Errors stand beside values where they leave a criterion undecided, or with Detail::all.
+std::string assessment_text(const AssessmentReport& report, const UnitSystem& units, Detail detail);
 
 /// The same in SI, with the summary of the impact as `dashpad run --json` writes it under "result".
 std::string assessment_json(const AssessmentReport& report);

@@ -12,6 +12,7 @@
 #include "dashpad/measurement/measured_pulse.hpp"
 #include "dashpad/measurement/sensor_offset.hpp"
 #include "dashpad/report/plot.hpp"
+#include "dashpad/report/result_text.hpp"
 
 namespace dashpad {
 
@@ -89,12 +90,8 @@ std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak)
 std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std::optional<double> interval,
                                               const PulseFilter& filter);
 
-/// Peak, HIC, clips, severity index and velocity change, a line each; with ± where there is an error
-/// estimate.
-std::string injury_text(const InjuryFigures& figures, const UnitSystem& units);
-
-/// Where the pulse came from, what was done to it, what was repaired, and all figures.
-std::string pulse_text(const PulseReport& report, const UnitSystem& units);
+/// What to beware of and what was repaired, the figures, and what was done to the pulse.
+std::string pulse_text(const PulseReport& report, const UnitSystem& units, Detail detail);
 
 /// The same in SI, accelerations in g.
 std::string pulse_json(const PulseReport& report);

@@ -11,7 +11,7 @@
 
 namespace dashpad {
 
-/// Acceleration over time with the window of HIC15 and the 3 ms level, and force over motion and penetration;
+/// Acceleration over time with the window of HIC15 and the 3 ms clip, and force over motion and penetration;
 /// the flags of the result in the small print.
 Plot result_plot(const ImpactCase& impact, const Solution& solution,
                  const std::optional<InjuryFigures>& injury, const UnitSystem& units);

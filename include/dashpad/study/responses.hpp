@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/io/result_quantity.hpp"
 
 namespace dashpad::study {
 
@@ -18,11 +19,9 @@ enum class Growth {
   none,         ///< unknown before the end
 };
 
-struct ResponseKind {
-  const char* name;  ///< "peak_force", "hic15", ... as in results JSON
-  const char* unit;  ///< SI; "1" for a pure number and for HIC and the severity index, in g^2.5 s
-  const char* meaning;
-  bool of_pulse;  ///< an injury figure: needs the history
+/// A quantity of the table of results, as a study keeps it: in SI.
+struct ResponseKind : ResultQuantity {
+  bool of_pulse = false;  ///< an injury figure: needs the history
   Growth growth = Growth::none;
   bool is_signed = false;  ///< may be below zero
 };
