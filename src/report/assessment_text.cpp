@@ -127,7 +127,8 @@ std::string replaced_text(const AssessmentReport& report, const UnitSystem& unit
   std::size_t i = 0;
   for (const NamedValue& entry : values_of(report.standard)) {
     const double before = of_case[i++];
-    const std::string in_case = brief_quantity(before, entry.si_unit, units);
+    const std::string in_case = std::isnan(before) ? "a " + words_of(report.given.impactor.nose)
+                                                   : brief_quantity(before, entry.si_unit, units);
     const std::optional<double>& value = entry.value->value;
     if (!value || !differ(*value, before)) {
       kept += fmt::format("{} ({}{}), ", entry.name, in_case, of_standard(entry, units));
