@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "contact/contact.hpp"
 #include "impact/motion.hpp"
@@ -34,7 +35,8 @@ class Equilibrium {
     const double most = std::min(unhindered, locked) - now().penetration;
     if (most <= 0) return without_solution(unhindered > locked ? Event::lock : Event::turning, step);
     MovingSearch at(*this, step, predictor);
-    double advance = predictor.next_rate(Phase::loading, now(), step, at.slope) * step;
+    double advance = guess(step, predictor, at.slope);
+    if (!(advance < most)) advance = spring_advance(step, at.slope);
     if (!(advance > 0 && advance < most))
       advance = std::min(std::max(predictor.pad_rate(), 0.0) * step, most) / 2;
     RootSearch search;
@@ -53,7 +55,7 @@ class Equilibrium {
   /// The pad comes back. `just_turned`: the loading has ended at this moment.
   Trial unloading(double step, const Predictor& predictor, bool just_turned) {
     MovingSearch at(*this, step, predictor);
-    double advance = predictor.next_rate(Phase::unloading, now(), step, at.slope) * step;
+    double advance = guess(step, predictor, at.slope);
     if (!(advance < 0)) advance = std::min(predictor.pad_rate(), -std::abs(now().velocity)) * step / 2;
     RootSearch search;
     search.low = -std::numeric_limits<double>::infinity();
@@ -115,7 +117,7 @@ class Equilibrium {
     motion_.residual(contact_, 0, 0, step, trial.end);
     trial.end.penetration = trial.end.motion;
     trial.pad = contact_.trial(trial.end.penetration - now().penetration, now().time, step);
-    return finished(trial);
+    return trial;
   }
 
   /// The penetration reaches the lock, which satisfies Eq. 19 for one step only.
@@ -127,6 +129,40 @@ class Equilibrium {
     trial.pad = contact_.trial(y - now().penetration, now().time, step);
     motion_.residual(contact_, y, trial.pad.force, step, trial.end);
     trial.end.drive = trial.end.velocity;
+    return trial;
+  }
+
+  /// The force at the end is known, as at a corner of the support, and with it motion and penetration; for
+  /// one step only the pad then carries that force. A pad that would have to turn back to get there has no
+  /// such trial, and its force is that of a spring.
+  Trial at_force(double force, Phase phase, double step, const Predictor& predictor) {
+    Trial trial;
+    trial.step = step;
+    trial.pad_stiffness = predictor.pad_stiffness();
+    motion_.residual(contact_, 0, force, step, trial.end);
+    trial.end.penetration = trial.end.motion - support_.deflection(force);
+    const double advance = trial.end.penetration - now().penetration;
+    if (phase == Phase::loading ? advance > 0 : advance < 0) {
+      trial.pad = contact_.trial(advance, now().time, step);
+      trial.pad_stiffness = std::max((trial.pad.force - now().force) / advance, trial.pad.force / thickness_);
+    } else {
+      trial.pad = {advance, now().time, step, now().force + trial.pad_stiffness * advance};
+      trial.obstacle = phase == Phase::loading ? Event::turning : Event::reloading;
+    }
+    return trial;
+  }
+  /// Whether the pad carries the force that a trial ends with, as nearly as in a solved one.
+  [[nodiscard]] bool is_solved(const Trial& trial) const {
+    const State& end = trial.end;
+    const double flexibility = support_.compliance(end.force) + motion_.inertial_compliance(trial.step);
+    return trial.obstacle == Event::none && std::abs(trial.pad.force - end.force) * flexibility <=
+                                                allowed_residual(std::max(now().motion, end.motion));
+  }
+
+  /// With the drive at its end (Eq. 20).
+  Trial finished(Trial trial) {
+    const double rate = contact_.force_rate_when_held(trial.pad);
+    trial.end.drive = trial.end.velocity - support_.compliance(trial.end.force) * rate;
     return trial;
   }
 
@@ -145,6 +181,15 @@ class Equilibrium {
   static constexpr bool closed_form = HasEnergy<Contact>;
 
   [[nodiscard]] const State& now() const { return motion_.now(); }
+  /// Of the advance: after an event the pad is taken as a spring.
+  [[nodiscard]] double guess(double step, const Predictor& predictor, double slope) const {
+    const std::optional<double> rate = predictor.next_rate(step);
+    return rate ? *rate * step : spring_advance(step, slope);
+  }
+  /// The root of Eq. 19 for a pad whose force grows in proportion to the advance; `slope` is that of Eq. 19.
+  [[nodiscard]] double spring_advance(double step, double slope) const {
+    return motion_.travel(step) / slope;
+  }
   static double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
   static double slope_of_fourth_power(double z) { return 4 * z * z * z; }
   static bool is_rounding(double left, double scale) { return std::abs(left) <= numerics.rounding * scale; }
@@ -152,12 +197,6 @@ class Equilibrium {
     Trial trial;
     trial.step = step;
     trial.obstacle = obstacle;
-    return trial;
-  }
-  /// With the drive at its end (Eq. 20).
-  Trial finished(Trial trial) {
-    const double rate = contact_.force_rate_when_held(trial.pad);
-    trial.end.drive = trial.end.velocity - support_.compliance(trial.end.force) * rate;
     return trial;
   }
 

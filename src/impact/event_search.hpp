@@ -12,6 +12,7 @@ struct EventSearch {
   double step = 0;                                             ///< by which it has happened
   double precision = 0;                                        ///< of the answer
   double value_now = std::numeric_limits<double>::infinity();  ///< > 0
+  double value_then = 0;                                       ///< at `step`, <= 0
   /// Where it is expected, for a step without a solution, whose value is below -1e250.
   double guess = std::numeric_limits<double>::infinity();
 };
@@ -22,7 +23,7 @@ std::pair<double, double> bracket_event(Value&& value_at, const EventSearch& sea
   double low = 0;
   double high = search.step;
   double f_low = search.value_now;
-  double f_high = value_at(high);
+  double f_high = search.value_then;
   int side = 0;
   double before = high;
   for (int i = 0; i < 80 && high - low > search.precision; ++i) {

@@ -129,26 +129,24 @@ class March {
       first = first_event(sight(trial), support_);
     }
     if (first.kind == nullptr) return {trial, Event::none, true};
-    return stretch_to(first, step, shortest);
+    return stretch_to(first, trial, shortest);
   }
 
-  /// The step that ends at an event known to be within `step`.
-  Stretch stretch_to(const FirstEvent& first, double step, double shortest) {
+  /// The step that ends at an event, which happens within the trial `beyond`.
+  Stretch stretch_to(const FirstEvent& first, const Trial& beyond, double shortest) {
     const Event event = first.event();
-    const double too_short = numerics.least_step_to_branch_end * resolution_ * step;
-    step = locate(first, step);
+    const double too_short = numerics.least_step_to_branch_end * resolution_ * beyond.step;
+    Trial trial = locate(first, beyond, is_corner(event));
+    // On a branch with more than one force for a rate: the slower search.
+    if (is_corner(event) && !equilibrium_.is_solved(trial)) trial = locate(first, beyond, false);
     // At once: the phase changes where it stands. What ends or locks the run is still gone up to.
     const bool branch_ends = event == Event::turning || event == Event::reloading;
     const bool goes_on = event != Event::release && event != Event::lock;
-    if ((goes_on && step < shortest) || (branch_ends && step < too_short)) return {{}, event, false};
-    step = std::max(step, shortest);
-    Trial trial = is_lost_contact(event) ? equilibrium_.released(step, predictor_) : attempt(step);
+    if ((goes_on && trial.step < shortest) || (branch_ends && trial.step < too_short))
+      return {{}, event, false};
+    if (trial.step < shortest) trial = look(first, shortest, false).trial;
     if (trial.obstacle != Event::none && trial.obstacle != Event::lock) return {{}, event, false};
-    if (event == Event::lock) {
-      const double stiffness = trial.pad_stiffness;
-      trial = equilibrium_.at_lock(step, predictor_);
-      trial.pad_stiffness = stiffness;
-    }
+    if (event == Event::lock) trial.pad_stiffness = attempt(trial.step).pad_stiffness;
     if (event == Event::release) trial.end.force = 0;
     return {trial, event, true};
   }
@@ -158,33 +156,67 @@ class March {
     return !closed_form && event == Event::release && phase_ != Phase::held;
   }
 
-  /// The longest step that does not pass an event, or the shortest that does, as the event wants it.
-  double locate(const FirstEvent& first, double step) {
+  /// The corner of the support at a moving pad with memory: the force is known.
+  [[nodiscard]] bool is_corner(Event event) const {
+    return !closed_form && event == Event::corner && phase_ != Phase::held;
+  }
+
+  /// A trial that ends where an event is looked for, and its indicator: positive before the event.
+  struct Look {
+    Trial trial;
+    double value = 0;
+  };
+  Look look(const FirstEvent& first, double step, bool by_force) {
     const EventKind& kind = *first.kind;
-    const auto value_at = [&](double x) {
-      double value = 0;
-      if (kind.event == Event::lock) {
-        value = equilibrium_.residual(equilibrium_.at_lock(x, predictor_));
-      } else if (is_lost_contact(kind.event)) {
-        value = contact_.largest_stress(equilibrium_.released(x, predictor_).pad);
-      } else {
-        const Trial trial = attempt(x);
-        value = kind.indicator(sight(trial, first.corner));
-        if (kind.event == Event::release && value <= 0 && phase_ != Phase::held)
-          value = contact_.largest_stress(trial.pad);
-      }
-      return std::clamp(value, -1e300, 1e300);
+    if (kind.event == Event::lock) {
+      const Trial trial = equilibrium_.at_lock(step, predictor_);
+      return {trial, equilibrium_.residual(trial)};
+    }
+    if (is_lost_contact(kind.event)) {
+      const Trial trial = equilibrium_.released(step, predictor_);
+      return {trial, contact_.largest_stress(trial.pad)};
+    }
+    if (by_force) {
+      const double side = now_.force < first.corner ? -1 : 1;
+      const double just_beyond = first.corner * (1 - side * numerics.at_corner / 2);
+      const Trial trial = equilibrium_.at_force(just_beyond, phase_, step, predictor_);
+      return {trial, side * (trial.pad.force - just_beyond)};
+    }
+    return seen(first, attempt(step));
+  }
+  [[nodiscard]] Look seen(const FirstEvent& first, const Trial& trial) {
+    double value = first.kind->indicator(sight(trial, first.corner));
+    if (first.event() == Event::release && value <= 0 && phase_ != Phase::held)
+      value = contact_.largest_stress(trial.pad);
+    return {trial, value};
+  }
+
+  /// The longest step that does not pass an event, or the shortest that does, as the event wants it; one of
+  /// length 0 if the event is now.
+  Trial locate(const FirstEvent& first, const Trial& beyond, bool by_force) {
+    const EventKind& kind = *first.kind;
+    const bool by_attempt = kind.event != Event::lock && !is_lost_contact(kind.event) && !by_force;
+    const Look far = by_attempt ? seen(first, beyond) : look(first, beyond.step, by_force);
+    Trial before;
+    Trial after = far.trial;
+    const auto value_of = [](const Look& look) { return std::clamp(look.value, -1e300, 1e300); };
+    const auto value_at = [&](double step) {
+      const Look found = look(first, step, by_force);
+      (found.value > 0 ? before : after) = found.trial;
+      return value_of(found);
     };
     const bool turning = kind.event == Event::turning;
     const double share = turning && !closed_form ? numerics.turning_precision * resolution_
                                                  : numerics.event_precision * resolution_ * resolution_;
     EventSearch search;
-    search.step = step;
-    search.precision = std::max(share * step, numerics.rounding * (now_.time + step));
+    search.step = beyond.step;
+    search.precision = std::max(share * beyond.step, numerics.rounding * (now_.time + beyond.step));
+    search.value_then = value_of(far);
     if (turning && now_.drive > 0)
       search.value_now = now_.drive, search.guess = predictor_.time_to_turning(now_);
-    const auto [low, high] = bracket_event(value_at, search);
-    return kind.ends_after || low == 0 ? high : low;
+    bracket_event(value_at, search);
+    Trial found = kind.ends_after || before.step == 0 ? after : before;
+    return by_force ? equilibrium_.finished(found) : found;
   }
 
   // ------------------------------------------------------------------ what changes the state

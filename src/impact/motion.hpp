@@ -61,6 +61,10 @@ class Motion {
     }
     return motion - end.motion;
   }
+  /// How far the impactor goes in a step under the force that it meets now, m.
+  [[nodiscard]] double travel(double step) const {
+    return (now_.velocity - now_.force * step / (2 * mass_)) * step;
+  }
   /// -dX1/dF1 of Eq. 17.
   [[nodiscard]] double inertial_compliance(double step) const {
     return step * step / mass_ * (HasEnergy<Contact> ? 0.25 : 1.0 / 6 - share_of_bend(step) / 12);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "impact/numerics.hpp"
 #include "impact/rate_trend.hpp"
@@ -31,17 +32,13 @@ class Predictor {
   /// How long until the drive is 0, by the last step, s.
   [[nodiscard]] double time_to_turning(const State& now) const { return -now.drive / drive_rate_; }
 
-  /// Mean rate over a step from `now`: by its trend, or between the rate now and that of the last step that
-  /// was tried from here, of which events take many. After an event the pad is taken as a spring; `slope` is
-  /// that of Eq. 19.
-  [[nodiscard]] double next_rate(Phase phase, const State& now, double step, double slope) const {
-    if (tried_step_ != 0) {
-      if (!trend_.is_known()) return tried_rate_;
-      const double rate = trend_.now();
-      return rate + (tried_rate_ - rate) * step / tried_step_;
-    }
-    if (trend_.is_known()) return trend_.over(step);
-    return phase == Phase::loading ? std::max(now.velocity, 0.0) / slope : -std::abs(now.velocity) / slope;
+  /// Mean rate over a step: by its trend, or between the rate now and that of the last step that was tried
+  /// from here, of which events take many. None just after an event.
+  [[nodiscard]] std::optional<double> next_rate(double step) const {
+    if (tried_step_ == 0) return trend_.is_known() ? std::optional(trend_.over(step)) : std::nullopt;
+    if (!trend_.is_known()) return tried_rate_;
+    const double rate = trend_.now();
+    return rate + (tried_rate_ - rate) * step / tried_step_;
   }
 
   /// A trial that had a solution, though it may not be accepted.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace dashpad {
 namespace {
@@ -14,6 +15,10 @@ constexpr double loosest_time_of_peak = 0.01;
 /// Two runs may agree by chance: below the tolerance no error is said to be smaller than this many times what
 /// the runs show.
 constexpr double prudence = 3;
+
+constexpr double first_resolution = 0.2;
+/// From this tolerance on there is a run between the second and the next at half its resolution.
+constexpr double loose_tolerance = 5e-4;
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
@@ -58,10 +63,12 @@ bool same_kind(const Figures& a, const Figures& b) {
          a.bottomed.has_value() == b.bottomed.has_value() && a.reloadings == b.reloadings;
 }
 
-Figures extrapolate(const Figures& fine, const Figures& coarse) {
+/// `ratio`: of the coarse resolution to the fine one.
+Figures extrapolate(const Figures& fine, const Figures& coarse, double ratio) {
   Figures result = fine;
-  for_each_number([](double& x, const double& f, const double& c) { x = f + (f - c) / 3; }, result, fine,
-                  coarse);
+  const double parts = ratio * ratio - 1;
+  for_each_number([parts](double& x, const double& f, const double& c) { x = f + (f - c) / parts; }, result,
+                  fine, coarse);
   return result;
 }
 
@@ -74,11 +81,20 @@ Refinement::Refinement(const Impactor& impactor, double tolerance)
   for (double* of : all(errors_)) *of = unknown;
 }
 
+double Refinement::next_resolution() const {
+  const bool loose = tolerance_ >= loose_tolerance;
+  if (loose && runs_ == 2) return first_resolution / 2 / std::numbers::sqrt2;
+  return std::ldexp(first_resolution, loose && runs_ > 2 ? 1 - runs_ : -runs_);
+}
+
 void Refinement::add(const Figures& run) {
+  const double resolution = next_resolution();
+  const double ratio = last_resolution_ / resolution;
+  last_resolution_ = resolution;
   ++runs_;
   const Figures before = extrapolated_;
   const bool comparable = runs_ > 1 && same_kind(run, last_run_);
-  extrapolated_ = comparable ? extrapolate(run, last_run_) : run;
+  extrapolated_ = comparable ? extrapolate(run, last_run_, ratio) : run;
   last_run_ = run;
   settled_ = false;
   if (comparable && same_kind(run, before)) judge(run, before);

@@ -40,9 +40,8 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
   Refinement refinement(impact.impactor, options.tolerance);
   March<Contact> march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
   double expected = impact.pad.thickness;
-  for (double resolution = Refinement::first_resolution;
-       !refinement.settled() && refinement.runs() < Refinement::most_runs; resolution /= 2) {
-    const Figures run = march.run(resolution, track, expected);
+  while (!refinement.settled() && refinement.runs() < Refinement::most_runs) {
+    const Figures run = march.run(refinement.next_resolution(), track, expected);
     refinement.add(run);
     if (run.peak_penetration > 0) expected = run.peak_penetration;
     // The next run would cost four times as much. A run that gave up early may do better with finer steps.

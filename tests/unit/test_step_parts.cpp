@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "contact/curve_contact.hpp"
 #include "dashpad/nose/sphere.hpp"
 #include "impact/branch.hpp"
@@ -112,16 +114,11 @@ void learn(Predictor& predictor, Phase phase, double step, double advance, doubl
   predictor.learn(phase, {}, trial, Event::none);
 }
 
-TEST(Predictor, BeginsAsASpring) {
+TEST(Predictor, KnowsNoTrendAtFirstContact) {
   Predictor predictor;
   predictor.start(4, 1e5);
-  State now;
-  now.velocity = 3;
   EXPECT_EQ(predictor.pad_rate(), 4);
-  EXPECT_EQ(predictor.next_rate(Phase::loading, now, 1e-3, 1.5), 2);
-  now.velocity = -3;
-  EXPECT_EQ(predictor.next_rate(Phase::loading, now, 1e-3, 1.5), 0);
-  EXPECT_EQ(predictor.next_rate(Phase::unloading, now, 1e-3, 1.5), -2);
+  EXPECT_EQ(predictor.next_rate(1e-3), std::nullopt);
 }
 
 TEST(Predictor, FollowsARateThatFallsLikeAnExponential) {
@@ -131,7 +128,7 @@ TEST(Predictor, FollowsARateThatFallsLikeAnExponential) {
   double expected = 4;
   for (int i = 0; i < 4; ++i, expected *= std::exp(-step / time_scale))
     learn(predictor, Phase::loading, step, expected * step, 1e5);
-  EXPECT_NEAR(predictor.next_rate(Phase::loading, {}, step, 1), expected, 1e-12);
+  EXPECT_NEAR(predictor.next_rate(step).value(), expected, 1e-12);
   EXPECT_NEAR(predictor.time_scale(), time_scale, 1e-12);
 }
 
@@ -141,10 +138,10 @@ TEST(Predictor, ATriedStepServesTheNextTryFromThere) {
   Trial tried;
   tried.step = 1e-3, tried.pad.advance = 2e-3;
   predictor.learn_from_try(tried);
-  EXPECT_EQ(predictor.next_rate(Phase::loading, {}, 5e-4, 1), 2);
+  EXPECT_EQ(predictor.next_rate(5e-4), 2);
   tried.obstacle = Event::lock, tried.pad.advance = 9e-3;
   predictor.learn_from_try(tried);
-  EXPECT_EQ(predictor.next_rate(Phase::loading, {}, 5e-4, 1), 2)
+  EXPECT_EQ(predictor.next_rate(5e-4), 2)
       << "without a solution there is nothing to learn";
 }
 
