@@ -285,7 +285,7 @@ class ColumnField {
     const scalar::Strains<double> e{strain.value, strain.complement};
     std::array<double, Formulas::parts> part{};
     const auto at = formulas.strain_part(e, part.data());
-    const double measure = formulas.measure(e, at);
+    const double measure = measure_of(formulas, e, at);
     const double outer = relaxed(j + 1);
     const double relative =
         outer + (relaxed(j) - outer) * (measure - now.measure[j + 1]) / (now.measure[j] - now.measure[j + 1]);

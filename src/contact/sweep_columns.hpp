@@ -37,7 +37,7 @@ void step_columns(const Law& law, const PowerShape& power, const typename Law::R
     R::store(stress, next.stress + j);
     for (std::size_t k = 0; k < parts; ++k) R::store(part[k], next.part[k] + j);
     R::store(at.shape, next.shape + j);
-    R::store(formulas.measure(e, at), next.measure + j);
+    R::store(measure_of(formulas, e, at), next.measure + j);
     R::store(stress / at.shape * R::load(step.weight + j), next.ratio + j);
   }
 }
@@ -100,7 +100,7 @@ template <class N, class Law>
 double sum_held(const Law& law, const PowerShape& power, double time, const SweepStep& step,
                 const Columns& columns, double& edge) {
   using R = Register<N>;
-  const Formulas<Law> still{law, power, law.rate_part(0), law.time_part(time, time)};
+  const Formulas<Law> still{law, power, law.rate_part(0), {}};
   constexpr std::size_t parts = Formulas<Law>::parts;
   const N rate(law.relaxation_rate(time));
   const N per_thickness(1 / step.thickness);
@@ -112,8 +112,8 @@ double sum_held(const Law& law, const PowerShape& power, double time, const Swee
     N part[parts];
     for (std::size_t k = 0; k < parts; ++k) part[k] = R::load(columns.part[k] + j);
     const N missing = still.envelope(part, strain, strain) - stress;
-    const N g =
-        rate * still.relaxation(strain) * (missing / R::load(columns.shape + j)) * R::load(step.weight + j);
+    const N g = rate * relaxation_of(still, strain) * (missing / R::load(columns.shape + j)) *
+                R::load(step.weight + j);
     R::store(select(zero < stress, g, zero), columns.ratio + j);
   }
   N sum(0.0);

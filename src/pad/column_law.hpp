@@ -48,8 +48,8 @@ double envelope_slope(const Law& law, const PowerShape& power, Strain strain,
 /// h.
 template <IsViscous Law>
 double relaxation_rate(const Law& law, const PowerShape& power, double time, double strain) {
-  const scalar::Formulas<Law> at{law, power, {}, law.time_part(time, time)};
-  return law.relaxation_rate(time) * at.relaxation(strain);
+  const scalar::Formulas<Law> at{law, power, {}, {}};
+  return law.relaxation_rate(time) * relaxation_of(at, strain);
 }
 
 }  // namespace dashpad

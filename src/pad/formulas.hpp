@@ -5,8 +5,9 @@
 /// of its own. Whoever includes it has opened a namespace in which N has + - * /, exp, log, max and choose
 /// (pad/ scalar.hpp, pad/lanes.hpp). The laws' own formulas stand at the end of each law's header, where
 /// DASHPAD_FORMULAS calls for them: which powers of the strain a column keeps (strain_part), G from them
-/// (envelope), exp(-H) over a step (decay), and by what h at strain zero is multiplied (relaxation). Stresses
-/// in Pa.
+/// (envelope), and exp(-H) over a step (decay); and where they are not the usual ones (measure_of and
+/// relaxation_of below), the measure w (measure) and by what h at strain zero is multiplied (relaxation).
+/// Stresses in Pa.
 ///
 /// A strain must be more than 0, if by as little as least_strain.
 
@@ -66,14 +67,34 @@ DASHPAD_FORMULA N measure_at(const PowerShape& power, Strains<N> e, const Shape<
   return choose(e.value <= 0.5, below, above);
 }
 
-/// E of theory.md, Eq. 14.
-template <class N>
-DASHPAD_FORMULA N unloading_factor(N strain, N largest, double ratio) {
-  return 1 / (1 - ratio) * ((strain - ratio * largest) / strain);
+/// The stress of a loading, on unloading times E (theory.md, Eq. 14).
+template <class N, class RatePart>
+DASHPAD_FORMULA N unloaded(N loading, const RatePart& rate, N strain, N largest) {
+  if (!rate.unloading) return loading;
+  const double ratio = rate.residual_ratio;
+  return loading * (1 / (1 - ratio) * ((strain - ratio * largest) / strain));
 }
 
 template <class Law>
 struct Formulas;
+
+/// w of a law: that of its power shape, unless it has a simpler one.
+template <class Law, class N>
+DASHPAD_FORMULA N measure_of(const Formulas<Law>& formulas, Strains<N> e, const Shape<N>& at) {
+  if constexpr (requires { formulas.measure(e, at); })
+    return formulas.measure(e, at);
+  else
+    return measure_at(formulas.power, e, at);
+}
+
+/// By what h at strain zero is multiplied: 1, unless a law says otherwise.
+template <class Law, class N>
+DASHPAD_FORMULA N relaxation_of(const Formulas<Law>& formulas, N strain) {
+  if constexpr (requires { formulas.relaxation(strain); })
+    return formulas.relaxation(strain);
+  else
+    return N(1.0);
+}
 
 #define DASHPAD_FORMULAS
 #include "dashpad/pad/linear_viscoelastic.hpp"

@@ -83,10 +83,6 @@ struct Formulas<LinearViscoelastic> {
   DASHPAD_FORMULA N decay(N, N, N share) const {
     return exp(-time.duration * share);
   }
-  template <class N>
-  DASHPAD_FORMULA N relaxation(N) const {
-    return N(1.0);
-  }
 };
 
 #endif

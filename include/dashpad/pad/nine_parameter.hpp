@@ -101,21 +101,12 @@ struct Formulas<NineParameter> {
     return at;
   }
   template <class N>
-  DASHPAD_FORMULA N measure(Strains<N> e, const Shape<N>& at) const {
-    return measure_at(power, e, at);
-  }
-  template <class N>
   DASHPAD_FORMULA N envelope(const N* part, N strain, N largest) const {
-    const N loading = part[0] * rate.modulus;
-    return rate.unloading ? loading * unloading_factor(strain, largest, rate.residual_ratio) : loading;
+    return unloaded(part[0] * rate.modulus, rate, strain, largest);
   }
   template <class N>
   DASHPAD_FORMULA N decay(N, N, N) const {
     return N(time.decay);
-  }
-  template <class N>
-  DASHPAD_FORMULA N relaxation(N) const {
-    return N(1.0);
   }
 };
 
