@@ -16,7 +16,6 @@ struct FlatDisc {
   double radius = 0;  ///< R, m, > 0
 
   static constexpr const char* name = "flat-disc";
-  static constexpr const char* words = "flat disc";
   static const std::array<Parameter<FlatDisc>, 1> parameters;
 
   [[nodiscard]] Sections sections() const {

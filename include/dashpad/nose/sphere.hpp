@@ -14,7 +14,6 @@ struct Sphere {
   double radius = 0;  ///< R, m, > 0
 
   static constexpr const char* name = "sphere";
-  static constexpr const char* words = "sphere";
   static const std::array<Parameter<Sphere>, 1> parameters;
 
   [[nodiscard]] Sections sections() const { return {.tip = 0, .width = radius, .taper = 1, .depth = radius}; }
