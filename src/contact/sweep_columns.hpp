@@ -2,7 +2,7 @@
 ///
 /// This is text, as src/pad/formulas.hpp is, and is included after it. Register<N> loads and stores.
 
-/// Strain, envelope, stress (theory.md, Eq. 7) and g (Eq. 23) of each column.
+/// Strain, envelope, stress (theory.md, Eq. 9) and g (Eq. 20) of each column.
 template <class N, class Law>
 void step_columns(const Law& law, const PowerShape& power, const typename Law::RatePart& rate,
                   const typename Law::TimePart& time, const SweepStep& step, const Columns& now,
@@ -31,7 +31,7 @@ void step_columns(const Law& law, const PowerShape& power, const typename Law::R
     if (loading) share = min(share, (step.after - depth) * per_advance);
     const N envelope = formulas.envelope(part, strain, largest);
     N stress = remainder * formulas.decay(before, strain, share) + envelope;
-    // A column in tension does not press again while its envelope is in tension (theory.md, Eq. 30).
+    // A column in tension does not press again while its envelope is in tension (theory.md, Eq. 7).
     const N zero(0.0);
     stress = select(both(stress_before <= zero, envelope < zero), min(stress, zero), stress);
     R::store(stress, next.stress + j);

@@ -33,7 +33,7 @@ class Predictor {
 
   /// Mean rate over a step from `now`: by its trend, or between the rate now and that of the last step that
   /// was tried from here, of which events take many. After an event the pad is taken as a spring; `slope` is
-  /// that of Eq. 19.
+  /// that of Eq. 25.
   [[nodiscard]] double next_rate(Phase phase, const State& now, double step, double slope) const {
     if (tried_step_ != 0) {
       if (!trend_.is_known()) return tried_rate_;

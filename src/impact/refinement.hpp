@@ -1,7 +1,7 @@
 #pragma once
 /// Runs at halved resolution, compared: extrapolated figures and their error estimates.
 ///
-/// The step is of second order, so two runs k-1 and k give (theory.md, Eq. 25)
+/// The step is of second order, so two runs k-1 and k give (theory.md, Eq. 31)
 ///
 ///   x_k* = x_k + (x_k - x_(k-1)) / 3,     error estimate of x_k*:  max(|x_k* - x_(k-1)*|, |x_k* - x_k|)
 ///

@@ -1,5 +1,5 @@
 #pragma once
-/// A law with memory at one strain of one column: the envelope G of theory.md, Eq. 6, its slope, and h.
+/// A law with memory at one strain of one column: the envelope G of theory.md, Eq. 8, its slope, and h.
 ///
 /// Stresses in Pa, compression positive; rates in 1/s; times in s since first contact.
 

@@ -20,7 +20,7 @@ struct Strains {
   N complement;
 };
 
-/// A(e) (theory.md, Eq. 12) and what it is made of.
+/// A(e) (theory.md, Eq. 14) and what it is made of.
 template <class N>
 struct Shape {
   N shape;
@@ -56,7 +56,7 @@ DASHPAD_FORMULA N polynomial(const std::array<double, terms>& c, N x) {
   return (e * y + d) * y2 + (b * y + a);
 }
 
-/// w(e) (theory.md, Eq. 22), by an expansion about strain zero up to a half, about full compression above.
+/// w(e) (theory.md, Eq. 19), by an expansion about strain zero up to a half, about full compression above.
 template <class N>
 DASHPAD_FORMULA N measure_at(const PowerShape& power, Strains<N> e, const Shape<N>& at) {
   const auto below = [&]() { return e.value * at.shape * polynomial(power.near_contact(), e.value); };
@@ -67,7 +67,7 @@ DASHPAD_FORMULA N measure_at(const PowerShape& power, Strains<N> e, const Shape<
   return choose(e.value <= 0.5, below, above);
 }
 
-/// The stress of a loading, on unloading times E (theory.md, Eq. 14).
+/// The stress of a loading, on unloading times E (theory.md, Eq. 16).
 template <class N, class RatePart>
 DASHPAD_FORMULA N unloaded(N loading, const RatePart& rate, N strain, N largest) {
   if (!rate.unloading) return loading;

@@ -1,7 +1,7 @@
 #pragma once
 /// A sphere; penetrated deeper than its radius, its side goes on as a cylinder of that radius.
 ///
-///   a'(s) = 2 pi (R - s) up to s = R                                (theory.md, Eq. 31; report, section 2.1)
+///   a'(s) = 2 pi (R - s) up to s = R                                (theory.md, Eq. 3; report, section 2.1)
 
 #include <array>
 
