@@ -7,7 +7,7 @@ stress. The law gives each stress's rate, and the rate of the penetration follow
     dX/dt = V,  M dV/dt = -F,  dF/dt = K (V - dY/dt) = 2 pi sum of w (R - s) d(stress)/dt
 
 One scalar equation a call of the right-hand side, by scipy.optimize.brentq; all columns at once by NumPy; phases
-(loading, unloading) end at events of solve_ivp. Laws 2, 4 and 5 (docs/theory.md, Eqs. 9 and 12 to 15), linear support.
+(loading, unloading) end at events of solve_ivp. Laws 2, 4 and 5 (docs/theory.md, Eqs. 11 and 14 to 17), linear support.
 SI; forces, stresses and strains are positive in compression.
 
 Prints a CSV row for each solution: columns,rtol,speed_share,peak_force,peak_penetration,rebound_speed,cpu_s. A figure

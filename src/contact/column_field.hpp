@@ -1,13 +1,13 @@
 #pragma once
 /// A nose on a pad with memory: a field of columns at fixed depths, each with its own stress history.
 ///
-///   strain(s) = (Y - s) / L                                                        (theory.md, Eq. 4)
-///   F = a0 max(stress(0), 0) + int max(stress(s), 0) a'(s) ds, over s in [0, min(Y, d)]   (theory.md, Eq. 5)
+///   strain(s) = (Y - s) / L                                                        (theory.md, Eq. 5)
+///   F = a0 max(stress(0), 0) + int max(stress(s), 0) a'(s) ds, over s in [0, min(Y, d)]   (theory.md, Eq. 6)
 ///   int = 2 pi L int max(g, 0) dw,  g = stress / A a'/(2 pi),  dw = A d(strain)           (theory.md, Eq.
-///   23)
+///   20)
 ///
 /// s is the depth at which the nose's surface meets a column; a(s) is the area of the nose's section, a0 that
-/// of its flat tip (theory.md, Eq. 31): the column is touched when Y passes s. g is
+/// of its flat tip (theory.md, Eq. 3): the column is touched when Y passes s. g is
 /// smooth in w at the contact edge and at full compression alike; it is taken as linear between stations.
 /// Stations lie closer towards the axis, and are added there as the gap L - Y closes.
 
@@ -207,7 +207,7 @@ class ColumnField {
     return top * top / (top - std::min(g, h)) / 2 * width;
   }
 
-  /// Eq. 23 over the first `live` columns and on to the contact edge, where g is `edge`.
+  /// Eq. 20 over the first `live` columns and on to the contact edge, where g is `edge`.
   [[nodiscard]] double integrate(const Columns& columns, std::size_t live, double penetration,
                                  double edge) const {
     const bool unloading = edge == unknown_edge;
@@ -285,7 +285,7 @@ class ColumnField {
     const scalar::Strains<double> e{strain.value, strain.complement};
     std::array<double, Formulas::parts> part{};
     const auto at = formulas.strain_part(e, part.data());
-    const double measure = formulas.measure(e, at);
+    const double measure = measure_of(formulas, e, at);
     const double outer = relaxed(j + 1);
     const double relative =
         outer + (relaxed(j) - outer) * (measure - now.measure[j + 1]) / (now.measure[j] - now.measure[j + 1]);

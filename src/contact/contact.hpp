@@ -35,9 +35,9 @@ concept IsContact = requires(C contact, const C fixed, const PadTrial& trial, do
   contact.start(x, x);
   /// Advance, begin and length of the step.
   { contact.trial(x, x, x) } -> std::same_as<PadTrial>;
-  /// dF/dt if the penetration were held from the end of the trial on (theory.md, Eq. 20).
+  /// dF/dt if the penetration were held from the end of the trial on (theory.md, Eq. 26).
   { contact.force_rate_when_held(trial) } -> std::same_as<double>;
-  /// Its sign says whether any column still presses at the end of the trial (theory.md, Eq. 21).
+  /// Its sign says whether any column still presses at the end of the trial (theory.md, Eq. 27).
   { contact.largest_stress(trial) } -> std::same_as<double>;
   /// The only call that changes the state.
   contact.accept(trial);
@@ -45,7 +45,7 @@ concept IsContact = requires(C contact, const C fixed, const PadTrial& trial, do
   { fixed.recovers() } -> std::same_as<bool>;
   /// Force at which the pad, untouched before, begins to give way, N.
   { fixed.first_force() } -> std::same_as<double>;
-  /// Where the pad locks (theory.md, Eq. 26).
+  /// Where the pad locks (theory.md, Eq. 29).
   { fixed.lock_penetration() } -> std::same_as<double>;
   { fixed.contact_radius() } -> std::same_as<double>;
   /// Columns, and how many of them were computed in all trials since the start: the cost of the run.

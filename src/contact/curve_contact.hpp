@@ -1,9 +1,9 @@
 #pragma once
 /// A nose on a pad without memory: contact force and work are closed forms of the penetration.
 ///
-///   F(Y) = S0 a0(Y) + sum over k of (dE_k / L) a1(Y - e_k L)                     (theory.md, Eq. 16)
+///   F(Y) = S0 a0(Y) + sum over k of (dE_k / L) a1(Y - e_k L)                     (theory.md, Eq. 18)
 ///
-/// a0 is the area of the nose's section (theory.md, Eq. 31), a1 its integral from 0, a2 that of a1.
+/// a0 is the area of the nose's section (theory.md, Eq. 3), a1 its integral from 0, a2 that of a1.
 ///
 /// Penetration in m, positive; force in N, compression positive.
 

@@ -1,8 +1,8 @@
 #pragma once
 /// The contact force of the 9-parameter law while the pad is only loaded: a closed form, without columns.
 ///
-///   K(Y) = a0 A(Y / L) + int A((Y - s) / L) a'(s) ds, over s in [0, min(Y, d)]       (theory.md, Eq. 27)
-///   F1 = B K(Y1) + (F0 - B K(Y0)) exp(-dt / tau)                                    (theory.md, Eq. 28)
+///   K(Y) = a0 A(Y / L) + int A((Y - s) / L) a'(s) ds, over s in [0, min(Y, d)]       (theory.md, Eq. 21)
+///   F1 = B K(Y1) + (F0 - B K(Y0)) exp(-dt / tau)                                    (theory.md, Eq. 22)
 ///
 /// All columns share the relaxation, so their integral obeys the law of one column, A replaced by K.
 
@@ -16,7 +16,7 @@
 namespace dashpad {
 
 /// K(Y): with a'(s) / (2 pi) = w - t s = (w - t Y) + t L e the integral is that of A and of e A over the
-/// strain e, both of the kind of Eq. 22.
+/// strain e, both of the kind of Eq. 19.
 class ContactShape {
  public:
   ContactShape(PowerExponents exponents, double thickness, const Sections& nose) {

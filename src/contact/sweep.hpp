@@ -1,5 +1,5 @@
 #pragma once
-/// One step of all columns under strain: strain, envelope, stress (theory.md, Eq. 7) and g (Eq. 23).
+/// One step of all columns under strain: strain, envelope, stress (theory.md, Eq. 9) and g (Eq. 20).
 ///
 /// By vectors of columns, for the instruction set of the processor that the program runs on, or one by one in
 /// doubles: one text (contact/sweep_columns.hpp), two number types.

@@ -2,7 +2,7 @@
 ///
 /// This is text, as src/pad/formulas.hpp is, and is included after it. Register<N> loads and stores.
 
-/// Strain, envelope, stress (theory.md, Eq. 7) and g (Eq. 23) of each column.
+/// Strain, envelope, stress (theory.md, Eq. 9) and g (Eq. 20) of each column.
 template <class N, class Law>
 void step_columns(const Law& law, const PowerShape& power, const typename Law::RatePart& rate,
                   const typename Law::TimePart& time, const SweepStep& step, const Columns& now,
@@ -31,13 +31,13 @@ void step_columns(const Law& law, const PowerShape& power, const typename Law::R
     if (loading) share = min(share, (step.after - depth) * per_advance);
     const N envelope = formulas.envelope(part, strain, largest);
     N stress = remainder * formulas.decay(before, strain, share) + envelope;
-    // A column in tension does not press again while its envelope is in tension (theory.md, Eq. 30).
+    // A column in tension does not press again while its envelope is in tension (theory.md, Eq. 7).
     const N zero(0.0);
     stress = select(both(stress_before <= zero, envelope < zero), min(stress, zero), stress);
     R::store(stress, next.stress + j);
     for (std::size_t k = 0; k < parts; ++k) R::store(part[k], next.part[k] + j);
     R::store(at.shape, next.shape + j);
-    R::store(formulas.measure(e, at), next.measure + j);
+    R::store(measure_of(formulas, e, at), next.measure + j);
     R::store(stress / at.shape * R::load(step.weight + j), next.ratio + j);
   }
 }
@@ -100,7 +100,7 @@ template <class N, class Law>
 double sum_held(const Law& law, const PowerShape& power, double time, const SweepStep& step,
                 const Columns& columns, double& edge) {
   using R = Register<N>;
-  const Formulas<Law> still{law, power, law.rate_part(0), law.time_part(time, time)};
+  const Formulas<Law> still{law, power, law.rate_part(0), {}};
   constexpr std::size_t parts = Formulas<Law>::parts;
   const N rate(law.relaxation_rate(time));
   const N per_thickness(1 / step.thickness);
@@ -112,8 +112,8 @@ double sum_held(const Law& law, const PowerShape& power, double time, const Swee
     N part[parts];
     for (std::size_t k = 0; k < parts; ++k) part[k] = R::load(columns.part[k] + j);
     const N missing = still.envelope(part, strain, strain) - stress;
-    const N g =
-        rate * still.relaxation(strain) * (missing / R::load(columns.shape + j)) * R::load(step.weight + j);
+    const N g = rate * relaxation_of(still, strain) * (missing / R::load(columns.shape + j)) *
+                R::load(step.weight + j);
     R::store(select(zero < stress, g, zero), columns.ratio + j);
   }
   N sum(0.0);

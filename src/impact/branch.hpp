@@ -1,7 +1,7 @@
 #pragma once
 /// The phase that follows an event: the only place with a rule about branches (theory.md, section 4).
 ///
-/// The rate that satisfies equilibrium has up to three values; the drive (Eq. 20) says which of them the
+/// The rate that satisfies equilibrium has up to three values; the drive (Eq. 26) says which of them the
 /// limit of a vanishing dashpot takes.
 
 #include "impact/trial.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 /// The nonlinear solve of a step: the trial at whose end pad, support and impactor agree.
 ///
-///   0 = Y1 + Xs(F(Y1)) - X1(F(Y1))        the unknown is the penetration           (theory.md, Eq. 19)
+///   0 = Y1 + Xs(F(Y1)) - X1(F(Y1))        the unknown is the penetration           (theory.md, Eq. 25)
 ///
 /// in each of the phases; held, the unknown is the force. Lengths in m, times in s, forces in N.
 
@@ -120,7 +120,7 @@ class Equilibrium {
     return trial;
   }
 
-  /// The penetration reaches the lock, which satisfies Eq. 19 for one step only.
+  /// The penetration reaches the lock, which satisfies Eq. 25 for one step only.
   Trial at_lock(double step, const Predictor& predictor) {
     Trial trial;
     trial.step = step;
@@ -159,14 +159,14 @@ class Equilibrium {
                                                 allowed_residual(std::max(now().motion, end.motion));
   }
 
-  /// With the drive at its end (Eq. 20).
+  /// With the drive at its end (Eq. 26).
   Trial finished(Trial trial) {
     const double rate = contact_.force_rate_when_held(trial.pad);
     trial.end.drive = trial.end.velocity - support_.compliance(trial.end.force) * rate;
     return trial;
   }
 
-  /// Residual of Eq. 19 at the end of a trial, m; at the lock it is positive before the pad locks.
+  /// Residual of Eq. 25 at the end of a trial, m; at the lock it is positive before the pad locks.
   [[nodiscard]] double residual(const Trial& trial) const {
     return trial.end.penetration + support_.deflection(trial.end.force) - trial.end.motion;
   }
@@ -186,7 +186,7 @@ class Equilibrium {
     const std::optional<double> rate = predictor.next_rate(step);
     return rate ? *rate * step : spring_advance(step, slope);
   }
-  /// The root of Eq. 19 for a pad whose force grows in proportion to the advance; `slope` is that of Eq. 19.
+  /// The root of Eq. 25 for a pad whose force grows in proportion to the advance; `slope` is that of Eq. 25.
   [[nodiscard]] double spring_advance(double step, double slope) const {
     return motion_.travel(step) / slope;
   }
@@ -224,7 +224,7 @@ class Equilibrium {
                                   trial.end);
     }
 
-    /// What is left of the residual is taken up by the force, in proportion: Eq. 19 then holds but for the
+    /// What is left of the residual is taken up by the force, in proportion: Eq. 25 then holds but for the
     /// curvature, and the columns stay where they were tried.
     bool is_solved(double left) {
       State& end = trial.end;
@@ -249,7 +249,7 @@ class Equilibrium {
 
     Trial trial;
     double scale = 0;         ///< of the motion, m
-    double slope = 1;         ///< of Eq. 19 in the advance, as far as it is known
+    double slope = 1;         ///< of Eq. 25 in the advance, as far as it is known
     bool may_let_go = false;  ///< unloading
 
    private:

@@ -52,7 +52,7 @@ inline bool is_below_strength(const Sight& s) {
   return !s.recovers && s.now.penetration == 0 && s.now.force < s.trial.pad.force;
 }
 inline bool pad_recovers(const Sight& s) { return s.recovers; }
-/// Eq. 20; without a solution of Eq. 19 it is passed.
+/// Eq. 26; without a solution of Eq. 25 it is passed.
 inline double drive(const Sight& s) {
   if (s.trial.obstacle == Event::turning) return far_beyond;
   return s.trial.end.drive;

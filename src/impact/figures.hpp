@@ -43,7 +43,7 @@ void read_weight(const Track& track, double mass, Figures& figures);
 void read_contact_end(const Track& track, double mass, Figures& figures);
 
 /// Integral of F dY over the track, by local parabolas of F(t) and Y(t) within each smooth stretch: of higher
-/// order than the step, so that it audits the step's energy (theory.md, Eq. 24).
+/// order than the step, so that it audits the step's energy (theory.md, Eq. 30).
 double work_on_pad(const Track& track);
 
 }  // namespace dashpad

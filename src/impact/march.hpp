@@ -2,7 +2,7 @@
 /// One run through an impact at one resolution: the loop of theory.md, section 4, and the figures read off.
 ///
 /// The run goes through phases: loading, unloading, held (a rigid foam off its crush curve, or a fully
-/// compressed pad on a yielding support: Eq. 26; a pad is also held for a moment where neither of the other
+/// compressed pad on a yielding support: Eq. 29; a pad is also held for a moment where neither of the other
 /// two has a solution). They end at events (impact/events.hpp), which are located within the step.
 
 #include <algorithm>
@@ -151,7 +151,7 @@ class March {
     return {trial, event, true};
   }
 
-  /// The release of a moving pad with memory: Eq. 21 along the motion without force.
+  /// The release of a moving pad with memory: Eq. 27 along the motion without force.
   [[nodiscard]] bool is_lost_contact(Event event) const {
     return !closed_form && event == Event::release && phase_ != Phase::held;
   }

@@ -1,11 +1,11 @@
 #pragma once
 /// The impactor's motion over a step, given the force at its end.
 ///
-///   V1 = V0 - (F0 / 2 + F1 / 2 - q / 6) dt / M                                     (theory.md, Eq. 17)
+///   V1 = V0 - (F0 / 2 + F1 / 2 - q / 6) dt / M                                     (theory.md, Eq. 23)
 ///   X1 = X0 + V0 dt - (F0 / 3 + F1 / 6 - q / 12) dt^2 / M
 ///
 /// q is the bend of the parabola of F(t) through the last three moments, 0 after an event. For a pad without
-/// memory the mean force is the one whose work is exact (theory.md, Eq. 18). Compression positive; SI units.
+/// memory the mean force is the one whose work is exact (theory.md, Eq. 24). Compression positive; SI units.
 
 #include <cmath>
 
@@ -42,7 +42,7 @@ class Motion {
   }
   void stop() { now_.velocity = 0; }
 
-  /// Fills `end`, but for its drive, for a trial penetration and its force; returns the residual of Eq. 19,
+  /// Fills `end`, but for its drive, for a trial penetration and its force; returns the residual of Eq. 25,
   /// m.
   double residual(const Contact& contact, double penetration, double force, double step, State& end) const {
     const double motion = penetration + support_.deflection(force);
@@ -65,7 +65,7 @@ class Motion {
   [[nodiscard]] double travel(double step) const {
     return (now_.velocity - now_.force * step / (2 * mass_)) * step;
   }
-  /// -dX1/dF1 of Eq. 17.
+  /// -dX1/dF1 of Eq. 23.
   [[nodiscard]] double inertial_compliance(double step) const {
     return step * step / mass_ * (HasEnergy<Contact> ? 0.25 : 1.0 / 6 - share_of_bend(step) / 12);
   }

@@ -11,9 +11,9 @@
 namespace dashpad {
 
 struct Numerics {
-  // --- The step (Eq. 19) ---
+  // --- The step (Eq. 25) ---
 
-  /// Residual of Eq. 19, in rho^3 of the motion, at which a trial of a pad with memory counts as solved. The
+  /// Residual of Eq. 25, in rho^3 of the motion, at which a trial of a pad with memory counts as solved. The
   /// force takes up the rest; the error is of third order, below that of the step.
   double solved_residual = 0.1;
   /// Share of it that a first trial must reach: its slope is a guess, and so is what the force takes up.
@@ -67,7 +67,7 @@ struct Numerics {
   int most_idle_events = 16;
   /// Where neither phase has a solution the pad is held for this long, in rho^2 of a step.
   double held_moment = 0.1;
-  /// Reloadings count from this drive (Eq. 20) on, in impact speeds; below, they may come from rounding.
+  /// Reloadings count from this drive (Eq. 26) on, in impact speeds; below, they may come from rounding.
   double least_drive = 1e-3;
 
   // --- Step length ---

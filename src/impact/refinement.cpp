@@ -133,7 +133,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
     if (!m) return 0.0;
     return std::max(relative(m->time, m_before->time, m_run->time), of_speed(*m, *m_before, *m_run));
   };
-  // The time of release is ill-posed (theory.md, Eq. 21); the speed then is not.
+  // The time of release is ill-posed (theory.md, Eq. 27); the speed then is not.
   if (now.release) errors_.rebound_speed = of_speed(*now.release, *before.release, *run.release);
   errors_.contact_end = moment(now.contact_end, before.contact_end, run.contact_end);
   errors_.weight = moment(now.weight, before.weight, run.weight);

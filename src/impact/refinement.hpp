@@ -2,7 +2,7 @@
 /// Runs at finer and finer resolution, compared: extrapolated figures and their error estimates.
 ///
 /// The step is of second order, so two runs k-1 and k at the resolutions rho_(k-1) = r rho_k give (theory.md,
-/// Eq. 25)
+/// Eq. 31)
 ///
 ///   x_k* = x_k + (x_k - x_(k-1)) / (r^2 - 1),   error estimate of x_k*:  max(|x_k* - x_(k-1)*|, |x_k* - x_k|)
 ///

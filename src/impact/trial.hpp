@@ -8,7 +8,7 @@ namespace dashpad {
 /// Lengths in m, velocity in m/s, force in N.
 struct State {
   double time = 0, motion = 0, velocity = 0, penetration = 0, force = 0;
-  /// Speed by which the support outruns a pad held still; > 0 loads the pad (theory.md, Eq. 20).
+  /// Speed by which the support outruns a pad held still; > 0 loads the pad (theory.md, Eq. 26).
   double drive = 0;
 };
 
@@ -23,7 +23,7 @@ struct Trial {
   PadTrial pad;
   double step = 0;               ///< s
   double pad_stiffness = 0;      ///< dF/dY over the step, N/m
-  Event obstacle = Event::none;  ///< why Eq. 19 has no solution over this step in this phase
+  Event obstacle = Event::none;  ///< why Eq. 25 has no solution over this step in this phase
 
   /// Mean rate of the penetration, m/s.
   [[nodiscard]] double pad_rate() const { return pad.advance / step; }

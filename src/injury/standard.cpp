@@ -22,6 +22,21 @@ constexpr Replaceable replaceable[]{{"mass", &Standard::mass, &StandardVariant::
                                     {"radius", &Standard::radius, &StandardVariant::radius},
                                     {"speed", &Standard::speed, &StandardVariant::speed}};
 
+struct MetricKey {
+  Metric metric;
+  const char* key;  ///< of its quantity
+};
+
+constexpr MetricKey metric_keys[]{{Metric::peak_acceleration, "peak_acceleration"},
+                                  {Metric::clip_3ms, "clip_3ms"},
+                                  {Metric::cumulative_3ms, "cumulative_3ms"},
+                                  {Metric::dwell_time, "dwell_time"},
+                                  {Metric::hic15, "hic15"},
+                                  {Metric::hic36, "hic36"},
+                                  {Metric::hic_unlimited, "hic_unlimited"},
+                                  {Metric::hic_d, "hic_d"},
+                                  {Metric::severity_index, "severity_index"}};
+
 std::string names_of(const std::vector<StandardVariant>& variants) {
   std::string names;
   for (const StandardVariant& variant : variants) names += (names.empty() ? "" : ", ") + variant.name;
@@ -63,17 +78,16 @@ std::string to_string(SourceKind kind) {
 }
 
 const std::vector<Metric>& metrics() {
-  static const std::vector<Metric> all{Metric::peak_acceleration, Metric::clip_3ms, Metric::cumulative_3ms,
-                                       Metric::dwell_time,        Metric::hic15,    Metric::hic36,
-                                       Metric::hic_unlimited,     Metric::hic_d,    Metric::severity_index};
+  static const std::vector<Metric> all = [] {
+    std::vector<Metric> list;
+    for (const MetricKey& entry : metric_keys) list.push_back(entry.metric);
+    return list;
+  }();
   return all;
 }
 
 const ResultQuantity& quantity_of(Metric metric) {
-  constexpr const char* keys[]{"peak_acceleration", "clip_3ms", "cumulative_3ms",
-                               "dwell_time",        "hic15",    "hic36",
-                               "hic_unlimited",     "hic_d",    "severity_index"};
-  return result_quantity(keys[static_cast<std::size_t>(metric)]);
+  return result_quantity(std::ranges::find(metric_keys, metric, &MetricKey::metric)->key);
 }
 
 namespace {

@@ -1,11 +1,11 @@
 #pragma once
 /// The stress of a column with memory at the end of a stretch.
 ///
-/// Straight (theory.md, Eq. 7), with H the integral of h over the stretch:
+/// Straight (theory.md, Eq. 9), with H the integral of h over the stretch:
 ///
 ///   stress_1 = G(e1) + (stress_0 - G(e0)) exp(-H)
 ///
-/// Parabolic, with H(t) the integral of h from t to the end (the solution of theory.md, Eq. 6):
+/// Parabolic, with H(t) the integral of h from t to the end (the solution of theory.md, Eq. 8):
 ///
 ///   stress_1 = stress_0 exp(-H) + integral of exp(-H(t)) (dG/de de/dt + h G) dt
 ///

@@ -1,5 +1,5 @@
 #pragma once
-/// A law with memory at one strain of one column: the envelope G of theory.md, Eq. 6, its slope, and h.
+/// A law with memory at one strain of one column: the envelope G of theory.md, Eq. 8, its slope, and h.
 ///
 /// Stresses in Pa, compression positive; rates in 1/s; times in s since first contact.
 
@@ -48,8 +48,8 @@ double envelope_slope(const Law& law, const PowerShape& power, Strain strain,
 /// h.
 template <IsViscous Law>
 double relaxation_rate(const Law& law, const PowerShape& power, double time, double strain) {
-  const scalar::Formulas<Law> at{law, power, {}, law.time_part(time, time)};
-  return law.relaxation_rate(time) * at.relaxation(strain);
+  const scalar::Formulas<Law> at{law, power, {}, {}};
+  return law.relaxation_rate(time) * relaxation_of(at, strain);
 }
 
 }  // namespace dashpad

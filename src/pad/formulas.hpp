@@ -5,8 +5,9 @@
 /// of its own. Whoever includes it has opened a namespace in which N has + - * /, exp, log, max and choose
 /// (pad/ scalar.hpp, pad/lanes.hpp). The laws' own formulas stand at the end of each law's header, where
 /// DASHPAD_FORMULAS calls for them: which powers of the strain a column keeps (strain_part), G from them
-/// (envelope), exp(-H) over a step (decay), and by what h at strain zero is multiplied (relaxation). Stresses
-/// in Pa.
+/// (envelope), and exp(-H) over a step (decay); and where they are not the usual ones (measure_of and
+/// relaxation_of below), the measure w (measure) and by what h at strain zero is multiplied (relaxation).
+/// Stresses in Pa.
 ///
 /// A strain must be more than 0, if by as little as least_strain.
 
@@ -19,7 +20,7 @@ struct Strains {
   N complement;
 };
 
-/// A(e) (theory.md, Eq. 12) and what it is made of.
+/// A(e) (theory.md, Eq. 14) and what it is made of.
 template <class N>
 struct Shape {
   N shape;
@@ -55,7 +56,7 @@ DASHPAD_FORMULA N polynomial(const std::array<double, terms>& c, N x) {
   return (e * y + d) * y2 + (b * y + a);
 }
 
-/// w(e) (theory.md, Eq. 22), by an expansion about strain zero up to a half, about full compression above.
+/// w(e) (theory.md, Eq. 19), by an expansion about strain zero up to a half, about full compression above.
 template <class N>
 DASHPAD_FORMULA N measure_at(const PowerShape& power, Strains<N> e, const Shape<N>& at) {
   const auto below = [&]() { return e.value * at.shape * polynomial(power.near_contact(), e.value); };
@@ -66,14 +67,34 @@ DASHPAD_FORMULA N measure_at(const PowerShape& power, Strains<N> e, const Shape<
   return choose(e.value <= 0.5, below, above);
 }
 
-/// E of theory.md, Eq. 14.
-template <class N>
-DASHPAD_FORMULA N unloading_factor(N strain, N largest, double ratio) {
-  return 1 / (1 - ratio) * ((strain - ratio * largest) / strain);
+/// The stress of a loading, on unloading times E (theory.md, Eq. 16).
+template <class N, class RatePart>
+DASHPAD_FORMULA N unloaded(N loading, const RatePart& rate, N strain, N largest) {
+  if (!rate.unloading) return loading;
+  const double ratio = rate.residual_ratio;
+  return loading * (1 / (1 - ratio) * ((strain - ratio * largest) / strain));
 }
 
 template <class Law>
 struct Formulas;
+
+/// w of a law: that of its power shape, unless it has a simpler one.
+template <class Law, class N>
+DASHPAD_FORMULA N measure_of(const Formulas<Law>& formulas, Strains<N> e, const Shape<N>& at) {
+  if constexpr (requires { formulas.measure(e, at); })
+    return formulas.measure(e, at);
+  else
+    return measure_at(formulas.power, e, at);
+}
+
+/// By what h at strain zero is multiplied: 1, unless a law says otherwise.
+template <class Law, class N>
+DASHPAD_FORMULA N relaxation_of(const Formulas<Law>& formulas, N strain) {
+  if constexpr (requires { formulas.relaxation(strain); })
+    return formulas.relaxation(strain);
+  else
+    return N(1.0);
+}
 
 #define DASHPAD_FORMULAS
 #include "dashpad/pad/linear_viscoelastic.hpp"

@@ -67,7 +67,7 @@ Json impactor(const Impactor& of) {
   Json json = {{"mass_kg", number(of.mass)}, {"speed_m_per_s", number(of.speed)}};
   json["nose"] = name_of(of.nose);
   for (const ParameterValue& value : parameter_values(of.nose))
-    json[value.key + (value.unit == "1" ? "" : "_" + value.unit)] = number(value.value);
+    json[name_with_unit(value.key, value.unit)] = number(value.value);
   return json;
 }
 

@@ -79,17 +79,18 @@ void store_support(const Support& support, Deck& deck) {
 }  // namespace
 
 std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
+  std::vector<Violation> unsaid;
   if (!std::holds_alternative<Sphere>(impact.impactor.nose))
-    return {{"impactor.nose", 0, "the 1984 program knows no nose but a sphere"}};
+    unsaid.push_back({"impactor.nose", 0, "the 1984 program knows no nose but a sphere"});
   const std::size_t points = impact.support.points().size();
   if (points == 0)
-    return {{"support.type", 0,
-             "the 1984 program has no rigid support: its KEYS = 0 divides zero by zero; "
-             "give a stiff linear one"}};
+    unsaid.push_back({"support.type", 0,
+                      "the 1984 program has no rigid support: its KEYS = 0 divides zero by zero; "
+                      "give a stiff linear one"});
   if (points > 4)
-    return {{"support.points", static_cast<double>(points),
-             "the 1984 program takes four points of a support curve at most"}};
-  return {};
+    unsaid.push_back({"support.points", static_cast<double>(points),
+                      "the 1984 program takes four points of a support curve at most"});
+  return unsaid;
 }
 
 Deck deck_of(const ImpactCase& impact) {

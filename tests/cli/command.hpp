@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -19,6 +18,8 @@
 
 #include <gtest/gtest.h>
 
+#include "shared/temporary_folder.hpp"
+
 namespace dashpad::test {
 
 namespace fs = std::filesystem;
@@ -27,27 +28,6 @@ struct Outcome {
   int exit_code = -1;  ///< 128 + signal if it was killed
   std::string out;
   std::string err;
-};
-
-/// A folder for one test, removed with it.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "dashpad-test-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
 };
 
 /// Runs a program with its arguments, with nothing on standard input, and waits for its end.

@@ -78,6 +78,15 @@ TEST_F(AssessTest, APassWithoutAFittedRangeHasAReservation) {
                                  HasSubstr("\nReservations:\n  - UNKNOWN RANGE: ")));
 }
 
+TEST_F(AssessTest, SaysWhichOtherNoseACaseHas) {
+  write_file(case_file(), with(fitted_case(), "radius =", "nose = \"flat-disc\"\nradius ="));
+  const std::string mild = standard("mild", peak_standard("1000"));
+  EXPECT_THAT(assess({mild}).out, AllOf(HasSubstr("Nothing of the case was replaced"),
+                                        ContainsRegex("Kept from the case: [^:]*radius \\(a flat disc\\)")));
+  EXPECT_THAT(assess({mild, "--radius", "90 mm"}).out,
+              ContainsRegex("radius +90 mm, given by you; the case has a flat disc\n"));
+}
+
 TEST_F(AssessTest, FailsWithExitCode4) {
   const Outcome outcome = assess({standard("harsh", peak_standard("1"))});
   EXPECT_EQ(outcome.exit_code, 4) << outcome.err;

@@ -1,16 +1,13 @@
 #include "reading.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <stdexcept>
 #include <string>
 
 #include "io/text.hpp"
+#include "shared/temporary_folder.hpp"
 
 namespace dashpad::fuzz {
 
@@ -18,37 +15,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct OwnFolder {
-  OwnFolder() {
-    std::string name = (fs::temp_directory_path() / "dashpad-fuzz-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for temporary files");
-    path = name;
-  }
-  ~OwnFolder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-  OwnFolder(const OwnFolder&) = delete;
-  OwnFolder& operator=(const OwnFolder&) = delete;
-
-  fs::path path;
-};
+const test::TemporaryFolder& own() {
+  static const test::TemporaryFolder folder;
+  return folder;
+}
 
 }  // namespace
 
-const fs::path& folder() {
-  static const OwnFolder own;
-  return own.path;
-}
+const fs::path& folder() { return own().path(); }
 
-fs::path write(const fs::path& name, std::string_view bytes) {
-  fs::path file = folder() / name;
-  fs::create_directories(file.parent_path());
-  std::ofstream stream(file, std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
-  return file;
-}
+fs::path write(const fs::path& name, std::string_view bytes) { return own().write(name, bytes); }
 
 void require(bool holds, const char* rule) {
   if (holds) return;

@@ -54,20 +54,12 @@ struct Formulas<PowerMaxwell> {
     return at;
   }
   template <class N>
-  DASHPAD_FORMULA N measure(Strains<N> e, const Shape<N>& at) const {
-    return measure_at(power, e, at);
-  }
-  template <class N>
   DASHPAD_FORMULA N envelope(const N* part, N, N) const {
     return law.modulus * part[0];
   }
   template <class N>
   DASHPAD_FORMULA N decay(N, N, N) const {
     return N(time.decay);
-  }
-  template <class N>
-  DASHPAD_FORMULA N relaxation(N) const {
-    return N(1.0);
   }
 };
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "dashpad/io/case_file.hpp"
-#include "temporary_folder.hpp"
+#include "shared/temporary_folder.hpp"
 
 namespace dashpad::testing {
 
@@ -47,7 +47,7 @@ inline std::string edited(std::string text, const std::string& from, const std::
 }
 
 inline CaseFile read(const std::string& text) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   return read_case(folder.write("case.toml", text), materials);
 }
 

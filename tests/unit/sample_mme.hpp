@@ -9,7 +9,7 @@
 
 #include "dashpad/io/fault.hpp"
 #include "dashpad/iso_mme/iso_mme.hpp"
-#include "temporary_folder.hpp"
+#include "shared/temporary_folder.hpp"
 
 namespace dashpad::testing {
 
@@ -55,7 +55,7 @@ inline std::string said(const std::filesystem::path& file, const IsoMmeOptions& 
 
 /// What is said about `files` in a folder.
 inline std::string said(const Files& files, const IsoMmeOptions& options = {.channel = "1"}) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   write(folder.path(), files);
   return said(folder.path(), options);
 }

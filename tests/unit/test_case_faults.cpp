@@ -14,7 +14,7 @@
 #include "dashpad/io/case_file.hpp"
 #include "dashpad/io/fault.hpp"
 #include "sample_case.hpp"
-#include "temporary_folder.hpp"
+#include "shared/temporary_folder.hpp"
 
 namespace dashpad {
 namespace {
@@ -210,7 +210,7 @@ TEST(case_faults, all_faults_come_at_once_in_the_order_of_lines) {
 }
 
 TEST(case_faults, faults_of_a_card_name_the_card) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto card =
       folder.write("mine.toml",
                    "title = \"Mine\"\nlaw = \"elastic\"\n[parameters]\nmodulus = \"-1 psi\"\n"
@@ -245,7 +245,7 @@ TEST(case_faults, deep_nesting_is_refused) {
 }
 
 TEST(case_faults, only_regular_files_of_moderate_size_are_read) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto large = folder.write("large.toml", "");
   std::filesystem::resize_file(large, 1'000'000'000);  // takes no space: it is a hole
   const auto pipe = folder.path() / "pipe.toml";

@@ -8,7 +8,7 @@
 
 #include "dashpad/io/case_file.hpp"
 #include "sample_case.hpp"
-#include "temporary_folder.hpp"
+#include "shared/temporary_folder.hpp"
 
 namespace dashpad {
 namespace {
@@ -62,7 +62,7 @@ TEST(case_file, law_can_be_given_in_line) {
 }
 
 TEST(case_file, material_can_be_a_path_from_the_case) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "cards");
   std::filesystem::copy(materials / "ensolite-aac-21.toml", folder.path() / "cards" / "mine.toml");
   const auto file = folder.write("case.toml", edited(good_case, "\"ensolite-aac-9\"", "\"cards/mine.toml\""));

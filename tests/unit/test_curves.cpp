@@ -173,7 +173,7 @@ ImpactCase elastic_on_rigid() {
 TEST(SolvedBranches, OfAnElasticPadAreItsClosedForm) {
   const ImpactCase impact = elastic_on_rigid();
   const Solution solution = solve(impact, {});
-  // F = 2 pi (E / L) (R y^2 / 2 - y^3 / 6): theory.md, Eq. 16, with one slope and no initial stress.
+  // F = 2 pi (E / L) (R y^2 / 2 - y^3 / 6): theory.md, Eq. 18, with one slope and no initial stress.
   const double stiffness = 3e5 / impact.pad.thickness, radius = std::get<Sphere>(impact.impactor.nose).radius;
   for (const char* name : {"loading", "unloading"}) {
     const Curve branch = curve(name, solution);

@@ -91,7 +91,7 @@ TEST(iso_mme, what_is_written_reads_back_elsewhere) {
 TEST(iso_mme, what_is_written_reads_back_here) {
   IsoMmeTest test = test_to_write();
   test.histories[0].values = {0, -1.0 / 3, 1e-300, -981.123456789012345, 7, 1e17};
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   write(folder.path(), iso_mme_files(test));
   const MeasuredPulse measured = read_iso_mme(folder.path(), {});
   EXPECT_EQ(measured.pulse.acceleration, test.histories[0].values);
@@ -125,7 +125,7 @@ TEST(iso_mme, text_may_be_latin_1_with_any_line_ends) {
       "Unit\t:m/s\xb2\r\nReference channel :NOVALUE\r\nTime of first sample : 0\r\n"
       "Sampling interval :1E-3\r\nNumber of samples :NOVALUE\r\n 1.0E+00\r\n2\r\n\r\n\x1a");
   files["v1.mme"] = "\xef\xbb\xbfTitle :x";
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   write(folder.path(), files);
   EXPECT_EQ(iso_mme_channels(folder.path()).front().name,
             "Kopf, Pr\xc3\xbc"
@@ -136,7 +136,7 @@ TEST(iso_mme, text_may_be_latin_1_with_any_line_ends) {
 }
 
 TEST(iso_mme, remarks) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   Files files = with_first(channel("11HEAD0000H3ACXA"));
   write(folder.path(), files);
   EXPECT_THAT(read_iso_mme(folder.path(), {.channel = "1", .acceleration_unit = "m/s2"}).remarks,
@@ -220,7 +220,7 @@ TEST(iso_mme, files_that_are_missing_are_told) {
 }
 
 TEST(iso_mme, nothing_outside_of_the_folder_is_read) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const fs::path secret = folder.path() / "secret", test = folder.path() / "test";
   write(secret, sample_test());
   write(test, {{"v1.mme", "Title :x\n"},

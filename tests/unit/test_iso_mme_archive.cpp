@@ -61,7 +61,7 @@ void pack(const fs::path& file, const Files& files) {
 }
 
 TEST(iso_mme_archive, folder_file_zip_and_tar_are_the_same) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const fs::path test = folder.path() / "test";
   write(test, sample_test());
   Files inner, windows;
@@ -104,7 +104,7 @@ TEST(iso_mme_archive, folder_file_zip_and_tar_are_the_same) {
 }
 
 TEST(iso_mme_archive, archives_that_lead_elsewhere_are_refused) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const Files files = sample_test();
   const std::vector<std::pair<std::string, std::string>> good(files.begin(), files.end());
   for (const std::string name : {"../v1.001", "a/../../b", "/etc/passwd", "..", "C:\\x", "..\\x"}) {
@@ -129,7 +129,7 @@ TEST(iso_mme_archive, archives_that_lead_elsewhere_are_refused) {
 }
 
 TEST(iso_mme_archive, archives_that_unpack_without_end_are_refused) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   Files files = sample_test();
   const std::string name = "Channel/v1.001";
   files[name] = std::string(std::size_t{1} << 23, '0');  // packs to a few kilobytes
@@ -148,7 +148,7 @@ TEST(iso_mme_archive, archives_that_unpack_without_end_are_refused) {
 }
 
 TEST(iso_mme_archive, damaged_archives_are_told) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto cut = folder.path() / "cut.zip";
   pack(cut, sample_test());
   fs::resize_file(cut, fs::file_size(cut) / 2);

@@ -8,7 +8,7 @@
 
 #include "dashpad/io/case_file.hpp"
 #include "dashpad/io/fault.hpp"
-#include "temporary_folder.hpp"
+#include "shared/temporary_folder.hpp"
 
 namespace dashpad {
 namespace {
@@ -64,7 +64,7 @@ TEST(materials, published_values_that_no_law_uses_are_kept_as_text) {
 }
 
 TEST(materials, a_folder_is_listed_by_name) {
-  const testing::TemporaryFolder temporary;
+  const test::TemporaryFolder temporary;
   for (const std::string name : {"b.toml", "a.toml", "notes.txt"}) temporary.write(name, "");
   std::filesystem::create_directory(temporary.path() / "c.toml");
   const auto cards = list_materials(temporary.path());

@@ -11,14 +11,14 @@
 #include <stdexcept>
 #include <string>
 
-#include "unit/temporary_folder.hpp"
+#include "shared/temporary_folder.hpp"
 #include "validation/measured_tests_columns.hpp"
 
 namespace dashpad::validation {
 namespace {
 
 namespace fs = std::filesystem;
-using dashpad::testing::TemporaryFolder;
+using test::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 

@@ -19,7 +19,7 @@
 #include "report/plot_rows.hpp"
 #include "report/plot_script.hpp"
 #include "report/plot_text.hpp"
-#include "temporary_folder.hpp"
+#include "shared/temporary_folder.hpp"
 
 namespace dashpad {
 namespace {
@@ -51,7 +51,7 @@ Plot two_lines() {
 
 /// Whether Python's parser accepts the text.
 bool is_well_formed(const std::string& xml) {
-  testing::TemporaryFolder folder;
+  test::TemporaryFolder folder;
   const auto file = folder.path() / "picture.svg";
   std::ofstream{file, std::ios::binary} << xml;
   const std::string command =
@@ -110,7 +110,7 @@ TEST(Plot, FormatFollowsTheEnding) {
 // --- Foreign texts ---
 
 TEST(Plot, RunsNothingThatATextSays) {
-  testing::TemporaryFolder folder;
+  test::TemporaryFolder folder;
   const std::string trap = (folder.path() / "pwned").string();
   const std::string command = "touch " + trap;
   for (const std::string& text : std::vector<std::string>{"'; system('" + command + "'); '",
@@ -335,7 +335,7 @@ class PlotProcess : public ::testing::Test {
   }
 
  private:
-  testing::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(PlotProcess, RepeatsWhatAFailingProgramSays) {

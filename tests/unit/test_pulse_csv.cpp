@@ -12,7 +12,7 @@
 #include "dashpad/io/fault.hpp"
 #include "dashpad/measurement/pulse_csv.hpp"
 #include "dashpad/units/quantity.hpp"
-#include "temporary_folder.hpp"
+#include "shared/temporary_folder.hpp"
 
 namespace dashpad {
 namespace {
@@ -26,7 +26,7 @@ using ::testing::Pointwise;
 constexpr double g = 9.80665;
 
 MeasuredPulse read(const std::string& text, const PulseCsvOptions& options = {}) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   return read_pulse_csv(folder.write("pulse.csv", text), options);
 }
 
@@ -195,7 +195,7 @@ TEST(pulse_csv, steps_that_grow_rounded_times_and_two_rates_are_no_gaps) {
 }
 
 TEST(pulse_csv, lists_columns) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto columns = pulse_csv_columns(folder.write("a.csv", "Time,Head\nms,g\n0,1\n2,3\n"));
   ASSERT_EQ(columns.size(), 2U);
   EXPECT_EQ(columns[0].name, "Time");
@@ -387,7 +387,7 @@ TEST(pulse_csv, all_faults_are_told_at_once_but_not_without_end) {
 }
 
 TEST(pulse_csv, only_regular_files_of_limited_size_are_read) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto large = folder.write("large.csv", "");
   std::filesystem::resize_file(large, (std::uintmax_t{1} << 30) + 1);  // takes no space: it is a hole
   const auto pipe = folder.path() / "pipe.csv";

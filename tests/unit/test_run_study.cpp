@@ -12,9 +12,9 @@
 #include <thread>
 
 #include "dashpad/study/run_study.hpp"
+#include "shared/temporary_folder.hpp"
 #include "small_study.hpp"
 #include "study/run_batches.hpp"
-#include "temporary_folder.hpp"
 
 namespace dashpad::testing {
 namespace {
@@ -35,7 +35,7 @@ class RunStudy : public ::testing::Test {
   }
 
  private:
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 std::vector<StoredRow> all_rows(const Store& store) {

@@ -15,7 +15,7 @@
 #include "dashpad/io/fault.hpp"
 #include "dashpad/report/assessment_text.hpp"
 #include "sample_case.hpp"
-#include "temporary_folder.hpp"
+#include "shared/temporary_folder.hpp"
 
 namespace dashpad {
 namespace {
@@ -309,7 +309,7 @@ verified = true
 )";
 
 std::vector<Fault> faults_of(const std::string& text) {
-  const testing::TemporaryFolder temporary;
+  const test::TemporaryFolder temporary;
   try {
     read_standard(temporary.write("made-up.toml", text));
   } catch (const InputError& error) {
@@ -336,7 +336,7 @@ void expect_faults(const std::string& text, const std::vector<Expected>& expecte
 }
 
 TEST(standard_faults, a_good_preset_has_none) {
-  const testing::TemporaryFolder temporary;
+  const test::TemporaryFolder temporary;
   const Standard standard = read_standard(temporary.write("made-up.toml", good_preset));
   EXPECT_EQ(standard.name, "made-up");
   EXPECT_DOUBLE_EQ(*standard.speed.value, std::sqrt(2 * g));

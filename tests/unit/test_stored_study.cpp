@@ -13,8 +13,8 @@
 #include "dashpad/study/run_study.hpp"
 #include "dashpad/study/stored_study.hpp"
 #include "dashpad/study/study_file.hpp"
+#include "shared/temporary_folder.hpp"
 #include "small_study.hpp"
-#include "temporary_folder.hpp"
 
 namespace dashpad::testing {
 namespace {
@@ -47,7 +47,7 @@ class StoredStudyTest : public ::testing::Test {
   [[nodiscard]] fs::path file(const char* name) const { return folder_.path() / name; }
 
  private:
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(StoredStudyTest, TheStudiesOfTheExamples) {

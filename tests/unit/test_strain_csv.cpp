@@ -7,7 +7,7 @@
 
 #include "dashpad/io/fault.hpp"
 #include "dashpad/measurement/strain_csv.hpp"
-#include "temporary_folder.hpp"
+#include "shared/temporary_folder.hpp"
 
 namespace dashpad {
 namespace {
@@ -39,7 +39,7 @@ class StrainCsvTest : public ::testing::Test {
   }
 
  private:
-  testing::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(StrainCsvTest, ReadsUnitsFromTheHeader) {

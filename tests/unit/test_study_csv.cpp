@@ -8,8 +8,8 @@
 #include <string>
 
 #include "dashpad/study/export_csv.hpp"
+#include "shared/temporary_folder.hpp"
 #include "small_study.hpp"
-#include "temporary_folder.hpp"
 
 namespace dashpad::testing {
 namespace {
@@ -24,7 +24,7 @@ std::string csv_of(const Store& store) {
 }
 
 TEST(StudyCsv, has_a_line_a_row_with_units_and_empty_places) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   Store store = Store::open_for(small_study(64), folder.path() / "s");
   fill(store);
   EXPECT_THAT(csv_of(store),
@@ -35,7 +35,7 @@ TEST(StudyCsv, has_a_line_a_row_with_units_and_empty_places) {
 }
 
 TEST(StudyCsv, reads_back_as_the_same_numbers) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   Store store = Store::open_for(small_study(3000), folder.path() / "s");
   fill(store);
   std::istringstream text(csv_of(store));
@@ -50,7 +50,7 @@ TEST(StudyCsv, reads_back_as_the_same_numbers) {
 }
 
 TEST(StudyCsv, has_the_rows_done_only) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   Store store = Store::open_for(small_study(640), folder.path() / "s");
   EXPECT_EQ(csv_of(store).find('\n'), csv_of(store).size() - 1) << "the heading";
   store.write_batch(2, made_up_batch(store, 2));
@@ -58,7 +58,7 @@ TEST(StudyCsv, has_the_rows_done_only) {
 }
 
 TEST(StudyCsv, passes_on_what_the_writer_throws) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const Store store = Store::open_for(small_study(64), folder.path() / "s");
   EXPECT_THROW(study::export_csv(store, [](std::string_view) { throw std::runtime_error("full"); }),
                std::runtime_error);

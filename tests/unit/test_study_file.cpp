@@ -72,7 +72,7 @@ class StudyFile : public ::testing::Test {
   }
 
   std::string case_ = dashpad::testing::good_case;
-  dashpad::testing::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(StudyFile, is_read) {

@@ -14,8 +14,8 @@
 #include <string>
 
 #include "dashpad/study/store.hpp"
+#include "shared/temporary_folder.hpp"
 #include "small_study.hpp"
-#include "temporary_folder.hpp"
 
 namespace dashpad::testing {
 namespace {
@@ -76,7 +76,7 @@ class StudyStore : public ::testing::Test {
       store.visit_rows([](const StoredRow&) {});
     });
   }
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(StudyStore, gives_back_what_was_written_to_the_last_bit) {

@@ -9,7 +9,7 @@
 
 #include "dashpad/io/fault.hpp"
 #include "io/toml_tree.hpp"
-#include "unit/temporary_folder.hpp"
+#include "shared/temporary_folder.hpp"
 
 namespace dashpad {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 
 TomlNode read(const std::string& text) {
-  static const testing::TemporaryFolder folder;
+  static const test::TemporaryFolder folder;
   return read_toml(folder.write("a.toml", text));
 }
 

@@ -108,7 +108,7 @@ TEST(AgainstCvodeAtRandom, AgreesWhereTheOracleIsSure) {
 }
 
 /// Impacts on law 5 that missed their tolerance while columns which had let go could press again (theory.md,
-/// Eq. 5).
+/// Eq. 6).
 TEST(AgainstCvodeLettingGo, AgreesWhereColumnsHadPressedAgain) {
   const auto compare_with_oracle = [](const std::string& name, const ImpactCase& impact) {
     SCOPED_TRACE(name);

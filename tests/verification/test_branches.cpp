@@ -1,4 +1,4 @@
-/// Which branch the pad takes where the equations admit several (theory.md, Eq. 20): cases in which two paths
+/// Which branch the pad takes where the equations admit several (theory.md, Eq. 26): cases in which two paths
 /// of the solver, or two resolutions, once went different ways. The reference is the damped oracle
 /// (oracle/damped_impact.hpp), which needs no rule about loading and unloading.
 

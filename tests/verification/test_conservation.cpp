@@ -81,7 +81,7 @@ TYPED_TEST(ConservationOf, TheImpulseOfTheForceIsTheChangeOfMomentum) {
       impulse += line;
       if (TypeParam::memoryless || i < 2) continue;
       // With memory each step takes the force for a parabola through the last three moments, or for a line
-      // after an event (theory.md, Eq. 17).
+      // after an event (theory.md, Eq. 23).
       const double before = h.time[i - 1] - h.time[i - 2];
       const double bend = step / (step + before) *
                           (h.force[i] - h.force[i - 1] - (h.force[i - 1] - h.force[i - 2]) / before * step);

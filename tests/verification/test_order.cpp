@@ -71,8 +71,8 @@ using Laws = testing::Types<Elastic, LinearViscoelastic, NineParameter, TwentyOn
 TYPED_TEST_SUITE(Order, Laws);
 
 /// Well before the turning point. Five halvings, against a step a quarter of the finest of them. With memory
-/// the force of Eq. 17 is a parabola, whose error is of third order: on a rigid support it outweighs that of
-/// the constant rate of Eq. 7 for all steps that rounding leaves room for, and on a yielding one it shows.
+/// the force of Eq. 23 is a parabola, whose error is of third order: on a rigid support it outweighs that of
+/// the constant rate of Eq. 9 for all steps that rounding leaves room for, and on a yielding one it shows.
 TYPED_TEST(Order, OfTheTimeStepsIsTwoAtLeast) {
   for (const Support& support : {Support::rigid(), Support::linear(2e5)}) {
     const ImpactCase impact = impact_on(sample_law<TypeParam>(), support);

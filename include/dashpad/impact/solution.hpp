@@ -21,7 +21,7 @@ struct Options {
   bool plain = false;
 };
 
-/// Contact ends where the force falls below this share of its peak (theory.md, Eq. 29).
+/// Contact ends where the force falls below this share of its peak (theory.md, Eq. 28).
 inline constexpr double contact_end_share = 1e-3;
 
 enum class Status {
@@ -79,7 +79,7 @@ struct Summary {
   /// contact is not lost: at the time limit, after bottoming out, with a rigid foam that stops the impactor
   /// on a rigid support.
   std::optional<Moment> contact_end;
-  /// No column is left under pressure (theory.md, Eq. 21). Its time carries no error estimate: a spot of
+  /// No column is left under pressure (theory.md, Eq. 27). Its time carries no error estimate: a spot of
   /// micrometres on the axis, which carries next to nothing, may decide it.
   std::optional<Moment> release;
   /// Pad fully compressed on the axis for the first time.

@@ -1,11 +1,11 @@
 #pragma once
 /// The stress of a single pad column in a material test, exact up to quadrature.
 ///
-/// Along a history the law is a linear equation for the stress (theory.md, Eq. 6; report, Eq. 28):
+/// Along a history the law is a linear equation for the stress (theory.md, Eq. 8; report, Eq. 28):
 ///
 ///   d(stress)/dt = dG/dt | (rate and largest strain held) + h (G - stress)
 ///
-/// On a straight piece it integrates in closed form (theory.md, Eq. 7; law 5 needs the integral of h by
+/// On a straight piece it integrates in closed form (theory.md, Eq. 9; law 5 needs the integral of h by
 /// quadrature); on a parabolic one the memory integral is taken by adaptive and double-exponential
 /// quadrature, which takes the infinite slopes at strain zero and rate zero. There are no time steps: the
 /// places of output change no stress.

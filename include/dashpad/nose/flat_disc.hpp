@@ -2,7 +2,7 @@
 /// The flat end of a round body, square to the pad: the pad is met by the whole area at once, and its strain
 /// is the same everywhere below it.
 ///
-///   a(s) = pi R^2 for s > 0                                                           (theory.md, Eq. 31)
+///   a(s) = pi R^2 for s > 0                                                           (theory.md, Eq. 3)
 
 #include <array>
 #include <numbers>
@@ -16,7 +16,6 @@ struct FlatDisc {
   double radius = 0;  ///< R, m, > 0
 
   static constexpr const char* name = "flat-disc";
-  static constexpr const char* words = "flat disc";
   static const std::array<Parameter<FlatDisc>, 1> parameters;
 
   [[nodiscard]] Sections sections() const {

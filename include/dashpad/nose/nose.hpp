@@ -4,6 +4,7 @@
 /// A shape is a struct with its numbers, a table of them, its name in case files, and sections(); a row here
 /// is all that it needs beside its own file.
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <variant>
@@ -26,7 +27,9 @@ inline std::string name_of(const Nose& nose) {
 
 /// For sentences: "flat disc".
 inline std::string words_of(const Nose& nose) {
-  return std::visit([](const auto& shape) { return std::string(shape.words); }, nose);
+  std::string words = name_of(nose);
+  std::ranges::replace(words, '-', ' ');
+  return words;
 }
 
 /// For standards, whose headforms are spheres: R, m; NaN for any other shape.

@@ -1,7 +1,7 @@
 #pragma once
 /// A nose as the pad meets it: the area of its section over the depth behind its tip.
 ///
-///   a(s) = a0 + 2 pi (w s - t s^2 / 2) for 0 < s <= d,   a(d) beyond          (theory.md, Eq. 31)
+///   a(s) = a0 + 2 pi (w s - t s^2 / 2) for 0 < s <= d,   a(d) beyond          (theory.md, Eq. 3)
 ///
 /// Columns of the pad do not act on each other, so that a nose enters the contact force by nothing else: the
 /// columns that it meets between the depths s and s + ds have the area a'(s) ds. Areas in m2, lengths in m.

@@ -1,7 +1,7 @@
 #pragma once
 /// A sphere; penetrated deeper than its radius, its side goes on as a cylinder of that radius.
 ///
-///   a'(s) = 2 pi (R - s) up to s = R                                (theory.md, Eq. 31; report, section 2.1)
+///   a'(s) = 2 pi (R - s) up to s = R                                (theory.md, Eq. 3; report, section 2.1)
 
 #include <array>
 
@@ -14,7 +14,6 @@ struct Sphere {
   double radius = 0;  ///< R, m, > 0
 
   static constexpr const char* name = "sphere";
-  static constexpr const char* words = "sphere";
   static const std::array<Parameter<Sphere>, 1> parameters;
 
   [[nodiscard]] Sections sections() const { return {.tip = 0, .width = radius, .taper = 1, .depth = radius}; }

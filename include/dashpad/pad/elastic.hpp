@@ -1,7 +1,7 @@
 #pragma once
 /// Law 1: linear elastic pad.
 ///
-///   G = E e,  h -> infinity (the stress is the envelope)            (theory.md, Eq. 8; report, KEYP = 1)
+///   G = E e,  h -> infinity (the stress is the envelope)            (theory.md, Eq. 10; report, KEYP = 1)
 ///
 /// Stress and strain are engineering values, compression positive. It loses no energy.
 

@@ -1,11 +1,11 @@
 #pragma once
 /// The closed set of pad laws, and the contract that each of them keeps.
 ///
-/// Every law is an envelope G and a relaxation rate h (theory.md, Eq. 6):
+/// Every law is an envelope G and a relaxation rate h (theory.md, Eq. 8):
 ///
 ///   d(stress)/dt = dG/dt | (rate and largest strain held) + h (G - stress)
 ///
-/// so that over a step of constant strain rate (theory.md, Eq. 7)
+/// so that over a step of constant strain rate (theory.md, Eq. 9)
 ///
 ///   stress_1 = G(e_1) + (stress_0 - G(e_0)) exp(-H),   H = integral of h over the step.
 ///

@@ -2,7 +2,7 @@
 #define DASHPAD_PAD_LINEAR_VISCOELASTIC_HPP
 /// Law 2: linear viscoelastic pad (the standard linear solid).
 ///
-///   G = E_inf e + (E_0 - E_inf) tau de/dt,  h = 1/tau              (theory.md, Eq. 9; report, KEYP = 2)
+///   G = E_inf e + (E_0 - E_inf) tau de/dt,  h = 1/tau              (theory.md, Eq. 11; report, KEYP = 2)
 ///
 /// Stress and strain are engineering values, compression positive. The law is the same on loading and
 /// unloading. A sudden strain is met with the modulus E_0, a lasting one with E_inf.
@@ -82,10 +82,6 @@ struct Formulas<LinearViscoelastic> {
   template <class N>
   DASHPAD_FORMULA N decay(N, N, N share) const {
     return exp(-time.duration * share);
-  }
-  template <class N>
-  DASHPAD_FORMULA N relaxation(N) const {
-    return N(1.0);
   }
 };
 

@@ -4,7 +4,7 @@
 ///
 ///   loading:   G = A(e) B(de/dt),    A = e^m / (1 - e)^n,   B = E_inf + E_r |de/dt|^r,   h = 1/tau
 ///   unloading: G = A B E(e, e*, D)   with E and D of dashpad/pad/unloading.hpp
-///                                                   (theory.md, Eqs. 12 to 14; report, Eq. 28, KEYP = 4)
+///                                                   (theory.md, Eqs. 14 to 16; report, Eq. 28, KEYP = 4)
 ///
 /// Stress and strain are engineering values, compression positive. |de/dt|^r and (tau* |de/dt|)^p take the
 /// rate in 1/s. The ninth parameter, the zero-time modulus E_0, does not enter the law and is left out, as
@@ -101,21 +101,12 @@ struct Formulas<NineParameter> {
     return at;
   }
   template <class N>
-  DASHPAD_FORMULA N measure(Strains<N> e, const Shape<N>& at) const {
-    return measure_at(power, e, at);
-  }
-  template <class N>
   DASHPAD_FORMULA N envelope(const N* part, N strain, N largest) const {
-    const N loading = part[0] * rate.modulus;
-    return rate.unloading ? loading * unloading_factor(strain, largest, rate.residual_ratio) : loading;
+    return unloaded(part[0] * rate.modulus, rate, strain, largest);
   }
   template <class N>
   DASHPAD_FORMULA N decay(N, N, N) const {
     return N(time.decay);
-  }
-  template <class N>
-  DASHPAD_FORMULA N relaxation(N) const {
-    return N(1.0);
   }
 };
 

@@ -2,8 +2,8 @@
 /// The shape A(e) = e^m / (1 - e)^n that carries the singularities of a foam's stress at first contact
 /// (e = 0) and at full compression (e = 1), and its integral.
 ///
-///   A(e) = e^m (1 - e)^(-n)                                                    (theory.md, Eq. 12)
-///   w(e) = integral of A from 0 to e                                           (theory.md, Eq. 22)
+///   A(e) = e^m (1 - e)^(-n)                                                    (theory.md, Eq. 14)
+///   w(e) = integral of A from 0 to e                                           (theory.md, Eq. 19)
 ///
 /// The contact integral is taken over w: stress divided by A is smooth in w at both ends, so few stations
 /// suffice. Range: m >= 0, n >= 0, 0 <= e < 1.

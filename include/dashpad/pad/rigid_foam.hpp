@@ -3,7 +3,7 @@
 ///
 ///   loading:   G = S1 up to e1, then straight to (e2, S2), then with slope 9 S2 / (1 - e2); h -> infinity
 ///   unloading: rigid; the pad holds its deformation while the support unloads it, 0 <= stress <= G
-///                                                                (theory.md, Eq. 10; report, KEYP = 3)
+///                                                                (theory.md, Eq. 12; report, KEYP = 3)
 ///
 /// Stress and strain are engineering values, compression positive.
 

@@ -1,7 +1,7 @@
 #pragma once
 /// A piecewise linear stress-strain curve, with a jump at strain zero: what a law without memory is.
 ///
-///   S(e) = S0 [e > 0] + sum over k of dE_k max(e - e_k, 0)                      (theory.md, Eq. 11)
+///   S(e) = S0 [e > 0] + sum over k of dE_k max(e - e_k, 0)                      (theory.md, Eq. 13)
 ///
 /// The form makes the contact force and its work exact (dashpad/contact/curve_contact.hpp).
 

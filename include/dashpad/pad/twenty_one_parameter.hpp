@@ -5,7 +5,7 @@
 ///   loading:   G = E_inf A(e) + S_r |de/dt|^(R exp(-e^U/V)) (exp(e^W/X) - exp(-e^Y/Z))
 ///   unloading: G = [the same] E(e, e*, D)   with E and D of dashpad/pad/unloading.hpp
 ///   h = a t^(a-1) / (b c^e)   with t the time since first contact, in s
-///                                                (theory.md, Eqs. 12, 14, 15; report, Eq. 28, KEYP = 5)
+///                                                (theory.md, Eqs. 14, 16, 17; report, Eq. 28, KEYP = 5)
 ///
 /// Stress and strain are engineering values, compression positive; the rate powers take 1/s. Parameters 17
 /// to 21 of the report (the zero-time stress) do not enter the law and are left out, as in the 1984 program.
@@ -48,9 +48,8 @@ struct TwentyOneParameter {
     bool unloading = false;
   };
   struct TimePart {
-    double scale = 0;     ///< (t1^a - t0^a) / b
-    double centre = 0;    ///< where in the step h has its centre of gravity, 0 to 1
-    double log_base = 0;  ///< ln c
+    double scale = 0;   ///< (t1^a - t0^a) / b
+    double centre = 0;  ///< where in the step h has its centre of gravity, 0 to 1
   };
 
   [[nodiscard]] PowerExponents exponents() const { return {contact_exponent, compaction_exponent}; }
@@ -71,7 +70,7 @@ struct TwentyOneParameter {
     double centre = 0.5;
     if (step > 1e-4 * to)
       centre = ((late * to - early * from) * a / ((a + 1) * (late - early)) - from) / step;
-    return {(late - early) / relaxation_scale, centre, std::log(relaxation_strain_base)};
+    return {(late - early) / relaxation_scale, centre};
   }
   /// h at strain zero: a t^(a-1) / b.
   [[nodiscard]] double relaxation_rate(double time) const {
@@ -130,6 +129,7 @@ struct Formulas<TwentyOneParameter> {
   const PowerShape& power;
   const TwentyOneParameter::RatePart rate;
   const TwentyOneParameter::TimePart time;
+  const double log_base = std::log(law.relaxation_strain_base);  ///< ln c
 
   /// part: E_inf A, S_r (exp(e^W/X) - exp(-e^Y/Z)), R exp(-e^U/V).
   template <class N>
@@ -144,14 +144,9 @@ struct Formulas<TwentyOneParameter> {
     return at;
   }
   template <class N>
-  DASHPAD_FORMULA N measure(Strains<N> e, const Shape<N>& at) const {
-    return measure_at(power, e, at);
-  }
-  template <class N>
   DASHPAD_FORMULA N envelope(const N* part, N strain, N largest) const {
     if (rate.still) return part[0];
-    const N loading = part[0] + part[1] * exp(part[2] * rate.log_rate);
-    return rate.unloading ? loading * unloading_factor(strain, largest, rate.residual_ratio) : loading;
+    return unloaded(part[0] + part[1] * exp(part[2] * rate.log_rate), rate, strain, largest);
   }
   template <class N>
   DASHPAD_FORMULA N decay(N before, N after, N) const {
@@ -160,7 +155,7 @@ struct Formulas<TwentyOneParameter> {
   /// c^-e.
   template <class N>
   DASHPAD_FORMULA N relaxation(N strain) const {
-    return exp(-time.log_base * strain);
+    return exp(-log_base * strain);
   }
 };
 

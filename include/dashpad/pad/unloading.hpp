@@ -1,7 +1,7 @@
 #pragma once
 /// The residual strain of the unloading factor that the 9- and the 21-parameter law share.
 ///
-///   E(e, e*, D) = (e - e* D) / (e (1 - D)),   D = (tau* |de/dt|)^p           (theory.md, Eq. 14)
+///   E(e, e*, D) = (e - e* D) / (e (1 - D)),   D = (tau* |de/dt|)^p           (theory.md, Eq. 16)
 ///
 /// e* is the largest strain that the column has seen. E (src/pad/formulas.hpp) is 1 at e = e* and 0 at the
 /// residual strain e* D.

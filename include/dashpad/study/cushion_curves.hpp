@@ -6,7 +6,7 @@
 /// impact; that of a flat disc does not, but the pad is wider than the disc. Static stress here is the weight
 /// over the area of the contact, projected along the direction of impact, at the largest penetration d,
 ///
-///   static stress = M g / a(d)                                                         (theory.md, Eq. 31);
+///   static stress = M g / a(d)                                                         (theory.md, Eq. 3);
 ///
 /// drop height is v^2 / 2 g. Curves of a sphere lie elsewhere than those of a platen and must not be mixed
 /// with them.

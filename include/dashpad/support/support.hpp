@@ -2,7 +2,7 @@
 /// The elastic support of the pad: its force over its deflection.
 ///
 ///   F = Fs(Xs), piecewise linear through the origin and any number of points, increasing; beyond the last
-///   point the last slope goes on; below the origin the force is 0          (theory.md, Eq. 3; report, Eq. 6)
+///   point the last slope goes on; below the origin the force is 0          (theory.md, Eq. 4; report, Eq. 6)
 ///
 /// F and Xs are positive in compression. A rigid support deflects by nothing under any force. The support
 /// has no mass and loses no energy.
