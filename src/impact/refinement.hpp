@@ -1,16 +1,15 @@
 #pragma once
 /// Runs at finer and finer resolution, compared: extrapolated figures and their error estimates.
 ///
-/// The step is of second order, so two runs k-1 and k at the resolutions rho_(k-1) = r rho_k give (theory.md,
-/// Eq. 31)
+/// The step is of second order, so two runs k-1 and k, at the resolutions rho_(k-1) = r rho_k, give
 ///
-///   x_k* = x_k + (x_k - x_(k-1)) / (r^2 - 1),   error estimate of x_k*:  max(|x_k* - x_(k-1)*|, |x_k* - x_k|)
+///   x_k* = x_k + (x_k - x_(k-1)) / (r^2 - 1)                                        (theory.md, Eq. 31)
 ///
-/// with the first run's figures as they are for x_1*; two runs will do only where they agree to half of the
-/// tolerance. The second term, the last correction itself, keeps a
-/// chance agreement of two extrapolations from passing for accuracy. What is below the tolerance is then
-/// taken three times, but for no more than the tolerance. It is an estimate, on the safe side where the order
-/// is 2, and no bound.
+/// with the error estimate max(|x_k* - x_(k-1)*|, |x_k* - x_k|). The first run's figures are taken as they
+/// are for x_1*, and two runs will do only where they agree to half of the tolerance. The second term, the
+/// last correction itself, keeps a chance agreement of two extrapolations from passing for accuracy. What is
+/// below the tolerance is then taken three times, but for no more than the tolerance. It is an estimate, on
+/// the safe side where the order is 2, and no bound.
 
 #include <array>
 #include <cstddef>

@@ -119,10 +119,10 @@ TEST(refinement, estimates_no_less_than_the_true_error) {
 TEST(refinement, does_not_settle_on_an_irregular_sequence) {
   constexpr double tolerance = 1e-4;
   const std::vector<std::function<double(double)>> irregular{
-      [](double k) { return std::fmod(k, 2) == 0 ? 1e-3 : -1e-3; },         // to and fro
-      [](double k) { return 1e-3 * std::sin(5.3 * k * k + 1); },  // noise
-      [](double k) { return 0.1 / (k + 1); },                     // creeping
-      [](double k) { return 1e-3 * k; },                          // drifting
+      [](double k) { return std::fmod(k, 2) == 0 ? 1e-3 : -1e-3; },  // to and fro
+      [](double k) { return 1e-3 * std::sin(5.3 * k * k + 1); },     // noise
+      [](double k) { return 0.1 / (k + 1); },                        // creeping
+      [](double k) { return 1e-3 * k; },                             // drifting
   };
   for (std::size_t i = 0; i < irregular.size(); ++i) {
     Refinement refinement(impactor, tolerance);
