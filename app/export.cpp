@@ -124,9 +124,8 @@ CurveFile curves_for(const Request& request, const CaseFile& input, const Soluti
 
 /// A line for each curve, then the flags.
 std::string account(const Request& request, const CurveFile& file) {
-  std::string text =
-      fmt::format("{}, {}, units {}\n", request.out == "-" ? "standard output" : request.out, request.format,
-                  format_of(request).over_time_only ? "SI" : file.units.units.name);
+  std::string text = fmt::format("{}, {}, units {}\n", request.out == "-" ? "standard output" : request.out,
+                                 request.format, format_of(request).over_time_only ? "SI" : file.units.name);
   int id = file.first_id;
   for (const FileCurve& of : file.curves)
     text += fmt::format("  {:>8}  {:<13} {}\n", id++, of.curve.name, of.remark);
@@ -150,7 +149,7 @@ int export_curves(const Request& request, const std::filesystem::path& materials
 void add_options(CLI::App& sub, Request& request) {
   std::vector<std::string> format_names, system_names;
   for (const Format& format : formats) format_names.emplace_back(format.name);
-  for (const ConsistentUnits& system : consistent_systems()) system_names.push_back(system.units.name);
+  for (const UnitSystem& system : consistent_systems()) system_names.push_back(system.name);
   sub.add_option("CASE", request.case_file, "Case file (TOML)")->required()->type_name("");
   sub.add_option("--format", request.format, "ls-dyna, radioss, csv or iso-mme")
       ->required()

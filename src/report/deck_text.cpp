@@ -45,17 +45,16 @@ std::string comment(std::string_view mark, std::string_view text, std::size_t wi
 }
 
 std::vector<std::string> heading(const CurveFile& file) {
-  const UnitSystem& units = file.units.units;
-  std::vector<std::string> lines{
-      fmt::format("Dashpad {} (commit {}): curves of the impact of a sphere on a foam pad", version(),
-                  build_facts().git_commit),
-      "Case: " + (file.title.empty() ? "without a title" : file.title)};
+  const UnitSystem& units = file.units;
+  std::vector<std::string> lines{fmt::format("Dashpad {} (commit {}): curves of an impact on a foam pad",
+                                             version(), build_facts().git_commit),
+                                 "Case: " + (file.title.empty() ? "without a title" : file.title)};
   lines.insert(lines.end(), file.origin.begin(), file.origin.end());
   lines.push_back(fmt::format(
       "Units: {} (mass {}, length {}, time {}); velocity {}, acceleration {}, force {}, "
       "stress {}, energy {}",
       units.name, units.mass, units.length, units.time, units.speed,
-      file.acceleration_in_g ? "g" : file.units.acceleration, units.force, units.pressure, units.energy));
+      file.acceleration_in_g ? "g" : units.acceleration, units.force, units.pressure, units.energy));
   lines.emplace_back(
       "Signs: force and penetration are positive in compression; velocity and motion are positive towards "
       "the "
@@ -84,7 +83,7 @@ namespace {
 
 void convert(std::vector<double>& values, CurveAxis& axis, const CurveFile& file) {
   const bool in_g = file.acceleration_in_g && axis.si_unit == "m/s2";
-  const double factor = in_g ? 1 / standard_gravity : factor_for(file.units, axis.si_unit);
+  const double factor = in_g ? 1 / standard_gravity : value_in(file.units, 1, axis.si_unit);
   for (double& value : values) {
     value *= factor;
     if (!std::isfinite(value)) throw std::invalid_argument("curve: a number is not finite");

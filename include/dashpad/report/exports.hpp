@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
-#include "dashpad/report/consistent_units.hpp"
+#include "dashpad/io/unit_system.hpp"
 #include "dashpad/report/curves.hpp"
 
 namespace dashpad {
@@ -26,7 +26,7 @@ struct CurveFile {
   std::vector<std::string> flags;   ///< what a reader must know before relying on the curves
   std::vector<FileCurve>
       curves;  ///< numbered from first_id in this order; one that does not exist keeps its number
-  ConsistentUnits units = consistent_systems().front();
+  UnitSystem units = consistent_systems().front();
   bool acceleration_in_g = false;
   int first_id = 1;
 };

@@ -1,4 +1,4 @@
-// The table of consistent units against the units database and the definitions of the units.
+// The table of unit systems against the units database and the definitions of the units.
 
 #include <cctype>
 #include <sstream>
@@ -7,23 +7,23 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/report/consistent_units.hpp"
+#include "dashpad/io/unit_system.hpp"
+#include "dashpad/report/exports.hpp"
 #include "dashpad/units/quantity.hpp"
 
 namespace dashpad {
 namespace {
 
 TEST(ConsistentUnits, NeedNoFactorInAnyEquation) {
-  for (const ConsistentUnits& system : consistent_systems()) {
+  for (const UnitSystem& u : consistent_systems()) {
     const auto si = [](const std::string& unit, const char* of) { return to_si("1 " + unit, of); };
-    const UnitSystem& u = system.units;
     const double mass = si(u.mass, "kg"), length = si(u.length, "m"), time = si(u.time, "s");
     const double force = mass * length / (time * time);
     const auto expect = [&](double actual, double expected) {
       EXPECT_NEAR(actual / expected, 1, 4e-16 * 4) << u.name;
     };
     expect(si(u.speed, "m/s"), length / time);
-    expect(si(system.acceleration, "m/s2"), length / (time * time));
+    expect(si(u.acceleration, "m/s2"), length / (time * time));
     expect(si(u.force, "N"), force);
     expect(si(u.stiffness, "N/m"), force / length);
     expect(si(u.pressure, "Pa"), force / (length * length));
@@ -33,28 +33,32 @@ TEST(ConsistentUnits, NeedNoFactorInAnyEquation) {
 
 TEST(ConsistentUnits, AreTheTripleOfRadioss) {
   // Codes are a prefix and a unit (k, M, m and g, m, s); a number is in kg, m or s.
-  for (const ConsistentUnits& system : consistent_systems()) {
-    std::istringstream triple(system.radioss_begin);
+  for (const UnitSystem& u : consistent_systems()) {
+    CurveFile file;
+    file.units = u;
+    const std::string text = radioss_text(file), before = "as in /BEGIN: ";
+    ASSERT_NE(text.find(before), std::string::npos);
+    std::istringstream triple(text.substr(text.find(before) + before.size()));
     std::string mass, length, time;
     triple >> mass >> length >> time;
     const auto value = [](const std::string& text, const char* si_unit) {
       return std::isdigit(static_cast<unsigned char>(text[0])) ? std::stod(text)
                                                                : to_si("1 " + text, si_unit);
     };
-    EXPECT_NEAR(value(mass, "kg") / to_si("1 " + system.units.mass, "kg"), 1, 1e-14);
-    EXPECT_EQ(value(length, "m"), to_si("1 " + system.units.length, "m"));
-    EXPECT_EQ(value(time, "s"), to_si("1 " + system.units.time, "s"));
+    EXPECT_NEAR(value(mass, "kg") / to_si("1 " + u.mass, "kg"), 1, 1e-14);
+    EXPECT_EQ(value(length, "m"), to_si("1 " + u.length, "m"));
+    EXPECT_EQ(value(time, "s"), to_si("1 " + u.time, "s"));
   }
 }
 
 TEST(ConsistentUnits, HaveTheKnownFactors) {
-  const ConsistentUnits& crash = consistent_system("kg-mm-ms");
-  EXPECT_DOUBLE_EQ(factor_for(crash, "N"), 1e-3);
-  EXPECT_DOUBLE_EQ(factor_for(crash, "m/s"), 1);
-  EXPECT_DOUBLE_EQ(factor_for(crash, "m/s2"), 1e-3);
-  const ConsistentUnits& inches = consistent_system("lbf-s2/in-in-s");
-  EXPECT_NEAR(factor_for(inches, "N"), 1 / 4.4482216152605, 1e-15);
-  EXPECT_NEAR(factor_for(inches, "m/s2") * standard_gravity, 386.0885826771654, 1e-12);
+  const UnitSystem& crash = consistent_system("kg-mm-ms");
+  EXPECT_DOUBLE_EQ(value_in(crash, 1, "N"), 1e-3);
+  EXPECT_DOUBLE_EQ(value_in(crash, 1, "m/s"), 1);
+  EXPECT_DOUBLE_EQ(value_in(crash, 1, "m/s2"), 1e-3);
+  const UnitSystem& inches = consistent_system("lbf-s2/in-in-s");
+  EXPECT_NEAR(value_in(inches, 1, "N"), 1 / 4.4482216152605, 1e-15);
+  EXPECT_NEAR(value_in(inches, 1, "m/s2") * standard_gravity, 386.0885826771654, 1e-12);
   EXPECT_THROW(consistent_system("furlong-stone-fortnight"), std::invalid_argument);
 }
 
