@@ -1,6 +1,6 @@
 #pragma once
-/// The constants of one run through an impact: what each is, in which unit, and why it has this value. Those
-/// of the root and event searches, of the stations and of the refinement stand in their own files.
+/// The constants of the runs through an impact: what each is, in which unit, and why it has this value. Those
+/// of the root and event searches and of the stations stand in their own files.
 ///
 /// None of them is physics: with a finer resolution the figures tend to the same values whatever these are.
 /// Equation numbers are those of theory.md; rho is the resolution of a run.
@@ -91,6 +91,25 @@ struct Numerics {
   int most_first_halvings = 400;
   /// A step shorter than this, in rho of a usual step, has no rate but what the roots have left over.
   double least_step_with_rate = 1e-2;
+
+  // --- Refinement (Eq. 31) ---
+
+  /// Resolution of the first run: some thirty steps and a dozen stations.
+  double first_resolution = 0.2;
+  /// From this tolerance on, a run comes between the second and one at half of its resolution.
+  double loose_tolerance = 5e-4;
+  int most_runs = 9;
+  /// Two runs may agree by chance: below the tolerance no error is said to be smaller than this many times
+  /// what the runs show.
+  double safety_factor = 3;
+  /// Rounding of an extrapolated figure, relative.
+  double rounding_of_figures = 1e-12;
+  /// Speeds below this share of the impact speed are held to the tolerance relative to it.
+  double least_speed = 1e-3;
+  /// Largest error of the time of the peak force, relative to the time at which contact ends.
+  double loosest_time_of_peak = 0.01;
+  /// Column updates of a run after which one more run would take longer than it is worth, some 0.2 s.
+  std::size_t most_updates_before_last = 12'000'000;
 
   // --- Limits of a run ---
 

@@ -6,19 +6,10 @@
 #include <limits>
 #include <numbers>
 
+#include "impact/numerics.hpp"
+
 namespace dashpad {
 namespace {
-
-/// Largest error of the time of the peak force, relative to the time at which contact ends.
-constexpr double loosest_time_of_peak = 0.01;
-
-/// Two runs may agree by chance: below the tolerance no error is said to be smaller than this many times what
-/// the runs show.
-constexpr double prudence = 3;
-
-constexpr double first_resolution = 0.2;
-/// From this tolerance on there is a run between the second and the next at half its resolution.
-constexpr double loose_tolerance = 5e-4;
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
@@ -82,9 +73,9 @@ Refinement::Refinement(const Impactor& impactor, double tolerance)
 }
 
 double Refinement::next_resolution() const {
-  const bool loose = tolerance_ >= loose_tolerance;
-  if (loose && runs_ == 2) return first_resolution / 2 / std::numbers::sqrt2;
-  return std::ldexp(first_resolution, loose && runs_ > 2 ? 1 - runs_ : -runs_);
+  const bool loose = tolerance_ >= numerics.loose_tolerance;
+  if (loose && runs_ == 2) return numerics.first_resolution / 2 / std::numbers::sqrt2;
+  return std::ldexp(numerics.first_resolution, loose && runs_ > 2 ? 1 - runs_ : -runs_);
 }
 
 void Refinement::add(const Figures& run) {
@@ -105,7 +96,8 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   // Comparisons with a value that is not a number are false: std::max would pass over it.
   const auto error = [](double x, double x_before, double x_run, double scale) {
     if (!std::isfinite(x) || !std::isfinite(x_before) || !std::isfinite(x_run)) return unknown;
-    const double difference = std::max({std::abs(x - x_before), std::abs(x - x_run), 1e-12 * std::abs(x)});
+    const double difference =
+        std::max({std::abs(x - x_before), std::abs(x - x_run), numerics.rounding_of_figures * std::abs(x)});
     return difference == 0 ? 0 : difference / scale;
   };
   const auto relative = [&](double x, double x_before, double x_run) {
@@ -125,7 +117,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   double worst = std::max({errors_.peak_force, errors_.peak_motion, errors_.peak_penetration});
   const auto of_speed = [&](const Moment& m, const Moment& m_before, const Moment& m_run) {
     return error(m.velocity, m_before.velocity, m_run.velocity,
-                 std::max(std::abs(m.velocity), 1e-3 * speed_));
+                 std::max(std::abs(m.velocity), numerics.least_speed * speed_));
   };
   // The larger error of time and velocity.
   const auto moment = [&](const std::optional<Moment>& m, const std::optional<Moment>& m_before,
@@ -151,8 +143,8 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   const double allowed = runs_ > 2 ? tolerance_ : tolerance_ / 2;
   // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.
   settled_ = worst <= allowed && residual <= allowed && is_finite(now) &&
-             errors_.time_of_peak_force <= loosest_time_of_peak;
-  for (double* of : all(errors_)) *of = std::max(*of, std::min(prudence * *of, tolerance_));
+             errors_.time_of_peak_force <= numerics.loosest_time_of_peak;
+  for (double* of : all(errors_)) *of = std::max(*of, std::min(numerics.safety_factor * *of, tolerance_));
 }
 
 }  // namespace dashpad

@@ -22,8 +22,6 @@ namespace dashpad {
 
 class Refinement {
  public:
-  static constexpr int most_runs = 9;
-
   Refinement(const Impactor& impactor, double tolerance);
 
   /// Of the next run: 0.2, 0.1, 0.05 and so on. To a loose tolerance, of 5e-4 and more, 0.1 / sqrt 2 comes

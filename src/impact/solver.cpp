@@ -10,6 +10,7 @@
 
 #include "contact/contacts.hpp"
 #include "impact/march.hpp"
+#include "impact/numerics.hpp"
 #include "impact/refinement.hpp"
 #include "impact/summarise.hpp"
 #include "impact/track.hpp"
@@ -29,8 +30,6 @@ void check(const ImpactCase& impact, const Options& options) {
   throw std::invalid_argument(message);
 }
 
-/// Column updates of a run after which one more run is the last that is worth its time (some 0.2 s).
-constexpr std::size_t most_updates_before_last = 12'000'000;
 /// Entries of a history for which there is room from the start: more than most impacts need.
 constexpr std::size_t usual_entries = 2000;
 
@@ -40,13 +39,13 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
   Refinement refinement(impact.impactor, options.tolerance);
   March<Contact> march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
   double expected = impact.pad.thickness;
-  while (!refinement.settled() && refinement.runs() < Refinement::most_runs) {
+  while (!refinement.settled() && refinement.runs() < numerics.most_runs) {
     const Figures run = march.run(refinement.next_resolution(), track, expected);
     refinement.add(run);
     if (run.peak_penetration > 0) expected = run.peak_penetration;
     // The next run would cost four times as much. A run that gave up early may do better with finer steps.
     const bool too_long = track.size() > options.most_steps;
-    if (too_long || run.updates > most_updates_before_last) break;
+    if (too_long || run.updates > numerics.most_updates_before_last) break;
   }
   return refinement;
 }
