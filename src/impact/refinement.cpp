@@ -72,10 +72,12 @@ Refinement::Refinement(const Impactor& impactor, double tolerance)
   for (double* of : all(errors_)) *of = unknown;
 }
 
+bool Refinement::has_run_between() const { return tolerance_ >= numerics.loose_tolerance; }
+
 double Refinement::next_resolution() const {
-  const bool loose = tolerance_ >= numerics.loose_tolerance;
-  if (loose && runs_ == 2) return numerics.first_resolution / 2 / std::numbers::sqrt2;
-  return std::ldexp(numerics.first_resolution, loose && runs_ > 2 ? 1 - runs_ : -runs_);
+  const bool between = has_run_between();
+  if (between && runs_ == 2) return numerics.first_resolution / 2 / std::numbers::sqrt2;
+  return std::ldexp(numerics.first_resolution, between && runs_ > 2 ? 1 - runs_ : -runs_);
 }
 
 void Refinement::add(const Figures& run) {
@@ -140,7 +142,9 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   // The absorbed share, a small difference of large numbers, is held to ten times the tolerance relative to
   // itself, down to a twentieth of the impact energy.
   worst = std::max(worst, errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)));
-  const double allowed = runs_ > 2 ? tolerance_ : tolerance_ / 2;
+  // Two runs, or a third so near to the second, must agree better than any later ones.
+  const int few = has_run_between() ? 3 : 2;
+  const double allowed = runs_ > few ? tolerance_ : tolerance_ / 2;
   // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.
   settled_ = worst <= allowed && residual <= allowed && is_finite(now) &&
              errors_.time_of_peak_force <= numerics.loosest_time_of_peak;

@@ -6,10 +6,10 @@
 ///   x_k* = x_k + (x_k - x_(k-1)) / (r^2 - 1)                                        (theory.md, Eq. 31)
 ///
 /// with the error estimate max(|x_k* - x_(k-1)*|, |x_k* - x_k|). The first run's figures are taken as they
-/// are for x_1*, and two runs will do only where they agree to half of the tolerance. The second term, the
-/// last correction itself, keeps a chance agreement of two extrapolations from passing for accuracy. What is
-/// below the tolerance is then taken three times, but for no more than the tolerance. It is an estimate, on
-/// the safe side where the order is 2, and no bound.
+/// are for x_1*. Two runs will do only where they agree to half of the tolerance, and so a third with r =
+/// sqrt 2. The second term, the last correction itself, keeps a chance agreement of two extrapolations from
+/// passing for accuracy. What is below the tolerance is then taken three times, but for no more than the
+/// tolerance. It is an estimate, on the safe side where the order is 2, and no bound.
 
 #include <array>
 #include <cstddef>
@@ -25,7 +25,7 @@ class Refinement {
   Refinement(const Impactor& impactor, double tolerance);
 
   /// Of the next run: 0.2, 0.1, 0.05 and so on. To a loose tolerance, of 5e-4 and more, 0.1 / sqrt 2 comes
-  /// after 0.1: it costs half of what 0.05 does, and will do in every other case.
+  /// after 0.1: it costs half of what 0.05 does, and will often do.
   [[nodiscard]] double next_resolution() const;
   /// The figures of a run at next_resolution().
   void add(const Figures& run);
@@ -39,6 +39,7 @@ class Refinement {
   [[nodiscard]] const ErrorEstimates& errors() const { return errors_; }
 
  private:
+  [[nodiscard]] bool has_run_between() const;
   void judge(const Figures& run, const Figures& before);
 
   double speed_;
