@@ -96,8 +96,6 @@ struct Numerics {
 
   /// Resolution of the first run: some thirty steps and a dozen stations.
   double first_resolution = 0.2;
-  /// From this tolerance on, a run comes between the second and one at half of its resolution.
-  double loose_tolerance = 5e-4;
   int most_runs = 9;
   /// Two runs may agree by chance: below the tolerance no error is said to be smaller than this many times
   /// what the runs show.

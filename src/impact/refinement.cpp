@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "impact/numerics.hpp"
 
@@ -54,12 +53,10 @@ bool same_kind(const Figures& a, const Figures& b) {
          a.bottomed.has_value() == b.bottomed.has_value() && a.reloadings == b.reloadings;
 }
 
-/// `ratio`: of the coarse resolution to the fine one.
-Figures extrapolate(const Figures& fine, const Figures& coarse, double ratio) {
+Figures extrapolate(const Figures& fine, const Figures& coarse) {
   Figures result = fine;
-  const double parts = ratio * ratio - 1;
-  for_each_number([parts](double& x, const double& f, const double& c) { x = f + (f - c) / parts; }, result,
-                  fine, coarse);
+  for_each_number([](double& x, const double& f, const double& c) { x = f + (f - c) / 3; }, result, fine,
+                  coarse);
   return result;
 }
 
@@ -72,22 +69,11 @@ Refinement::Refinement(const Impactor& impactor, double tolerance)
   for (double* of : all(errors_)) *of = unknown;
 }
 
-bool Refinement::has_run_between() const { return tolerance_ >= numerics.loose_tolerance; }
-
-double Refinement::next_resolution() const {
-  const bool between = has_run_between();
-  if (between && runs_ == 2) return numerics.first_resolution / 2 / std::numbers::sqrt2;
-  return std::ldexp(numerics.first_resolution, between && runs_ > 2 ? 1 - runs_ : -runs_);
-}
-
 void Refinement::add(const Figures& run) {
-  const double resolution = next_resolution();
-  const double ratio = last_resolution_ / resolution;
-  last_resolution_ = resolution;
   ++runs_;
   const Figures before = extrapolated_;
   const bool comparable = runs_ > 1 && same_kind(run, last_run_);
-  extrapolated_ = comparable ? extrapolate(run, last_run_, ratio) : run;
+  extrapolated_ = comparable ? extrapolate(run, last_run_) : run;
   last_run_ = run;
   settled_ = false;
   if (comparable && same_kind(run, before)) judge(run, before);
@@ -142,9 +128,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   // The absorbed share, a small difference of large numbers, is held to ten times the tolerance relative to
   // itself, down to a twentieth of the impact energy.
   worst = std::max(worst, errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)));
-  // Two runs, or a third so near to the second, must agree better than any later ones.
-  const int few = has_run_between() ? 3 : 2;
-  const double allowed = runs_ > few ? tolerance_ : tolerance_ / 2;
+  const double allowed = runs_ > 2 ? tolerance_ : tolerance_ / 2;
   // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.
   settled_ = worst <= allowed && residual <= allowed && is_finite(now) &&
              errors_.time_of_peak_force <= numerics.loosest_time_of_peak;

@@ -1,14 +1,13 @@
 #pragma once
-/// Runs at finer and finer resolution, compared: extrapolated figures and their error estimates.
+/// Runs at halved resolution, compared: extrapolated figures and their error estimates.
 ///
-/// The step is of second order, so two runs k-1 and k, at the resolutions rho_(k-1) = r rho_k, give
+/// The step is of second order, so two runs k-1 and k give (theory.md, Eq. 31)
 ///
-///   x_k* = x_k + (x_k - x_(k-1)) / (r^2 - 1)                                        (theory.md, Eq. 31)
+///   x_k* = x_k + (x_k - x_(k-1)) / 3,     error estimate of x_k*:  max(|x_k* - x_(k-1)*|, |x_k* - x_k|)
 ///
-/// with the error estimate max(|x_k* - x_(k-1)*|, |x_k* - x_k|). The first run's figures are taken as they
-/// are for x_1*. Two runs will do only where they agree to half of the tolerance, and so a third with r =
-/// sqrt 2. The second term, the last correction itself, keeps a chance agreement of two extrapolations from
-/// passing for accuracy. What is below the tolerance is then taken three times, but for no more than the
+/// with the first run's figures as they are for x_1*; two runs will do only where they agree to half of the
+/// tolerance. The second term, the last correction itself, keeps a chance agreement of two extrapolations
+/// from passing for accuracy. What is below the tolerance is then taken three times, but for no more than the
 /// tolerance. It is an estimate, on the safe side where the order is 2, and no bound.
 
 #include <array>
@@ -24,10 +23,6 @@ class Refinement {
  public:
   Refinement(const Impactor& impactor, double tolerance);
 
-  /// Of the next run: 0.2, 0.1, 0.05 and so on. To a loose tolerance, of 5e-4 and more, 0.1 / sqrt 2 comes
-  /// after 0.1: it costs half of what 0.05 does, and will often do.
-  [[nodiscard]] double next_resolution() const;
-  /// The figures of a run at next_resolution().
   void add(const Figures& run);
   [[nodiscard]] int runs() const { return runs_; }
   /// Whether the error estimates and the energy residual are within the tolerance. Not held to it but to
@@ -39,14 +34,12 @@ class Refinement {
   [[nodiscard]] const ErrorEstimates& errors() const { return errors_; }
 
  private:
-  [[nodiscard]] bool has_run_between() const;
   void judge(const Figures& run, const Figures& before);
 
   double speed_;
   double energy_;  ///< of the impact, J
   double tolerance_;
   int runs_ = 0;
-  double last_resolution_ = 0;
   bool settled_ = false;
   Figures last_run_;
   Figures extrapolated_;

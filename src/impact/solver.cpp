@@ -39,8 +39,9 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
   Refinement refinement(impact.impactor, options.tolerance);
   March<Contact> march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
   double expected = impact.pad.thickness;
-  while (!refinement.settled() && refinement.runs() < numerics.most_runs) {
-    const Figures run = march.run(refinement.next_resolution(), track, expected);
+  for (double resolution = numerics.first_resolution;
+       !refinement.settled() && refinement.runs() < numerics.most_runs; resolution /= 2) {
+    const Figures run = march.run(resolution, track, expected);
     refinement.add(run);
     if (run.peak_penetration > 0) expected = run.peak_penetration;
     // The next run would cost four times as much. A run that gave up early may do better with finer steps.
