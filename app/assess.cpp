@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* assess_footer = R"(Examples:
   dashpad assess examples/dashboard-20mph.toml --standard fmvss-201-instrument-panel
   dashpad assess examples/dashboard-20mph.toml --standard fmvss-201-instrument-panel:air-bag --units us
   dashpad assess examples/dashboard-20mph.toml --standard en-1177 --drop-height "1.5 m"
@@ -43,7 +43,7 @@ no test to the standard, no certification.
 Exit codes: 0 pass, also with reservations; 4 fail; 3 no verdict (undecided), or not reliable (the result
 misses the tolerance); 1 a result could not be written; 2 input or command line refused and nothing was run.)";
 
-struct Request {
+struct AssessRequest {
   std::string case_file;
   std::string standard;
   std::optional<std::string> mass, radius, speed, drop_height;
@@ -56,18 +56,18 @@ struct Request {
   bool force = false;
 };
 
-struct Folders {
+struct AssessFolders {
   fs::path materials;
   fs::path standards;
 };
 
-struct Input {
+struct AssessInput {
   CaseFile given;
   Standard standard;
   ImpactCase assessed;
 };
 
-std::vector<Target> targets(const Request& request) {
+std::vector<Target> targets(const AssessRequest& request) {
   return request.json ? std::vector<Target>{{"--json", *request.json}} : std::vector<Target>{};
 }
 
@@ -81,7 +81,7 @@ std::optional<double> read_option(const char* option, const std::optional<std::s
   return std::nullopt;
 }
 
-UserValues read_user_values(const Request& request, Complaints& wrong) {
+UserValues read_user_values(const AssessRequest& request, Complaints& wrong) {
   if (request.speed && request.drop_height)
     wrong.emplace_back("--drop-height: give --speed or --drop-height, not both");
   return {.mass = read_option("--mass", request.mass, "kg", wrong),
@@ -102,11 +102,11 @@ void noting_faults(Complaints& wrong, Reader read) {
   }
 }
 
-Input read_and_check(const Request& request, const Folders& folders) {
+AssessInput read_and_check(const AssessRequest& request, const AssessFolders& folders) {
   Complaints wrong;
   const UserValues values = read_user_values(request, wrong);
   const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
-  Input input;
+  AssessInput input;
   std::vector<InputFile> files;
   noting_faults(wrong, [&] {
     const StandardChoice choice = standard_choice(request.standard);
@@ -129,8 +129,8 @@ Input read_and_check(const Request& request, const Folders& folders) {
   return input;
 }
 
-int run_assessment(const Request& request, const Folders& folders) {
-  const Input input = read_and_check(request, folders);
+int run_assessment(const AssessRequest& request, const AssessFolders& folders) {
+  const AssessInput input = read_and_check(request, folders);
   const Solution solution = solve_with_progress(input.assessed, input.given.options);
   const Assessment assessment = assess(input.standard, input.assessed, solution);
   const AssessmentReport report{input.standard, input.given.impact, input.assessed, solution, assessment};
@@ -145,7 +145,7 @@ int run_assessment(const Request& request, const Folders& folders) {
 
 void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::App* sub = app.add_subcommand("assess", "Compare a case with the limits of a test standard");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<AssessRequest>();
   sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
   sub->add_option("--standard", request->standard,
                   "Preset, with variants if any (dashpad standards lists them)")
@@ -164,7 +164,7 @@ void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
   add_force(*sub, request->force);
   add_standard_folder(*sub, request->standards);
   add_material_folder(*sub, request->materials);
-  sub->footer(footer);
+  sub->footer(assess_footer);
   sub->callback([request, &action, executable] {
     action = [request, executable] {
       return run_assessment(*request, {chosen_folder(request->materials, executable),

@@ -13,7 +13,7 @@ namespace dashpad {
 
 namespace {
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* check_footer = R"(Examples:
   dashpad check examples/dashboard-20mph.toml
   dashpad check examples/dashboard-20mph.toml --units us
 
@@ -22,13 +22,13 @@ Shows what strikes what, and every value in SI as it would be computed with. Eac
 
 Exit codes: 0 the case can be run, 2 it cannot.)";
 
-struct Request {
+struct CheckRequest {
   std::string case_file;
   std::string units;
   std::string materials;
 };
 
-int check(const Request& request, const std::filesystem::path& materials) {
+int check(const CheckRequest& request, const std::filesystem::path& materials) {
   const CaseFile input = read_case(request.case_file, materials);
   write_output(fmt::format("{}: OK\n\n{}\nIn SI:\n{}", request.case_file,
                            case_text(input.impact, unit_system(request.units)),
@@ -40,11 +40,11 @@ int check(const Request& request, const std::filesystem::path& materials) {
 
 void add_check(CLI::App& app, Action& action, const std::filesystem::path& executable) {
   CLI::App* sub = app.add_subcommand("check", "Say how a case is understood, or what is wrong with it");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<CheckRequest>();
   sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
   add_units(*sub, request->units);
   add_material_folder(*sub, request->materials);
-  sub->footer(footer);
+  sub->footer(check_footer);
   sub->callback([request, &action, executable] {
     action = [request, executable] { return check(*request, chosen_folder(request->materials, executable)); };
   });

@@ -18,7 +18,7 @@ namespace dashpad {
 
 namespace {
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* compare_footer = R"(Examples:
   dashpad compare examples/dashboard-20mph.toml --units us
   dashpad compare examples/dashboard-20mph.toml --picture comparison.svg
   dashpad compare examples/dashboard-20mph.toml --time-step 0.05 --json -
@@ -31,7 +31,7 @@ to believe. --picture draws force and penetration over time; the ending of FILE 
 Exit codes: 0 done (whatever became of the runs of 1984), 1 a result could not be written, 2 refused and
 nothing was run, 3 the accurate solver missed the tolerance.)";
 
-struct Request {
+struct CompareRequest {
   std::string case_file;
   std::optional<std::string> picture;
   std::optional<std::string> json;
@@ -41,14 +41,14 @@ struct Request {
   bool force = false;
 };
 
-std::vector<Target> targets(const Request& request) {
+std::vector<Target> targets(const CompareRequest& request) {
   std::vector<Target> wanted;
   if (request.picture) wanted.push_back({"--picture", *request.picture});
   if (request.json) wanted.push_back({"--json", *request.json});
   return wanted;
 }
 
-CaseFile read_and_check(const Request& request, const std::filesystem::path& materials) {
+CaseFile read_and_check(const CompareRequest& request, const std::filesystem::path& materials) {
   std::vector<std::string> wrong;
   judge_picture(request.picture, wrong);
   if (std::isnan(request.time_step_ms)) wrong.emplace_back("--time-step nan: must be a number");
@@ -61,7 +61,7 @@ CaseFile read_and_check(const Request& request, const std::filesystem::path& mat
   return *std::move(input);
 }
 
-int run_comparison(const Request& request, const std::filesystem::path& materials) {
+int run_comparison(const CompareRequest& request, const std::filesystem::path& materials) {
   const CaseFile input = read_and_check(request, materials);
   const UnitSystem& units = unit_system(request.units);
   const Comparison comparison = [&] {
@@ -85,7 +85,7 @@ int run_comparison(const Request& request, const std::filesystem::path& material
 
 void add_compare(CLI::App& app, Action& action, const std::filesystem::path& executable) {
   CLI::App* sub = app.add_subcommand("compare", "The accurate solver and the program of 1984 side by side");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<CompareRequest>();
   sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
   sub->add_option("--picture", request->picture, "Draw force and penetration over time (.svg, .png, .pdf)")
       ->type_name("FILE");
@@ -97,7 +97,7 @@ void add_compare(CLI::App& app, Action& action, const std::filesystem::path& exe
       ->type_name("MS");
   add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);
-  sub->footer(footer);
+  sub->footer(compare_footer);
   sub->callback([request, &action, executable] {
     action = [request, executable] {
       return run_comparison(*request, chosen_folder(request->materials, executable));

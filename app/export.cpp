@@ -21,7 +21,7 @@ namespace {
 
 constexpr int most_points = 1'000'000;
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* export_footer = R"(Examples:
   dashpad export examples/dashboard-20mph.toml --format ls-dyna --out pad.k
   dashpad export examples/dashboard-20mph.toml --format radioss --system t-mm-s --out pad_0000.inc
   dashpad export examples/dashboard-20mph.toml --format ls-dyna --curves loading,unloading --first-id 9001 \
@@ -61,7 +61,7 @@ constexpr Format formats[] = {{"ls-dyna", ls_dyna_text, false, false},
                               {"csv", curve_csv, true, false},
                               {"iso-mme", iso_mme_zip, false, true}};
 
-struct Request {
+struct ExportRequest {
   std::string case_file;
   std::string format;
   std::string out;
@@ -75,11 +75,11 @@ struct Request {
   bool force = false;
 };
 
-const Format& format_of(const Request& request) {
+const Format& format_of(const ExportRequest& request) {
   return *std::ranges::find_if(formats, [&](const Format& format) { return request.format == format.name; });
 }
 
-std::vector<std::string> curves_of(const Request& request) {
+std::vector<std::string> curves_of(const ExportRequest& request) {
   if (!request.curves.empty()) return request.curves;
   std::vector<std::string> names = curve_names();
   if (format_of(request).over_time_only) std::erase_if(names, std::not_fn(is_over_time));
@@ -87,7 +87,7 @@ std::vector<std::string> curves_of(const Request& request) {
 }
 
 /// What is wrong with the choice of curves.
-std::vector<std::string> wrong_curves(const Request& request) {
+std::vector<std::string> wrong_curves(const ExportRequest& request) {
   std::vector<std::string> wrong;
   if (format_of(request).over_time_only) {
     for (const std::string& name : request.curves)
@@ -109,7 +109,7 @@ std::vector<std::string> wrong_curves(const Request& request) {
   return wrong;
 }
 
-CurveFile curves_for(const Request& request, const CaseFile& input, const Solution& solution) {
+CurveFile curves_for(const ExportRequest& request, const CaseFile& input, const Solution& solution) {
   std::optional<std::size_t> points;
   if (request.points) points = static_cast<std::size_t>(*request.points);
   CurveFile file = curve_file(input.impact, solution, curves_of(request), points);
@@ -123,7 +123,7 @@ CurveFile curves_for(const Request& request, const CaseFile& input, const Soluti
 }
 
 /// A line for each curve, then the flags.
-std::string account(const Request& request, const CurveFile& file) {
+std::string account(const ExportRequest& request, const CurveFile& file) {
   std::string text = fmt::format("{}, {}, units {}\n", request.out == "-" ? "standard output" : request.out,
                                  request.format, format_of(request).over_time_only ? "SI" : file.units.name);
   int id = file.first_id;
@@ -133,7 +133,7 @@ std::string account(const Request& request, const CurveFile& file) {
   return text;
 }
 
-int export_curves(const Request& request, const std::filesystem::path& materials) {
+int export_curves(const ExportRequest& request, const std::filesystem::path& materials) {
   const CaseFile input = case_to_solve(request.case_file, materials, request.tolerance, wrong_curves(request),
                                        [&](const auto& files, auto& wrong) {
                                          judge_targets({{"--out", request.out}}, files, request.force, wrong);
@@ -146,7 +146,7 @@ int export_curves(const Request& request, const std::filesystem::path& materials
   return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
 }
 
-void add_options(CLI::App& sub, Request& request) {
+void add_options(CLI::App& sub, ExportRequest& request) {
   std::vector<std::string> format_names, system_names;
   for (const Format& format : formats) format_names.emplace_back(format.name);
   for (const UnitSystem& system : consistent_systems()) system_names.push_back(system.name);
@@ -177,14 +177,14 @@ void add_options(CLI::App& sub, Request& request) {
   add_tolerance(sub, request.tolerance);
   sub.add_flag("--force", request.force, "Overwrite an existing file")->disable_flag_override();
   add_material_folder(sub, request.materials);
-  sub.footer(footer);
+  sub.footer(export_footer);
 }
 
 }  // namespace
 
 void add_export(CLI::App& app, Action& action, const std::filesystem::path& executable) {
   CLI::App* sub = app.add_subcommand("export", "Write the curves of one case for other programs' decks");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<ExportRequest>();
   add_options(*sub, *request);
   sub->callback([request, &action, executable] {
     action = [request, executable] {

@@ -22,7 +22,7 @@ constexpr const char* description =
     "dashpad: the impact of a rigid nose on a foam pad on an elastic support.\n"
     "Give it a case file; it answers with peak force, g, penetration, rebound and energy.";
 
-constexpr const char* footer = R"(Start here:
+constexpr const char* main_footer = R"(Start here:
   dashpad check examples/dashboard-20mph.toml    is the case understood as meant?
   dashpad run examples/dashboard-20mph.toml      the impact, on the screen
   dashpad materials                              which foams there are
@@ -114,7 +114,7 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
 
 int command(int argument_count, char** arguments) {
   CLI::App app{description, "dashpad"};
-  app.footer(footer);
+  app.footer(main_footer);
   app.get_formatter()->column_width(32);
   app.set_version_flag("--version", version_text, "Version, commit, compiler and libraries");
   app.require_subcommand(1);

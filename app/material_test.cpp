@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* material_test_footer = R"(Examples:
   dashpad material-test ensolite-aac-9                    up and down at constant rate, 1 and 100 per second
   dashpad material-test ensolite-aac-9 --test parabolic --explicit-1984 --picture figure-2-9.svg
   dashpad material-test ensolite-aac-21 --rate 1,10,100 --stress-limit "50 kPa,100 kPa"
@@ -40,7 +40,7 @@ is kept unless --force is given. A file is written whole or not at all. Pictures
 
 Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was run.)";
 
-struct Request {
+struct MaterialTestCommand {
   MaterialTestRequest test;
   std::optional<std::string> json, csv, report, picture;
   std::string units;
@@ -48,7 +48,7 @@ struct Request {
   bool force = false;
 };
 
-std::vector<Target> targets(const Request& request) {
+std::vector<Target> targets(const MaterialTestCommand& request) {
   std::vector<Target> wanted;
   if (request.json) wanted.push_back({"--json", *request.json});
   if (request.csv) wanted.push_back({"--csv", *request.csv});
@@ -78,7 +78,7 @@ std::optional<Material> read_card(const fs::path& card, Wrong& wrong) {
 }
 
 /// Throws Refused with all that is wrong.
-MaterialTestReport run_test(const Request& request, const fs::path& folder) {
+MaterialTestReport run_test(const MaterialTestCommand& request, const fs::path& folder) {
   Wrong wrong;
   const std::optional<fs::path> card = card_file(request.test.material, folder, wrong);
   std::vector<InputFile> files;
@@ -98,7 +98,7 @@ MaterialTestReport run_test(const Request& request, const fs::path& folder) {
   }
 }
 
-int show(const Request& request, const fs::path& folder) {
+int show(const MaterialTestCommand& request, const fs::path& folder) {
   const MaterialTestReport report = run_test(request, folder);
   const UnitSystem& units = unit_system(request.units);
   const auto text_of = [&](const Target& target) {
@@ -115,7 +115,7 @@ int show(const Request& request, const fs::path& folder) {
 
 void add_material_test(CLI::App& app, Action& action, const std::filesystem::path& executable) {
   CLI::App* sub = app.add_subcommand("material-test", "Test a pad material in the laboratory");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<MaterialTestCommand>();
   sub->add_option("MATERIAL", request->test.material, "Card: its name, or a file")->required()->type_name("");
   add_test_options(*sub, request->test);
   sub->add_option("--json", request->json, "Write everything as JSON, SI (- for standard output)")
@@ -128,7 +128,7 @@ void add_material_test(CLI::App& app, Action& action, const std::filesystem::pat
   add_units(*sub, request->units);
   add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);
-  sub->footer(footer);
+  sub->footer(material_test_footer);
   sub->callback([request, &action, executable] {
     action = [request, executable] { return show(*request, chosen_folder(request->materials, executable)); };
   });

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* materials_footer = R"(Examples:
   dashpad materials                        all cards, a line each
   dashpad materials ensolite-aac-9         one card: source, law, parameters, fitted range
   dashpad materials ensolite-aac-9 --units us
@@ -24,7 +24,7 @@ constexpr const char* footer = R"(Examples:
 
 Exit codes: 0 done, 2 no such card, or a card with faults (the other cards are listed all the same).)";
 
-struct Request {
+struct MaterialsRequest {
   std::string name;
   std::string units;
   std::string folder;
@@ -36,13 +36,13 @@ std::string names_of(const std::vector<fs::path>& cards) {
   return names.empty() ? "none" : names;
 }
 
-int show(const Request& request, const fs::path& folder) {
+int show(const MaterialsRequest& request, const fs::path& folder) {
   const Material material = read_material(find_card(request.name, folder));
   write_output(material_text(material, unit_system(request.units)));
   return exit_done;
 }
 
-int list(const fs::path& folder) {
+int list_all_materials(const fs::path& folder) {
   return list_cards(fmt::format("Materials in {}:\n", folder.string()), list_materials(folder),
                     [](const fs::path& card) { return material_line(read_material(card)); });
 }
@@ -61,15 +61,15 @@ fs::path find_card(const std::string& name, const fs::path& folder) {
 
 void add_materials(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::App* sub = app.add_subcommand("materials", "List the material cards, or show one");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<MaterialsRequest>();
   sub->add_option("NAME", request->name, "Card to show in full")->type_name("");
   add_units(*sub, request->units);
   add_material_folder(*sub, request->folder);
-  sub->footer(footer);
+  sub->footer(materials_footer);
   sub->callback([request, &action, executable] {
     action = [request, executable] {
       const fs::path folder = chosen_folder(request->folder, executable);
-      return request->name.empty() ? list(folder) : show(*request, folder);
+      return request->name.empty() ? list_all_materials(folder) : show(*request, folder);
     };
   });
 }

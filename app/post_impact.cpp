@@ -16,7 +16,7 @@ namespace dashpad {
 
 namespace {
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* post_impact_footer = R"(Examples:
   dashpad post-impact examples/dashboard-20mph.toml
   dashpad post-impact examples/dashboard-20mph.toml --other-mass "1500 kg" --units us
   dashpad post-impact examples/dashboard-20mph.toml --other-mass "3000 lb" --other-velocity "-10 mph" --json -
@@ -29,25 +29,25 @@ pad absorbs is solved for the motion of the two towards each other.
 Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was run, 3 the results miss the
 tolerance or there is no rebound.)";
 
-struct Request {
+struct PostImpactRequest {
   std::string case_file;
   std::optional<std::string> other_mass, other_velocity, json;
   std::string units, materials;
   bool force = false;
 };
 
-std::vector<Target> targets(const Request& request) {
+std::vector<Target> targets(const PostImpactRequest& request) {
   return request.json ? std::vector<Target>{{"--json", *request.json}} : std::vector<Target>{};
 }
 
-struct Input {
+struct PostImpactInput {
   CaseFile file;
   Body first, second;
 };
 
-Input read_and_check(const Request& request, const std::filesystem::path& materials) {
+PostImpactInput read_and_check(const PostImpactRequest& request, const std::filesystem::path& materials) {
   std::vector<std::string> wrong;
-  Input input;
+  PostImpactInput input;
   constexpr double held = std::numeric_limits<double>::infinity();
   input.second.mass = quantity_of("--other-mass", request.other_mass, "kg", wrong).value_or(held);
   input.second.velocity = quantity_of("--other-velocity", request.other_velocity, "m/s", wrong).value_or(0);
@@ -73,8 +73,8 @@ Input read_and_check(const Request& request, const std::filesystem::path& materi
   return input;
 }
 
-int run(const Request& request, const std::filesystem::path& materials) {
-  const Input input = read_and_check(request, materials);
+int run(const PostImpactRequest& request, const std::filesystem::path& materials) {
+  const PostImpactInput input = read_and_check(request, materials);
   const ImpactCase& impact = input.file.impact;
   const Solution solution = solve_with_progress(impact, input.file.options);
   if (!solution.summary.release) {
@@ -94,7 +94,7 @@ int run(const Request& request, const std::filesystem::path& materials) {
 void add_post_impact(CLI::App& app, Action& action, const std::filesystem::path& executable) {
   CLI::App* sub =
       app.add_subcommand("post-impact", "Velocities of two bodies after the impact, and its energy");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<PostImpactRequest>();
   sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
   sub->add_option("--other-mass", request->other_mass, "Mass of the other body (default: held in place)")
       ->type_name("MASS");
@@ -105,7 +105,7 @@ void add_post_impact(CLI::App& app, Action& action, const std::filesystem::path&
   add_units(*sub, request->units);
   add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);
-  sub->footer(footer);
+  sub->footer(post_impact_footer);
   sub->callback([request, &action, executable] {
     action = [request, executable] { return run(*request, chosen_folder(request->materials, executable)); };
   });

@@ -26,7 +26,7 @@ namespace {
 constexpr double hic15_window = 15e-3;  // s
 constexpr double usual_speed = 15e6;    // bytes of a table read and computed in a second, on one core of 2020
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* pulse_footer = R"(Examples:
   dashpad pulse drop.csv                                  columns and units from the header
   dashpad pulse drop.csv --time 1 --acceleration 3 --time-unit ms --acceleration-unit g
   dashpad pulse head.csv --resultant --filter CFC1000     x, y and z each filtered, then combined
@@ -243,7 +243,7 @@ void add_pulse(CLI::App& app, Action& action, const std::filesystem::path&) {
   add_units(*sub, request->units);
   add_all(*sub, request->detail);
   add_force(*sub, request->force);
-  sub->footer(footer);
+  sub->footer(pulse_footer);
   sub->callback([request, &action] {
     action = [request] { return request->list ? show_list(*request) : show_figures(*request); };
   });

@@ -11,7 +11,7 @@ namespace dashpad {
 
 namespace {
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* run_footer = R"(Examples:
   dashpad run examples/dashboard-20mph.toml
   dashpad run examples/dashboard-20mph.toml --units us
   dashpad run examples/dashboard-20mph.toml --json result.json --csv history.csv
@@ -33,14 +33,14 @@ Exit codes: 0 done (also when the pad bottomed out or the time was up), 1 a resu
 2 input or command line refused and nothing was run, 3 not reliable: results are there but miss the
 tolerance.)";
 
-struct Request {
+struct RunRequest {
   std::string case_file;
   ResultFiles files;
   std::optional<std::string> tolerance;
   std::string materials;
 };
 
-int run(const Request& request, const std::filesystem::path& materials) {
+int run(const RunRequest& request, const std::filesystem::path& materials) {
   const CaseFile input =
       case_to_solve(request.case_file, materials, request.tolerance, {},
                     [&](const auto& files, auto& wrong) { judge_result_files(request.files, files, wrong); });
@@ -53,13 +53,13 @@ int run(const Request& request, const std::filesystem::path& materials) {
 
 void add_run(CLI::App& app, Action& action, const std::filesystem::path& executable) {
   CLI::App* sub = app.add_subcommand("run", "Solve one case and show or write the result");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<RunRequest>();
   sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
   add_result_files(*sub, request->files);
   add_tolerance(*sub, request->tolerance);
   add_force(*sub, request->files.force);
   add_material_folder(*sub, request->materials);
-  sub->footer(footer);
+  sub->footer(run_footer);
   sub->callback([request, &action, executable] {
     action = [request, executable] { return run(*request, chosen_folder(request->materials, executable)); };
   });

@@ -26,7 +26,7 @@ namespace {
 
 using namespace spit1984;
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* spit1984_footer = R"(Examples:
   dashpad spit1984 examples/dashboard-20mph-21-parameter.toml
   dashpad spit1984 examples/dashboard-20mph.toml --arithmetic binary32
   dashpad spit1984 examples/dashboard-20mph.toml --repair all --arithmetic binary64
@@ -49,12 +49,12 @@ Defects of the listing, which --repair mends (may be repeated; "all" for all of 
 )";
 
 std::string footer_with_defects() {
-  std::string text = footer;
+  std::string text = spit1984_footer;
   for (const Defect& defect : defects) text += fmt::format("  {:15} {}\n", defect.name, defect.meaning);
   return text;
 }
 
-struct Request {
+struct Spit1984Request {
   std::string case_file;
   bool interactive = false;
   std::string arithmetic = "pdp10";
@@ -69,7 +69,7 @@ struct Request {
   bool force = false;
 };
 
-std::vector<Target> targets(const Request& request) {
+std::vector<Target> targets(const Spit1984Request& request) {
   std::vector<Target> wanted;
   if (request.listing) wanted.push_back({"--listing", *request.listing});
   if (request.json) wanted.push_back({"--json", *request.json});
@@ -77,7 +77,7 @@ std::vector<Target> targets(const Request& request) {
   return wanted;
 }
 
-Settings settings_of(const Request& request) {
+Settings settings_of(const Spit1984Request& request) {
   Settings settings = request.settings;
   for (const Arithmetic arithmetic : {Arithmetic::binary32, Arithmetic::binary64, Arithmetic::pdp10})
     if (request.arithmetic == to_string(arithmetic)) settings.arithmetic = arithmetic;
@@ -88,7 +88,7 @@ Settings settings_of(const Request& request) {
 }
 
 /// CLI11 takes "nan" for a number within any range.
-std::vector<std::string> what_is_no_number(const Request& request) {
+std::vector<std::string> what_is_no_number(const Spit1984Request& request) {
   std::vector<std::string> wrong;
   for (const auto& [option, value] :
        {std::pair{"--time-step", request.time_step_ms},
@@ -99,12 +99,12 @@ std::vector<std::string> what_is_no_number(const Request& request) {
 }
 
 /// Where the questions go: standard output, unless that is for a result.
-std::ostream& terminal(const Request& request) {
+std::ostream& terminal(const Spit1984Request& request) {
   return std::ranges::any_of(targets(request), &Target::is_standard_output) ? std::cerr : std::cout;
 }
 
 /// The deck of the case, or the answers at the terminal. Throws Refused with all that is wrong.
-Deck deck_for(const Request& request, const std::filesystem::path& materials) {
+Deck deck_for(const Spit1984Request& request, const std::filesystem::path& materials) {
   std::vector<std::string> wrong;
   if (request.interactive == !request.case_file.empty())
     wrong.emplace_back(request.interactive ? "--interactive: asks for everything itself; leave CASE out"
@@ -164,7 +164,7 @@ Run run_with_progress(const Deck& deck, const Settings& settings) {
   });
 }
 
-int run_program(const Request& request, const std::filesystem::path& materials) {
+int run_program(const Spit1984Request& request, const std::filesystem::path& materials) {
   const Deck deck = deck_for(request, materials);
   const Settings settings = settings_of(request);
   const Run result = run_with_progress(deck, settings);
@@ -184,7 +184,7 @@ int run_program(const Request& request, const std::filesystem::path& materials) 
 
 void add_spit1984(CLI::App& app, Action& action, const std::filesystem::path& executable) {
   CLI::App* sub = app.add_subcommand("spit1984", "Run the program of 1984, digit for digit");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<Spit1984Request>();
   std::vector<std::string> repairs{"all"};
   for (const Defect& defect : defects) repairs.emplace_back(defect.name);
   sub->add_option("CASE", request->case_file, "Case file (TOML)")->type_name("");

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* standards_footer = R"(Examples:
   dashpad standards                              all presets, a line each
   dashpad standards fmvss-201-instrument-panel   one preset: impactor, limits, variants, sources
   dashpad standards en-1078:kerbstone            with a variant in force
@@ -27,13 +27,13 @@ preset on a case. docs/standards.md says how to write one.
 
 Exit codes: 0 done, 2 no such preset, or a preset with faults (the others are listed all the same).)";
 
-struct Request {
+struct StandardsRequest {
   std::string name;
   std::string units;
   std::string folder;
 };
 
-int show(const Request& request, const fs::path& folder) {
+int show(const StandardsRequest& request, const fs::path& folder) {
   const StandardChoice choice = standard_choice(request.name);
   const Standard standard = read_standard(find_standard(choice.name, folder));
   try {
@@ -44,7 +44,7 @@ int show(const Request& request, const fs::path& folder) {
   return exit_done;
 }
 
-int list(const fs::path& folder) {
+int list_all_standards(const fs::path& folder) {
   return list_cards(fmt::format("Standards in {}:\n", folder.string()), list_standards(folder),
                     [](const fs::path& file) { return standard_line(read_standard(file)); });
 }
@@ -53,15 +53,15 @@ int list(const fs::path& folder) {
 
 void add_standards(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::App* sub = app.add_subcommand("standards", "List the presets of test standards, or show one");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<StandardsRequest>();
   sub->add_option("NAME", request->name, "Preset to show in full")->type_name("");
   add_units(*sub, request->units);
   add_standard_folder(*sub, request->folder);
-  sub->footer(footer);
+  sub->footer(standards_footer);
   sub->callback([request, &action, executable] {
     action = [request, executable] {
       const fs::path folder = chosen_standards(request->folder, executable);
-      return request->name.empty() ? list(folder) : show(*request, folder);
+      return request->name.empty() ? list_all_standards(folder) : show(*request, folder);
     };
   });
 }

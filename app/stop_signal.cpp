@@ -7,18 +7,18 @@ namespace dashpad {
 
 namespace {
 
-constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP};
 
 std::atomic<bool> is_wanted = false;
-std::atomic<int> number = 0;
+std::atomic<int> caught = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 void note(int signal) {
-  number = signal;
+  caught = signal;
   is_wanted = true;
 }
 
-std::array<struct sigaction, signals.size()> before;
+std::array<struct sigaction, stop_signals.size()> actions_before;
 
 }  // namespace
 
@@ -27,19 +27,20 @@ StopSignal::StopSignal() {
   struct sigaction action {};
   action.sa_handler = note;
   action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
-  for (std::size_t i = 0; i < signals.size(); ++i) {
-    ::sigaction(signals[i], nullptr, &before[i]);
+  for (std::size_t i = 0; i < stop_signals.size(); ++i) {
+    ::sigaction(stop_signals[i], nullptr, &actions_before[i]);
     // Whoever started this with nohup, or in the background of a script, wants it to go on.
-    if (before[i].sa_handler != SIG_IGN) ::sigaction(signals[i], &action, nullptr);
+    if (actions_before[i].sa_handler != SIG_IGN) ::sigaction(stop_signals[i], &action, nullptr);
   }
 }
 
 StopSignal::~StopSignal() {
-  for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before[i], nullptr);
+  for (std::size_t i = 0; i < stop_signals.size(); ++i)
+    ::sigaction(stop_signals[i], &actions_before[i], nullptr);
 }
 
 const std::atomic<bool>& StopSignal::wanted() { return is_wanted; }
 
-int StopSignal::exit_code() { return 128 + number; }
+int StopSignal::exit_code() { return 128 + caught; }
 
 }  // namespace dashpad

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* study_footer = R"(Examples:
   dashpad study examples/studies/speed-and-thickness.toml --out speed.db
   dashpad study summary speed.db --response hic15 --limit "hic15 > 1000"
   dashpad study replay speed.db 17 --units us
@@ -78,7 +78,7 @@ void add_study(CLI::App& app, Action& action, const fs::path& executable) {
   add_study_replay(*sub, action);
   add_study_summary(*sub, action);
   add_study_export(*sub, action);
-  sub->footer(footer);
+  sub->footer(study_footer);
   // The callback of a subcommand comes first; STUDY is only needed without one.
   sub->callback([sub, request, &action, executable] {
     if (!sub->get_subcommands().empty()) return;

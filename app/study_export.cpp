@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* study_export_footer = R"(Examples:
   dashpad study examples/studies/speed-and-thickness.toml --out rows.db
   dashpad study export rows.db --csv rows.csv
   dashpad study export rows.db --hdf5 rows.h5
@@ -38,13 +38,13 @@ written whole or not at all.
 
 Exit codes: 0 done, 1 a file could not be written, 2 refused and nothing was written.)";
 
-struct Request {
+struct StudyExportRequest {
   std::string store_file;
   std::optional<std::string> csv, hdf5;
   bool force = false;
 };
 
-std::vector<Target> targets(const Request& request) {
+std::vector<Target> targets(const StudyExportRequest& request) {
   std::vector<Target> wanted;
   if (request.csv) wanted.push_back({"--csv", *request.csv});
   if (request.hdf5) wanted.push_back({"--hdf5", *request.hdf5});
@@ -81,7 +81,7 @@ bool is_special(const std::string& file) {
 }
 
 /// The files first, then what goes to standard output.
-void write_files(const study::Store& store, const Request& request) {
+void write_files(const study::Store& store, const StudyExportRequest& request) {
   std::vector<PendingFile> files;
   for (const Target& target : targets(request)) {
     if (target.is_standard_output()) continue;
@@ -97,7 +97,7 @@ void write_files(const study::Store& store, const Request& request) {
   if (request.csv == "-") study::export_csv(store, [](std::string_view text) { write_output(text); });
 }
 
-int run_export(const Request& request) {
+int run_export(const StudyExportRequest& request) {
   const study::Store store = open_stored(request.store_file);
   std::vector<std::string> wrong;
   judge_targets(targets(request), files_of_store(request.store_file), request.force, wrong);
@@ -116,12 +116,12 @@ int run_export(const Request& request) {
 
 void add_study_export(CLI::App& study, Action& action) {
   CLI::App* sub = study.add_subcommand("export", "Write the rows as CSV or HDF5");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<StudyExportRequest>();
   sub->add_option("FILE", request->store_file, "The store of a study")->required()->type_name("");
   sub->add_option("--csv", request->csv, "Write a CSV file (- for standard output)")->type_name("FILE");
   sub->add_option("--hdf5", request->hdf5, "Write an HDF5 file")->type_name("FILE");
   add_force(*sub, request->force);
-  sub->footer(footer);
+  sub->footer(study_export_footer);
   sub->callback([request, &action] { action = [request] { return run_export(*request); }; });
 }
 

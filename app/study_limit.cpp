@@ -16,7 +16,7 @@ std::string trimmed(const std::string& text) {
 }
 
 /// What UDUNITS-2 reads: it has no g of acceleration, which g is a gram.
-double si_value(const std::string& text, const std::string& si_unit) {
+double value_in_si(const std::string& text, const std::string& si_unit) {
   if (si_unit == "m/s2" && text.size() > 1 && text.ends_with("g"))
     return standard_gravity * to_si(trimmed(text.substr(0, text.size() - 1)), "1");
   return to_si(text, si_unit);
@@ -50,7 +50,7 @@ std::optional<StudyLimit> limit_of(const std::string& text, const study::Store& 
   const std::string name = trimmed(text.substr(0, sign));
   if (const std::string rule = response_rule(name, store); !rule.empty()) return refuse(name + " " + rule);
   try {
-    return StudyLimit{name, si_value(trimmed(text.substr(sign + 1)), unit_of(name, store))};
+    return StudyLimit{name, value_in_si(trimmed(text.substr(sign + 1)), unit_of(name, store))};
   } catch (const UnitError& error) {
     return refuse(error.what());
   }

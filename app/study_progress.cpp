@@ -11,7 +11,7 @@ namespace dashpad {
 
 namespace {
 
-constexpr double between_drawings = 0.2, first_line = 10, between_lines = 60;  // s
+constexpr double between_updates = 0.2, first_line = 10, between_lines = 60;  // s
 
 std::string words(const study::Progress& progress) {
   const auto now = static_cast<double>(progress.rows_done - progress.rows_before);
@@ -45,7 +45,7 @@ StudyProgress::StudyProgress(bool quiet) : quiet_(quiet) {
 void StudyProgress::show(const study::Progress& progress) {
   if (quiet_ || progress.seconds < next_) return;
   if (line_.is_terminal()) {
-    next_ = progress.seconds + between_drawings;
+    next_ = progress.seconds + between_updates;
     line_.draw(fmt::format("[{}] {}", progress_bar(progress.rows_done, progress.rows), words(progress)));
   } else {
     next_ = progress.seconds + between_lines;

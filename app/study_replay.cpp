@@ -16,7 +16,7 @@ namespace dashpad {
 
 namespace {
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* study_replay_footer = R"(Examples:
   dashpad study examples/studies/speed-and-thickness.toml --out replayed.db
   dashpad study replay replayed.db 17
   dashpad study replay replayed.db 17 --units us --csv row-17.csv --png row-17.png
@@ -28,7 +28,7 @@ are needed. The row is solved again, and its responses are compared with the sto
 Exit codes: 0 done and the stored responses came back, 1 a result could not be written, 2 refused and nothing was
 run, 3 the row misses the tolerance, or its stored responses did not come back.)";
 
-struct Request {
+struct StudyReplayRequest {
   std::string store_file;
   std::uint64_t row = 0;
   ResultFiles files;
@@ -43,7 +43,7 @@ struct Replay {
   Solution solution;
 };
 
-study::StoredRow stored_row(const study::Store& store, const Request& request) {
+study::StoredRow stored_row(const study::Store& store, const StudyReplayRequest& request) {
   if (request.row >= store.rows())
     throw Refused(
         {fmt::format("ROW {}: {} has rows 0 to {}", request.row, request.store_file, store.rows() - 1)});
@@ -54,7 +54,7 @@ study::StoredRow stored_row(const study::Store& store, const Request& request) {
   return *std::move(row);
 }
 
-Replay replay(const study::Store& store, const Request& request) {
+Replay replay(const study::Store& store, const StudyReplayRequest& request) {
   Replay result{
       .stored = stored_row(store, request), .again = {}, .impact = {}, .options = {}, .solution = {}};
   const study::Study study = study::stored_study(store);
@@ -104,7 +104,7 @@ std::string verdict(const std::vector<std::string>& differences, const study::St
   return text;
 }
 
-int run_replay(const Request& request) {
+int run_replay(const StudyReplayRequest& request) {
   const study::Store store = open_stored(request.store_file);
   std::vector<std::string> wrong;
   judge_result_files(request.files, files_of_store(request.store_file), wrong);
@@ -120,12 +120,12 @@ int run_replay(const Request& request) {
 
 void add_study_replay(CLI::App& study, Action& action) {
   CLI::App* sub = study.add_subcommand("replay", "Solve one row again, with its full history");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<StudyReplayRequest>();
   sub->add_option("FILE", request->store_file, "The store of a study")->required()->type_name("");
   sub->add_option("ROW", request->row, "Which row, from 0")->required()->type_name("");
   add_result_files(*sub, request->files);
   add_force(*sub, request->files.force);
-  sub->footer(footer);
+  sub->footer(study_replay_footer);
   sub->callback([request, &action] { action = [request] { return run_replay(*request); }; });
 }
 

@@ -16,7 +16,7 @@ namespace dashpad {
 
 namespace {
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* study_summary_footer = R"(Examples:
   dashpad study examples/studies/cushion-curves.toml --out cushions.db
   dashpad study summary cushions.db
   dashpad study summary cushions.db --response peak_acceleration --limit "peak_acceleration > 80 g"
@@ -30,7 +30,7 @@ An interrupted study is summed up as far as it is. docs/studies.md says what to 
 
 Exit codes: 0 done, 1 a result could not be written, 2 refused.)";
 
-struct Request {
+struct StudySummaryRequest {
   std::string store_file;
   std::vector<std::string> responses;
   std::vector<std::string> limits;
@@ -39,7 +39,7 @@ struct Request {
   bool force = false;
 };
 
-std::vector<Target> targets(const Request& request) {
+std::vector<Target> targets(const StudySummaryRequest& request) {
   std::vector<Target> wanted;
   if (request.json) wanted.push_back({"--json", *request.json});
   if (request.report) wanted.push_back({"--report", *request.report});
@@ -47,7 +47,7 @@ std::vector<Target> targets(const Request& request) {
   return wanted;
 }
 
-StudyQuestions questions_of(const Request& request, const study::Store& store,
+StudyQuestions questions_of(const StudySummaryRequest& request, const study::Store& store,
                             std::vector<std::string>& wrong) {
   StudyQuestions questions;
   for (const std::string& name : request.responses) {
@@ -62,7 +62,7 @@ StudyQuestions questions_of(const Request& request, const study::Store& store,
   return questions;
 }
 
-int summarise(const Request& request) {
+int summarise(const StudySummaryRequest& request) {
   const study::Store store = open_stored(request.store_file);
   std::vector<std::string> wrong;
   judge_targets(targets(request), files_of_store(request.store_file), request.force, wrong);
@@ -90,7 +90,7 @@ int summarise(const Request& request) {
 void add_study_summary(CLI::App& study, Action& action) {
   CLI::App* sub =
       study.add_subcommand("summary", "Distributions, probabilities, sensitivities, cushion curves");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<StudySummaryRequest>();
   sub->add_option("FILE", request->store_file, "The store of a study")->required()->type_name("");
   sub->add_option("--response", request->responses, "Only this one; may be given again")
       ->take_all()
@@ -108,7 +108,7 @@ void add_study_summary(CLI::App& study, Action& action) {
       ->type_name("FILE");
   add_units(*sub, request->units);
   add_force(*sub, request->force);
-  sub->footer(footer);
+  sub->footer(study_summary_footer);
   sub->callback([request, &action] { action = [request] { return summarise(*request); }; });
 }
 

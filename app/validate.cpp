@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* validate_footer = R"(Examples:
   dashpad validate --report validation.html --json validation.json --figures figures
   dashpad validate --strict --data my-readings
 
@@ -41,7 +41,7 @@ misses a rule; 1 a result could not be written; 2 refused and nothing was run.)"
 
 constexpr const char* material = "ensolite-aac-9.toml";
 
-struct Request {
+struct ValidateRequest {
   std::optional<std::string> report;
   std::optional<std::string> json;
   std::optional<std::string> figures;
@@ -52,24 +52,24 @@ struct Request {
   bool strict = false;
 };
 
-struct Folders {
+struct ValidateFolders {
   fs::path data;
   fs::path materials;
 };
 
-struct Input {
+struct ValidateInput {
   validation::ValidationData data;
   Material ensolite;
 };
 
-std::vector<Target> files(const Request& request) {
+std::vector<Target> files(const ValidateRequest& request) {
   std::vector<Target> wanted;
   if (request.report) wanted.push_back({"--report", *request.report});
   if (request.json) wanted.push_back({"--json", *request.json});
   return wanted;
 }
 
-std::vector<Target> stills(const Request& request) {
+std::vector<Target> stills(const ValidateRequest& request) {
   std::vector<Target> wanted;
   if (!request.figures) return wanted;
   for (const std::string& slug : validation_figure_slugs())
@@ -77,11 +77,13 @@ std::vector<Target> stills(const Request& request) {
   return wanted;
 }
 
-PictureFormat picture_format_of(const Request& request) { return *picture_format("still." + request.format); }
+PictureFormat picture_format_of(const ValidateRequest& request) {
+  return *picture_format("still." + request.format);
+}
 
 /// What is to be written, as far as it can be judged before the run. `wrong` is told what forbids the folder
 /// of the figures, which need not be there yet.
-std::vector<Target> targets_to_judge(const Request& request, std::vector<std::string>& wrong) {
+std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector<std::string>& wrong) {
   std::vector<Target> targets = files(request);
   if (!request.figures) return targets;
   const fs::path folder{*request.figures};
@@ -98,18 +100,18 @@ std::vector<Target> targets_to_judge(const Request& request, std::vector<std::st
 }
 
 /// gnuplot fails before the study, not after it.
-void try_to_draw(const Request& request) {
+void try_to_draw(const ValidateRequest& request) {
   Plot trial;
   trial.panels.push_back({.series = {{.x = {0, 1}, .y = {0, 1}}}});
   if (request.figures) picture(trial, picture_format_of(request));
 }
 
-Input read_and_check(const Request& request, const Folders& folders) {
+ValidateInput read_and_check(const ValidateRequest& request, const ValidateFolders& folders) {
   std::vector<std::string> wrong;
   const std::vector<Target> targets = targets_to_judge(request, wrong);
   judge_report(request.report, wrong);
 
-  Input input;
+  ValidateInput input;
   std::vector<Fault> faults;
   input.data = validation::read_validation_data(folders.data, faults);
   add_lines(faults, wrong);
@@ -125,7 +127,7 @@ Input read_and_check(const Request& request, const Folders& folders) {
   return input;
 }
 
-validation::Study study_of(const Input& input) {
+validation::Study study_of(const ValidateInput& input) {
   ProgressLine line{"Simulating the tests"};
   return validation::run_study(input.data, input.ensolite,
                                [&](std::size_t done, std::size_t all) { line.show(done, all); });
@@ -149,7 +151,7 @@ class InterruptsHeld {
 };
 
 /// The texts of all files by file, before the first of them is written.
-std::map<std::string, std::string> texts_of(const Request& request, const validation::Study& study) {
+std::map<std::string, std::string> texts_of(const ValidateRequest& request, const validation::Study& study) {
   std::map<std::string, std::string> texts;
   if (request.report) texts[*request.report] = figures_page(validation_page(study));
   if (request.json) texts[*request.json] = validation_json(study);
@@ -164,7 +166,7 @@ std::map<std::string, std::string> texts_of(const Request& request, const valida
   return texts;
 }
 
-void write_results(const Request& request, const validation::Study& study) {
+void write_results(const ValidateRequest& request, const validation::Study& study) {
   const std::map<std::string, std::string> texts = texts_of(request, study);
   std::vector<Target> targets = files(request);
   for (Target& still : stills(request)) targets.push_back(std::move(still));
@@ -175,8 +177,8 @@ void write_results(const Request& request, const validation::Study& study) {
       validation_text(study));
 }
 
-int run_validation(const Request& request, const Folders& folders) {
-  const Input input = read_and_check(request, folders);
+int run_validation(const ValidateRequest& request, const ValidateFolders& folders) {
+  const ValidateInput input = read_and_check(request, folders);
   try_to_draw(request);
   const validation::Study study = study_of(input);
   write_results(request, study);
@@ -187,7 +189,7 @@ int run_validation(const Request& request, const Folders& folders) {
 
 void add_validate(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::App* sub = app.add_subcommand("validate", "Compare with the validation tests of the 1986 report");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<ValidateRequest>();
   add_report(*sub, request->report);
   sub->add_option("--json", request->json, "Write everything as JSON (- for standard output)")
       ->type_name("FILE");
@@ -205,7 +207,7 @@ void add_validate(CLI::App& app, Action& action, const fs::path& executable) {
       ->disable_flag_override();
   add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);
-  sub->footer(footer);
+  sub->footer(validate_footer);
   sub->callback([request, &action, executable] {
     action = [request, executable] {
       return run_validation(*request, {.data = request->data.empty() ? validation_data_folder(executable)

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -9,12 +8,11 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/injury/standard.hpp"
 #include "injury/thinned.hpp"
+#include "io/special_numbers.hpp"
 
 namespace dashpad {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Estimate {
   double value = 0;
@@ -27,7 +25,7 @@ struct Estimate {
 Estimate dwell(const Solution& solution, const InjuryFigures& figures, double level) {
   const Pulse pulse = pulse_of(solution.history);
   const double time = cumulative_dwell(pulse, level);
-  if (pulse.time.size() < fewest_to_compare || !std::isfinite(figures.errors.peak)) return {time, infinity};
+  if (pulse.time.size() < fewest_to_compare || !std::isfinite(figures.errors.peak)) return {time, infinite};
   const double shift = figures.errors.peak * level;
   const double shorter = cumulative_dwell(pulse, level + shift);
   const double longer = cumulative_dwell(pulse, std::max(level - shift, 0.0));

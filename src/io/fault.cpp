@@ -78,4 +78,8 @@ std::vector<std::string> abridged(const std::vector<std::string>& lines) {
 InputError::InputError(std::vector<Fault> faults)
     : std::runtime_error(message(faults)), faults_(std::move(faults)) {}
 
+[[noreturn]] void refuse_file(const std::filesystem::path& file, const std::string& rule, int line) {
+  throw InputError({Fault{file.string(), line, "", "", rule}});
+}
+
 }  // namespace dashpad

@@ -74,6 +74,11 @@ std::size_t width_of(std::string_view text) {
       text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));
 }
 
+void replace_all(std::string& text, std::string_view old, std::string_view fresh) {
+  for (auto place = text.find(old); place != std::string::npos; place = text.find(old, place + fresh.size()))
+    text.replace(place, old.size(), fresh);
+}
+
 std::string one_line(std::string_view text) {
   std::string line;
   for (std::size_t i = 0; i < text.size(); ++i) {

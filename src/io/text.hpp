@@ -38,6 +38,9 @@ std::size_t width_of(std::string_view text);
 /// Text from a file, safe for a terminal: line breaks and other control characters become spaces.
 std::string one_line(std::string_view text);
 
+/// Every place of `old`, from left to right; what took its place is not looked at again.
+void replace_all(std::string& text, std::string_view old, std::string_view fresh);
+
 /// Breaks a line at blanks so that no line is wider than 100 columns, as far as the words allow; all but the
 /// first are indented.
 std::string wrapped(std::string_view line, std::size_t indent);

@@ -111,17 +111,15 @@ std::string TomlNode::written() const {
 
 TomlNode read_toml(const std::filesystem::path& file) {
   const std::string text = read_text_file(file);
-  const auto refuse = [&file](int line, const std::string& rule) {
-    throw InputError({Fault{file.string(), line, "", "", rule}});
-  };
   if (const int line = line_of_overlong_name(text))
-    refuse(line, fmt::format("a name holds more than {} dots; text needs quotes", most_dots));
+    refuse_file(file, fmt::format("a name holds more than {} dots; text needs quotes", most_dots), line);
   try {
     TomlNode root = convert(toml::parse(text), "");
     root.line = 0;  // a key that is missing at the top is missing nowhere in particular
     return root;
   } catch (const toml::parse_error& error) {
-    refuse(static_cast<int>(error.source().begin.line), fmt::format("is not TOML: {}", error.description()));
+    refuse_file(file, fmt::format("is not TOML: {}", error.description()),
+                static_cast<int>(error.source().begin.line));
   }
   return {};
 }

@@ -24,21 +24,17 @@ namespace dashpad {
 
 namespace {
 
-constexpr std::size_t most_names = 10'000;
+constexpr std::size_t most_entries = 10'000;
 constexpr std::size_t longest_name = 1000;
 /// What a tar claims to hold in all. To pass over a file of a tar is to unpack it; of a zip it costs nothing.
 constexpr std::int64_t largest_tar = std::int64_t{1} << 34;
-
-[[noreturn]] void refuse(const std::string& file, const std::string& rule) {
-  throw InputError({Fault{file, 0, "", "", rule}});
-}
 
 /// An archive, opened for reading from its first entry on.
 class Archive {
  public:
   explicit Archive(const std::filesystem::path& file) : name_(file.string()) {
     descriptor_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-    if (descriptor_ < 0) refuse(name_, std::string("cannot be read: ") + std::strerror(errno));
+    if (descriptor_ < 0) refuse_file(name_, std::string("cannot be read: ") + std::strerror(errno));
     struct stat status {};
     if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) fail("is not a regular file");
     archive_.reset(::archive_read_new());
@@ -60,8 +56,9 @@ class Archive {
     while (true) {
       const int result = ::archive_read_next_header(archive_.get(), &entry_);
       if (result == ARCHIVE_EOF) return false;
-      if (result < ARCHIVE_WARN) refuse(name_, reason());
-      if (++entries_ > most_names) refuse(name_, fmt::format("holds more than {} files", most_names));
+      if (result < ARCHIVE_WARN) refuse_file(name_, reason());
+      if (++entries_ > most_entries)
+        refuse_file(name_, fmt::format("holds more than {} files", most_entries));
       if ((::archive_format(archive_.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_TAR) count_size();
       name = safe_name();
       if (::archive_entry_filetype(entry_) == AE_IFREG && ::archive_entry_hardlink(entry_) == nullptr)
@@ -76,12 +73,13 @@ class Archive {
     while (content.size() < most || !cut) {
       const la_ssize_t count = ::archive_read_data(archive_.get(), block.data(), block.size());
       if (count == 0) break;
-      if (count < 0) refuse(name_, one_line(name) + ": " + reason());
+      if (count < 0) refuse_file(name_, one_line(name) + ": " + reason());
       const auto size = static_cast<std::size_t>(count);
-      if (size > room) refuse(name_, fmt::format("unpacks to more than {} MiB", largest_measurement >> 20));
+      if (size > room)
+        refuse_file(name_, fmt::format("unpacks to more than {} MiB", largest_measurement >> 20));
       room -= size;
       if (content.size() + size > most && !cut)
-        refuse(name_, fmt::format("{}: is larger than {} MiB", one_line(name), most >> 20));
+        refuse_file(name_, fmt::format("{}: is larger than {} MiB", one_line(name), most >> 20));
       content.append(block.data(), std::min(size, most - content.size()));
     }
     return content;
@@ -95,7 +93,7 @@ class Archive {
   [[noreturn]] void fail(const std::string& rule) {
     archive_.reset();
     ::close(descriptor_);
-    refuse(name_, rule);
+    refuse_file(name_, rule);
   }
 
   std::string reason() {
@@ -105,7 +103,7 @@ class Archive {
 
   void count_size() {
     const std::int64_t size = ::archive_entry_size_is_set(entry_) != 0 ? ::archive_entry_size(entry_) : 0;
-    if (size < 0 || size > largest_tar - claimed_) refuse(name_, "is too large for a tar; use a zip");
+    if (size < 0 || size > largest_tar - claimed_) refuse_file(name_, "is too large for a tar; use a zip");
     claimed_ += size;
   }
 
@@ -115,12 +113,13 @@ class Archive {
     const char* text = ::archive_entry_pathname_utf8(entry_);
     if (text == nullptr) text = ::archive_entry_pathname(entry_);
     std::string name = text == nullptr ? "" : text;
-    if (name.size() > longest_name) refuse(name_, "holds a name that is too long");
+    if (name.size() > longest_name) refuse_file(name_, "holds a name that is too long");
     std::ranges::replace(name, '\\', '/');
     const bool has_drive = name.size() > 1 && name[1] == ':';
     const std::string framed = "/" + name + "/";
     if (name.starts_with('/') || has_drive || framed.find("/../") != std::string::npos)
-      refuse(name_, fmt::format("holds the name \"{}\", which leads out of the archive", one_line(name)));
+      refuse_file(name_,
+                  fmt::format("holds the name \"{}\", which leads out of the archive", one_line(name)));
     while (name.starts_with("./")) name.erase(0, 2);
     return name;
   }
@@ -152,7 +151,7 @@ std::vector<std::string> names_in_archive(const std::filesystem::path& archive) 
   std::string name;
   while (opened.next(name))
     if (!seen.insert(name).second)
-      refuse(archive.string(), fmt::format("holds \"{}\" twice", one_line(name)));
+      refuse_file(archive.string(), fmt::format("holds \"{}\" twice", one_line(name)));
   return {seen.begin(), seen.end()};
 }
 

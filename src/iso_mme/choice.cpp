@@ -17,10 +17,6 @@ constexpr std::size_t code_length = 16;
 constexpr std::size_t place_of_dimension = 12, place_of_direction = 14;
 constexpr std::size_t most_listed = 20;
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& rule) {
-  throw InputError({Fault{file.string(), 0, "", "", rule}});
-}
-
 std::string listing(const Channels& channels) {
   std::string text;
   for (std::size_t i = 0; i < channels.size() && i < most_listed; ++i)
@@ -48,10 +44,10 @@ Channels candidates(const std::filesystem::path& file, const Channels& all, cons
   const auto number = channel_number(wanted);
   const std::string pattern = capitals(wanted);
   if (!wanted.empty() && !number && pattern.size() != code_length)
-    refuse(file,
-           fmt::format("--channel {}: a channel is a number or a code of {} characters; ? stands for any "
-                       "character",
-                       wanted, code_length));
+    refuse_file(
+        file, fmt::format("--channel {}: a channel is a number or a code of {} characters; ? stands for any "
+                          "character",
+                          wanted, code_length));
   for (const IsoMmeChannel& channel : all) {
     const bool fits = wanted.empty() ? is_acceleration(channel)
                       : number       ? channel.number == *number
@@ -59,10 +55,10 @@ Channels candidates(const std::filesystem::path& file, const Channels& all, cons
     if (fits) found.push_back(channel);
   }
   if (found.empty())
-    refuse(file, fmt::format("{}; there are {}",
-                             wanted.empty() ? "has no channel of an acceleration (AC)"
-                                            : fmt::format("--channel {}: no such channel", wanted),
-                             listing(all)));
+    refuse_file(file, fmt::format("{}; there are {}",
+                                  wanted.empty() ? "has no channel of an acceleration (AC)"
+                                                 : fmt::format("--channel {}: no such channel", wanted),
+                                  listing(all)));
   return found;
 }
 
@@ -83,11 +79,11 @@ Channels directions(const std::filesystem::path& file, Channels found) {
       found, [&](const IsoMmeChannel& channel) { return place(channel) == place(found.front()); });
   const bool has_double = std::ranges::adjacent_find(found, {}, direction) != found.end();
   if (found.size() < 2)
-    refuse(file, fmt::format("a resultant needs two or three of the directions X, Y, Z; there is {}",
-                             found.empty() ? "none" : listing(found)));
+    refuse_file(file, fmt::format("a resultant needs two or three of the directions X, Y, Z; there is {}",
+                                  found.empty() ? "none" : listing(found)));
   if (!is_one_place || has_double)
-    refuse(file, fmt::format("the resultant may be of several: {}; choose with --channel, such as {}",
-                             listing(found), place(found.front())));
+    refuse_file(file, fmt::format("the resultant may be of several: {}; choose with --channel, such as {}",
+                                  listing(found), place(found.front())));
   return found;
 }
 
@@ -105,8 +101,9 @@ std::vector<IsoMmeChannel> chosen_channels(const std::filesystem::path& file, co
   Channels found = candidates(file, all, options.channel);
   if (options.resultant) return directions(file, found);
   if (found.size() > 1)
-    refuse(file, fmt::format("several channels may be meant: {}; choose with --channel{}", listing(found),
-                             ", or combine the directions of one place with --resultant"));
+    refuse_file(file,
+                fmt::format("several channels may be meant: {}; choose with --channel{}", listing(found),
+                            ", or combine the directions of one place with --resultant"));
   return found;
 }
 

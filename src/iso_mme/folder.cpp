@@ -19,10 +19,6 @@ namespace {
 
 constexpr std::size_t most_names = 100'000;
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& rule) {
-  throw InputError({Fault{file.string(), 0, "", "", rule}});
-}
-
 struct Closer {
   void operator()(DIR* folder) const { ::closedir(folder); }
 };
@@ -39,7 +35,7 @@ OpenFolder open_folder(int parent, const std::string& name, int more_flags) {
 
 OpenFolder open_root(const std::filesystem::path& folder) {
   OpenFolder root = open_folder(AT_FDCWD, folder.empty() ? "." : folder.string(), 0);
-  if (!root) refuse(folder, std::string("cannot be read: ") + std::strerror(errno));
+  if (!root) refuse_file(folder, std::string("cannot be read: ") + std::strerror(errno));
   return root;
 }
 
@@ -67,11 +63,11 @@ std::vector<std::string> names_in_folder(const std::filesystem::path& folder) {
   const OpenFolder root = open_root(folder);
   std::vector<std::string> names;
   const std::vector<std::string> channel_folders = list(root.get(), "", names);
-  if (channel_folders.size() > 1) refuse(folder, "has several folders called Channel");
+  if (channel_folders.size() > 1) refuse_file(folder, "has several folders called Channel");
   for (const std::string& name : channel_folders)
     if (const OpenFolder channels = open_folder(::dirfd(root.get()), name, O_NOFOLLOW))
       list(channels.get(), name + "/", names);
-  if (names.size() > most_names) refuse(folder, "holds too many files");
+  if (names.size() > most_names) refuse_file(folder, "holds too many files");
   return names;
 }
 
@@ -86,10 +82,10 @@ MmeMembers read_from_folder(const std::filesystem::path& folder, const std::vect
       inner = open_folder(::dirfd(root.get()), name.substr(0, slash), O_NOFOLLOW);
     const std::string last = slash == std::string::npos ? name : name.substr(slash + 1);
     if (last.find('/') != std::string::npos || (slash != std::string::npos && !inner))
-      refuse(folder / name, "cannot be read");
+      refuse_file(folder / name, "cannot be read");
     const int descriptor = ::openat(::dirfd(inner ? inner.get() : root.get()), last.c_str(),
                                     O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (descriptor < 0) refuse(folder / name, std::string("cannot be read: ") + std::strerror(errno));
+    if (descriptor < 0) refuse_file(folder / name, std::string("cannot be read: ") + std::strerror(errno));
     members[name] = read_descriptor(descriptor, (folder / name).string(), most, cut);
   }
   return members;

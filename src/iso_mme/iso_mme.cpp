@@ -180,8 +180,7 @@ MeasuredPulse read_iso_mme(const std::filesystem::path& file, const IsoMmeOption
   Combiner combiner(test, options, result);
   const Channels chosen = chosen_channels(file, list(test), options);
   if (options.sensitivity.size() > 1 && options.sensitivity.size() != chosen.size())
-    throw InputError({Fault{file.string(), 0, "", "",
-                            wrong_number_of_sensitivities(options.sensitivity.size(), chosen.size())}});
+    refuse_file(file, wrong_number_of_sensitivities(options.sensitivity.size(), chosen.size()));
   for (const IsoMmeChannel& channel : chosen) {
     if (!channel.problem.empty())
       throw InputError({Fault{file.string(), 0, channel.code, "", channel.problem}});

@@ -17,10 +17,6 @@ namespace {
 constexpr std::size_t beginning = 65536;  // bytes; enough for all labels
 constexpr std::size_t most_digits = 5;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& rule) {
-  throw InputError({Fault{file.string(), 0, "", "", rule}});
-}
-
 /// A name in its parts; folder and ending without their / and point.
 struct Name {
   std::string folder, stem, ending;
@@ -41,7 +37,7 @@ bool is_litter(const std::string& name) {
          (parts(name).stem.empty() && name.find("._") != std::string::npos);
 }
 
-std::optional<int> channel_number(const std::string& ending) {
+std::optional<int> number_of_ending(const std::string& ending) {
   int number = 0;
   const auto [end, error] = std::from_chars(ending.data(), ending.data() + ending.size(), number);
   const bool is_all = error == std::errc{} && end == ending.data() + ending.size();
@@ -58,9 +54,10 @@ std::string main_file(const fs::path& file, const std::vector<std::string>& name
     if (fits && !is_litter(name)) found.push_back(name);
   }
   if (found.empty())
-    refuse(file,
-           wanted.empty() ? "holds no .mme file: not a test in the format ISO-MME" : "is not a regular file");
-  if (found.size() > 1) refuse(file, fmt::format("holds several tests: {}, {}, ...", found[0], found[1]));
+    refuse_file(file, wanted.empty() ? "holds no .mme file: not a test in the format ISO-MME"
+                                     : "is not a regular file");
+  if (found.size() > 1)
+    refuse_file(file, fmt::format("holds several tests: {}, {}, ...", found[0], found[1]));
   return found.front();
 }
 
@@ -87,8 +84,8 @@ MmeMembers MmeTestFiles::whole(const std::vector<std::string>& names) const {
 MmeTestFiles find_mme_test(const fs::path& file) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
-  if (status.type() == fs::file_type::not_found) refuse(file, "no such file");
-  if (error) refuse(file, "cannot be read: " + error.message());
+  if (status.type() == fs::file_type::not_found) refuse_file(file, "no such file");
+  if (error) refuse_file(file, "cannot be read: " + error.message());
   MmeTestFiles test{
       .source = file, .in_archive = is_archive(file), .main_file = {}, .channel_list = {}, .channels = {}};
   std::string wanted;
@@ -118,12 +115,13 @@ MmeTestFiles find_mme_test(const fs::path& file) {
   const std::string stem = test.channel_list.empty() ? main.stem : parts(test.channel_list).stem;
   for (const std::string& name : names) {
     const Name of = parts(name);
-    const auto number = channel_number(of.ending);
+    const auto number = number_of_ending(of.ending);
     if (!number || !are_alike(of.folder, folder) || !are_alike(of.stem, stem)) continue;
     if (!test.channels.emplace(*number, name).second)
-      refuse(file, fmt::format("has channel {} twice", *number));
+      refuse_file(file, fmt::format("has channel {} twice", *number));
   }
-  if (test.channels.empty()) refuse(file, fmt::format("holds no channel: no file {}/{}.001", folder, stem));
+  if (test.channels.empty())
+    refuse_file(file, fmt::format("holds no channel: no file {}/{}.001", folder, stem));
   return test;
 }
 

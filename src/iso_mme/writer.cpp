@@ -15,7 +15,7 @@ namespace dashpad {
 namespace {
 
 constexpr std::size_t most_histories = 999;
-constexpr std::size_t longest_name = 100;
+constexpr std::size_t longest_test_name = 100;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
@@ -34,8 +34,9 @@ void check(const IsoMmeTest& test) {
   const auto is_plain = [](char c) {
     return is_digit(c) || is_capital(c) || (c >= 'a' && c <= 'z') || c == '-' || c == '_';
   };
-  require(!test.name.empty() && test.name.size() <= longest_name && std::ranges::all_of(test.name, is_plain),
-          "the name of a test is made of letters, digits, - and _");
+  require(
+      !test.name.empty() && test.name.size() <= longest_test_name && std::ranges::all_of(test.name, is_plain),
+      "the name of a test is made of letters, digits, - and _");
   require(std::isfinite(test.time_of_first_sample) && std::isfinite(test.sampling_interval) &&
               test.sampling_interval > 0,
           "the times need a finite beginning and an interval of more than 0");

@@ -12,7 +12,7 @@ namespace dashpad {
 
 namespace {
 
-using Archive = std::unique_ptr<archive, decltype(&archive_write_free)>;
+using ZipArchive = std::unique_ptr<archive, decltype(&archive_write_free)>;
 using Entry = std::unique_ptr<archive_entry, decltype(&archive_entry_free)>;
 
 la_ssize_t append(archive*, void* bytes, const void* buffer, std::size_t size) {
@@ -20,7 +20,7 @@ la_ssize_t append(archive*, void* bytes, const void* buffer, std::size_t size) {
   return static_cast<la_ssize_t>(size);
 }
 
-void require(const Archive& zip, int result) {
+void require(const ZipArchive& zip, int result) {
   if (result == ARCHIVE_OK) return;
   const char* reason = archive_error_string(zip.get());
   throw std::runtime_error(std::string{"zip: "} + (reason == nullptr ? "unknown error" : reason));
@@ -30,7 +30,7 @@ void require(const Archive& zip, int result) {
 
 std::string zip_of(const std::map<std::string, std::string>& files) {
   std::string bytes;
-  const Archive zip(archive_write_new(), archive_write_free);
+  const ZipArchive zip(archive_write_new(), archive_write_free);
   require(zip, archive_write_set_format_zip(zip.get()));
   require(zip, archive_write_set_bytes_in_last_block(zip.get(), 1));  // no padding
   require(zip, archive_write_open(zip.get(), &bytes, nullptr, append, nullptr));

@@ -16,8 +16,8 @@ namespace dashpad {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> times{"s", "ms", "us", "µs", "sec", "msec"};
-constexpr std::array<std::string_view, 18> accelerations{
+constexpr std::array<std::string_view, 6> time_units{"s", "ms", "us", "µs", "sec", "msec"};
+constexpr std::array<std::string_view, 18> acceleration_units{
     "g",     "G",      "gn",      "m/s2",   "m/s^2", "m/s²",   "m/s**2", "mm/s2",  "mm/s^2",
     "mm/s²", "mm/ms2", "mm/ms^2", "mm/ms²", "ft/s2", "ft/s^2", "in/s2",  "in/s^2", "in/s²"};
 constexpr std::array<std::string_view, 9> other_names_of_g{"g",  "G",   "gs",  "Gs", "g's",
@@ -124,7 +124,7 @@ bool is_voltage(const std::string& unit) {
 
 bool is_customary_unit(std::string_view text) {
   const std::string unit = standard_unit(text);
-  return is_among(unit, times) || is_among(unit, accelerations);
+  return is_among(unit, time_units) || is_among(unit, acceleration_units);
 }
 
 HeaderText split_header(std::string_view header) {
@@ -192,9 +192,9 @@ std::string settle_unit(MeasuredColumn& column, ColumnKind kind, const std::stri
   return "";
 }
 
-std::string wrong_number_of_sensitivities(std::size_t given, std::size_t accelerations) {
+std::string wrong_number_of_sensitivities(std::size_t given, std::size_t acceleration_units) {
   return fmt::format("{} sensitivities were given for {} {}; give one for all, or one for each", given,
-                     accelerations, accelerations == 1 ? "acceleration" : "accelerations");
+                     acceleration_units, acceleration_units == 1 ? "acceleration" : "acceleration_units");
 }
 
 std::optional<Sensitivity> sensitivity_at(const std::vector<Sensitivity>& given, std::size_t place) {

@@ -21,10 +21,6 @@ namespace {
 constexpr std::size_t longest_shown_value = 60;
 constexpr std::size_t longest_number = 100;
 
-[[noreturn]] void refuse(const std::string& name, const std::string& rule) {
-  throw InputError({Fault{name, 0, "", "", rule}});
-}
-
 /// Closes a file at the end of its scope.
 class Descriptor {
  public:
@@ -40,9 +36,10 @@ class Descriptor {
 /// Its size as the file system tells it.
 std::size_t require_regular(int descriptor, const std::string& name) {
   struct stat status {};
-  if (::fstat(descriptor, &status) != 0) refuse(name, std::string("cannot be read: ") + std::strerror(errno));
-  if (S_ISDIR(status.st_mode)) refuse(name, "is a folder; a file is needed");
-  if (!S_ISREG(status.st_mode)) refuse(name, "is not a regular file");
+  if (::fstat(descriptor, &status) != 0)
+    refuse_file(name, std::string("cannot be read: ") + std::strerror(errno));
+  if (S_ISDIR(status.st_mode)) refuse_file(name, "is a folder; a file is needed");
+  if (!S_ISREG(status.st_mode)) refuse_file(name, "is not a regular file");
   return static_cast<std::size_t>(status.st_size);
 }
 
@@ -85,7 +82,7 @@ void MeasurementFaults::refuse(std::size_t line, std::string key, std::string_vi
 std::string read_descriptor(int descriptor, const std::string& name, std::size_t most, bool cut) {
   const Descriptor closing(descriptor);
   const std::size_t told = require_regular(descriptor, name);
-  if (told > most && !cut) refuse(name, fmt::format("is larger than {} MiB", most >> 20));
+  if (told > most && !cut) refuse_file(name, fmt::format("is larger than {} MiB", most >> 20));
   // Not relied on beyond that: some files grow while they are read, or tell nothing.
   constexpr std::size_t step = 65536;
   std::string content(std::min(told, most) + step, '\0');
@@ -94,9 +91,9 @@ std::string read_descriptor(int descriptor, const std::string& name, std::size_t
     if (content.size() == size) content.resize(2 * size);
     const ssize_t count = ::read(descriptor, content.data() + size, content.size() - size);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) refuse(name, std::string("cannot be read: ") + std::strerror(errno));
+    if (count < 0) refuse_file(name, std::string("cannot be read: ") + std::strerror(errno));
     size += static_cast<std::size_t>(count);
-    if (size > most && !cut) refuse(name, fmt::format("is larger than {} MiB", most >> 20));
+    if (size > most && !cut) refuse_file(name, fmt::format("is larger than {} MiB", most >> 20));
     if (count == 0 || size > most) break;
   }
   content.resize(std::min(size, most));
@@ -105,9 +102,9 @@ std::string read_descriptor(int descriptor, const std::string& name, std::size_t
 
 std::string read_measurement(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-  if (descriptor < 0 && errno == ENOENT) refuse(file.string(), "no such file");
-  if (descriptor < 0 && errno == ENXIO) refuse(file.string(), "is not a regular file");
-  if (descriptor < 0) refuse(file.string(), std::string("cannot be read: ") + std::strerror(errno));
+  if (descriptor < 0 && errno == ENOENT) refuse_file(file.string(), "no such file");
+  if (descriptor < 0 && errno == ENXIO) refuse_file(file.string(), "is not a regular file");
+  if (descriptor < 0) refuse_file(file.string(), std::string("cannot be read: ") + std::strerror(errno));
   return read_descriptor(descriptor, file.string(), largest_measurement);
 }
 

@@ -36,12 +36,12 @@ std::optional<MeasuredColumn> as_strain(MeasuredColumn column) {
   return column;
 }
 
-struct Columns {
+struct StrainColumns {
   MeasuredColumn time, strain;
 };
 
 /// Faults where the header does not tell which is which, or in which unit.
-Columns choose(const CsvHeader& header, MeasurementFaults& faults) {
+StrainColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
   const CsvColumns named = name_columns(header);
   const std::size_t line = named.names != nullptr ? named.names->line : header.first_line;
   if (named.names == nullptr)
@@ -63,7 +63,7 @@ Columns choose(const CsvHeader& header, MeasurementFaults& faults) {
         line, "", "",
         fmt::format("one column called strain is needed, such as strain or \"strain [%]\"; there are {}",
                     strains.size()));
-  Columns chosen;
+  StrainColumns chosen;
   if (times.size() == 1) {
     chosen.time = times.front();
     const std::string rule = settle_unit(chosen.time, ColumnKind::time, "", "the header");
@@ -82,7 +82,7 @@ Columns choose(const CsvHeader& header, MeasurementFaults& faults) {
 }
 
 /// A strain in a row above the numbers, but below the names: a row that would be lost.
-void require_no_numbers(const CsvHeader& header, const Columns& columns, char separator,
+void require_no_numbers(const CsvHeader& header, const StrainColumns& columns, char separator,
                         MeasurementFaults& faults) {
   const std::size_t names = name_columns(header).names->line;
   const auto field = [](const CsvHeader::Row& row, const MeasuredColumn& column) {
@@ -98,7 +98,7 @@ void require_no_numbers(const CsvHeader& header, const Columns& columns, char se
 /// Reads the rows and judges each as it comes.
 class StrainReader {
  public:
-  StrainReader(Columns columns, char separator, MeasurementFaults& faults)
+  StrainReader(StrainColumns columns, char separator, MeasurementFaults& faults)
       : columns_(std::move(columns)), separator_(separator), faults_(faults) {}
 
   void add(const CsvRow& row) {
@@ -159,7 +159,7 @@ class StrainReader {
     return std::nullopt;
   }
 
-  Columns columns_;
+  StrainColumns columns_;
   char separator_;
   MeasurementFaults& faults_;
   std::optional<double> last_time_;
@@ -177,7 +177,7 @@ StrainTable read_strain_csv(const std::filesystem::path& file) {
   const CsvHeader header = read_csv_header(text, separator);
   if (header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
 
-  const Columns columns = choose(header, faults);
+  const StrainColumns columns = choose(header, faults);
   require_no_numbers(header, columns, separator, faults);
   StrainReader reader(columns, separator, faults);
   CsvRows rows(text, separator);

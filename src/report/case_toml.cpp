@@ -16,7 +16,7 @@ std::string quoted(const std::string& text) {
 }
 
 /// Comments may hold anything but control characters; a text that is not UTF-8 is mended by quoted().
-std::string comment(const std::string& key, const std::string& text) {
+std::string comment_line(const std::string& key, const std::string& text) {
   return text.empty() ? "" : fmt::format("# {}: {}\n", key, quoted(text));
 }
 
@@ -44,8 +44,8 @@ std::string support_toml(const Support& support) {
 std::string pad_toml(const Pad& pad) {
   const Material& material = pad.material;
   std::string text = "\n[pad]\n" + line("thickness", pad.thickness, "m");
-  text += comment("material", material.name) + comment("title", material.title) +
-          comment("source", material.source);
+  text += comment_line("material", material.name) + comment_line("title", material.title) +
+          comment_line("source", material.source);
   text += fmt::format("law = \"{}\"\n\n[pad.parameters]\n", name_of(material.law));
   for (const ParameterValue& parameter : parameter_values(material.law))
     text += line(parameter.key, parameter.value, parameter.unit);

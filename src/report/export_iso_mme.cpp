@@ -16,14 +16,14 @@ namespace dashpad {
 
 namespace {
 
-struct Channel {
+struct CurveChannel {
   const char* curve;
   const char* code;
   const char* name;
   const char* dimension;
 };
 
-constexpr Channel channels[] = {
+constexpr CurveChannel channels[] = {
     {"acceleration", computed_acceleration_code, "Acceleration of the impactor", "Acceleration"},
     {"force", computed_force_code, "Force on the impactor", "Force"},
     {"velocity", "10HEAD000000VEX0", "Velocity of the impactor", "Velocity"},
@@ -31,14 +31,14 @@ constexpr Channel channels[] = {
     {"penetration", "10PADS000000DSX0", "Penetration of the pad", "Displacement"},
 };
 
-const Channel* channel_of(const std::string& curve) {
+const CurveChannel* channel_of(const std::string& curve) {
   const auto* const found =
-      std::ranges::find_if(channels, [&](const Channel& channel) { return curve == channel.curve; });
+      std::ranges::find_if(channels, [&](const CurveChannel& channel) { return curve == channel.curve; });
   return found == std::end(channels) ? nullptr : found;
 }
 
 IsoMmeHistory history_of(const Curve& curve, bool in_g) {
-  const Channel* channel = channel_of(curve.name);
+  const CurveChannel* channel = channel_of(curve.name);
   if (channel == nullptr) throw std::invalid_argument("ISO-MME: " + curve.name + " is not over time");
   IsoMmeHistory history{channel->code, channel->name, channel->dimension, curve.ordinate.si_unit,
                         resampled({curve.x, curve.y}, iso_mme_interval).acceleration};

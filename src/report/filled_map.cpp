@@ -12,16 +12,16 @@ namespace dashpad {
 
 namespace {
 
-struct Corner {
+struct Vertex {
   double x = 0, y = 0, value = 0;
 };
-using Outline = std::vector<Corner>;
+using Outline = std::vector<Vertex>;
 
 /// The part of a convex outline where sign * (value - level) >= 0 (Sutherland and Hodgman).
 Outline clipped(const Outline& outline, double level, double sign) {
   Outline kept;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Corner &from = outline[i], &to = outline[(i + 1) % outline.size()];
+    const Vertex &from = outline[i], &to = outline[(i + 1) % outline.size()];
     const bool from_in = sign * (from.value - level) >= 0, to_in = sign * (to.value - level) >= 0;
     if (from_in) kept.push_back(from);
     if (from_in == to_in) continue;
@@ -38,22 +38,22 @@ void add(const Outline& outline, Series& area) {
     area.x.push_back(gap);
     area.y.push_back(gap);
   }
-  for (const Corner& corner : outline) {
+  for (const Vertex& corner : outline) {
     area.x.push_back(corner.x);
     area.y.push_back(corner.y);
   }
 }
 
-using Cell = std::array<Corner, 4>;  ///< around the cell
+using CellCorners = std::array<Vertex, 4>;  ///< around the cell
 
-bool is_whole(const Cell& cell) {
-  for (const Corner& corner : cell)
+bool is_whole(const CellCorners& cell) {
+  for (const Vertex& corner : cell)
     if (!std::isfinite(corner.value)) return false;
   return true;
 }
 
-bool is_within(const Cell& cell, double low, double high) {
-  for (const Corner& corner : cell)
+bool is_within(const CellCorners& cell, double low, double high) {
+  for (const Vertex& corner : cell)
     if (!(low <= corner.value && corner.value <= high)) return false;
   return true;
 }
@@ -63,7 +63,7 @@ class Areas {
  public:
   Areas(double low, double high, Series& area) : low_(low), high_(high), area_(area) {}
 
-  void add_cell(const Cell& cell) {
+  void add_cell(const CellCorners& cell) {
     if (is_whole(cell) && is_within(cell, low_, high_)) {
       if (pending_.empty()) pending_.assign(cell.begin(), cell.end());
       pending_[1] = cell[1];
@@ -118,7 +118,7 @@ std::vector<Series> filled_areas(const std::vector<double>& across, const std::v
                                  const std::vector<double>& levels, const std::string& unit) {
   std::vector<Series> list;
   const auto corner = [&](std::size_t line, std::size_t place) {
-    return Corner{across[place], up[line], values[line][place]};
+    return Vertex{across[place], up[line], values[line][place]};
   };
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
     Series area = class_of_levels(levels, i, unit);

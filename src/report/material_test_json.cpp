@@ -9,7 +9,7 @@ namespace dashpad {
 namespace {
 
 /// Null for what the kind of test has no use for.
-Json test_json(const MaterialTest& of) {
+Json request_json(const MaterialTest& of) {
   const bool cyclic = of.kind == TestKind::cyclic, creep = of.kind == TestKind::creep,
              measured = of.kind == TestKind::history;
   return {{"kind", to_string(of.kind)},
@@ -141,7 +141,7 @@ Json run_json(const MaterialTestReport& report, const MaterialTestRun& run) {
 std::string material_test_json(const MaterialTestReport& report) {
   Json runs = Json::array();
   for (const MaterialTestRun& run : report.runs) runs.push_back(run_json(report, run));
-  return json_text({{"test", test_json(report.test)},
+  return json_text({{"test", request_json(report.test)},
                     {"material", material_json(report.material)},
                     {"runs", runs},
                     {"program", program_json()}});

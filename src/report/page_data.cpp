@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 /// SI units of what the page plots; it converts with the factors given here and knows no others.
 constexpr const char* plotted_units[] = {"m", "s", "m/s", "N", "Pa", "J"};
 
-std::string title_of(const UnitSystem& units) {
+std::string title_of_system(const UnitSystem& units) {
   if (units.name == "si") return "SI";
   if (units.name == "us") return "US";
   return units.name == "engineering-metric" ? "Engineering metric" : units.name;
@@ -58,7 +58,7 @@ Json system(const UnitSystem& units, const ImpactCase& impact, const Solution& s
   ImpactCase untitled = impact;
   untitled.title.clear();
   return {{"name", units.name},
-          {"title", title_of(units)},
+          {"title", title_of_system(units)},
           {"factors", factors},
           {"words", case_text(untitled, units)},
           {"warnings", warnings(solution.summary, units)},
@@ -74,11 +74,6 @@ Json titles() {
         "kinetic_energy", "support_energy", "pad_energy", "total_energy", "hic15", "hic36", "clip_3ms"})
     all[key] = result_quantity(key).title;
   return all;
-}
-
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
 }
 
 }  // namespace

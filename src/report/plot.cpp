@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <string_view>
 #include <utility>
 
+#include "io/text.hpp"
 #include "report/gnuplot_process.hpp"
 #include "report/plot_check.hpp"
 #include "report/plot_script.hpp"
@@ -12,11 +12,6 @@
 namespace dashpad {
 
 namespace {
-
-void replace_all(std::string& text, std::string_view old, std::string_view fresh) {
-  for (auto place = text.find(old); place != std::string::npos; place = text.find(old, place + fresh.size()))
-    text.replace(place, old.size(), fresh);
-}
 
 /// gnuplot 5.4 leaves these two of a text as they are, though in XML they stand for something else. It writes
 /// neither by itself.

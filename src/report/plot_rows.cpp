@@ -12,7 +12,7 @@ namespace dashpad {
 namespace {
 
 /// gnuplot takes larger numbers for undefined.
-constexpr double largest = 1e300;
+constexpr double largest_drawn = 1e300;
 
 // Cells of the axes, which are about 800 by 330 pixels large.
 constexpr int columns_of_lines = 1600, columns_of_points = 530, rows_of_points = 220;
@@ -23,9 +23,9 @@ double from_scale(double place, const Axis& axis) { return axis.logarithmic ? st
 
 /// The cell of a value when an axis is cut into `count`. Cell -1 is all that lies before the axis, cell
 /// `count` all that lies behind it.
-class Cells {
+class AxisCells {
  public:
-  Cells(const Axis& axis, const Span& span, int count)
+  AxisCells(const Axis& axis, const Span& span, int count)
       : axis_(axis),
         count_(count),
         begin_(on_scale(span.low, axis)),
@@ -106,7 +106,7 @@ void Span::include(double value) {
 }
 
 bool is_drawable(double value, const Axis& axis) {
-  return std::abs(value) <= largest && (!axis.logarithmic || value > 0);
+  return std::abs(value) <= largest_drawn && (!axis.logarithmic || value > 0);
 }
 
 std::vector<PlotRun> drawable_runs(const Series& series, const Axis& x, const Axis& y) {
@@ -126,7 +126,7 @@ std::vector<PlotRun> drawable_runs(const Series& series, const Axis& x, const Ax
 }
 
 PlotRun thinned_line(const PlotRun& run, const Axis& x, const Span& span) {
-  const Cells columns{x, span, columns_of_lines};
+  const AxisCells columns{x, span, columns_of_lines};
   PlotRun kept;
   for (std::size_t first = 0, end = 0; first < run.size(); first = end) {
     const int column = columns.cell(run[first].x);
@@ -139,7 +139,7 @@ PlotRun thinned_line(const PlotRun& run, const Axis& x, const Span& span) {
 PlotRun thinned_points(const PlotRun& run, const Axis& x, const Span& x_span, const Axis& y,
                        const Span& y_span) {
   if (run.size() <= few_points) return run;
-  const Cells columns{x, x_span, columns_of_points}, rows{y, y_span, rows_of_points};
+  const AxisCells columns{x, x_span, columns_of_points}, rows{y, y_span, rows_of_points};
   std::set<std::pair<int, int>> taken;
   PlotRun kept;
   for (const PlotRow& row : run) {

@@ -18,14 +18,14 @@ namespace {
 
 // Lengths are in pixels of an SVG at its own size, 96 to an inch.
 constexpr int width = 900;
-constexpr int left = 96, right = 26;
+constexpr int left_margin = 96, right_margin = 26;
 constexpr int edge = 14;
 constexpr int title_line = 28, panel_title = 32;
 constexpr int axes = 330, below_axes = 58;
 constexpr int legend_row = 20;
-constexpr int source_line = 16;
+constexpr int source_height = 16;
 
-constexpr double centre_of_axes = (left + width - right) / 2.0 / width;
+constexpr double centre_of_axes = (left_margin + width - right_margin) / 2.0 / width;
 constexpr auto grey = "#555555";
 
 class Script {
@@ -81,8 +81,8 @@ Script::Script(PictureFormat format, int height) : height_(height) {
 
 void Script::set_up_axes(const Panel& panel, int top) {
   add("reset");
-  add("set lmargin at screen {}", 1.0 * left / width);
-  add("set rmargin at screen {}", 1 - 1.0 * right / width);
+  add("set lmargin at screen {}", 1.0 * left_margin / width);
+  add("set rmargin at screen {}", 1 - 1.0 * right_margin / width);
   add("set tmargin at screen {}", from_top(top));
   add("set bmargin at screen {}", from_top(top + axes));
   add("unset key");
@@ -166,15 +166,15 @@ void Script::add_texts(const std::vector<std::string>& title, const Legend& lege
         from_top(middle));
     middle += title_line;
   }
-  middle = height_ - edge - source_line * (static_cast<double>(source.size()) - 0.5);
+  middle = height_ - edge - source_height * (static_cast<double>(source.size()) - 0.5);
   for (const std::string& line : source) {
     add("set label {} at screen {}, screen {} left noenhanced font 'sans-serif,10' textcolor rgb '{}'",
-        literal(line), 1.0 * left / width, from_top(middle), grey);
-    middle += source_line;
+        literal(line), 1.0 * left_margin / width, from_top(middle), grey);
+    middle += source_height;
   }
   add("set key at screen {}, screen {} left top horizontal maxcols {} Left reverse samplen 4.5 spacing {} "
       "noenhanced",
-      1.0 * left / width, from_top(legend_top), legend.columns(), key_spacing_);
+      1.0 * left_margin / width, from_top(legend_top), legend.columns(), key_spacing_);
   std::vector<std::string> plots{"[0:1] [0:1] NaN notitle"};
   for (const LegendEntry& entry : legend.entries)
     plots.push_back(fmt::format("keyentry {} title {}", entry.looks, literal(entry.label)));
@@ -195,7 +195,8 @@ std::string plot_script(const Plot& plot, PictureFormat format) {
     height = tops.back() + axes + below_axes;
   }
   const int legend_top = height;
-  height += legend_row * drawing.legend.rows() + edge + source_line * static_cast<int>(source.size()) + edge;
+  height +=
+      legend_row * drawing.legend.rows() + edge + source_height * static_cast<int>(source.size()) + edge;
 
   Script script{format, height};
   for (std::size_t panel = 0; panel < tops.size(); ++panel)

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double lowest_cut = 0.01;            // of the peak
 constexpr double cut_in_noise = 4;             // of the scatter
-constexpr double most_scatter = 0.02;          // of the peak, of a part that is quiet
+constexpr double most_quiet_scatter = 0.02;    // of the peak, of a part that is quiet
 constexpr double worth_a_remark = 1e-3;        // of HIC15
 constexpr double surely = 3;                   // standard errors of a mean that is not 0
 constexpr double rounding_of_velocity = 1e-3;  // relative
@@ -31,7 +31,7 @@ double scatter(const PulseReport& report, const Pulse& pulse, double peak) {
       ++count;
     }
   const double found = count > 0 ? std::sqrt(squares / count) : 0;
-  return found <= most_scatter * peak ? found : 0;
+  return found <= most_quiet_scatter * peak ? found : 0;
 }
 
 /// Two digits, and all digits before the point.
@@ -114,7 +114,7 @@ std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak)
   if (!effect.taken_off && is_more_than_noise && change > worth_a_remark * effect.hic15_without)
     remarks.push_back(fmt::format("an offset of {} before the impact: {}; --zero auto takes it off",
                                   each_in_g(offset.mean, peak), change_of_hic15(effect)));
-  if (effect.given && std::ranges::max(offset.scatter) > most_scatter * peak)
+  if (effect.given && std::ranges::max(offset.scatter) > most_quiet_scatter * peak)
     remarks.push_back(fmt::format("the interval of --zero is not quiet: its scatter is {}, and the peak {}",
                                   each_in_g(offset.scatter, peak), each_in_g({peak}, peak)));
   return remarks;

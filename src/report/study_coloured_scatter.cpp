@@ -13,7 +13,7 @@ namespace dashpad {
 
 namespace {
 
-constexpr std::size_t most_points = 3000;
+constexpr std::size_t most_coloured_dots = 3000;
 
 /// Rows of a group: two factors and the response, as shown.
 struct Rows {
@@ -80,7 +80,7 @@ Rows rows_of(const StudyAnswers& answers, const std::vector<std::size_t>& factor
   const double x = shown_as(answers.study.factors[factors[0]].unit, units).scale,
                y = shown_as(answers.study.factors[factors[1]].unit, units).scale;
   Rows rows;
-  const std::size_t step = std::max<std::size_t>(1, places.size() / most_points);
+  const std::size_t step = std::max<std::size_t>(1, places.size() / most_coloured_dots);
   for (std::size_t i = 0; i < places.size(); i += step) {
     if (!std::isfinite(response[places[i]])) continue;
     rows.x.push_back(x * answers.records.factors[factors[0]][places[i]]);
@@ -114,7 +114,7 @@ std::vector<PageFigure> coloured_scatter_figures(const StudyAnswers& answers, co
          .note = fmt::format(
              "A point is a row, over the two sampled factors that the response follows most. The first and "
              "the last class hold all beyond. At most about {} rows{} are drawn.",
-             most_points,
+             most_coloured_dots,
              answers.groups.size() > 1 ? " of " + group_label(answers, answers.groups.front().group, units)
                                        : "")});
   }

@@ -14,13 +14,8 @@ namespace dashpad {
 
 namespace {
 
-constexpr std::size_t most_points = 400;    ///< of a distribution function
-constexpr std::size_t most_scatter = 1500;  ///< of a scatter plot
-constexpr std::size_t most_lines = 8;
-
-std::string name_of(const StudyAnswers& answers, std::size_t i) {
-  return answers.study.responses[answers.responses[i]];
-}
+constexpr std::size_t most_steps = 400;        ///< of a distribution function
+constexpr std::size_t most_plain_dots = 1500;  ///< of a scatter plot
 
 /// The share of rows at or below each value; rows that struck through or have no value count as above all.
 Series distribution_function(std::vector<double> values, double scale) {
@@ -29,7 +24,7 @@ Series distribution_function(std::vector<double> values, double scale) {
   std::ranges::sort(values);
   Series series{.style = SeriesStyle::solid_line};
   const std::size_t count = values.size();
-  const std::size_t points = std::min(count, most_points);
+  const std::size_t points = std::min(count, most_steps);
   for (std::size_t i = 0; i < points; ++i) {
     const std::size_t place = points < 2 ? 0 : i * (count - 1) / (points - 1);
     series.x.push_back(scale * values[place]);
@@ -39,13 +34,13 @@ Series distribution_function(std::vector<double> values, double scale) {
 }
 
 Panel distribution_panel(const StudyAnswers& answers, std::size_t i, const UnitSystem& units) {
-  const std::string name = name_of(answers, i), unit = si_unit_of(name);
+  const std::string name = response_name(answers, i), unit = si_unit_of(name);
   const ScaledUnit shown = shown_as(unit, units);
   Panel panel{.title = title_of(name),
               .x = {.label = label(name, unit, units)},
               .y = {.label = "Rows at or below (%)", .low = 0, .high = 100},
               .series = {}};
-  for (std::size_t group = 0; group < std::min(answers.groups.size(), most_lines); ++group) {
+  for (std::size_t group = 0; group < std::min(answers.groups.size(), most_lines_drawn); ++group) {
     const study::Group& of = answers.groups[group].group;
     panel.series.push_back(distribution_function(
         study::values_of(answers.study, answers.records, of, answers.responses[i]), shown.scale));
@@ -68,10 +63,10 @@ Panel scatter_panel(const StudyAnswers& answers, std::size_t factor, std::size_t
               .x = {.label = label(of.key, of.unit, units)},
               .y = {.label = label(name, si_unit_of(name), units)},
               .series = {}};
-  const std::size_t groups = std::min(answers.groups.size(), most_lines);
+  const std::size_t groups = std::min(answers.groups.size(), most_lines_drawn);
   for (std::size_t i = 0; i < groups; ++i) {
     const std::vector<std::size_t>& places = answers.groups[i].group.places;
-    const std::size_t step = std::max<std::size_t>(1, places.size() * groups / most_scatter);
+    const std::size_t step = std::max<std::size_t>(1, places.size() * groups / most_plain_dots);
     Series points{.label = group_label(answers, answers.groups[i].group, units),
                   .style = SeriesStyle::points,
                   .turn = i};
@@ -122,11 +117,11 @@ std::string study_source(const StudyAnswers& answers) {
 std::vector<PageFigure> distribution_figures(const StudyAnswers& answers, const UnitSystem& units) {
   std::vector<PageFigure> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
-    figures.push_back({.plot = {.title = "Distribution of " + name_of(answers, i),
+    figures.push_back({.plot = {.title = "Distribution of " + response_name(answers, i),
                                 .panels = {distribution_panel(answers, i, units)},
                                 .source = study_source(answers)},
-                       .note = answers.groups.size() > most_lines
-                                   ? fmt::format("The first {} combinations of levels.", most_lines)
+                       .note = answers.groups.size() > most_lines_drawn
+                                   ? fmt::format("The first {} combinations of levels.", most_lines_drawn)
                                    : ""});
   return figures;
 }
@@ -134,14 +129,15 @@ std::vector<PageFigure> distribution_figures(const StudyAnswers& answers, const 
 std::vector<PageFigure> scatter_figures(const StudyAnswers& answers, const UnitSystem& units) {
   std::vector<PageFigure> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
-    Plot plot{
-        .title = name_of(answers, i) + " over each factor", .panels = {}, .source = study_source(answers)};
+    Plot plot{.title = response_name(answers, i) + " over each factor",
+              .panels = {},
+              .source = study_source(answers)};
     for (const std::size_t factor : sampled_factors(answers.study))
       plot.panels.push_back(scatter_panel(answers, factor, answers.responses[i], units));
     if (!plot.panels.empty())
       figures.push_back(
           {.plot = std::move(plot),
-           .note = fmt::format("At most about {} rows are drawn, evenly thinned.", most_scatter)});
+           .note = fmt::format("At most about {} rows are drawn, evenly thinned.", most_plain_dots)});
   }
   return figures;
 }
@@ -151,8 +147,8 @@ std::vector<PageFigure> index_figures(const StudyAnswers& answers) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::optional<study::Sensitivity>& of = answers.groups.front().sensitivities[i];
     if (!of) continue;
-    figures.push_back({.plot = {.title = "Sobol' indices of " + name_of(answers, i),
-                                .panels = {index_panel(name_of(answers, i), *of)},
+    figures.push_back({.plot = {.title = "Sobol' indices of " + response_name(answers, i),
+                                .panels = {index_panel(response_name(answers, i), *of)},
                                 .source = study_source(answers)},
                        .note = "Bands: 95 % intervals by bootstrap over draws."});
   }

@@ -14,8 +14,6 @@ namespace dashpad {
 
 namespace {
 
-constexpr std::size_t most_lines = 8;
-
 std::vector<double> scaled(std::vector<double> values, double scale) {
   for (double& value : values) value *= scale;
   return values;
@@ -23,10 +21,6 @@ std::vector<double> scaled(std::vector<double> values, double scale) {
 
 Axis axis_of(const study::Factor& factor, const UnitSystem& units) {
   return {.label = label(factor.key, factor.unit, units)};
-}
-
-std::string name_of(const StudyAnswers& answers, std::size_t response) {
-  return answers.study.responses[answers.responses[response]];
 }
 
 std::string note_of(const GridPlane& plane) {
@@ -37,13 +31,13 @@ std::string note_of(const GridPlane& plane) {
 
 Plot curves(const StudyAnswers& answers, const GridPlane& plane, std::size_t response,
             const UnitSystem& units) {
-  const std::string name = name_of(answers, response);
+  const std::string name = response_name(answers, response);
   const study::Factor& across = answers.study.factors[plane.across];
   Panel panel{.title = title_of(name),
               .x = axis_of(across, units),
               .y = {.label = label(name, si_unit_of(name), units)},
               .series = {}};
-  const std::size_t count = plane.values.size(), lines = std::min(count, most_lines);
+  const std::size_t count = plane.values.size(), lines = std::min(count, most_lines_drawn);
   for (std::size_t i = 0; i < lines; ++i) {
     const std::size_t line = lines < 2 ? 0 : i * (count - 1) / (lines - 1);
     panel.series.push_back(
@@ -68,7 +62,7 @@ Plot curves(const StudyAnswers& answers, const GridPlane& plane, std::size_t res
 
 Plot map_of(const StudyAnswers& answers, const GridPlane& plane, std::size_t response,
             const UnitSystem& units) {
-  const std::string name = name_of(answers, response);
+  const std::string name = response_name(answers, response);
   const study::Factor &across = answers.study.factors[plane.across],
                       &up = answers.study.factors[*plane.lines];
   const ScaledUnit shown = shown_as(si_unit_of(name), units);

@@ -16,10 +16,6 @@ using Row = std::vector<std::string>;
 
 constexpr double shown_quantiles[] = {0.05, 0.5, 0.95};
 
-std::string name_of(const StudyAnswers& answers, std::size_t response) {
-  return answers.study.responses[response];
-}
-
 /// Of so many rows: "229 (22.9 %)". Only what grows with the force is unbounded then.
 std::string struck_through(const std::string& response, std::uint64_t count, std::uint64_t rows) {
   const study::ResponseKind* kind = study::find_response_kind(response);
@@ -37,7 +33,7 @@ std::string share_above(const study::Exceedance& of) {
 void add_distributions(PageTable& table, const StudyAnswers& answers, const StudyAnswers::OfGroup& of,
                        const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
-    const std::string name = name_of(answers, answers.responses[i]);
+    const std::string name = response_name(answers, i);
     const study::Distribution& distribution = of.distributions[i];
     const ScaledUnit shown = shown_as(si_unit_of(name), units);
     const auto digits = [&](double value) { return four_digits_or_struck(shown.scale * value); };
@@ -82,7 +78,7 @@ void add_indices(PageTable& table, const StudyAnswers& answers, const StudyAnswe
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     if (!of.sensitivities[i]) continue;
     for (const study::Sensitivity::Index& index : of.sensitivities[i]->indices)
-      table.rows.push_back({title_of(name_of(answers, answers.responses[i])), index.factor,
+      table.rows.push_back({title_of(response_name(answers, i)), index.factor,
                             share_with_interval(index.first), share_with_interval(index.total),
                             std::to_string(of.sensitivities[i]->draws)});
   }

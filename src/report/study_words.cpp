@@ -36,6 +36,10 @@ std::string share_with_interval(const study::Estimate& share) {
 
 std::string percent_with_interval(const study::Estimate& estimate) { return with_interval(estimate, 100); }
 
+const std::string& response_name(const StudyAnswers& answers, std::size_t i) {
+  return answers.study.responses[answers.responses[i]];
+}
+
 std::string title_of(const std::string& name) {
   const ResultQuantity* quantity = find_result_quantity(name);
   return quantity == nullptr ? name : quantity->title;

@@ -9,6 +9,9 @@
 
 namespace dashpad {
 
+/// More lines than this tell nothing.
+inline constexpr std::size_t most_lines_drawn = 8;
+
 /// Four significant digits: what a study of some thousand rows can tell. "-" if not finite.
 std::string four_digits(double value);
 /// The same of a value that is infinite where the row struck through: those words then.
@@ -21,6 +24,8 @@ std::string share_with_interval(const study::Estimate& share);
 /// In per cent.
 std::string percent_with_interval(const study::Estimate& estimate);
 
+/// The response that is the i-th with answers.
+const std::string& response_name(const StudyAnswers& answers, std::size_t i);
 /// "Peak force" of the response peak_force; a factor has no other name than its key.
 std::string title_of(const std::string& name);
 std::string si_unit_of(const std::string& response);

@@ -32,7 +32,7 @@ Series interval_band(const FittedConstant& constant, const std::string& label, s
   return band;
 }
 
-Panel time_panel(const Study& study, const char* title, TestGroup group) {
+Panel measured_time_panel(const Study& study, const char* title, TestGroup group) {
   Panel panel{.title = title,
               .x = speed_axis,
               .y = {.label = axis_label(Quantity::time_to_peak), .low = 0},
@@ -90,13 +90,14 @@ ValidationFigure support_curves(const Study& study) {
 }
 
 ValidationFigure time_to_peak(const Study& study) {
-  return {.name = "Figure 3-4",
-          .slug = "figure-3-4",
-          .plot = {.title = "Time to peak force over initial speed, load cell",
-                   .panels = {time_panel(study, "Aluminium projectile, 4.13 lb", test_group::aluminium),
-                              time_panel(study, "Steel projectile, 7.7 lb", test_group::steel)},
-                   .source = source_line("Table 3-1 and section 3.3")},
-          .note = lost_readings(study, {"time_to_peak_ms"}, "time to peak") + radius_note(study)};
+  return {
+      .name = "Figure 3-4",
+      .slug = "figure-3-4",
+      .plot = {.title = "Time to peak force over initial speed, load cell",
+               .panels = {measured_time_panel(study, "Aluminium projectile, 4.13 lb", test_group::aluminium),
+                          measured_time_panel(study, "Steel projectile, 7.7 lb", test_group::steel)},
+               .source = source_line("Table 3-1 and section 3.3")},
+      .note = lost_readings(study, {"time_to_peak_ms"}, "time to peak") + radius_note(study)};
 }
 
 ValidationFigure nominal_stress(const Study& study) {

@@ -19,10 +19,10 @@ std::string with_unit(const std::string& text, const std::string& unit) {
   return unit.empty() || unit == "1" ? text : text + " " + shown_unit(unit);
 }
 
-std::string four_digits(double value) { return fmt::format("{:.4g}", value); }
+std::string short_number(double value) { return fmt::format("{:.4g}", value); }
 
 std::string span(const Interval& interval) {
-  return four_digits(interval.low) + " to " + four_digits(interval.high);
+  return short_number(interval.low) + " to " + short_number(interval.high);
 }
 
 /// Columns as people call them.
@@ -45,7 +45,7 @@ PageTable constants_table(const Study& study) {
   for (const FittedConstant& constant : study.constants) {
     const bool has_placings = constant.placings > 1;
     table.rows.push_back({constant.title, with_unit(brief(constant.printed), constant.unit),
-                          with_unit(four_digits(constant.value), constant.unit), span(constant.confidence),
+                          with_unit(short_number(constant.value), constant.unit), span(constant.confidence),
                           constant.printed_in_confidence ? "yes" : "NO",
                           fmt::format("{}", constant.tests.size()),
                           has_placings ? span(constant.over_placings) : "-",

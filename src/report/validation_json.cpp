@@ -19,7 +19,7 @@ Json array(const Values& values, ToJson to_json) {
 
 Json interval(const Interval& of) { return {{"low", number(of.low)}, {"high", number(of.high)}}; }
 
-Json test_json(const MeasuredTest& test) {
+Json measured_test_json(const MeasuredTest& test) {
   return {{"test", test.number},
           {"projectile", to_string(test.projectile)},
           {"weight_lbf", number(test.weight_lb)},
@@ -87,7 +87,7 @@ Json criterion_json(const RadiusCriterion& criterion) {
           {"of_the_report", criterion.of_the_report}};
 }
 
-Json verdict_json(const Verdict& verdict) {
+Json verdict_json(const validation::Verdict& verdict) {
   const Score& score = verdict.score;
   return {{"program", to_string(score.program)},
           {"support", to_string(score.support)},
@@ -199,7 +199,7 @@ std::string validation_json(const Study& study) {
                     {"constants", array(study.constants, constant_json)},
                     {"nominal_stress", nominal_stress_json(study.nominal_stress)},
                     {"claims", array(check_claims(study.data), claim_json)},
-                    {"tests", array(study.data.measured.tests, test_json)},
+                    {"tests", array(study.data.measured.tests, measured_test_json)},
                     {"lost_readings", array(study.data.measured.unplaced, unplaced_json)},
                     {"predictions_of_the_tests", array(study.at_tests, prediction_json)},
                     {"predictions_over_speed", array(study.on_curves, prediction_json)},

@@ -30,7 +30,7 @@ void add(Panel& panel, std::vector<Series> series) {
   for (Series& one : series) panel.series.push_back(std::move(one));
 }
 
-Panel time_panel(const Study& study, const char* title, TestGroup group) {
+Panel predicted_time_panel(const Study& study, const char* title, TestGroup group) {
   Panel panel = speed_panel(title, Quantity::time_to_peak);
   add(panel, predicted_lines(study, all_programs, group, Quantity::time_to_peak));
   for (const auto& [name, turn] :
@@ -121,8 +121,8 @@ ValidationFigure figure(const char* number, const char* title, std::vector<Panel
 
 ValidationFigure predicted_time(const Study& study) {
   return figure("4-1", "Predicted time to peak force, load cell",
-                {time_panel(study, "Aluminium projectile, 4.13 lb", test_group::aluminium),
-                 time_panel(study, "Steel projectile, 7.7 lb", test_group::steel)},
+                {predicted_time_panel(study, "Aluminium projectile, 4.13 lb", test_group::aluminium),
+                 predicted_time_panel(study, "Steel projectile, 7.7 lb", test_group::steel)},
                 "section 4", radius_note(study) + "Measured times: Figure 3-4.");
 }
 

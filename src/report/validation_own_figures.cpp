@@ -39,7 +39,7 @@ constexpr ListedFigure list[] = {{"figure-3-3", support_curves},
 /// Predicted over measured force of each test, at the report's radius.
 Series ratios(const Study& study, Program program, Projectile projectile, std::size_t turn) {
   Series points{.label = to_string(program), .style = SeriesStyle::points, .turn = turn};
-  for (const Verdict& verdict : study.at_the_reports_radius) {
+  for (const validation::Verdict& verdict : study.at_the_reports_radius) {
     const Score& score = verdict.score;
     if (score.program != program || score.support != TestSupport::load_cell ||
         score.quantity != Quantity::peak_force)

@@ -18,11 +18,11 @@ namespace {
 bool is_logarithmic(Quantity quantity) { return rule_of(quantity).logarithmic; }
 
 /// A bias or an error: "+12.3 %"; of strains the difference, "+0.012".
-std::string deviation(double value, Quantity quantity) {
+std::string bias_text(double value, Quantity quantity) {
   return is_logarithmic(quantity) ? fmt::format("{:+.1f} %", 100 * value) : fmt::format("{:+.3f}", value);
 }
 
-std::string scatter(double value, Quantity quantity) {
+std::string scatter_text(double value, Quantity quantity) {
   return is_logarithmic(quantity) ? fmt::format("{:.1f} %", 100 * value) : fmt::format("{:.3f}", value);
 }
 
@@ -45,16 +45,18 @@ std::string with_signs(const Interval& interval) {
 const char* passed_or_not(bool passed) { return passed ? "pass" : "FAIL"; }
 
 /// Without readings there is nothing to judge.
-bool is_judged(const Verdict& verdict) { return !verdict.score.errors.empty() || verdict.score.missing > 0; }
+bool is_judged(const validation::Verdict& verdict) {
+  return !verdict.score.errors.empty() || verdict.score.missing > 0;
+}
 
 /// Predicted value and error of a program in a test; dashes where there is no prediction.
-std::vector<std::string> error_cells(const std::vector<Verdict>& verdicts, const MeasuredTest& test,
-                                     Program program, Quantity quantity) {
+std::vector<std::string> error_cells(const std::vector<validation::Verdict>& verdicts,
+                                     const MeasuredTest& test, Program program, Quantity quantity) {
   for (const auto& [score, bias, scatter, passed, radii] : verdicts) {
     if (score.program != program || score.support != test.support || score.quantity != quantity) continue;
     const auto error = std::ranges::find(score.errors, test.number, &TestError::test);
     if (error != score.errors.end())
-      return {with_digits(error->predicted, quantity), deviation(error->error, quantity)};
+      return {with_digits(error->predicted, quantity), bias_text(error->error, quantity)};
   }
   return {"-", "-"};
 }
@@ -63,7 +65,7 @@ std::vector<std::string> error_cells(const std::vector<Verdict>& verdicts, const
 struct ErrorColumn {
   Program program;
   double radius_in;
-  const std::vector<Verdict>& verdicts;
+  const std::vector<validation::Verdict>& verdicts;
 };
 std::vector<ErrorColumn> error_columns(const Study& study) {
   const double favoured = study.radius.favoured_in(), of_the_report = study.radius.of_the_report_in();
@@ -72,10 +74,10 @@ std::vector<ErrorColumn> error_columns(const Study& study) {
           {Program::printed_1984, of_the_report, study.at_the_reports_radius}};
 }
 
-PageTable table_of(const std::vector<Verdict>& verdicts) {
+PageTable table_of(const std::vector<validation::Verdict>& verdicts) {
   PageTable table{.columns = {"program", "support", "projectile", "quantity", "tests", "bias", "scatter",
                               "bias over radii", "scatter over radii", "radii that pass", "verdict"}};
-  for (const Verdict& verdict : verdicts) {
+  for (const validation::Verdict& verdict : verdicts) {
     if (!is_judged(verdict)) continue;
     const Score& score = verdict.score;
     const Quantity quantity = score.quantity;
@@ -86,10 +88,10 @@ PageTable table_of(const std::vector<Verdict>& verdicts) {
     };
     table.rows.push_back({to_string(score.program), to_string(score.support),
                           score.projectile ? to_string(*score.projectile) : "all", to_string(quantity), tests,
-                          score.errors.empty() ? "-" : deviation(score.bias, quantity),
-                          score.errors.size() < 2 ? "-" : scatter(score.scatter, quantity),
-                          score.errors.empty() ? "-" : span(verdict.bias_over_radii, deviation),
-                          score.errors.size() < 2 ? "-" : span(verdict.scatter_over_radii, scatter),
+                          score.errors.empty() ? "-" : bias_text(score.bias, quantity),
+                          score.errors.size() < 2 ? "-" : scatter_text(score.scatter, quantity),
+                          score.errors.empty() ? "-" : span(verdict.bias_over_radii, bias_text),
+                          score.errors.size() < 2 ? "-" : span(verdict.scatter_over_radii, scatter_text),
                           fmt::format("{} of {}", verdict.radii_passed, verdict.radii),
                           passed_or_not(score.passed)});
   }
@@ -100,7 +102,7 @@ PageTable table_of(const std::vector<Verdict>& verdicts) {
 
 Tally tally(const Study& study, Program program) {
   Tally tally;
-  for (const Verdict& verdict : study.verdicts) {
+  for (const validation::Verdict& verdict : study.verdicts) {
     if (verdict.score.program != program || !is_judged(verdict)) continue;
     ++tally.all;
     tally.passed += verdict.score.passed ? 1 : 0;
@@ -129,7 +131,7 @@ PageTable placed_table(const Study& study) {
                               "bias over placings", "placings that would pass"}};
   for (const PlacedScore& placed : study.placed) {
     const UnplacedReadings& group = placed.group;
-    const auto shown = [&](double bias) { return deviation(bias, placed.quantity); };
+    const auto shown = [&](double bias) { return bias_text(bias, placed.quantity); };
     table.rows.push_back(
         {to_string(placed.program), to_string(placed.quantity),
          fmt::format("{} to {}", group.first_test, group.last_test), fmt::format("{}", group.readings.size()),
@@ -180,7 +182,7 @@ PageTable score_over_radius_table(const Study& study) {
     Quantity quantity;
   };
   std::vector<Column> columns;
-  for (const Verdict& verdict : study.verdicts) {
+  for (const validation::Verdict& verdict : study.verdicts) {
     if (verdict.score.program != Program::accurate || !is_judged(verdict)) continue;
     columns.push_back({verdict.score.support, verdict.score.quantity});
     table.columns.push_back(
@@ -191,7 +193,7 @@ PageTable score_over_radius_table(const Study& study) {
     for (const auto& [support, quantity] : columns) {
       const Score one =
           score(study.data.measured, study.at_tests, Program::accurate, support, quantity, radius);
-      row.push_back(deviation(one.bias, quantity) + ", " + passed_or_not(one.passed));
+      row.push_back(bias_text(one.bias, quantity) + ", " + passed_or_not(one.passed));
     }
     table.rows.push_back(std::move(row));
   }

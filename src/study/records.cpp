@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "io/special_numbers.hpp"
 
 #include "dashpad/study/answers.hpp"
 
 namespace dashpad::study {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<std::string> names_of(const std::vector<StoredColumn>& columns) {
   std::vector<std::string> names;
@@ -97,7 +96,7 @@ std::vector<double> values_of(const Study& study, const Records& records, const 
   values.reserve(group.places.size());
   for (const std::size_t place : group.places)
     values.push_back(unbounded && records.statuses[place] == Status::bottomed_out
-                         ? infinity
+                         ? infinite
                          : records.responses[response][place]);
   return values;
 }
@@ -113,8 +112,8 @@ std::vector<Reading> readings_of(const Study& study, const Records& records, con
     const Status status = records.statuses[group.places[i]];
     const bool is_final = status == Status::released || status == Status::bottomed_out;
     const bool is_known = !std::isnan(values[i]) && (is_final || (status == Status::time_limit && grows));
-    double low = -infinity;
-    double high = infinity;
+    double low = -infinite;
+    double high = infinite;
     if (is_known) low = values[i];
     if (is_known && is_final) high = values[i];
     readings.push_back({low, high});

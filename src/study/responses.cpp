@@ -6,14 +6,12 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "io/special_numbers.hpp"
 #include "io/summary_values.hpp"
 #include "study/pulse_figures.hpp"
 
 namespace dashpad::study {
 namespace {
-
-constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// How a response is got: one of the two functions.
 struct Recipe {
@@ -137,7 +135,7 @@ void ResponseReader::operator()(const Solution& solution, Outcome& outcome) {
     const EstimatedValue figure = recipe.of_pulse ? recipe.of_pulse(*pulse_) : recipe.of_summary(summary);
     if (is_possible(recipe.kind, figure.value)) outcome.values[i] = figure.value;
     // An estimate that is no number bounds nothing.
-    outcome.error = std::max(outcome.error, std::isnan(figure.error) ? infinity : figure.error);
+    outcome.error = std::max(outcome.error, std::isnan(figure.error) ? infinite : figure.error);
   }
 }
 

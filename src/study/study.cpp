@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "dashpad/study/application.hpp"
 #include "dashpad/study/responses.hpp"
+#include "io/special_numbers.hpp"
 #include "io/spelling.hpp"
 #include "study/case_checks.hpp"
 #include "study/cholesky.hpp"
@@ -16,8 +16,6 @@
 
 namespace dashpad::study {
 namespace {
-
-constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 void check_key(const Study& study, const Factor& factor, std::vector<Violation>& broken) {
   std::vector<std::string> names;

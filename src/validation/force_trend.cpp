@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "dashpad/validation/energy.hpp"
 #include "dashpad/validation/verdict.hpp"
+#include "io/special_numbers.hpp"
 #include "validation/trends_least_squares.hpp"
 
 namespace dashpad::validation {
@@ -11,7 +11,6 @@ namespace dashpad::validation {
 namespace {
 
 constexpr double ratio_tolerance = 0.25;  ///< docs/decisions/0007-validation-rules.md
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The force at which a rising curve of speed over force has a speed.
 template <class Curve>
@@ -36,13 +35,13 @@ double ratio_to_curve_a(const ValidationData& data, const std::vector<Prediction
                         Projectile projectile, double speed_mph, double radius_in) {
   const Prediction* prediction =
       find(on_curves, program, {projectile, TestSupport::load_cell, speed_mph, radius_in});
-  if (!prediction || !prediction->peak_force_lb) return nan;
+  if (!prediction || !prediction->peak_force_lb) return no_value;
   return *prediction->peak_force_lb / curve_a_force_lb(data, projectile, speed_mph);
 }
 
 Estimate slope_of(const std::vector<Point>& points) {
   const auto [least, greatest] = std::ranges::minmax_element(points, {}, &Point::x);
-  if (points.empty() || least->x == greatest->x) return {nan, {nan, nan}};
+  if (points.empty() || least->x == greatest->x) return {no_value, {no_value, no_value}};
   return fit_line(points).slope;
 }
 

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "io/special_numbers.hpp"
 #include "validation/measured_tests_columns.hpp"
 
 namespace dashpad::validation {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::array<const char*, 3> columns{"plug_strain", "diameter_strain", "peak_force_lb"};
 
 /// How many readings of the current group of each column are placed.
@@ -82,7 +81,7 @@ NominalStressPlacings::NominalStressPlacings(const MeasuredTests& measured,
 std::map<std::size_t, LeastSum> NominalStressPlacings::least(
     const std::function<double(double)>& cost) const {
   struct Best {
-    double sum = infinity;
+    double sum = infinite;
     const Step* step = nullptr;
   };
   const std::size_t counts = steps_.size() + 1;  // numbers of points: 0 to that of the tests
@@ -103,7 +102,7 @@ std::map<std::size_t, LeastSum> NominalStressPlacings::least(
 
   std::map<std::size_t, LeastSum> found;
   for (std::size_t points = 0; states_.back() > 0 && points < counts; ++points) {
-    if (best.back()[points].sum == infinity) continue;
+    if (best.back()[points].sum == infinite) continue;
     LeastSum& least = found[points];
     least.sum = best.back()[points].sum;
     std::size_t state = 0;

@@ -24,6 +24,10 @@ namespace dashpad::test {
 
 namespace fs = std::filesystem;
 
+/// The examples' folder, with its slash, and the example with the 9-parameter law.
+inline const std::string examples = DASHPAD_SOURCE_DIR "/examples/";
+inline const std::string nine = examples + "dashboard-20mph.toml";
+
 struct Outcome {
   int exit_code = -1;  ///< 128 + signal if it was killed
   std::string out;

@@ -18,8 +18,6 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-const std::string examples = std::string{DASHPAD_SOURCE_DIR} + "/examples/";
-
 /// A standard that limits the peak acceleration and leaves the impactor to the case.
 std::string peak_standard(const std::string& limit_in_g) {
   const std::string source = "source = \"a test\"\nkind = \"own text\"\n";

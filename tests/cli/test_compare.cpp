@@ -16,11 +16,9 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-const std::string nine = std::string{DASHPAD_SOURCE_DIR} + "/examples/dashboard-20mph.toml";
-
-const std::vector<std::string> names{"accurate",       "accurate, constants of 1984",
-                                     "1984, pdp10",    "1984, binary32",
-                                     "1984, binary64", "1984, mended, binary64"};
+const std::vector<std::string> run_names{"accurate",       "accurate, constants of 1984",
+                                         "1984, pdp10",    "1984, binary32",
+                                         "1984, binary64", "1984, mended, binary64"};
 
 class CompareTest : public CommandTest {
  protected:
@@ -70,7 +68,7 @@ TEST_F(CompareTest, ShowsSixRowsAndRemarks) {
   const Outcome outcome = dashpad({"compare", nine});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  for (const std::string& name : names) EXPECT_THAT(outcome.out, HasSubstr("\n" + name + " "));
+  for (const std::string& name : run_names) EXPECT_THAT(outcome.out, HasSubstr("\n" + name + " "));
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("\n1984, binary64: ABEND 900 (too many iterations) at "),
                     HasSubstr("\n1984, binary32: PRECISION LIMIT: "), HasSubstr("%: deviation from")));
@@ -90,9 +88,9 @@ TEST_F(CompareTest, WritesJson) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("1984, pdp10"));  // the table makes room
   const json result = json::parse(outcome.out);
-  ASSERT_EQ(result["runs"].size(), names.size());
-  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(result["runs"][i]["name"], names[i]);
-  EXPECT_EQ(result["reference"], names[1]);
+  ASSERT_EQ(result["runs"].size(), run_names.size());
+  for (std::size_t i = 0; i < run_names.size(); ++i) EXPECT_EQ(result["runs"][i]["name"], run_names[i]);
+  EXPECT_EQ(result["reference"], run_names[1]);
   EXPECT_NEAR(result["runs"][1]["peak_force_N"].get<double>(), 5769, 5);
   EXPECT_EQ(result["runs"][4]["finished"], false);
   EXPECT_EQ(result["runs"][4]["end_time_s"], nullptr);

@@ -13,7 +13,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string card = R"(title = "Soft"
+const std::string soft_foam = R"(title = "Soft"
 source = "made up"
 law = "elastic"
 [parameters]
@@ -29,7 +29,7 @@ class InputFilesTest : public CommandTest {
  protected:
   void SetUp() override {
     CommandTest::SetUp();
-    write_file(file("card.toml"), card);
+    write_file(file("card.toml"), soft_foam);
     write_file(file("with-card.toml"), with_card("card.toml"));
     fs::create_directory(file("links"));
   }
@@ -92,7 +92,7 @@ TEST_F(InputFilesTest, TheCaseAndItsCardAreKept) {
 
 TEST_F(InputFilesTest, ACardOfAFolderIsKept) {
   fs::create_directory(file("cards"));
-  write_file(file("cards/soft.toml"), card);
+  write_file(file("cards/soft.toml"), soft_foam);
   write_file(file("soft-case.toml"), with_card("soft"));
   expect_kept({"run", file("soft-case.toml"), "--materials", file("cards"), "--json"}, "cards/soft.toml",
               "the material card");

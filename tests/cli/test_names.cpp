@@ -146,7 +146,6 @@ Found heading_of(const std::string& csv, const UnitSystem& units) {
   return found;
 }
 
-const std::string example = DASHPAD_SOURCE_DIR "/examples/dashboard-20mph.toml";
 const Names of_impact{"peak_force",    "peak_acceleration", "peak_penetration",
                       "rebound_speed", "contact_end",       "energy_absorbed_fraction"};
 const Names of_pulse{"peak_acceleration", "hic15", "clip_3ms", "velocity_change"};
@@ -167,7 +166,7 @@ TEST_F(NamesTest, OfTheTableAreOneEach) {
 }
 
 TEST_F(NamesTest, OfARunAreThoseOfTheTable) {
-  const Outcome run = dashpad({"run", example, "--json", "-", "--csv", file("history.csv")});
+  const Outcome run = dashpad({"run", nine, "--json", "-", "--csv", file("history.csv")});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Found result = walk_result(json::parse(run.out));
   expect_table_only(result, all_of_pulse, "JSON");
@@ -176,20 +175,20 @@ TEST_F(NamesTest, OfARunAreThoseOfTheTable) {
   Found text = rows_of(run.err, "\n\n");
   expect_table_only(text, of_impact, "text");
   EXPECT_THAT(text.known, Contains("hic15"));
-  const std::string all = dashpad({"run", example, "--all"}).out;
+  const std::string all = dashpad({"run", nine, "--all"}).out;
   expect_table_only(rows_of(all, "\n\n"), of_impact, "--all");
   expect_table_only(rows_of(all, "The pulse:\n"), all_of_pulse, "--all");
   const Names columns{"time", "force", "acceleration", "velocity", "support_deflection", "axis_strain"};
   expect_table_only(heading_of(read_file(file("history.csv")), plain_si()), columns, "CSV");
   for (const char* units : {"us", "engineering-metric"})
     expect_table_only(
-        heading_of(dashpad({"run", example, "--csv", "-", "--units", units}).out, unit_system(units)),
-        columns, units);
+        heading_of(dashpad({"run", nine, "--csv", "-", "--units", units}).out, unit_system(units)), columns,
+        units);
 }
 
 TEST_F(NamesTest, OfThePageAreThoseOfTheTable) {
   if (!has_page()) GTEST_SKIP() << no_page;
-  ASSERT_EQ(dashpad({"run", example, "--report", file("page.html")}).exit_code, 0);
+  ASSERT_EQ(dashpad({"run", nine, "--report", file("page.html")}).exit_code, 0);
   const std::string page = read_file(file("page.html"));
   const std::string opening = R"(<script type="application/json" id="data">)";
   const auto begin = page.find(opening) + opening.size();
@@ -206,7 +205,7 @@ TEST_F(NamesTest, OfThePageAreThoseOfTheTable) {
 }
 
 TEST_F(NamesTest, OfAPulseAreThoseOfTheTable) {
-  ASSERT_EQ(dashpad({"run", example, "--csv", file("run.csv")}).exit_code, 0);
+  ASSERT_EQ(dashpad({"run", nine, "--csv", file("run.csv")}).exit_code, 0);
   const Outcome pulse = dashpad({"pulse", file("run.csv"), "--json", "-", "--csv", file("again.csv"),
                                  "--speed", "20 mph", "--window", "22", "--dwell", "80"});
   ASSERT_EQ(pulse.exit_code, 0) << pulse.err;
@@ -232,7 +231,7 @@ TEST_F(NamesTest, OfStandardsAndTheirAssessmentsAreThoseOfTheTable) {
       used.insert((*at)[1]);
     if (text.find("metric") == std::string::npos) continue;
     const std::string name = entry.path().stem().string();
-    const Outcome outcome = dashpad({"assess", example, "--standard", name, "--json", "-"});
+    const Outcome outcome = dashpad({"assess", nine, "--standard", name, "--json", "-"});
     const json result = json::parse(outcome.out);
     for (const json& criterion : result.at("criteria")) {
       const ResultQuantity* of = find_result_quantity(criterion.at("metric").get<std::string>());
@@ -243,7 +242,7 @@ TEST_F(NamesTest, OfStandardsAndTheirAssessmentsAreThoseOfTheTable) {
                       name);
     expect_table_only(walk_result(result.at("result")), of_impact, name);
     for (const std::string& text_of :
-         {outcome.err, dashpad({"assess", example, "--standard", name, "--all"}).out}) {
+         {outcome.err, dashpad({"assess", nine, "--standard", name, "--all"}).out}) {
       const auto criteria = text_of.find("  Criterion ");
       EXPECT_THAT(
           rows_of(text_of, text_of.substr(criteria, text_of.find('\n', criteria) + 1 - criteria)).foreign,
@@ -267,7 +266,7 @@ TEST_F(NamesTest, OfAStudyAreThoseOfTheTable) {
     keys.emplace_back(kind.key);
     list += (list.empty() ? "\"" : ", \"") + keys.back() + "\"";
   }
-  write_file(file("study.toml"), "case = \"" + example + "\"\nresponses = [" + list +
+  write_file(file("study.toml"), "case = \"" + nine + "\"\nresponses = [" + list +
                                      "]\n[factors.\"impactor.mass\"]\nvalues = [\"4 kg\", \"5 kg\"]\n"
                                      "[factors.\"impactor.speed\"]\nvalues = [\"5 m/s\", \"8 m/s\"]\n");
   const Outcome computed = dashpad({"study", file("study.toml"), "--out", file("s.db"), "--quiet"});

@@ -29,15 +29,15 @@ std::string unwrapped(std::string text) {
 }
 
 constexpr double g = 9.80665;
-constexpr double peak = 100;  // g
+constexpr double peak_in_g = 100;  // g
 
 /// A half sine of 100 g and 10 ms from time 0 on, at 100 kHz, with an offset in g: HIC is 0.414646 of
-/// peak^2.5 times the duration (docs/injury.md), the velocity change 2/pi of peak times duration.
+/// peak_in_g^2.5 times the duration (docs/injury.md), the velocity change 2/pi of peak times duration.
 double acceleration(double time_ms, double offset) {
-  return (time_ms > 0 && time_ms < 10 ? peak * std::sin(std::numbers::pi * time_ms / 10) : 0) + offset;
+  return (time_ms > 0 && time_ms < 10 ? peak_in_g * std::sin(std::numbers::pi * time_ms / 10) : 0) + offset;
 }
 constexpr double exact_hic = 414.646;
-constexpr double exact_velocity_change = 2 / std::numbers::pi * peak * g * 10e-3;  // m/s
+constexpr double exact_velocity_change = 2 / std::numbers::pi * peak_in_g * g * 10e-3;  // m/s
 
 std::string table(double offset, double begin_ms = -8, double end_ms = 20) {
   std::string text = "time [ms],acceleration [g]\n";

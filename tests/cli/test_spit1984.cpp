@@ -21,9 +21,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-/// The two published cases, on which the program is known to come to an end or to an ABEND.
-const std::string examples = std::string{DASHPAD_SOURCE_DIR} + "/examples/";
-const std::string nine = examples + "dashboard-20mph.toml";
+/// With `nine` the published cases, on which the program is known to come to an end or to an ABEND.
 const std::string twenty_one = examples + "dashboard-20mph-21-parameter.toml";
 
 class Spit1984Test : public CommandTest {

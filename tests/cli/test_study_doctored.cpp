@@ -46,7 +46,7 @@ values = ["foam", "other"]
   }
   void change(const std::string& sql) const {
     fs::copy_file(file("good.db"), file("s.db"), fs::copy_options::overwrite_existing);
-    testing::edit(file("s.db"), sql);
+    test::edit(file("s.db"), sql);
   }
 };
 

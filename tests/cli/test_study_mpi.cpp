@@ -11,7 +11,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr const char* study = R"(title = "Ranks"
+constexpr const char* ranks_study = R"(title = "Ranks"
 case = "case.toml"
 samples = SAMPLES
 responses = ["peak_force", "rebound_speed", "hic15"]
@@ -30,7 +30,7 @@ class StudyMpiTest : public CommandTest {
       GTEST_SKIP() << "this dashpad was built without MPI";
   }
   void write_study(const std::string& samples) {
-    write_file(file("study.toml"), with(study, "SAMPLES", samples));
+    write_file(file("study.toml"), with(ranks_study, "SAMPLES", samples));
   }
 
   std::string command(const std::string& store) {
@@ -109,7 +109,7 @@ TEST_F(StudyMpiTest, AFaultIsSaidOnceAndEndsAllRanks) {
 
 TEST_F(StudyMpiTest, RefusesBadStudiesWithOneMessage) {
   const std::string speed = "[factors.\"impactor.speed\"]\n";
-  const std::string drawn = with(study, "SAMPLES", "100");
+  const std::string drawn = with(ranks_study, "SAMPLES", "100");
   const std::string grid = "case = \"case.toml\"\n" + speed;
   for (const auto& [text, words] :
        {std::pair{with(drawn, "impactor.speed", "impactor.sped"), "did you mean \"impactor.speed\"?"},
@@ -136,8 +136,8 @@ TEST_F(StudyMpiTest, RefusesAReadOnlyFolder) {
 
 /// Two ranks, the second one with another word in its command.
 TEST_F(StudyMpiTest, RefusesRanksThatWouldComputeSomethingElse) {
-  write_file(file("study.toml"), with(with(study, "case.toml", "foam.toml"), "SAMPLES", "100"));
-  write_file(file("other.toml"), with(with(study, "case.toml", "foam.toml"), "SAMPLES", "101"));
+  write_file(file("study.toml"), with(with(ranks_study, "case.toml", "foam.toml"), "SAMPLES", "100"));
+  write_file(file("other.toml"), with(with(ranks_study, "case.toml", "foam.toml"), "SAMPLES", "101"));
   const std::string card = "law = \"elastic\"\n[parameters]\nmodulus = \"300 kPa\"\n";
   const std::string inline_law = "law = \"elastic\"\n[pad.parameters]\nmodulus = \"300 kPa\"\n";
   write_file(file("foam.toml"), with(elastic_case(), inline_law, "material = \"foam\"\n"));

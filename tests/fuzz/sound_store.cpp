@@ -28,12 +28,12 @@ const Made& made() {
     const fs::path file = folder() / "sound.db";
     std::string account;
     {
-      study::Store store = study::Store::open_for(testing::small_study(rows), file);
-      testing::fill(store);
+      study::Store store = study::Store::open_for(test::small_study(rows), file);
+      test::fill(store);
       account = store.resolved_text();
     }
     // One file, without a log beside it.
-    testing::edit(file, "PRAGMA journal_mode = DELETE");
+    test::edit(file, "PRAGMA journal_mode = DELETE");
     std::ifstream stream(file, std::ios::binary);
     return Made{{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()}, account};
   }();

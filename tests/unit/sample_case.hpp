@@ -8,7 +8,7 @@
 #include "dashpad/io/case_file.hpp"
 #include "shared/temporary_folder.hpp"
 
-namespace dashpad::testing {
+namespace dashpad::test {
 
 inline const std::filesystem::path source = DASHPAD_SOURCE_DIR;
 inline const std::filesystem::path materials = source / "materials";
@@ -51,4 +51,4 @@ inline CaseFile read(const std::string& text) {
   return read_case(folder.write("case.toml", text), materials);
 }
 
-}  // namespace dashpad::testing
+}  // namespace dashpad::test

@@ -11,7 +11,7 @@
 #include "dashpad/iso_mme/iso_mme.hpp"
 #include "shared/temporary_folder.hpp"
 
-namespace dashpad::testing {
+namespace dashpad::test {
 
 using Files = std::map<std::string, std::string>;
 
@@ -67,4 +67,4 @@ inline Files with_first(const std::string& text) {
   return files;
 }
 
-}  // namespace dashpad::testing
+}  // namespace dashpad::test

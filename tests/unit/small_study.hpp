@@ -14,7 +14,7 @@
 #include "dashpad/study/store.hpp"
 #include "dashpad/study/study.hpp"
 
-namespace dashpad::testing {
+namespace dashpad::test {
 
 /// An elastic pad on a rigid support, struck with `rows` speeds from 1 to 3 m/s.
 inline study::Study small_study(std::size_t rows = 1000) {
@@ -69,4 +69,4 @@ inline void edit(const std::filesystem::path& file, const std::string& sql) {
   if (code != SQLITE_OK) throw std::runtime_error(message);
 }
 
-}  // namespace dashpad::testing
+}  // namespace dashpad::test

@@ -19,11 +19,11 @@
 namespace dashpad {
 namespace {
 
-using testing::edited;
-using testing::good_case;
-using testing::in_line_material;
-using testing::materials;
-using testing::read;
+using test::edited;
+using test::good_case;
+using test::in_line_material;
+using test::materials;
+using test::read;
 
 std::vector<Fault> faults_in(const std::function<void()>& action) {
   try {

@@ -13,12 +13,12 @@
 namespace dashpad {
 namespace {
 
-using testing::edited;
-using testing::good_case;
-using testing::in_line_material;
-using testing::materials;
-using testing::read;
-using testing::source;
+using test::edited;
+using test::good_case;
+using test::in_line_material;
+using test::materials;
+using test::read;
+using test::source;
 
 TEST(case_file, good_case_is_read_into_si) {
   const auto [impact, options, files] = read(good_case);

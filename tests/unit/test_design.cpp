@@ -22,7 +22,7 @@
 namespace dashpad::study {
 namespace {
 
-using testing::good_case;
+using test::good_case;
 
 const boost::math::normal standard_normal;
 
@@ -36,7 +36,7 @@ Factor fraction_of(const std::string& key) { return factor(key, Uniform{1, 2}); 
 Study study_with(std::vector<Factor> factors, std::uint64_t samples = 1,
                  Sampling sampling = Sampling::monte_carlo) {
   Study study;
-  study.base = testing::read(good_case).impact;
+  study.base = test::read(good_case).impact;
   study.factors = std::move(factors);
   study.samples = samples;
   study.sampling = sampling;

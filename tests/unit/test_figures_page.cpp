@@ -17,7 +17,7 @@
 #include "report/figures_page_check.hpp"
 #include "report/figures_page_data.hpp"
 
-namespace dashpad::testing {
+namespace dashpad::test {
 
 namespace {
 
@@ -231,4 +231,4 @@ TEST(figures_page, where_it_was_not_built_says_how_to_get_it) {
 
 }  // namespace
 
-}  // namespace dashpad::testing
+}  // namespace dashpad::test

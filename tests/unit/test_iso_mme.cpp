@@ -25,12 +25,12 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-using testing::channel;
-using testing::Files;
-using testing::said;
-using testing::sample_test;
-using testing::with_first;
-using testing::write;
+using test::channel;
+using test::said;
+using test::sample_test;
+using test::with_first;
+using test::write;
+using test::Files;
 
 /// A reader by the description of the format and nothing else: labels up to the first line without a colon.
 struct SimpleChannel {

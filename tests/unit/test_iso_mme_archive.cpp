@@ -18,14 +18,14 @@ namespace dashpad {
 namespace {
 
 namespace fs = std::filesystem;
+using test::said;
+using test::sample_test;
+using test::write;
 using ::testing::DoubleEq;
-using testing::Files;
+using test::Files;
 using ::testing::HasSubstr;
 using ::testing::Pointwise;
-using testing::said;
-using testing::sample_test;
 using ::testing::SizeIs;
-using testing::write;
 
 constexpr double g = 9.80665;
 

@@ -99,9 +99,9 @@ TEST(NoseRadius, RadiusOfTheReportIsTheMeanOfEstimates) {
 /// Three tests on the plate whose strains were computed with 2.6 in.
 TEST(NoseRadius, RadiusOfComputedStrainsIsFound) {
   std::vector<Fault> faults;
-  ValidationData data = read_validation_data(testing::source / "data/validation", faults);
+  ValidationData data = read_validation_data(test::source / "data/validation", faults);
   ASSERT_TRUE(faults.empty());
-  const Material ensolite = read_material(testing::materials / "ensolite-aac-9.toml");
+  const Material ensolite = read_material(test::materials / "ensolite-aac-9.toml");
   constexpr double truth = 2.6;
   for (MeasuredTest& test : data.measured.tests) {
     if (test.support != TestSupport::plate) continue;

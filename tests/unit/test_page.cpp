@@ -14,7 +14,7 @@
 #include "report/page_data.hpp"
 #include "sample_case.hpp"
 
-namespace dashpad::testing {
+namespace dashpad::test {
 
 namespace {
 
@@ -195,4 +195,4 @@ TEST(page, where_it_was_not_built_says_how_to_get_it) {
 
 }  // namespace
 
-}  // namespace dashpad::testing
+}  // namespace dashpad::test

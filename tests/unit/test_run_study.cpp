@@ -16,7 +16,7 @@
 #include "small_study.hpp"
 #include "study/run_batches.hpp"
 
-namespace dashpad::testing {
+namespace dashpad::test {
 namespace {
 
 using study::Store;
@@ -229,4 +229,4 @@ TEST(RunBatches, writes_what_is_computed_when_it_is_told_to_stop) {
 }
 
 }  // namespace
-}  // namespace dashpad::testing
+}  // namespace dashpad::test

@@ -19,10 +19,10 @@ class Simulations : public ::testing::Test {
  protected:
   Simulations() {
     std::vector<Fault> faults;
-    data = read_validation_data(testing::source / "data/validation", faults);
+    data = read_validation_data(test::source / "data/validation", faults);
   }
   ValidationData data;
-  Material ensolite = read_material(testing::materials / "ensolite-aac-9.toml");
+  Material ensolite = read_material(test::materials / "ensolite-aac-9.toml");
   ImpactSetup soft{Projectile::aluminium, TestSupport::load_cell, 14, 2};
 };
 

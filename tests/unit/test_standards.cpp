@@ -20,12 +20,12 @@
 namespace dashpad {
 namespace {
 
+using test::edited;
 using ::testing::AllOf;
-using testing::edited;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::filesystem::path folder = testing::source / "standards";
+const std::filesystem::path folder = test::source / "standards";
 constexpr double g = standard_gravity;
 constexpr double kmh = 1 / 3.6;
 
@@ -242,7 +242,7 @@ TEST(standards, unknown_names_and_variants_are_refused_with_those_there_are) {
 }
 
 TEST(standards, the_impactor_takes_the_place_of_that_of_the_case) {
-  const ImpactCase impact = testing::read(testing::good_case).impact;
+  const ImpactCase impact = test::read(test::good_case).impact;
   const ImpactCase assessed = with_impactor_of(preset("en-1177"), impact);
   EXPECT_DOUBLE_EQ(assessed.impactor.mass, 4.6);
   EXPECT_DOUBLE_EQ(std::get<Sphere>(assessed.impactor.nose).radius, 0.08);

@@ -16,7 +16,7 @@
 #include "shared/temporary_folder.hpp"
 #include "small_study.hpp"
 
-namespace dashpad::testing {
+namespace dashpad::test {
 namespace {
 
 using study::Store;
@@ -300,4 +300,4 @@ TEST_F(StoredStudyTest, AnUnfinishedStudyIsSummedUpWithAWarning) {
 }
 
 }  // namespace
-}  // namespace dashpad::testing
+}  // namespace dashpad::test

@@ -11,7 +11,7 @@
 #include "shared/temporary_folder.hpp"
 #include "small_study.hpp"
 
-namespace dashpad::testing {
+namespace dashpad::test {
 namespace {
 
 using study::Store;
@@ -65,4 +65,4 @@ TEST(StudyCsv, passes_on_what_the_writer_throws) {
 }
 
 }  // namespace
-}  // namespace dashpad::testing
+}  // namespace dashpad::test

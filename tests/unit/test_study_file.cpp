@@ -15,7 +15,7 @@
 namespace dashpad::study {
 namespace {
 
-using dashpad::testing::edited;
+using test::edited;
 
 const std::string good_study = R"(title = "A study"
 case = "case.toml"
@@ -49,7 +49,7 @@ class StudyFile : public ::testing::Test {
  protected:
   Study read(const std::string& text) {
     folder_.write("case.toml", case_);
-    return read_study(folder_.write("study.toml", text), dashpad::testing::materials);
+    return read_study(folder_.write("study.toml", text), test::materials);
   }
   std::vector<Fault> faults_in(const std::string& text) {
     try {
@@ -71,7 +71,7 @@ class StudyFile : public ::testing::Test {
     return std::get<Levels>(read(grid_of(key, lines)).factors.at(0).spread).values;
   }
 
-  std::string case_ = dashpad::testing::good_case;
+  std::string case_ = test::good_case;
   test::TemporaryFolder folder_;
 };
 
@@ -383,11 +383,10 @@ TEST_F(StudyFile, reports_faults_of_the_case_and_of_cards) {
 
 TEST(study_examples, are_good) {
   int count = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(dashpad::testing::source / "examples/studies")) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::source / "examples/studies")) {
     if (entry.path().extension() != ".toml") continue;
     ++count;
-    EXPECT_NO_THROW(Design(read_study(entry.path(), dashpad::testing::materials))) << entry.path();
+    EXPECT_NO_THROW(Design(read_study(entry.path(), test::materials))) << entry.path();
   }
   EXPECT_GE(count, 4);
 }

@@ -17,7 +17,7 @@
 #include "shared/temporary_folder.hpp"
 #include "small_study.hpp"
 
-namespace dashpad::testing {
+namespace dashpad::test {
 namespace {
 
 using study::Store;
@@ -490,4 +490,4 @@ TEST_F(StudyStore, that_does_not_fit_the_disk_is_refused_before_work_starts) {
 }
 
 }  // namespace
-}  // namespace dashpad::testing
+}  // namespace dashpad::test

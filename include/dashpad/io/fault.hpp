@@ -1,6 +1,7 @@
 #pragma once
 /// What is wrong with something that a user gave us, said so that the user can mend it.
 
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -33,5 +34,8 @@ class InputError : public std::runtime_error {
  private:
   std::vector<Fault> faults_;
 };
+
+/// Throws InputError with one fault: of the whole file, unless a line is named.
+[[noreturn]] void refuse_file(const std::filesystem::path& file, const std::string& rule, int line = 0);
 
 }  // namespace dashpad
