@@ -10,8 +10,8 @@
 
 #include "command.hpp"
 #include "dashpad/injury/standard_file.hpp"
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/report/assessment_text.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/output/assessment.hpp"
 #include "output.hpp"
 #include "streams.hpp"
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/io/case_text.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/output/text/case.hpp"
 #include "streams.hpp"
 
 namespace dashpad {

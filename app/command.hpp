@@ -10,9 +10,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/io/fault.hpp"
-#include "dashpad/report/result_text.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/input/fault.hpp"
+#include "dashpad/output/text/result.hpp"
 
 namespace dashpad {
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/report/comparison.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/report1986/comparison.hpp"
 #include "dashpad/spit1984/deck.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/report/exports.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/output/deck/exports.hpp"
 #include "output.hpp"
 #include "streams.hpp"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "command.hpp"
-#include "dashpad/io/fault.hpp"
-#include "io/spelling.hpp"
+#include "dashpad/input/fault.hpp"
+#include "input/spelling.hpp"
 #include "material_folder.hpp"
 #include "output.hpp"
 #include "streams.hpp"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dashpad/io/input_file.hpp"
+#include "dashpad/input/input_file.hpp"
 #include "streams.hpp"
 
 namespace dashpad {

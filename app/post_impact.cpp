@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/report/post_impact_text.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/output/post_impact.hpp"
 #include "output.hpp"
 #include "streams.hpp"
 

@@ -1,11 +1,11 @@
 #include "result_files.hpp"
 
 #include "dashpad/injury/figures.hpp"
-#include "dashpad/io/history_csv.hpp"
-#include "dashpad/report/page.hpp"
-#include "dashpad/report/result_json.hpp"
-#include "dashpad/report/result_plot.hpp"
-#include "dashpad/report/result_text.hpp"
+#include "dashpad/output/csv/history.hpp"
+#include "dashpad/output/json/result.hpp"
+#include "dashpad/output/page/page.hpp"
+#include "dashpad/output/plot/result.hpp"
+#include "dashpad/output/text/result.hpp"
 #include "output.hpp"
 
 namespace dashpad {

@@ -9,7 +9,7 @@
 
 #include "command.hpp"
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/io/input_file.hpp"
+#include "dashpad/input/input_file.hpp"
 
 namespace dashpad {
 

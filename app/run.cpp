@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "command.hpp"
-#include "dashpad/io/case_file.hpp"
+#include "dashpad/input/case_file.hpp"
 #include "result_files.hpp"
 
 namespace dashpad {

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/io/case_file.hpp"
+#include "dashpad/input/case_file.hpp"
 #include "dashpad/spit1984/ensol.hpp"
 #include "dashpad/spit1984/listing.hpp"
 #include "dashpad/spit1984/run_files.hpp"

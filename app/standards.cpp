@@ -7,7 +7,7 @@
 
 #include "command.hpp"
 #include "dashpad/injury/standard_file.hpp"
-#include "dashpad/report/assessment_text.hpp"
+#include "dashpad/output/assessment.hpp"
 #include "streams.hpp"
 
 namespace dashpad {

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/report/validation_report.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/report1986/validation_report.hpp"
 #include "material_folder.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "cases.hpp"
-#include "contact/column_field.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "impact/track.hpp"
+#include "model/contact/column_field.hpp"
 
 namespace dashpad::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "dashpad/report/page.hpp"
+#include "dashpad/output/page/page.hpp"
 #include "readme_tables.hpp"
 #include "report.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The solver's march at given resolutions, without the search for the resolution that meets a tolerance.
 
-#include "contact/contacts.hpp"
+#include "impact/contacts.hpp"
 #include "impact/march.hpp"
 #include "impact/refinement.hpp"
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "dashpad/report/figures_page.hpp"
+#include "dashpad/output/page/figures_page.hpp"
 
 namespace dashpad::bench {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/report/figures_page.hpp"
+#include "dashpad/output/page/figures_page.hpp"
 #include "raw_results.hpp"
 
 namespace dashpad::bench {

@@ -8,7 +8,7 @@ set(page_source "${page_folder}/page_template.cpp")
 if(NOT DASHPAD_BUILD_PAGE)
   set(page_source "${page_folder}/no_page_template.cpp")
   file(CONFIGURE OUTPUT "${page_source}" CONTENT [[
-#include "report/page_template.hpp"
+#include "output/page/page_template.hpp"
 
 namespace dashpad {
 

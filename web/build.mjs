@@ -79,7 +79,7 @@ const std::string_view ${name}_after_data = ${literal(after)};
 writeFileSync(
   output,
   `// Made by web/build.mjs.
-#include "report/page_template.hpp"
+#include "output/page/page_template.hpp"
 
 namespace dashpad {
 

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <type_traits>
 
-#include "contact/column_field.hpp"
-#include "contact/curve_contact.hpp"
+#include "model/contact/column_field.hpp"
+#include "model/contact/curve_contact.hpp"
 
 namespace dashpad {
 

@@ -10,12 +10,12 @@
 #include <limits>
 #include <optional>
 
-#include "contact/contact.hpp"
 #include "impact/motion.hpp"
 #include "impact/numerics.hpp"
 #include "impact/predictor.hpp"
 #include "impact/root.hpp"
 #include "impact/trial.hpp"
+#include "model/contact/contact.hpp"
 
 namespace dashpad {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dashpad/support/support.hpp"
+#include "dashpad/model/support/support.hpp"
 #include "impact/numerics.hpp"
 #include "impact/trial.hpp"
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/contact.hpp"
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "impact/branch.hpp"
@@ -21,6 +20,7 @@
 #include "impact/predictor.hpp"
 #include "impact/step_control.hpp"
 #include "impact/track.hpp"
+#include "model/contact/contact.hpp"
 
 namespace dashpad {
 

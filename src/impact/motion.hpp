@@ -9,9 +9,9 @@
 
 #include <cmath>
 
-#include "contact/contact.hpp"
-#include "dashpad/support/support.hpp"
+#include "dashpad/model/support/support.hpp"
 #include "impact/trial.hpp"
+#include "model/contact/contact.hpp"
 
 namespace dashpad {
 

@@ -58,4 +58,27 @@ PostImpact post_impact(Body first, Body second, double absorbed_fraction, double
   return after;
 }
 
+ImpactCase relative_motion(ImpactCase impact, const Body& first, const Body& second) {
+  impact.impactor.mass =
+      std::isinf(second.mass) ? first.mass : first.mass * (second.mass / (first.mass + second.mass));
+  impact.impactor.speed = first.velocity - second.velocity;
+  return impact;
+}
+
+EnergySplit energy_split(const ImpactCase& impact, const Solution& solution) {
+  const History& history = solution.history;
+  const EnergyLedger& end = solution.summary.energy;
+  EnergySplit split;
+  split.impact = end.initial;
+  split.rebound = end.kinetic;
+  split.support_at_end = end.support;
+  split.pad = end.pad;
+  const auto peak = std::max_element(history.force.begin(), history.force.end()) - history.force.begin();
+  const auto i = static_cast<std::size_t>(peak);
+  split.kinetic_at_peak = 0.5 * impact.impactor.mass * history.velocity[i] * history.velocity[i];
+  split.support_at_peak = impact.support.energy(history.force[i]);
+  split.pad_at_peak = split.impact - split.kinetic_at_peak - split.support_at_peak;
+  return split;
+}
+
 }  // namespace dashpad

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "contact/contacts.hpp"
+#include "impact/contacts.hpp"
 #include "impact/march.hpp"
 #include "impact/numerics.hpp"
 #include "impact/refinement.hpp"

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/nose/sections.hpp"
-#include "dashpad/support/support.hpp"
+#include "dashpad/model/nose/sections.hpp"
+#include "dashpad/model/support/support.hpp"
 #include "impact/motion.hpp"
 #include "impact/numerics.hpp"
 #include "impact/predictor.hpp"

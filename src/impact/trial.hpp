@@ -1,7 +1,7 @@
 #pragma once
 /// The state of an impact, and a step that is tried from it: values both.
 
-#include "contact/contact.hpp"
+#include "model/contact/contact.hpp"
 
 namespace dashpad {
 

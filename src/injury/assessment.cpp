@@ -8,7 +8,7 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/injury/standard.hpp"
 #include "injury/thinned.hpp"
-#include "io/special_numbers.hpp"
+#include "input/special_numbers.hpp"
 
 namespace dashpad {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dashpad/injury/pulse.hpp"
+#include "dashpad/impact/pulse.hpp"
 
 namespace dashpad {
 

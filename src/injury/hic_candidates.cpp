@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/special_numbers.hpp"
+#include "input/special_numbers.hpp"
 
 namespace dashpad::hic_search {
 namespace {

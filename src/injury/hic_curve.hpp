@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "dashpad/injury/pulse.hpp"
+#include "dashpad/impact/pulse.hpp"
 #include "injury/accurate_sum.hpp"
 
 namespace dashpad::hic_search {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "dashpad/injury/pulse.hpp"
+#include "dashpad/impact/pulse.hpp"
 
 namespace dashpad {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <system_error>
 
-#include "dashpad/io/fault.hpp"
-#include "io/spelling.hpp"
-#include "io/table_reader.hpp"
+#include "dashpad/input/fault.hpp"
+#include "input/spelling.hpp"
+#include "input/table_reader.hpp"
 
 namespace dashpad {
 

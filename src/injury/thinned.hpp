@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "dashpad/injury/pulse.hpp"
+#include "dashpad/impact/pulse.hpp"
 
 namespace dashpad {
 

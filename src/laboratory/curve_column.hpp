@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dashpad/pad/law.hpp"
+#include "dashpad/model/pad/law.hpp"
 #include "laboratory/viscous_column.hpp"
 
 namespace dashpad {

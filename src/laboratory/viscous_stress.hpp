@@ -14,10 +14,10 @@
 
 #include <algorithm>
 
-#include "dashpad/pad/law.hpp"
+#include "dashpad/model/pad/law.hpp"
 #include "laboratory/arc.hpp"
 #include "laboratory/quadrature.hpp"
-#include "pad/column_law.hpp"
+#include "model/pad/column_law.hpp"
 
 namespace dashpad {
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/units/quantity.hpp"
-#include "io/text.hpp"
+#include "dashpad/quantities/quantity.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::spit1984 {
 

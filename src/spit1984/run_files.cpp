@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/version.hpp"
-#include "io/json_values.hpp"
+#include "quantities/json_values.hpp"
 
 namespace dashpad::spit1984 {
 

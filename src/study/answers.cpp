@@ -6,7 +6,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
-#include "io/special_numbers.hpp"
+#include "input/special_numbers.hpp"
 
 namespace dashpad::study {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "dashpad/study/design.hpp"
-#include "io/parameter_values.hpp"
+#include "model/parameter_values.hpp"
 
 namespace dashpad::study {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "io/special_numbers.hpp"
+#include "input/special_numbers.hpp"
 
 namespace dashpad::study {
 namespace {

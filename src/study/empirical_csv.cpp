@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/units/quantity.hpp"
-#include "io/spelling.hpp"
-#include "measurement/column_units.hpp"
-#include "measurement/csv_rows.hpp"
-#include "measurement/measurement_text.hpp"
+#include "dashpad/quantities/quantity.hpp"
+#include "input/measurement/column_units.hpp"
+#include "input/measurement/csv_rows.hpp"
+#include "input/measurement/measurement_text.hpp"
+#include "input/spelling.hpp"
 #include "study/factor_table.hpp"
 
 namespace dashpad::study {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/io/result_quantity.hpp"
+#include "dashpad/quantities/result_quantity.hpp"
 
 namespace dashpad::study {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/io/fault.hpp"
+#include "dashpad/input/fault.hpp"
 #include "study/factor_table.hpp"
 
 namespace dashpad::study {

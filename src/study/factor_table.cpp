@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/io/case_file.hpp"
+#include "dashpad/input/case_file.hpp"
 #include "dashpad/study/application.hpp"
-#include "io/spelling.hpp"
+#include "input/spelling.hpp"
 
 namespace dashpad::study {
 namespace {

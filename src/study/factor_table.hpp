@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dashpad/study/study.hpp"
-#include "io/table_reader.hpp"
+#include "input/table_reader.hpp"
 
 namespace dashpad::study {
 

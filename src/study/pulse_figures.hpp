@@ -3,12 +3,12 @@
 
 #include <optional>
 
+#include "dashpad/impact/pulse.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/hic.hpp"
-#include "dashpad/injury/pulse.hpp"
 #include "injury/hic_curve.hpp"
 #include "injury/hump.hpp"
-#include "io/summary_values.hpp"
+#include "quantities/summary_values.hpp"
 
 namespace dashpad::study {
 

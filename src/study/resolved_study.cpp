@@ -1,7 +1,7 @@
 #include "dashpad/study/resolved_study.hpp"
 
-#include "io/json_values.hpp"
-#include "io/parameter_values.hpp"
+#include "model/parameter_values.hpp"
+#include "quantities/json_values.hpp"
 
 namespace dashpad::study {
 

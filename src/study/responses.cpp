@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "io/special_numbers.hpp"
-#include "io/summary_values.hpp"
+#include "input/special_numbers.hpp"
+#include "quantities/summary_values.hpp"
 #include "study/pulse_figures.hpp"
 
 namespace dashpad::study {

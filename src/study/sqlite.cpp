@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "io/text.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::study {
 

@@ -7,8 +7,8 @@
 
 #include "dashpad/study/application.hpp"
 #include "dashpad/study/responses.hpp"
-#include "io/special_numbers.hpp"
-#include "io/spelling.hpp"
+#include "input/special_numbers.hpp"
+#include "input/spelling.hpp"
 #include "study/case_checks.hpp"
 #include "study/cholesky.hpp"
 #include "study/distribution.hpp"

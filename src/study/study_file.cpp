@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/io/case_file.hpp"
+#include "dashpad/input/case_file.hpp"
 #include "dashpad/study/responses.hpp"
-#include "io/spelling.hpp"
-#include "io/table_reader.hpp"
-#include "io/text_file.hpp"
+#include "input/spelling.hpp"
+#include "input/table_reader.hpp"
+#include "input/text_file.hpp"
 #include "study/factor_table.hpp"
 
 namespace dashpad::study {

@@ -25,7 +25,7 @@
 #include <thread>
 #include <vector>
 
-#include "dashpad/pad/law.hpp"
+#include "dashpad/model/pad/law.hpp"
 #include "property/answer_comparison.hpp"
 #include "property/random_case.hpp"
 

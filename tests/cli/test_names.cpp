@@ -12,8 +12,8 @@
 
 #include "command.hpp"
 #include "dashpad/injury/standard.hpp"
-#include "dashpad/io/result_quantity.hpp"
-#include "dashpad/report/page.hpp"
+#include "dashpad/output/page/page.hpp"
+#include "dashpad/quantities/result_quantity.hpp"
 #include "dashpad/study/responses.hpp"
 
 namespace dashpad::test {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "command.hpp"
-#include "dashpad/report/page.hpp"
+#include "dashpad/output/page/page.hpp"
 
 namespace dashpad::test {
 

@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/io/case_text.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/output/text/case.hpp"
+#include "output/text/case_toml.hpp"
 #include "reading.hpp"
-#include "report/case_toml.hpp"
 
 namespace fs = std::filesystem;
 using namespace dashpad;

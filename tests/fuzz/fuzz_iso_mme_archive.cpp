@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "dashpad/iso_mme/iso_mme.hpp"
+#include "dashpad/input/iso_mme/iso_mme.hpp"
 #include "iso_mme_test.hpp"
 #include "reading.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/io/case_text.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/output/text/case.hpp"
 #include "reading.hpp"
 
 using namespace dashpad;

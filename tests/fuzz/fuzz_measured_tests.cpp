@@ -6,7 +6,7 @@
 #include <iterator>
 #include <map>
 
-#include "dashpad/validation/measured_tests.hpp"
+#include "dashpad/report1986/validation/measured_tests.hpp"
 #include "reading.hpp"
 
 namespace fs = std::filesystem;

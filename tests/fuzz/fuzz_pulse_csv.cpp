@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "dashpad/injury/cfc_filter.hpp"
-#include "dashpad/measurement/pulse_csv.hpp"
-#include "dashpad/measurement/sensor_offset.hpp"
+#include "dashpad/input/measurement/pulse_csv.hpp"
+#include "dashpad/input/measurement/sensor_offset.hpp"
 #include "reading.hpp"
 
 namespace fs = std::filesystem;

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/measurement/sensitivity.hpp"
-#include "dashpad/units/quantity.hpp"
+#include "dashpad/input/measurement/sensitivity.hpp"
+#include "dashpad/quantities/quantity.hpp"
 #include "reading.hpp"
 
 using namespace dashpad;

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/iso_mme/iso_mme.hpp"
+#include "dashpad/input/iso_mme/iso_mme.hpp"
+#include "dashpad/output/deck/iso_mme_test.hpp"
 #include "reading.hpp"
 
 namespace dashpad::fuzz {

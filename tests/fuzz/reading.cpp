@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "io/text.hpp"
+#include "quantities/text.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad::fuzz {

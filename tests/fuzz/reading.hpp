@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dashpad/io/fault.hpp"
+#include "dashpad/input/fault.hpp"
 
 namespace dashpad::fuzz {
 

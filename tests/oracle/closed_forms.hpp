@@ -2,9 +2,9 @@
 /// Closed forms (up to a quadrature or a root) against which columns and impacts are checked.
 /// SI; stress, strain and force positive in compression.
 
-#include "dashpad/pad/linear_viscoelastic.hpp"
-#include "dashpad/pad/nine_parameter.hpp"
-#include "dashpad/pad/twenty_one_parameter.hpp"
+#include "dashpad/model/pad/linear_viscoelastic.hpp"
+#include "dashpad/model/pad/nine_parameter.hpp"
+#include "dashpad/model/pad/twenty_one_parameter.hpp"
 
 namespace dashpad::oracle {
 

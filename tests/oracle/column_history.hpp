@@ -7,9 +7,9 @@
 
 #include <functional>
 
-#include "dashpad/pad/linear_viscoelastic.hpp"
-#include "dashpad/pad/nine_parameter.hpp"
-#include "dashpad/pad/twenty_one_parameter.hpp"
+#include "dashpad/model/pad/linear_viscoelastic.hpp"
+#include "dashpad/model/pad/nine_parameter.hpp"
+#include "dashpad/model/pad/twenty_one_parameter.hpp"
 
 namespace dashpad::oracle {
 

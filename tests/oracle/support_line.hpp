@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "dashpad/support/support.hpp"
+#include "dashpad/model/support/support.hpp"
 
 namespace dashpad::oracle {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/report/figures_page.hpp"
+#include "dashpad/output/page/figures_page.hpp"
 
 namespace {
 

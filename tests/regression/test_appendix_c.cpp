@@ -12,7 +12,7 @@
 #include <sstream>
 #include <vector>
 
-#include "dashpad/io/case_file.hpp"
+#include "dashpad/input/case_file.hpp"
 #include "dashpad/spit1984/run.hpp"
 #include "shared/samples.hpp"
 #include "spit1984/fortran_format.hpp"

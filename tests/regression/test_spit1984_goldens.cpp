@@ -11,7 +11,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "dashpad/io/case_file.hpp"
+#include "dashpad/input/case_file.hpp"
 #include "dashpad/spit1984/run.hpp"
 #include "shared/samples.hpp"
 

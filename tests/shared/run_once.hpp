@@ -1,7 +1,7 @@
 #pragma once
 /// One run of the solver at one resolution: no refinement, no extrapolation.
 
-#include "contact/contacts.hpp"
+#include "impact/contacts.hpp"
 #include "impact/march.hpp"
 
 namespace dashpad::test {

@@ -14,8 +14,8 @@
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/io/case_file.hpp"
-#include "pad/column_law.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "model/pad/column_law.hpp"
 
 namespace dashpad::test {
 
@@ -76,7 +76,7 @@ double decay_over(const Law& law, double time_from, double time_to, double strai
                                                                                         strain_to, 1.0);
 }
 
-/// One column, driven through the product step of the law contract (dashpad/pad/law.hpp).
+/// One column, driven through the product step of the law contract (dashpad/model/pad/law.hpp).
 template <IsPadLaw Law>
 class Column {
  public:

@@ -1,7 +1,7 @@
 #pragma once
 /// A small validation study with values that are easy to recognise. Nothing of it was measured or computed.
 
-#include "dashpad/validation/verdict.hpp"
+#include "dashpad/report1986/validation/verdict.hpp"
 
 namespace dashpad::test {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "dashpad/pad/law.hpp"
+#include "dashpad/model/pad/law.hpp"
 
 namespace dashpad {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "dashpad/io/case_file.hpp"
+#include "dashpad/input/case_file.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad::test {

@@ -7,8 +7,8 @@
 #include <map>
 #include <string>
 
-#include "dashpad/io/fault.hpp"
-#include "dashpad/iso_mme/iso_mme.hpp"
+#include "dashpad/input/fault.hpp"
+#include "dashpad/input/iso_mme/iso_mme.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad::test {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/pad/elastic.hpp"
+#include "dashpad/model/pad/elastic.hpp"
 #include "dashpad/study/store.hpp"
 #include "dashpad/study/study.hpp"
 

@@ -13,9 +13,9 @@
 #include <nlohmann/json.hpp>
 
 #include "dashpad/injury/standard.hpp"
-#include "dashpad/report/assessment_text.hpp"
+#include "dashpad/output/assessment.hpp"
 #include "example_result.hpp"
-#include "io/text.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad {
 namespace {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/io/fault.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/input/fault.hpp"
 #include "sample_case.hpp"
 #include "shared/temporary_folder.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "dashpad/io/case_file.hpp"
+#include "dashpad/input/case_file.hpp"
 #include "sample_case.hpp"
 #include "shared/temporary_folder.hpp"
 

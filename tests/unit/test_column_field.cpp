@@ -6,8 +6,8 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <numbers>
 
-#include "contact/column_field.hpp"
-#include "contact/nine_parameter_contact.hpp"
+#include "model/contact/column_field.hpp"
+#include "model/contact/nine_parameter_contact.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {

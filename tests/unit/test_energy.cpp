@@ -1,6 +1,6 @@
 /// The report's energy account against hand calculations.
 
-#include "dashpad/validation/energy.hpp"
+#include "dashpad/report1986/validation/energy.hpp"
 
 #include <gtest/gtest.h>
 

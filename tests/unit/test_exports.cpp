@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dashpad/report/exports.hpp"
+#include "dashpad/output/deck/exports.hpp"
 #include "deck_readers.hpp"
 #include "example_result.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/io/fault.hpp"
+#include "dashpad/input/fault.hpp"
 
 namespace dashpad {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/figures.hpp"
-#include "dashpad/io/case_file.hpp"
+#include "dashpad/input/case_file.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {

@@ -12,10 +12,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "dashpad/report/figures_page.hpp"
-#include "dashpad/report/page.hpp"
-#include "report/figures_page_check.hpp"
-#include "report/figures_page_data.hpp"
+#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/page/page.hpp"
+#include "output/page/figures_page_check.hpp"
+#include "output/page/figures_page_data.hpp"
 
 namespace dashpad::test {
 

@@ -1,6 +1,6 @@
 /// Areas of a map: what they cover, in which class, and how they are drawn.
 
-#include "report/filled_map.hpp"
+#include "output/plot/filled_map.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "report/plot_legend.hpp"
-#include "report/plot_script.hpp"
+#include "output/plot/legend.hpp"
+#include "output/plot/script.hpp"
 
 namespace dashpad {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/report/post_impact_text.hpp"
+#include "dashpad/output/post_impact.hpp"
 #include "example_result.hpp"
 
 namespace dashpad {

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dashpad/io/history_csv.hpp"
+#include "dashpad/output/csv/history.hpp"
 
 namespace dashpad {
 namespace {

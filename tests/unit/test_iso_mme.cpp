@@ -14,7 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/iso_mme/iso_mme.hpp"
+#include "dashpad/input/iso_mme/iso_mme.hpp"
+#include "dashpad/output/deck/iso_mme_test.hpp"
 #include "sample_mme.hpp"
 
 namespace dashpad {
@@ -26,11 +27,11 @@ using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
 using test::channel;
+using test::Files;
 using test::said;
 using test::sample_test;
 using test::with_first;
 using test::write;
-using test::Files;
 
 /// A reader by the description of the format and nothing else: labels up to the first line without a colon.
 struct SimpleChannel {

@@ -11,18 +11,18 @@
 #include <utility>
 #include <vector>
 
-#include "iso_mme/members.hpp"
+#include "input/iso_mme/members.hpp"
 #include "sample_mme.hpp"
 
 namespace dashpad {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Files;
 using test::said;
 using test::sample_test;
 using test::write;
 using ::testing::DoubleEq;
-using test::Files;
 using ::testing::HasSubstr;
 using ::testing::Pointwise;
 using ::testing::SizeIs;

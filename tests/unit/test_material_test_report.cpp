@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "dashpad/report/material_test.hpp"
-#include "report/strain_marks.hpp"
+#include "dashpad/output/material_test.hpp"
+#include "laboratory/strain_marks.hpp"
 
 namespace dashpad {
 namespace {

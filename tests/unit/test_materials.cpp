@@ -6,8 +6,8 @@
 #include <string>
 #include <variant>
 
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/io/fault.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/input/fault.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad {

@@ -1,6 +1,6 @@
 /// Reading of the data of the validation study: what is in the files, and every fault at once.
 
-#include "dashpad/validation/measured_tests.hpp"
+#include "dashpad/report1986/validation/measured_tests.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "report1986/validation/measured_tests_columns.hpp"
 #include "shared/temporary_folder.hpp"
-#include "validation/measured_tests_columns.hpp"
 
 namespace dashpad::validation {
 namespace {

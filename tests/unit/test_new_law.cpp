@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/column_field.hpp"
 #include "impact/march.hpp"
+#include "model/contact/column_field.hpp"
 #include "power_maxwell.hpp"
 #include "shared/run_once.hpp"
 #include "shared/samples.hpp"
@@ -15,7 +15,7 @@ namespace dashpad::scalar {
 #undef DASHPAD_FORMULAS
 
 namespace {
-#include "contact/sweep_columns.hpp"
+#include "model/contact/sweep_columns.hpp"
 }  // namespace
 
 }  // namespace dashpad::scalar

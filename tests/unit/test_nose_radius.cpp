@@ -1,13 +1,13 @@
 /// The search for the nose radius, on residuals and on strains made with a known radius.
 
-#include "dashpad/validation/nose_radius.hpp"
+#include "dashpad/report1986/validation/nose_radius.hpp"
 
 #include <gtest/gtest.h>
 
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 
-#include "dashpad/validation/verdict.hpp"
+#include "dashpad/report1986/validation/verdict.hpp"
 #include "sample_case.hpp"
 
 namespace dashpad::validation {

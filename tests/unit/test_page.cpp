@@ -8,10 +8,10 @@
 #include "dashpad/impact/contact_snapshot.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/figures.hpp"
-#include "dashpad/report/page.hpp"
-#include "dashpad/units/quantity.hpp"
-#include "report/case_toml.hpp"
-#include "report/page_data.hpp"
+#include "dashpad/output/page/page.hpp"
+#include "dashpad/quantities/quantity.hpp"
+#include "output/page/data.hpp"
+#include "output/text/case_toml.hpp"
 #include "sample_case.hpp"
 
 namespace dashpad::test {

@@ -15,10 +15,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dashpad/report/plot.hpp"
-#include "report/plot_rows.hpp"
-#include "report/plot_script.hpp"
-#include "report/plot_text.hpp"
+#include "dashpad/output/plot/plot.hpp"
+#include "output/plot/rows.hpp"
+#include "output/plot/script.hpp"
+#include "output/plot/text.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/io/fault.hpp"
-#include "dashpad/measurement/pulse_csv.hpp"
-#include "dashpad/units/quantity.hpp"
+#include "dashpad/input/fault.hpp"
+#include "dashpad/input/measurement/pulse_csv.hpp"
+#include "dashpad/quantities/quantity.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad {

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "dashpad/units/quantity.hpp"
+#include "dashpad/quantities/quantity.hpp"
 
 namespace dashpad {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "dashpad/report/result_json.hpp"
+#include "dashpad/output/json/result.hpp"
 #include "dashpad/version.hpp"
 #include "example_result.hpp"
 

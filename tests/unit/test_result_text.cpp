@@ -7,10 +7,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dashpad/io/case_text.hpp"
-#include "dashpad/report/result_text.hpp"
+#include "dashpad/output/text/case.hpp"
+#include "dashpad/output/text/result.hpp"
 #include "example_result.hpp"
-#include "io/text.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad {
 namespace {

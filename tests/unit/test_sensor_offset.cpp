@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "dashpad/injury/hic.hpp"
-#include "dashpad/measurement/sensor_offset.hpp"
+#include "dashpad/input/measurement/sensor_offset.hpp"
 
 namespace dashpad {
 namespace {

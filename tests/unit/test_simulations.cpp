@@ -1,6 +1,6 @@
 /// The predictions for the validation tests: what is simulated, by which program, and what an ABEND leaves.
 
-#include "dashpad/validation/simulations.hpp"
+#include "dashpad/report1986/validation/simulations.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/io/case_file.hpp"
+#include "dashpad/input/case_file.hpp"
 #include "dashpad/spit1984/run.hpp"
 #include "shared/samples.hpp"
 #include "spit1984/support_secant.hpp"

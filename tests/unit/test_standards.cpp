@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "dashpad/injury/standard_file.hpp"
-#include "dashpad/io/fault.hpp"
-#include "dashpad/report/assessment_text.hpp"
+#include "dashpad/input/fault.hpp"
+#include "dashpad/output/assessment.hpp"
 #include "sample_case.hpp"
 #include "shared/temporary_folder.hpp"
 

@@ -5,12 +5,12 @@
 
 #include <optional>
 
-#include "contact/curve_contact.hpp"
-#include "dashpad/nose/sphere.hpp"
+#include "dashpad/model/nose/sphere.hpp"
 #include "impact/branch.hpp"
 #include "impact/events.hpp"
 #include "impact/predictor.hpp"
 #include "impact/step_control.hpp"
+#include "model/contact/curve_contact.hpp"
 
 namespace dashpad::test {
 namespace {
@@ -141,8 +141,7 @@ TEST(Predictor, ATriedStepServesTheNextTryFromThere) {
   EXPECT_EQ(predictor.next_rate(5e-4), 2);
   tried.obstacle = Event::lock, tried.pad.advance = 9e-3;
   predictor.learn_from_try(tried);
-  EXPECT_EQ(predictor.next_rate(5e-4), 2)
-      << "without a solution there is nothing to learn";
+  EXPECT_EQ(predictor.next_rate(5e-4), 2) << "without a solution there is nothing to learn";
 }
 
 TEST(Predictor, UnloadsWithTheStiffnessBeforeTheRateBrokeDown) {

@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/report/study_report.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/output/study.hpp"
 #include "dashpad/study/batch.hpp"
 #include "dashpad/study/run_study.hpp"
 #include "dashpad/study/stored_study.hpp"

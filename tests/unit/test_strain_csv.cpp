@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dashpad/io/fault.hpp"
-#include "dashpad/measurement/strain_csv.hpp"
+#include "dashpad/input/fault.hpp"
+#include "dashpad/input/measurement/strain_csv.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad {

@@ -6,7 +6,7 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <numbers>
 
-#include "contact/curve_contact.hpp"
+#include "model/contact/curve_contact.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "dashpad/support/support.hpp"
+#include "dashpad/model/support/support.hpp"
 
 namespace dashpad {
 namespace {

@@ -1,7 +1,7 @@
 /// Columns by vectors against the laws' own functions, one column at a time; and the force of a loading in
 /// closed form against quadrature.
 
-#include "contact/sweep.hpp"
+#include "model/contact/sweep.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <numbers>
 #include <random>
 
-#include "contact/loading_force.hpp"
+#include "model/contact/loading_force.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {

@@ -1,6 +1,6 @@
 /// Text for a terminal: on one line, and how much room it takes.
 
-#include "io/text.hpp"
+#include "quantities/text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <random>
 
-#include "dashpad/io/fault.hpp"
-#include "io/toml_tree.hpp"
+#include "dashpad/input/fault.hpp"
+#include "input/toml_tree.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad {

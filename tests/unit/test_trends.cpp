@@ -1,6 +1,6 @@
 /// Fits with closed forms, placings that can be counted, and the search over them against going through all.
 
-#include "dashpad/validation/trends.hpp"
+#include "dashpad/report1986/validation/trends.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "dashpad/validation/energy.hpp"
-#include "validation/nominal_stress_placings.hpp"
-#include "validation/placings.hpp"
-#include "validation/trends_least_squares.hpp"
+#include "dashpad/report1986/validation/energy.hpp"
+#include "report1986/validation/nominal_stress_placings.hpp"
+#include "report1986/validation/placings.hpp"
+#include "report1986/validation/trends_least_squares.hpp"
 
 namespace dashpad::validation {
 namespace {

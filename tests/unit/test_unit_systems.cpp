@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/io/unit_system.hpp"
-#include "dashpad/report/exports.hpp"
-#include "dashpad/units/quantity.hpp"
+#include "dashpad/output/deck/exports.hpp"
+#include "dashpad/quantities/quantity.hpp"
+#include "dashpad/quantities/unit_system.hpp"
 
 namespace dashpad {
 namespace {

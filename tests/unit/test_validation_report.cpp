@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "dashpad/report/validation_report.hpp"
+#include "dashpad/report1986/validation_report.hpp"
 #include "made_up_study.hpp"
 #include "shared/markdown_table.hpp"
 

@@ -1,13 +1,13 @@
 /// The rules of the validation on made-up tests and predictions: each of them can pass and can fail.
 
-#include "dashpad/validation/verdict.hpp"
+#include "dashpad/report1986/validation/verdict.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "dashpad/validation/energy.hpp"
+#include "dashpad/report1986/validation/energy.hpp"
 
 namespace dashpad::validation {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/validation/claims.hpp"
-#include "dashpad/validation/trends.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/report1986/validation/claims.hpp"
+#include "dashpad/report1986/validation/trends.hpp"
 
 namespace dashpad::validation {
 namespace {

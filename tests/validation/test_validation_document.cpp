@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/report/validation_report.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/report1986/validation_report.hpp"
 #include "shared/markdown_table.hpp"
 
 namespace dashpad::test {

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dashpad/io/case_file.hpp"
-#include "dashpad/validation/verdict.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/report1986/validation/verdict.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::validation {

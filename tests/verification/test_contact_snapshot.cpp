@@ -5,7 +5,7 @@
 
 #include "dashpad/impact/contact_snapshot.hpp"
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/io/case_file.hpp"
+#include "dashpad/input/case_file.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {

@@ -9,7 +9,8 @@
 #include <numbers>
 #include <string>
 
-#include "dashpad/pad/law.hpp"
+#include "dashpad/model/pad/law.hpp"
+#include "model/pad/column_law.hpp"
 #include "oracle/closed_forms.hpp"
 #include "oracle/column_history.hpp"
 #include "oracle/contact_grid.hpp"
@@ -17,7 +18,6 @@
 #include "oracle/law_formulas.hpp"
 #include "oracle/reference_cases.hpp"
 #include "oracle/speed_root.hpp"
-#include "pad/column_law.hpp"
 
 namespace dashpad::oracle {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "contact/contacts.hpp"
+#include "impact/contacts.hpp"
 #include "impact/equilibrium.hpp"
 #include "impact/motion.hpp"
 #include "shared/samples.hpp"

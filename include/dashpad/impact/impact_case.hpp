@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/nose/nose.hpp"
-#include "dashpad/pad/material.hpp"
-#include "dashpad/support/support.hpp"
+#include "dashpad/model/nose/nose.hpp"
+#include "dashpad/model/pad/material.hpp"
+#include "dashpad/model/support/support.hpp"
 
 namespace dashpad {
 

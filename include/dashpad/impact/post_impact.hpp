@@ -9,6 +9,9 @@
 /// The report calls C the coefficient of restitution, but it multiplies energy: the ratio of speeds, which
 /// others call so, is its square root.
 
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
+
 namespace dashpad {
 
 struct Body {
@@ -34,5 +37,16 @@ struct PostImpact {
 /// another, for a mass that is not positive, two masses that are infinite, a velocity that is not finite, or
 /// bodies that do not approach (V1 <= V2).
 PostImpact post_impact(Body first, Body second, double absorbed_fraction, double error = 0);
+
+/// Where the energy is at two moments, J: when the force is largest, and at the end.
+struct EnergySplit {
+  double impact = 0;  ///< M V0^2 / 2 of the impactor as solved
+  double kinetic_at_peak = 0, support_at_peak = 0, pad_at_peak = 0;
+  double rebound = 0, support_at_end = 0, pad = 0;  ///< pad: absorbed
+};
+EnergySplit energy_split(const ImpactCase& impact, const Solution& solution);
+
+/// The case that describes how two free bodies approach: mass and speed of the impactor replaced.
+ImpactCase relative_motion(ImpactCase impact, const Body& first, const Body& second);
 
 }  // namespace dashpad

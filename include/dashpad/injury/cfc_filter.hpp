@@ -11,7 +11,7 @@
 
 #include <array>
 
-#include "dashpad/injury/pulse.hpp"
+#include "dashpad/impact/pulse.hpp"
 
 namespace dashpad {
 

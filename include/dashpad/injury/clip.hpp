@@ -2,7 +2,7 @@
 /// The acceleration that lasts: 3 ms clip and the like. Exact for the pulse that is linear between its
 /// samples.
 
-#include "dashpad/injury/pulse.hpp"
+#include "dashpad/impact/pulse.hpp"
 
 namespace dashpad {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// For how long |a| is above a level. Exact for the pulse that is linear between its samples.
 
-#include "dashpad/injury/pulse.hpp"
+#include "dashpad/impact/pulse.hpp"
 
 namespace dashpad {
 

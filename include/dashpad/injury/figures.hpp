@@ -4,12 +4,12 @@
 #include <array>
 #include <optional>
 
+#include "dashpad/impact/pulse.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/clip.hpp"
 #include "dashpad/injury/hic.hpp"
 #include "dashpad/injury/peak.hpp"
-#include "dashpad/injury/pulse.hpp"
-#include "dashpad/io/result_quantity.hpp"
+#include "dashpad/quantities/result_quantity.hpp"
 
 namespace dashpad {
 

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-#include "dashpad/injury/pulse.hpp"
+#include "dashpad/impact/pulse.hpp"
 
 namespace dashpad {
 

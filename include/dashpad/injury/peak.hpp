@@ -1,7 +1,7 @@
 #pragma once
 /// The largest magnitude of a pulse, and its velocity change.
 
-#include "dashpad/injury/pulse.hpp"
+#include "dashpad/impact/pulse.hpp"
 
 namespace dashpad {
 

@@ -2,7 +2,7 @@
 /// Gadd severity index: SI = integral of |a|^2.5 dt, a in g, t in s. Exact for the pulse that is linear
 /// between its samples.
 
-#include "dashpad/injury/pulse.hpp"
+#include "dashpad/impact/pulse.hpp"
 
 namespace dashpad {
 

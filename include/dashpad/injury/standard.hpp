@@ -10,7 +10,7 @@
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/io/result_quantity.hpp"
+#include "dashpad/quantities/result_quantity.hpp"
 
 namespace dashpad {
 

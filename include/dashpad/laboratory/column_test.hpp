@@ -26,7 +26,7 @@
 #include <vector>
 
 #include "dashpad/laboratory/strain_history.hpp"
-#include "dashpad/pad/law.hpp"
+#include "dashpad/model/pad/law.hpp"
 
 namespace dashpad {
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "dashpad/pad/law.hpp"
+#include "dashpad/model/pad/law.hpp"
 
 namespace dashpad {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/io/fault.hpp"
+#include "dashpad/input/fault.hpp"
 #include "dashpad/study/study.hpp"
 
 namespace dashpad::study {

@@ -1,0 +1,252 @@
+// dashpad pulse: injury figures of a measured acceleration.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/injury/dwell.hpp"
+#include "dashpad/input/iso_mme/iso_mme.hpp"
+#include "dashpad/input/measurement/pulse_csv.hpp"
+#include "dashpad/output/pulse.hpp"
+#include "output.hpp"
+#include "progress_line.hpp"
+#include "pulse/request.hpp"
+#include "streams.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr double hic15_window = 15e-3;  // s
+constexpr double usual_speed = 15e6;    // bytes of a table read and computed in a second, on one core of 2020
+
+constexpr const char* pulse_footer = R"(Examples:
+  dashpad pulse drop.csv                                  columns and units from the header
+  dashpad pulse drop.csv --time 1 --acceleration 3 --time-unit ms --acceleration-unit g
+  dashpad pulse head.csv --resultant --filter CFC1000     x, y and z each filtered, then combined
+  dashpad pulse drop.csv --zero auto --drop-height "1.5 m"
+                                                          sensor offset off; restitution, and a check
+  dashpad pulse logger.csv --interval "0.1 ms" --sensitivity "10 mV/g"
+                                                          one column, in mV
+  dashpad pulse test.zip --list                           the channels of a test in ISO-MME
+  dashpad pulse test.zip --channel "11HEAD0000??AC?A" --resultant --picture head.svg
+  dashpad run examples/dashboard-20mph.toml --csv - > run.csv && dashpad pulse run.csv
+
+FILE is a table (CSV: commas, semicolons, tabs or blanks), or a test in ISO-MME: its folder, its .mme file, or
+a zip or tar of it. Units are taken from the file or from you and never guessed; g is standard gravity. What
+had to be repaired is a REMARK; a gap, text, or a time that goes back is refused; --bridge-gaps takes straight
+lines where times are missing. docs/pulses.md has the rules.
+
+Offset: what the sensor shows in the quiet part before the impact is told, with what it does to HIC15. --zero
+takes it off, each direction by itself and before any filter: "--zero auto" the mean of the quiet part,
+"--zero '0 ms,5 ms'" the mean from 0 to 5 ms.
+
+Checks: PULSE CUT says that the pulse starts or ends above 1 % of its peak; its HIC and clips are lower bounds
+then. With --speed or --drop-height the velocity change must lie between v and 2v, IMPOSSIBLE VELOCITY CHANGE
+says otherwise; the restitution is (velocity change - v) / v.
+
+Figures: the peak; HIC15, HIC36, HIC with any window, and those of --window; HIC(d); the 3 ms clip, in one
+stretch and in all; Gadd's severity index; the time above 80, 150 and 200 g, or the levels of --dwell; the
+change of velocity. They are of the pulse as it is, or as --filter makes it. The directions of a resultant are
+each filtered, then combined. A filter needs even samples:
+--resample "0.1 ms" makes them so, by straight lines.
+
+Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file
+is kept unless --force is given. A file is written whole or not at all.
+
+Exit codes: 0 done, 1 a result could not be written, 2 input or command line refused and nothing written.)";
+
+std::vector<Target> targets(const PulseRequest& request) {
+  std::vector<Target> wanted;
+  if (request.json) wanted.push_back({"--json", *request.json});
+  if (request.csv) wanted.push_back({"--csv", *request.csv});
+  if (request.picture) wanted.push_back({"--picture", *request.picture});
+  return wanted;
+}
+
+MeasuredPulse read(const PulseRequest& request, const PulseSettings& settings, bool is_test) {
+  if (is_test)
+    return read_iso_mme(request.file, {request.channel, request.table.acceleration_unit, request.resultant,
+                                       settings.sensitivities});
+  PulseCsvOptions options = request.table;
+  options.resultant = request.resultant;
+  options.interval = settings.interval_of_samples;
+  options.sensitivity = settings.sensitivities;
+  return read_pulse_csv(request.file, options);
+}
+
+/// Resampled and filtered as asked for; `wrong` is told where that cannot be.
+Pulse processed(const MeasuredPulse& measured, const PulseSettings& settings,
+                const std::optional<PulseFilter>& filter, std::vector<std::string>& wrong) {
+  try {
+    return processed_pulse(measured, settings.interval, filter);
+  } catch (const std::invalid_argument& error) {
+    const char* advice =
+        filter && !settings.interval ? "; --resample INTERVAL makes samples of another interval" : "";
+    wrong.push_back(fmt::format("{}: {}{}", filter ? "--filter" : "--resample", error.what(), advice));
+    return {};
+  }
+}
+
+/// The offset in the interval of --zero, else in the quiet part before the impact; `wrong` is told where
+/// --zero wants one and there is none.
+std::optional<SensorOffset> offset_of(const PulseRequest& request, const PulseSettings& settings,
+                                      const MeasuredPulse& measured, std::vector<std::string>& wrong) {
+  if (!settings.zero_interval) {
+    std::optional<SensorOffset> offset = offset_before_impact(measured);
+    if (request.zero && !offset)
+      wrong.emplace_back(
+          "--zero auto: there is no quiet part before the impact; give its interval, --zero BEGIN,END");
+    return offset;
+  }
+  try {
+    return offset_between(measured, settings.zero_interval->first, settings.zero_interval->second);
+  } catch (const std::invalid_argument& error) {
+    const std::vector<double>& time = measured.pulse.time;
+    wrong.push_back(fmt::format("--zero {}: {}; the samples are from {:.6g} to {:.6g} ms", *request.zero,
+                                error.what(), 1e3 * time.front(), 1e3 * time.back()));
+    return std::nullopt;
+  }
+}
+
+/// How long it takes to read a file and to compute its figures, s.
+double expected_time(const std::string& file) {
+  std::error_code error;
+  const auto bytes = static_cast<double>(std::filesystem::file_size(file, error));
+  return error ? 0 : bytes / usual_speed;
+}
+
+/// Adds the remarks on what was done and found.
+void remark_on(PulseReport& report) {
+  std::vector<std::string>& remarks = report.measured.remarks;
+  if (report.filter)
+    if (auto remark = sampled_too_slowly(report.measured, report.resampled_to, *report.filter))
+      remarks.push_back(std::move(*remark));
+  if (report.offset)
+    for (std::string& remark : offset_remarks(*report.offset, report.figures.peak.magnitude))
+      remarks.push_back(std::move(remark));
+}
+
+PulseReport report_on(const PulseRequest& request) {
+  std::vector<std::string> wrong;
+  const bool is_test = is_iso_mme(request.file);
+  for (std::string& line : out_of_place(request, is_test)) wrong.push_back(std::move(line));
+  const PulseSettings settings = settings_of(request, wrong);
+  PulseReport report{.file = request.file,
+                     .measured = {},
+                     .resampled_to = settings.interval,
+                     .filter = filter_of(request),
+                     .offset = {},
+                     .pulse = {},
+                     .figures = {},
+                     .impact = settings.impact,
+                     .windows = {},
+                     .dwells = {},
+                     .flags = {}};
+  ProgressLine waiting("Reading " + request.file);
+  if (wrong.empty()) waiting.expect(expected_time(request.file));
+  try {
+    report.measured = read(request, settings, is_test);
+  } catch (const InputError& error) {
+    report.measured.files.push_back({"the measurement", request.file});
+    add_lines(error.faults(), wrong);
+  }
+  judge_targets(targets(request), report.measured.files, request.force, wrong);
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  waiting.now(fmt::format("Computing figures of {} samples", report.measured.pulse.time.size()));
+  report.pulse = processed(report.measured, settings, report.filter, wrong);
+  const std::optional<SensorOffset> offset = offset_of(request, settings, report.measured, wrong);
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  Pulse zero =
+      offset ? processed(zeroed(report.measured, *offset), settings, report.filter, wrong) : report.pulse;
+  Pulse& other = request.zero ? report.pulse : zero;
+  const double hic15_of_other = offset ? hic(other, hic15_window).value : 0;
+  if (request.zero) std::swap(report.pulse, zero);
+  report.figures = injury_figures(report.pulse);
+  if (offset) {
+    report.offset = {*offset, settings.zero_interval.has_value(), request.zero.has_value(),
+                     report.figures.hic15.value, hic15_of_other};
+    if (request.zero) std::swap(report.offset->hic15_with, report.offset->hic15_without);
+  }
+  for (const double window : settings.windows) report.windows.push_back({window, hic(report.pulse, window)});
+  for (const double level : settings.levels)
+    report.dwells.push_back(
+        {level, cumulative_dwell(report.pulse, level), longest_dwell(report.pulse, level)});
+  remark_on(report);
+  report.flags = flags(report, request.zero ? report.pulse : zero);
+  return report;
+}
+
+int show_figures(const PulseRequest& request) {
+  const PulseReport report = report_on(request);
+  const UnitSystem& units = unit_system(request.units);
+  const auto text_of = [&](const Target& target) {
+    const ProgressLine waiting("Writing " + target.file);
+    if (target.option == "--json") return pulse_json(report);
+    if (target.option == "--csv") return pulse_csv(report, units_of_files(units));
+    return picture(pulse_plot(report, units), *picture_format(target.file));
+  };
+  publish(targets(request), request.force, text_of, pulse_text(report, units, request.detail));
+  return exit_done;
+}
+
+std::string list_of(const PulseRequest& request) {
+  const ProgressLine waiting("Reading " + request.file);
+  std::string text;
+  if (is_iso_mme(request.file)) {
+    for (const IsoMmeChannel& channel : iso_mme_channels(request.file))
+      text += fmt::format("{:>4}  {:<16}  {:<8}  {:>8}  {}{}\n", channel.number, channel.code, channel.unit,
+                          channel.samples, channel.name,
+                          channel.problem.empty() ? "" : " (" + channel.problem + ")");
+    text = fmt::format("{:>4}  {:<16}  {:<8}  {:>8}  {}\n", "No.", "code", "unit", "samples", "name") + text;
+  } else {
+    text = fmt::format("{:>4}  {:<30}  {}\n", "No.", "column", "unit");
+    for (const MeasuredColumn& column : pulse_csv_columns(request.file))
+      text += fmt::format("{:>4}  {:<30}  {}\n", column.number, column.name,
+                          column.unit.empty() ? "not said" : column.unit);
+  }
+  for (char& c : text)
+    if ((static_cast<unsigned char>(c) < ' ' && c != '\n') || c == '\x7f') c = ' ';
+  return text;
+}
+
+int show_list(const PulseRequest& request) {
+  write_output(list_of(request));
+  return exit_done;
+}
+
+}  // namespace
+
+void add_pulse(CLI::App& app, Action& action, const std::filesystem::path&) {
+  CLI::App* sub = app.add_subcommand("pulse", "Injury figures of a measured acceleration (CSV, ISO-MME)");
+  const auto request = std::make_shared<PulseRequest>();
+  sub->add_option("FILE", request->file, "Table, or test in ISO-MME")->required()->type_name("");
+  add_source_options(*sub, *request);
+  CLI::Option* list = sub->add_flag("--list", request->list, "Show the columns or channels, and nothing else")
+                          ->disable_flag_override();
+  add_processing_options(*sub, *request);
+  sub->add_option("--json", request->json, "Write figures and processing as JSON (- for standard output)")
+      ->excludes(list)
+      ->type_name("FILE");
+  sub->add_option("--csv", request->csv, "Write the pulse of the figures as CSV (- for standard output)")
+      ->excludes(list)
+      ->type_name("FILE");
+  sub->add_option("--picture", request->picture, "Draw the pulse (.svg, .png, .pdf)")
+      ->excludes(list)
+      ->type_name("FILE");
+  add_units(*sub, request->units);
+  add_all(*sub, request->detail);
+  add_force(*sub, request->force);
+  sub->footer(pulse_footer);
+  sub->callback([request, &action] {
+    action = [request] { return request->list ? show_list(*request) : show_figures(*request); };
+  });
+}
+
+}  // namespace dashpad

@@ -1,0 +1,193 @@
+// The options of dashpad pulse.
+
+#include "pulse/request.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/input/measurement/sensitivity.hpp"
+#include "dashpad/quantities/quantity.hpp"
+
+namespace dashpad {
+
+namespace {
+
+/// "150" and "150 g" are 150 times gravity.
+double level_of(std::string text) {
+  while (text.ends_with(' ')) text.pop_back();
+  const bool ends_in_g = text.ends_with('g') || text.ends_with('G');
+  if (ends_in_g) text.pop_back();
+  if (!ends_in_g && text.find_first_not_of("0123456789.eE+- ") != std::string::npos)
+    return to_si(text, "m/s2");
+  return to_si(text, "1") * standard_gravity;
+}
+
+/// "0 ms,5 ms".
+std::optional<std::pair<double, double>> interval_of(const std::string& text,
+                                                     std::vector<std::string>& wrong) {
+  const auto say = [&](const std::string& rule) {
+    wrong.push_back(fmt::format("--zero {}: {}", text, rule));
+    return std::nullopt;
+  };
+  const auto comma = text.find(',');
+  if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
+    return say("must be auto, or two times with a comma between them, such as \"0 ms,5 ms\"");
+  try {
+    const double begin = to_si(text.substr(0, comma), "s"), end = to_si(text.substr(comma + 1), "s");
+    if (!(begin < end)) return say("the first time must be earlier than the second");
+    return std::pair{begin, end};
+  } catch (const UnitError& error) {
+    return say(error.what());
+  }
+}
+
+/// What --speed or --drop-height tells.
+std::optional<MeasuredImpact> impact_of(const PulseRequest& request, std::vector<std::string>& wrong) {
+  const auto positive = [&](const char* option, const std::optional<std::string>& text, const char* unit) {
+    const std::optional<double> value = quantity_of(option, text, unit, wrong);
+    if (value && !(*value > 0)) wrong.push_back(fmt::format("{} {}: must be more than 0", option, *text));
+    return value;
+  };
+  const std::optional<double> speed = positive("--speed", request.speed, "m/s");
+  const std::optional<double> height = positive("--drop-height", request.drop_height, "m");
+  if (request.speed && request.drop_height)
+    wrong.emplace_back("--drop-height: is for a speed that is not known; give --speed or --drop-height");
+  if (height && *height > 0) return after_fall(*height);
+  return speed ? std::optional{MeasuredImpact{.speed = *speed}} : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<PulseFilter> filter_of(const PulseRequest& request) {
+  if (!request.filter) return std::nullopt;
+  PulseFilter filter{std::stoi(request.filter->substr(3)),
+                     request.corner == "iso" ? Corner::iso_6487 : Corner::sae_j211, Ends::mirrored};
+  for (const Ends ends : all_ends)
+    if (request.ends == to_string(ends)) filter.ends = ends;
+  return filter;
+}
+
+PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>& wrong) {
+  PulseSettings settings;
+  settings.interval = quantity_of("--resample", request.resample, "s", wrong);
+  if (settings.interval && !(*settings.interval > 0))
+    wrong.push_back(fmt::format("--resample {}: must be more than 0", *request.resample));
+  settings.interval_of_samples = quantity_of("--interval", request.interval, "s", wrong);
+  if (settings.interval_of_samples && !(*settings.interval_of_samples > 0))
+    wrong.push_back(fmt::format("--interval {}: must be more than 0", *request.interval));
+  if (request.zero && *request.zero != "auto") settings.zero_interval = interval_of(*request.zero, wrong);
+  for (const std::string& text : request.sensitivities) {
+    try {
+      settings.sensitivities.push_back(sensitivity_of(text));
+    } catch (const UnitError& error) {
+      wrong.push_back(fmt::format("--sensitivity {}: {}", text, error.what()));
+    }
+  }
+  settings.impact = impact_of(request, wrong);
+  for (const double window : request.windows_ms) {
+    if (!(window > 0) || !std::isfinite(window))
+      wrong.push_back(fmt::format("--window {}: must be more than 0 ms", window));
+    settings.windows.push_back(1e-3 * window);
+  }
+  for (const std::string& text : request.dwells) {
+    try {
+      settings.levels.push_back(level_of(text));
+      if (!(settings.levels.back() >= 0))
+        wrong.push_back(fmt::format("--dwell {}: must not be less than 0", text));
+    } catch (const UnitError& error) {
+      wrong.push_back(fmt::format("--dwell {}: {}; a number alone is in g", text, error.what()));
+    }
+  }
+  if (request.dwells.empty())
+    for (const double level : {80, 150, 200}) settings.levels.push_back(level * standard_gravity);
+  return settings;
+}
+
+std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test) {
+  std::vector<std::string> wrong;
+  const auto say = [&](bool given, const std::string& option, const std::string& rule) {
+    if (given) wrong.push_back(option + ": " + rule);
+  };
+  if (is_test) {
+    const std::string rule = "is for tables; a test in ISO-MME has channels, see --list and --channel";
+    say(!request.table.time.empty(), "--time", rule);
+    say(!request.table.acceleration.empty(), "--acceleration", rule);
+    say(request.table.bridge_gaps, "--bridge-gaps", "is for tables; a test in ISO-MME has even times");
+    say(!request.table.time_unit.empty(), "--time-unit", "is for tables; in ISO-MME times are in s");
+    say(request.interval.has_value(), "--interval", "is for tables; a test in ISO-MME has even times");
+  } else {
+    say(!request.channel.empty(), "--channel", "is for ISO-MME; a table has columns, see --acceleration");
+    const std::string rule = "is for a table with times; with --interval none are read";
+    say(request.interval && !request.table.time.empty(), "--time", rule);
+    say(request.interval && !request.table.time_unit.empty(), "--time-unit", rule);
+    say(request.interval && request.table.bridge_gaps, "--bridge-gaps", rule);
+  }
+  judge_picture(request.picture, wrong);
+  say(request.corner && !request.filter, "--corner", "is for a filter; add --filter");
+  say(request.ends && !request.filter, "--ends", "is for a filter; add --filter");
+  return wrong;
+}
+
+void add_source_options(CLI::App& sub, PulseRequest& request) {
+  sub.add_option("--time", request.table.time, "Column of the times: its name, or its number from 1")
+      ->type_name("COLUMN");
+  sub.add_option("--acceleration", request.table.acceleration,
+                 "Column of the acceleration; up to three with --resultant")
+      ->allow_extra_args(false)
+      ->type_name("COLUMN");
+  sub.add_option("--time-unit", request.table.time_unit, "Unit of the times, such as ms")->type_name("UNIT");
+  sub.add_option("--acceleration-unit", request.table.acceleration_unit,
+                 "Unit of the acceleration, such as g or m/s2")
+      ->type_name("UNIT");
+  sub.add_flag("--resultant", request.resultant,
+               "Combine two or three directions, each filtered before: sqrt(x^2 + y^2 + z^2)")
+      ->disable_flag_override();
+  sub.add_flag("--bridge-gaps", request.table.bridge_gaps,
+               "Take a straight line where the times tell that samples are missing")
+      ->disable_flag_override();
+  sub.add_option("--interval", request.interval,
+                 "Time between two samples of a table without times, such as \"0.1 ms\"")
+      ->type_name("TIME");
+  sub.add_option("--sensitivity", request.sensitivities,
+                 "What makes accelerations of V or mV, such as \"10 mV/g\"; once, or for each direction")
+      ->allow_extra_args(false)
+      ->type_name("VALUE");
+  sub.add_option("--channel", request.channel,
+                 "Channel of an ISO-MME test: its number, or its code with ? for any character")
+      ->type_name("CODE");
+}
+
+void add_processing_options(CLI::App& sub, PulseRequest& request) {
+  sub.add_option(
+         "--zero", request.zero,
+         "Take the sensor's offset off first: its mean from BEGIN to END, such as \"0 ms,5 ms\", or \"auto\" "
+         "for the quiet part before the impact")
+      ->type_name("BEGIN,END");
+  sub.add_option("--filter", request.filter, "CFC60, CFC180, CFC600 or CFC1000 (default: none)")
+      ->check(CLI::IsMember({"CFC60", "CFC180", "CFC600", "CFC1000"}))
+      ->type_name("CLASS");
+  sub.add_option("--corner", request.corner, "Of the filter: sae (J211, default) or iso (6487)")
+      ->check(CLI::IsMember({"sae", "iso"}))
+      ->type_name("NAME");
+  sub.add_option("--ends", request.ends,
+                 "Beyond the ends: mirrored (default), held, mirrored-from-mean, negated-before")
+      ->check(CLI::IsMember({"mirrored", "held", "mirrored-from-mean", "negated-before"}))
+      ->type_name("NAME");
+  sub.add_option("--resample", request.resample, "Even samples first, such as \"0.1 ms\"")
+      ->type_name("INTERVAL");
+  sub.add_option("--speed", request.speed,
+                 "Impact speed, such as \"5 m/s\": restitution, and a check of the pulse")
+      ->type_name("SPEED");
+  sub.add_option("--drop-height", request.drop_height, "The same from a free fall, such as \"1.5 m\"")
+      ->type_name("LENGTH");
+  sub.add_option("--window", request.windows_ms, "One more HIC, with a window of at most MS")
+      ->allow_extra_args(false)
+      ->type_name("MS");
+  sub.add_option("--dwell", request.dwells, "The time above LEVEL, in g (default: 80, 150 and 200)")
+      ->allow_extra_args(false)
+      ->type_name("LEVEL");
+}
+
+}  // namespace dashpad

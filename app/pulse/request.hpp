@@ -1,0 +1,65 @@
+#pragma once
+/// What `dashpad pulse` was asked for.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "dashpad/injury/pulse_report.hpp"
+#include "dashpad/input/measurement/pulse_csv.hpp"
+#include "dashpad/output/text/result.hpp"
+
+namespace dashpad {
+
+struct PulseRequest {
+  std::string file;
+  PulseCsvOptions table;
+  std::string channel;
+  bool resultant = false;
+  bool list = false;
+  std::optional<std::string> filter;
+  std::optional<std::string> corner;
+  std::optional<std::string> ends;
+  std::optional<std::string> resample;
+  std::optional<std::string> zero;
+  std::optional<std::string> interval;
+  std::vector<std::string> sensitivities;
+  std::optional<std::string> speed;
+  std::optional<std::string> drop_height;
+  std::vector<double> windows_ms;
+  std::vector<std::string> dwells;
+  std::optional<std::string> json;
+  std::optional<std::string> csv;
+  std::optional<std::string> picture;
+  std::string units;
+  Detail detail = Detail::main;
+  bool force = false;
+};
+
+/// What the options say beside the file.
+struct PulseSettings {
+  std::optional<double> interval;                          ///< s
+  std::vector<double> windows, levels;                     ///< s, m/s2
+  std::optional<std::pair<double, double>> zero_interval;  ///< s; absent for that of the quiet part
+  std::optional<double> interval_of_samples;               ///< s, of a table without times
+  std::vector<Sensitivity> sensitivities;
+  std::optional<MeasuredImpact> impact;  ///< with its speed
+};
+
+/// Adds to `wrong` all that is wrong with them.
+PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>& wrong);
+
+std::optional<PulseFilter> filter_of(const PulseRequest& request);
+
+/// Complaints about options that mean nothing for this kind of file.
+std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test);
+
+/// Options for the choice of columns or channels.
+void add_source_options(CLI::App& sub, PulseRequest& request);
+/// Options for what is done to the pulse and which figures are wanted.
+void add_processing_options(CLI::App& sub, PulseRequest& request);
+
+}  // namespace dashpad

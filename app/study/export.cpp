@@ -1,0 +1,128 @@
+// dashpad study export: the rows of a store for other programs.
+
+#include <cerrno>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "dashpad/study/export_csv.hpp"
+#include "output.hpp"
+#include "streams.hpp"
+#include "study/hdf5.hpp"
+#include "study/study.hpp"
+
+namespace dashpad {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* study_export_footer = R"(Examples:
+  dashpad study examples/studies/speed-and-thickness.toml --out rows.db
+  dashpad study export rows.db --csv rows.csv
+  dashpad study export rows.db --hdf5 rows.h5
+  dashpad study export rows.db --csv - | head
+
+All rows that are computed, by number: status, error, factors and responses, in SI and accelerations in g; names carry
+their unit. Values that an impact does not have are empty in the CSV and NaN in the HDF5.
+Memory does not grow with the rows.
+
+Files: - as the FILE of --csv is standard output. An existing file is kept unless --force is given. A file is
+written whole or not at all.
+
+Exit codes: 0 done, 1 a file could not be written, 2 refused and nothing was written.)";
+
+struct StudyExportRequest {
+  std::string store_file;
+  std::optional<std::string> csv, hdf5;
+  bool force = false;
+};
+
+std::vector<Target> targets(const StudyExportRequest& request) {
+  std::vector<Target> wanted;
+  if (request.csv) wanted.push_back({"--csv", *request.csv});
+  if (request.hdf5) wanted.push_back({"--hdf5", *request.hdf5});
+  return wanted;
+}
+
+void write_csv(const study::Store& store, const fs::path& file, const std::string& shown) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+  int problem = descriptor < 0 ? errno : 0;
+  const auto check = [&] {
+    if (problem != 0)
+      throw std::runtime_error(
+          fmt::format("could not write {}: {}", shown, std::generic_category().message(problem)));
+  };
+  check();
+  try {
+    study::export_csv(store, [&](std::string_view text) {
+      problem = write_all(descriptor, text);
+      check();
+    });
+  } catch (...) {
+    ::close(descriptor);
+    throw;
+  }
+  if (::close(descriptor) != 0) problem = errno;
+  check();
+}
+
+/// HDF5 cannot be written to a device or pipe.
+bool is_special(const std::string& file) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+/// The files first, then what goes to standard output.
+void write_files(const study::Store& store, const StudyExportRequest& request) {
+  std::vector<PendingFile> files;
+  for (const Target& target : targets(request)) {
+    if (target.is_standard_output()) continue;
+    const bool is_csv = target.option == "--csv";
+    files.emplace_back(
+        target,
+        [&store, is_csv, shown = target.file](const fs::path& file) {
+          (is_csv ? write_csv : write_hdf5)(store, file, shown);
+        },
+        request.force);
+  }
+  for (PendingFile& file : files) file.publish();
+  if (request.csv == "-") study::export_csv(store, [](std::string_view text) { write_output(text); });
+}
+
+int run_export(const StudyExportRequest& request) {
+  const study::Store store = open_stored(request.store_file);
+  std::vector<std::string> wrong;
+  judge_targets(targets(request), files_of_store(request.store_file), request.force, wrong);
+  if (targets(request).empty()) wrong.emplace_back("--csv or --hdf5: one of them is needed");
+  if (request.hdf5 && (*request.hdf5 == "-" || is_special(*request.hdf5)))
+    wrong.push_back(fmt::format("--hdf5 {}: needs the name of a file", *request.hdf5));
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  write_files(store, request);
+  std::string line = fmt::format("{} rows", store.rows_done());
+  if (store.rows_done() < store.rows()) line += fmt::format("; NOT COMPLETE: the study has {}", store.rows());
+  (request.csv == "-" ? write_error : write_output)(line + "\n");
+  return exit_done;
+}
+
+}  // namespace
+
+void add_study_export(CLI::App& study, Action& action) {
+  CLI::App* sub = study.add_subcommand("export", "Write the rows as CSV or HDF5");
+  const auto request = std::make_shared<StudyExportRequest>();
+  sub->add_option("FILE", request->store_file, "The store of a study")->required()->type_name("");
+  sub->add_option("--csv", request->csv, "Write a CSV file (- for standard output)")->type_name("FILE");
+  sub->add_option("--hdf5", request->hdf5, "Write an HDF5 file")->type_name("FILE");
+  add_force(*sub, request->force);
+  sub->footer(study_export_footer);
+  sub->callback([request, &action] { action = [request] { return run_export(*request); }; });
+}
+
+}  // namespace dashpad

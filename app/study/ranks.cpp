@@ -1,0 +1,84 @@
+#ifdef DASHPAD_HAS_MPI
+
+#include "study/ranks.hpp"
+
+#include <cstdlib>
+
+// The C interface only; the C++ one is gone from MPI-3.
+#define OMPI_SKIP_MPICXX 1
+#define MPICH_SKIP_MPICXX 1
+#include <mpi.h>
+
+namespace dashpad {
+
+namespace {
+
+std::uint64_t reduced(std::uint64_t number, MPI_Op operation) {
+  std::uint64_t result = 0;
+  MPI_Allreduce(&number, &result, 1, MPI_UINT64_T, operation, MPI_COMM_WORLD);
+  return result;
+}
+
+Letter read(const MPI_Status& waiting) {
+  int count = 0;
+  MPI_Get_count(&waiting, MPI_UINT64_T, &count);
+  Letter letter{static_cast<Tag>(waiting.MPI_TAG), waiting.MPI_SOURCE,
+                Message(static_cast<std::size_t>(count))};
+  MPI_Recv(letter.numbers.data(), count, MPI_UINT64_T, waiting.MPI_SOURCE, waiting.MPI_TAG, MPI_COMM_WORLD,
+           MPI_STATUS_IGNORE);
+  return letter;
+}
+
+}  // namespace
+
+Ranks::Ranks() {
+  int provided = 0;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+  MPI_Comm_size(MPI_COMM_WORLD, &size_);
+}
+
+Ranks::~Ranks() { MPI_Finalize(); }
+
+std::optional<int> Ranks::first_with(bool wrong) const {
+  const auto none = static_cast<std::uint64_t>(size_);
+  const std::uint64_t first = reduced(wrong ? static_cast<std::uint64_t>(rank_) : none, MPI_MIN);
+  return first == none ? std::nullopt : std::optional{static_cast<int>(first)};
+}
+
+bool Ranks::is_same_for_all(std::uint64_t number) const {
+  return reduced(number, MPI_MIN) == reduced(number, MPI_MAX);
+}
+
+std::uint64_t Ranks::of_first(std::uint64_t number) const {
+  MPI_Bcast(&number, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
+  return number;
+}
+
+void Ranks::send(int to, Tag tag, const Message& numbers) {
+  MPI_Send(numbers.data(), static_cast<int>(numbers.size()), MPI_UINT64_T, to, static_cast<int>(tag),
+           MPI_COMM_WORLD);
+}
+
+Letter Ranks::receive(int from) {
+  MPI_Status waiting;
+  MPI_Probe(from, MPI_ANY_TAG, MPI_COMM_WORLD, &waiting);
+  return read(waiting);
+}
+
+std::optional<Letter> Ranks::next_letter() {
+  int is_there = 0;
+  MPI_Status waiting;
+  MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &is_there, &waiting);
+  if (is_there == 0) return std::nullopt;
+  return read(waiting);
+}
+
+void Ranks::abort(int exit_code) {
+  MPI_Abort(MPI_COMM_WORLD, exit_code);
+  std::abort();
+}
+
+}  // namespace dashpad
+
+#endif

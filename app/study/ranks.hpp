@@ -1,0 +1,55 @@
+#pragma once
+/// The ranks of an MPI job, and what they say to each other. Only built where there is an MPI.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/rank_messages.hpp"
+
+namespace dashpad {
+
+/// What a rank says to rank 0, and what that answers.
+enum class Tag { ready = 1, result, failure, batch, stop };
+
+struct Letter {
+  Tag tag = Tag::ready;
+  int rank = 0;  ///< from whom
+  Message numbers;
+};
+
+/// MPI from here to the end of this object's life. One in a program; used from one thread.
+class Ranks {
+ public:
+  Ranks();
+  ~Ranks();
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+
+  [[nodiscard]] int rank() const { return rank_; }
+  [[nodiscard]] int size() const { return size_; }
+  [[nodiscard]] bool is_first() const { return rank_ == 0; }
+
+  /// Called by all: the first rank for which something is wrong.
+  [[nodiscard]] std::optional<int> first_with(bool wrong) const;
+  /// Called by all: whether all have the same number.
+  [[nodiscard]] bool is_same_for_all(std::uint64_t number) const;
+  /// Called by all: the number of rank 0.
+  [[nodiscard]] std::uint64_t of_first(std::uint64_t number) const;
+
+  static void send(int to, Tag tag, const Message& numbers);
+  /// Waits for it.
+  static Letter receive(int from);
+  /// A letter from anyone, if one is there.
+  static std::optional<Letter> next_letter();
+
+  /// Ends all ranks at once.
+  [[noreturn]] static void abort(int exit_code);
+
+ private:
+  int rank_ = 0, size_ = 1;
+};
+
+}  // namespace dashpad

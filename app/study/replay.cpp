@@ -1,0 +1,132 @@
+// dashpad study replay: one row of a store solved again, with its history.
+
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "dashpad/output/study.hpp"
+#include "dashpad/study/batch.hpp"
+#include "dashpad/study/stored_study.hpp"
+#include "result_files.hpp"
+#include "study/study.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr const char* study_replay_footer = R"(Examples:
+  dashpad study examples/studies/speed-and-thickness.toml --out replayed.db
+  dashpad study replay replayed.db 17
+  dashpad study replay replayed.db 17 --units us --csv row-17.csv --png row-17.png
+  dashpad study replay replayed.db 17 --report row-17.html
+
+Rows are numbered from 0. The store holds all that the row depends on: neither the study file nor material cards
+are needed. The row is solved again, and its responses are compared with the stored ones.
+
+Exit codes: 0 done and the stored responses came back, 1 a result could not be written, 2 refused and nothing was
+run, 3 the row misses the tolerance, or its stored responses did not come back.)";
+
+struct StudyReplayRequest {
+  std::string store_file;
+  std::uint64_t row = 0;
+  ResultFiles files;
+};
+
+/// A row as it was and as it is now.
+struct Replay {
+  study::StoredRow stored;
+  study::Outcome again;
+  ImpactCase impact;
+  Options options;
+  Solution solution;
+};
+
+study::StoredRow stored_row(const study::Store& store, const StudyReplayRequest& request) {
+  if (request.row >= store.rows())
+    throw Refused(
+        {fmt::format("ROW {}: {} has rows 0 to {}", request.row, request.store_file, store.rows() - 1)});
+  std::optional<study::StoredRow> row = store.row(request.row);
+  if (!row)
+    throw Refused({fmt::format("ROW {}: is not computed yet; {} has {} of {} rows", request.row,
+                               request.store_file, store.rows_done(), store.rows())});
+  return *std::move(row);
+}
+
+Replay replay(const study::Store& store, const StudyReplayRequest& request) {
+  Replay result{
+      .stored = stored_row(store, request), .again = {}, .impact = {}, .options = {}, .solution = {}};
+  const study::Study study = study::stored_study(store);
+  const study::Design design{study};
+  study::Worker worker{study, design};
+  try {
+    result.impact = worker.case_of(request.row);
+    result.solution = worker.replay(request.row);
+  } catch (const std::invalid_argument& error) {
+    throw Refused({fmt::format("ROW {}: its factors make no valid case: {}", request.row, error.what())});
+  }
+  result.options = study.options;
+  study::read_responses(result.solution, study.responses, result.again);
+  return result;
+}
+
+/// The same bits, or no value both times.
+bool are_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+std::vector<std::string> differences(const Replay& of, const study::Store& store) {
+  std::vector<std::string> found;
+  if (of.stored.outcome.status != of.again.status)
+    found.push_back(fmt::format("status: stored \"{}\", now \"{}\"", to_string(of.stored.outcome.status),
+                                to_string(of.again.status)));
+  for (std::size_t i = 0; i < of.again.values.size(); ++i)
+    if (!are_same(of.stored.outcome.values[i], of.again.values[i]))
+      found.push_back(fmt::format("{}: stored {}, now {} {}", store.responses()[i].name,
+                                  of.stored.outcome.values[i], of.again.values[i],
+                                  store.responses()[i].unit));
+  return found;
+}
+
+std::string heading(const Replay& of, const study::Store& store, const UnitSystem& units) {
+  std::string text = fmt::format("Row {}:", of.stored.row);
+  for (std::size_t i = 0; i < of.stored.factors.size(); ++i)
+    text += fmt::format(
+        "{} {} = {}", i == 0 ? "" : ",", store.factors()[i].name,
+        shown_factor(store.factors()[i].unit, of.stored.factors[i], of.impact.pad.material, units));
+  return text + "\n\n";
+}
+
+std::string verdict(const std::vector<std::string>& differences, const study::Store& store) {
+  if (differences.empty()) return "\nThe stored responses came back, to the last bit.\n";
+  std::string text =
+      fmt::format("\nDIFFERENT: the stored responses, of Dashpad {}, did not come back:\n", store.program());
+  for (const std::string& line : differences) text += "  " + line + "\n";
+  return text;
+}
+
+int run_replay(const StudyReplayRequest& request) {
+  const study::Store store = open_stored(request.store_file);
+  std::vector<std::string> wrong;
+  judge_result_files(request.files, files_of_store(request.store_file), wrong);
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  const Replay result = replay(store, request);
+  const std::vector<std::string> different = differences(result, store);
+  publish(request.files, {result.impact, result.options, result.solution},
+          heading(result, store, unit_system(request.files.units)), verdict(different, store));
+  return different.empty() && result.solution.summary.trustworthy() ? exit_done : exit_not_trusted;
+}
+
+}  // namespace
+
+void add_study_replay(CLI::App& study, Action& action) {
+  CLI::App* sub = study.add_subcommand("replay", "Solve one row again, with its full history");
+  const auto request = std::make_shared<StudyReplayRequest>();
+  sub->add_option("FILE", request->store_file, "The store of a study")->required()->type_name("");
+  sub->add_option("ROW", request->row, "Which row, from 0")->required()->type_name("");
+  add_result_files(*sub, request->files);
+  add_force(*sub, request->files.force);
+  sub->footer(study_replay_footer);
+  sub->callback([request, &action] { action = [request] { return run_replay(*request); }; });
+}
+
+}  // namespace dashpad

@@ -1,0 +1,93 @@
+// dashpad study: many impacts, from a study file into a store.
+
+#include "study/study.hpp"
+
+#include <chrono>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "dashpad/study/run_study.hpp"
+#include "dashpad/study/study_file.hpp"
+#include "streams.hpp"
+#include "study/progress.hpp"
+#include "study/stop_signal.hpp"
+#include "study/study_ranks.hpp"
+
+namespace dashpad {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* study_footer = R"(Examples:
+  dashpad study examples/studies/speed-and-thickness.toml --out speed.db
+  dashpad study summary speed.db --response hic15 --limit "hic15 > 1000"
+  dashpad study replay speed.db 17 --units us
+  dashpad study export speed.db --csv speed.csv
+  dashpad study my-study.toml --out my-study.db --threads 8
+  mpirun -n 32 dashpad study my-study.toml --out my-study.db
+
+A study file names a base case, factors that vary (lists, ranges, distributions) and the responses to keep. The
+same study gives the same rows on any number of cores or machines. The store is an SQLite file.
+
+Interrupted (Ctrl-C, SIGTERM, a crash, a full disk): the same command goes on where it stopped; no row is lost
+and none is computed twice. While it runs, summary, export and any SQLite tool read the rows that are there.
+Under mpirun each rank computes on one core. docs/studies.md tells all.
+
+Exit codes: 0 all rows are there, 1 a result could not be written, 2 refused and nothing was run, 3 all rows
+are there but some are doubtful (tolerance missed, no valid case, a figure missing), 130 or 143 stopped by
+Ctrl-C or SIGTERM: the same command goes on.)";
+
+int run_here(const StudyRequest& request, const fs::path& materials) {
+  const study::Study study = study::read_study(request.study_file, materials);
+  study::Store store = open_store(study, request.store_file);
+  const std::uint64_t before = store.rows_done();
+  const auto begin = std::chrono::steady_clock::now();
+  bool complete = false;
+  const StopSignal stop;
+  {
+    StudyProgress progress{request.quiet};
+    complete = study::run(study, store,
+                          {.threads = request.threads,
+                           .stop = &StopSignal::wanted(),
+                           .progress = [&](const study::Progress& now) { progress.show(now); }});
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return finish_study(store, request, before, seconds, complete);
+}
+
+int run_study(const StudyRequest& request, const fs::path& materials) {
+  return is_one_of_several_ranks() ? run_on_ranks(request, materials) : run_here(request, materials);
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, Action& action, const fs::path& executable) {
+  CLI::App* sub = app.add_subcommand("study", "Many impacts: curves, maps, probabilities");
+  const auto request = std::make_shared<StudyRequest>();
+  sub->add_option("STUDY", request->study_file, "Study file (TOML)")->type_name("");
+  sub->add_option("--out", request->store_file, "The store: a new file, or that of this study, to go on")
+      ->type_name("FILE");
+  sub->add_option("--threads", request->threads, "Threads to compute on (default: one a core)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+  sub->add_flag("--quiet", request->quiet, "Show no progress")->disable_flag_override();
+  add_material_folder(*sub, request->materials);
+  sub->require_subcommand(0, 1);
+  add_study_replay(*sub, action);
+  add_study_summary(*sub, action);
+  add_study_export(*sub, action);
+  sub->footer(study_footer);
+  // The callback of a subcommand comes first; STUDY is only needed without one.
+  sub->callback([sub, request, &action, executable] {
+    if (!sub->get_subcommands().empty()) return;
+    if (request->study_file.empty()) throw CLI::RequiredError("STUDY");
+    if (request->store_file.empty()) throw CLI::RequiredError("--out");
+    action = [request, executable] {
+      return run_study(*request, chosen_folder(request->materials, executable));
+    };
+  });
+}
+
+}  // namespace dashpad

@@ -1,0 +1,115 @@
+// dashpad study summary: what a store says.
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "dashpad/output/study.hpp"
+#include "dashpad/study/responses.hpp"
+#include "output.hpp"
+#include "study/limit.hpp"
+#include "study/study.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr const char* study_summary_footer = R"(Examples:
+  dashpad study examples/studies/cushion-curves.toml --out cushions.db
+  dashpad study summary cushions.db
+  dashpad study summary cushions.db --response peak_acceleration --limit "peak_acceleration > 80 g"
+  dashpad study summary cushions.db --report cushions.html --picture cushions.svg
+  dashpad study summary cushions.db --json - | jq .cushion_curves
+
+Mean, quantiles, the probability of more than a limit, all with 95 % intervals; Sobol' indices where the study has
+indices = true; cushion curves where it varies mass, speed and thickness. Combinations of levels are kept apart.
+Rows in which the impactor struck through the pad onto a rigid support are above every limit on force, clips and HIC.
+An interrupted study is summed up as far as it is. docs/studies.md says what to believe.
+
+Exit codes: 0 done, 1 a result could not be written, 2 refused.)";
+
+struct StudySummaryRequest {
+  std::string store_file;
+  std::vector<std::string> responses;
+  std::vector<std::string> limits;
+  std::optional<std::string> json, report, picture;
+  std::string units;
+  bool force = false;
+};
+
+std::vector<Target> targets(const StudySummaryRequest& request) {
+  std::vector<Target> wanted;
+  if (request.json) wanted.push_back({"--json", *request.json});
+  if (request.report) wanted.push_back({"--report", *request.report});
+  if (request.picture) wanted.push_back({"--picture", *request.picture});
+  return wanted;
+}
+
+StudyQuestions questions_of(const StudySummaryRequest& request, const study::Store& store,
+                            std::vector<std::string>& wrong) {
+  StudyQuestions questions;
+  for (const std::string& name : request.responses) {
+    if (const std::string rule = response_rule(name, store); !rule.empty())
+      wrong.push_back(fmt::format("--response {}: {}", name, rule));
+    else if (std::ranges::find(questions.responses, name) == questions.responses.end())
+      questions.responses.push_back(name);
+  }
+  for (const std::string& text : request.limits)
+    if (const std::optional<StudyLimit> limit = limit_of(text, store, wrong))
+      questions.limits.push_back(*limit);
+  return questions;
+}
+
+int summarise(const StudySummaryRequest& request) {
+  const study::Store store = open_stored(request.store_file);
+  std::vector<std::string> wrong;
+  judge_targets(targets(request), files_of_store(request.store_file), request.force, wrong);
+  judge_report(request.report, wrong);
+  judge_picture(request.picture, wrong);
+  const StudyQuestions questions = questions_of(request, store, wrong);
+  if (wrong.empty() && store.rows_done() == 0)
+    wrong.push_back(request.store_file + ": has no rows yet; run dashpad study first");
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+
+  const StudyAnswers answers = study_answers(store, questions);
+  const UnitSystem& units = unit_system(request.units);
+  const auto text_of = [&](const Target& target) {
+    if (target.option == "--json") return study_json(answers);
+    if (target.option == "--picture")
+      return picture(study_plot(answers, units), *picture_format(target.file));
+    return figures_page(study_page(answers, units));
+  };
+  publish(targets(request), request.force, text_of, study_text(answers, units));
+  return exit_done;
+}
+
+}  // namespace
+
+void add_study_summary(CLI::App& study, Action& action) {
+  CLI::App* sub =
+      study.add_subcommand("summary", "Distributions, probabilities, sensitivities, cushion curves");
+  const auto request = std::make_shared<StudySummaryRequest>();
+  sub->add_option("FILE", request->store_file, "The store of a study")->required()->type_name("");
+  sub->add_option("--response", request->responses, "Only this one; may be given again")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  sub->add_option("--limit", request->limits,
+                  "Probability of more than this: \"hic15 > 1000\" or hic15=1000; may be given again")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("LIMIT");
+  add_report(*sub, request->report);
+  sub->add_option("--json", request->json, "Write all answers as JSON, SI and g (- for standard output)")
+      ->type_name("FILE");
+  sub->add_option("--picture", request->picture, "Draw the most telling figure (.svg, .png, .pdf)")
+      ->type_name("FILE");
+  add_units(*sub, request->units);
+  add_force(*sub, request->force);
+  sub->footer(study_summary_footer);
+  sub->callback([request, &action] { action = [request] { return summarise(*request); }; });
+}
+
+}  // namespace dashpad

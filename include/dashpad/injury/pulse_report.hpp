@@ -1,0 +1,90 @@
+#pragma once
+/// A measured pulse, what is done to it before its figures, and what it says of itself.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dashpad/impact/flags.hpp"
+#include "dashpad/injury/cfc_filter.hpp"
+#include "dashpad/injury/figures.hpp"
+#include "dashpad/input/measurement/measured_pulse.hpp"
+#include "dashpad/input/measurement/sensor_offset.hpp"
+
+namespace dashpad {
+
+struct PulseFilter {
+  int channel_frequency_class = 0;
+  Corner corner = Corner::sae_j211;
+  Ends ends = Ends::mirrored;
+};
+
+/// HIC with a window of one's own.
+struct WindowedHic {
+  double longest_window = 0;  ///< s
+  Hic hic;
+};
+
+/// For how long the magnitude is above a level.
+struct DwellTime {
+  double level = 0;       ///< m/s2
+  double cumulative = 0;  ///< s, all stretches
+  double longest = 0;     ///< s, the longest stretch
+};
+
+/// The sensor's offset and what it does to HIC.
+struct OffsetEffect {
+  SensorOffset offset;
+  bool given = false;      ///< its interval; else the quiet part before the impact
+  bool taken_off = false;  ///< from the pulse of the figures
+  double hic15_with = 0, hic15_without = 0;
+};
+
+/// What a known impact speed v tells of a pulse: without friction and with the impactor free, its velocity
+/// change lies between v (it stays) and 2 v (it rebounds as fast as it came).
+struct MeasuredImpact {
+  double speed = 0;                        ///< m/s, v, more than 0
+  std::optional<double> drop_height = {};  ///< m, where v came from it
+};
+
+/// v = sqrt(2 g h), of a free fall from `drop_height`, m, more than 0; g is standard gravity.
+MeasuredImpact after_fall(double drop_height);
+
+/// A measured pulse, what was done to it, and what came of it.
+struct PulseReport {
+  std::string file;
+  MeasuredPulse measured;
+  std::optional<double> resampled_to;  ///< s
+  std::optional<PulseFilter> filter;
+  std::optional<OffsetEffect> offset;  ///< absent where there is no quiet part, and no interval was given
+  Pulse pulse;                         ///< that of the figures
+  InjuryFigures figures;
+  std::optional<MeasuredImpact> impact;  ///< where the speed is known
+  std::vector<WindowedHic> windows;
+  std::vector<DwellTime> dwells;
+  std::vector<Flag> flags;
+};
+
+/// Resampled and filtered as asked for; the directions of a resultant each by itself, then combined. Throws
+/// std::invalid_argument as resampled() and cfc_filtered() do.
+Pulse processed_pulse(const MeasuredPulse& measured, std::optional<double> interval,
+                      const std::optional<PulseFilter>& filter);
+
+/// (|velocity change| - v) / v; absent without an impact speed.
+std::optional<double> restitution(const PulseReport& report);
+
+/// PULSE CUT: it starts or ends above 1 % of its peak and above four times the scatter of `quiet`, if there
+/// is such an interval; HIC, clips and velocity change are lower bounds then. `pulse` is the processed one
+/// without the sensor's offset. IMPOSSIBLE VELOCITY CHANGE: it is not between v and 2 v, to 0.1 %.
+std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse);
+
+/// Remarks if the offset changes HIC15 by more than 0.1 % and was not taken off, and if the interval that was
+/// given for it is not quiet. `peak` is that of the pulse, m/s2.
+std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak);
+
+/// A remark if the pulse was sampled at less than ten times the class of the filter, as it was measured or as
+/// it is resampled.
+std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std::optional<double> interval,
+                                              const PulseFilter& filter);
+
+}  // namespace dashpad

@@ -1,0 +1,31 @@
+#pragma once
+/// Case files and material cards: TOML in, checked values out.
+
+#include <filesystem>
+#include <vector>
+
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
+#include "dashpad/input/input_file.hpp"
+#include "dashpad/model/pad/material.hpp"
+
+namespace dashpad {
+
+struct CaseFile {
+  ImpactCase impact;
+  Options options;
+  std::vector<InputFile> files;  ///< the case file, then the material card that it names, if any
+};
+
+/// Reads and checks a case. `materials` is the folder in which material names are looked up.
+/// Throws InputError with every fault that was found in the case and in the card that it names.
+CaseFile read_case(const std::filesystem::path& file, const std::filesystem::path& materials);
+
+/// Reads and checks one material card. Throws InputError.
+Material read_material(const std::filesystem::path& file);
+
+/// The cards in a folder, sorted by name (the file name without .toml). Throws InputError if the folder
+/// cannot be read.
+std::vector<std::filesystem::path> list_materials(const std::filesystem::path& folder);
+
+}  // namespace dashpad

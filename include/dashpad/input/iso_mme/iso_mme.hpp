@@ -1,0 +1,42 @@
+#pragma once
+/// Tests in the format ISO-MME (ISO/TS 13499): a folder, its .mme file, or a zip or tar of it. docs/pulses.md
+/// has the rules.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dashpad/input/measurement/measured_pulse.hpp"
+#include "dashpad/input/measurement/sensitivity.hpp"
+
+namespace dashpad {
+
+/// Whether to read `file` as ISO-MME: a folder, a name that ends in .mme, or a zip or tar archive.
+bool is_iso_mme(const std::filesystem::path& file);
+
+struct IsoMmeChannel {
+  int number = 0;       ///< the ending of its file: 1 for .001
+  std::string code;     ///< sixteen characters, such as 11HEAD0000H3ACXA; empty if the file has none
+  std::string name;     ///< in words
+  std::string unit;     ///< as in the file
+  std::string samples;  ///< their number, as the file claims
+  std::string problem;  ///< why it cannot be read; empty if nothing is known against it
+};
+
+/// All channels, by number. Throws InputError.
+std::vector<IsoMmeChannel> iso_mme_channels(const std::filesystem::path& file);
+
+struct IsoMmeOptions {
+  std::string channel = {};  ///< number, or code in which ? stands for any character; empty: the only
+                             ///< acceleration
+  std::string acceleration_unit = {};         ///< empty: that of the file
+  bool resultant = false;                     ///< combine the directions X, Y, Z that `channel` matches
+  std::vector<Sensitivity> sensitivity = {};  ///< as in PulseCsvOptions; the directions in the order X, Y, Z
+};
+
+/// Nothing outside of the folder or archive is read: links are not followed, and an archive with a name that
+/// leads elsewhere is refused. Throws InputError with all faults, or the first 200. At most 1 GiB unpacked
+/// and 50 million samples a channel.
+MeasuredPulse read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options);
+
+}  // namespace dashpad

@@ -1,0 +1,41 @@
+#pragma once
+/// The closed set of noses. A nose is rigid; what the pad meets of it are its sections.
+///
+/// A shape is a struct with its numbers, a table of them, its name in case files, and sections(); a row here
+/// is all that it needs beside its own file.
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <variant>
+
+#include "dashpad/model/nose/flat_disc.hpp"
+#include "dashpad/model/nose/sphere.hpp"
+
+namespace dashpad {
+
+using Nose = std::variant<Sphere, FlatDisc>;
+
+inline Sections sections_of(const Nose& nose) {
+  return std::visit([](const auto& shape) { return shape.sections(); }, nose);
+}
+
+/// The shape's name in case files: `flat-disc`.
+inline std::string name_of(const Nose& nose) {
+  return std::visit([](const auto& shape) { return std::string(shape.name); }, nose);
+}
+
+/// For sentences: "flat disc".
+inline std::string words_of(const Nose& nose) {
+  std::string words = name_of(nose);
+  std::ranges::replace(words, '-', ' ');
+  return words;
+}
+
+/// For standards, whose headforms are spheres: R, m; NaN for any other shape.
+inline double sphere_radius(const Nose& nose) {
+  const auto* sphere = std::get_if<Sphere>(&nose);
+  return sphere == nullptr ? std::numeric_limits<double>::quiet_NaN() : sphere->radius;
+}
+
+}  // namespace dashpad

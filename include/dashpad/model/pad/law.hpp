@@ -1,0 +1,88 @@
+#pragma once
+/// The closed set of pad laws, and the contract that each of them keeps.
+///
+/// Every law is an envelope G and a relaxation rate h (theory.md, Eq. 8):
+///
+///   d(stress)/dt = dG/dt | (rate and largest strain held) + h (G - stress)
+///
+/// so that over a step of constant strain rate (theory.md, Eq. 9)
+///
+///   stress_1 = G(e_1) + (stress_0 - G(e_0)) exp(-H),   H = integral of h over the step.
+///
+/// A law is a value: it remembers nothing, so a step can be tried, accepted or dropped. Its parameters, and
+/// what is the same for all columns of a step, stand in its struct; its formulas, which vectors of columns
+/// share with single numbers, below it (src/model/pad/formulas.hpp).
+
+#include <concepts>
+#include <string>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include "dashpad/model/pad/elastic.hpp"
+#include "dashpad/model/pad/linear_viscoelastic.hpp"
+#include "dashpad/model/pad/nine_parameter.hpp"
+#include "dashpad/model/pad/rigid_foam.hpp"
+#include "dashpad/model/pad/twenty_one_parameter.hpp"
+
+namespace dashpad {
+
+using PadLaw = std::variant<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter>;
+
+/// What every law offers.
+template <class L>
+concept IsPadLaw = requires {
+  { L::name } -> std::convertible_to<const char*>;
+  { L::memoryless } -> std::convertible_to<bool>;
+  L::parameters;
+};
+
+/// A law whose stress is its envelope at once: it needs no columns, its contact force is a closed form.
+template <class L>
+concept IsMemoryless = IsPadLaw<L> && L::memoryless && requires(const L law) {
+  { law.curve() } -> std::same_as<StressCurve>;
+  { L::recovers } -> std::convertible_to<bool>;
+};
+
+/// A law with memory: the stress of a column depends on its history. Stresses in Pa, rates in 1/s, times in s
+/// since first contact.
+template <class L>
+concept IsViscous =
+    IsPadLaw<L> && !L::memoryless && requires(const L law, double x, typename L::RatePart rate) {
+  { law.exponents() } -> std::same_as<PowerExponents>;
+  { law.rate_part(x) } -> std::same_as<typename L::RatePart>;
+  /// From one time to another.
+  { law.time_part(x, x) } -> std::same_as<typename L::TimePart>;
+  /// h of a column at strain zero, at a time.
+  { law.relaxation_rate(x) } -> std::same_as<double>;
+  /// Limit of stress / A at the contact edge, where the strain has just begun to grow.
+  { law.edge_ratio(rate) } -> std::same_as<double>;
+};
+
+/// Of<Law> for each law with memory.
+template <template <class> class Of, class... Laws>
+auto tuple_with_memory(const std::variant<Laws...>*) {
+  return std::tuple_cat([]<class Law>(const Law*) {
+    if constexpr (IsViscous<Law>)
+      return std::tuple<Of<Law>>();
+    else
+      return std::tuple<>();
+  }(static_cast<const Laws*>(nullptr))...);
+}
+template <template <class> class Of>
+using WithMemory = decltype(tuple_with_memory<Of>(static_cast<const PadLaw*>(nullptr)));
+
+/// A value that breaks a rule: which one, what it is (SI), and the rule in words.
+struct Violation {
+  std::string key;
+  double value = 0;
+  std::string rule;
+};
+
+/// All rules that the law's parameters break: each parameter's bounds, and rules between parameters.
+std::vector<Violation> violations(const PadLaw& law);
+
+/// The law's name in case files.
+std::string name_of(const PadLaw& law);
+
+}  // namespace dashpad

@@ -1,0 +1,46 @@
+#pragma once
+/// Figures, tables and text as a page to look at in a browser: one HTML file, which asks nothing of any
+/// network. The figures are the same values that picture() draws as stills.
+
+#include <string>
+#include <vector>
+
+#include "dashpad/output/plot/plot.hpp"
+
+namespace dashpad {
+
+/// Cells as they are shown. `caption` may be empty.
+struct PageTable {
+  std::string caption = {};
+  std::vector<std::string> columns = {};
+  std::vector<std::vector<std::string>> rows = {};  ///< as many cells each as there are columns
+};
+
+struct PageFigure {
+  std::string name = {};  ///< "Figure 3-4"; may be empty
+  Plot plot;
+  std::string note = {};  ///< a sentence or two below it
+};
+
+/// Shown in this order: heading, text, tables, figures.
+struct PageSection {
+  std::string heading = {};
+  std::vector<std::string> paragraphs = {};
+  std::vector<PageTable> tables = {};
+  std::vector<PageFigure> figures = {};
+};
+
+struct FiguresPage {
+  std::string title = {};
+  std::vector<std::string> summary = {};   ///< paragraphs below the title
+  std::vector<std::string> warnings = {};  ///< their first words, in capitals, are set apart
+  std::vector<PageSection> sections = {};
+};
+
+/// The HTML file. Each panel of each plot is interactive: the values under the cursor, zoom by dragging, and
+/// series switched off and on in the legend; curves that go forth and back (loops) are drawn as given. Throws
+/// std::runtime_error with the text of no_page (dashpad/output/page/page.hpp) where has_page() is false, and
+/// std::invalid_argument for rows or columns that do not fit together.
+std::string figures_page(const FiguresPage& page);
+
+}  // namespace dashpad

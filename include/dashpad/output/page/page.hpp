@@ -1,0 +1,27 @@
+#pragma once
+/// One impact as a page to look at in a browser: one HTML file, which asks nothing of any network.
+
+#include <string>
+#include <vector>
+
+#include "dashpad/impact/contact_snapshot.hpp"
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+
+namespace dashpad {
+
+/// Whether this library was built with the page (DASHPAD_BUILD_PAGE).
+bool has_page();
+
+/// What to do where it was not.
+inline constexpr const char* no_page =
+    "this dashpad was built without the page; build it with -DDASHPAD_BUILD_PAGE=ON, which needs npm";
+
+/// The HTML file: case, outcome, warnings, figures, plots, and the case to run again. `shown` are the units
+/// at first; the reader may switch to the others. `snapshots` may be empty. Throws std::runtime_error with
+/// the text of no_page where has_page() is false.
+std::string page(const ImpactCase& impact, const Options& options, const Solution& solution,
+                 const UnitSystem& shown, const std::vector<ContactSnapshot>& snapshots);
+
+}  // namespace dashpad

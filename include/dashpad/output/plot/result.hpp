@@ -1,0 +1,19 @@
+#pragma once
+/// A still of one impact.
+
+#include <optional>
+
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
+#include "dashpad/injury/figures.hpp"
+#include "dashpad/output/plot/plot.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+
+namespace dashpad {
+
+/// Acceleration over time with the window of HIC15 and the 3 ms clip, and force over motion and penetration;
+/// the flags of the result in the small print.
+Plot result_plot(const ImpactCase& impact, const Solution& solution,
+                 const std::optional<InjuryFigures>& injury, const UnitSystem& units);
+
+}  // namespace dashpad

@@ -1,0 +1,29 @@
+#pragma once
+/// The answers of a study as people and programs read them: text, JSON, a page, a still.
+
+#include <string>
+
+#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/plot/plot.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+#include "dashpad/study/questions.hpp"
+
+namespace dashpad {
+
+/// For the terminal.
+std::string study_text(const StudyAnswers& answers, const UnitSystem& units);
+
+/// Everything, in SI; a figure that is absent or not finite is null.
+std::string study_json(const StudyAnswers& answers);
+
+/// The page, for figures_page().
+FiguresPage study_page(const StudyAnswers& answers, const UnitSystem& units);
+
+/// The most telling figure: cushion curves, else curves over a grid, else distributions.
+Plot study_plot(const StudyAnswers& answers, const UnitSystem& units);
+
+/// A factor's value with its unit; for a material (unit "") its name.
+std::string shown_factor(const std::string& unit, double value, const Material& material,
+                         const UnitSystem& units);
+
+}  // namespace dashpad

@@ -1,0 +1,58 @@
+#pragma once
+/// The one table of unit systems: those in which results are shown to people, and those of finite-element
+/// decks.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace dashpad {
+
+/// A unit for each kind of quantity, as text that dashpad/quantities/quantity.hpp reads. Strain rates are in
+/// 1/s everywhere.
+struct UnitSystem {
+  std::string name;  ///< as on the command line
+  std::string length;
+  std::string mass;
+  std::string time;
+  std::string speed;
+  std::string acceleration;  ///< of decks; people are shown g
+  std::string force;
+  std::string stiffness;
+  std::string pressure;
+  std::string energy;
+};
+
+/// The systems for people, the default first:
+///   si                  mm, kg, ms, m/s, N, N/mm, kPa, J: SI with the prefixes that suit an impact
+///   us                  in, lb, ms, mph, lbf, lbf/in, psi, in.lbf: the units of the 1986 report
+///   engineering-metric  mm, kg, ms, km/h, kN, kN/mm, MPa, J: the units of crash laboratories
+std::span<const UnitSystem> unit_systems();
+
+/// The systems for decks, the default first: force = mass * length / time^2, so that no equation needs a
+/// factor. A deck does not say its units; whoever writes it keeps to one system.
+///   kg-mm-ms         kN, GPa, J, mm/ms
+///   kg-m-s           N, Pa, J, m/s
+///   t-mm-s           N, MPa, mJ, mm/s
+///   lbf-s2/in-in-s   lbf, psi, in.lbf, in/s; the mass is 175.127 kg
+std::span<const UnitSystem> consistent_systems();
+
+/// The system of that name, of those for people or for decks. Throws std::invalid_argument that names the
+/// systems on offer.
+const UnitSystem& unit_system(std::string_view name);
+const UnitSystem& consistent_system(std::string_view name);
+
+/// SI without prefixes, kg-m-s: what files hold.
+const UnitSystem& plain_si();
+
+/// The units for a file that goes with a summary in `shown`: plain SI where people see SI.
+const UnitSystem& units_of_files(const UnitSystem& shown);
+
+/// The unit that a system has for an SI unit: "m/s" gives "mph". An SI unit that the system has no other
+/// unit for ("1", "1/s") is returned as it is.
+std::string unit_for(const UnitSystem& units, const std::string& si_unit);
+
+/// An SI value in the unit that the system has for it.
+double value_in(const UnitSystem& units, double value, const std::string& si_unit);
+
+}  // namespace dashpad

@@ -1,0 +1,68 @@
+#pragma once
+/// The model's predictions for the validation tests.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/report1986/validation/measured_tests.hpp"
+
+namespace dashpad::validation {
+
+enum class Program {
+  printed_1984,          ///< as printed, its defects included, pdp10 arithmetic, steps of 0.1 ms
+  mended_support_1984,   ///< the same with the support's curve engaged (Defects::idle_segments mended)
+  accurate,              ///< the solver, exact units, support as specified
+  accurate_first_slope,  ///< the solver, with the load cell's first slope alone; on the plate the same as
+                         ///< accurate
+};
+inline constexpr Program programs[] = {Program::printed_1984, Program::mended_support_1984, Program::accurate,
+                                       Program::accurate_first_slope};
+const char* to_string(Program program);  ///< for people: "1984 program", ...
+
+/// What is simulated: the projectile at a speed, with a nose radius, on one of the supports.
+struct Setup {
+  Projectile projectile = Projectile::aluminium;
+  TestSupport support = TestSupport::load_cell;
+  double speed_mph = 0;
+  double radius_in = 0;
+  friend bool operator==(const Setup&, const Setup&) = default;
+};
+
+/// The impact case of a setup, exact units, with the 9-parameter law of Ensolite (report, section 4).
+ImpactCase impact_case(const ValidationData& data, const Material& ensolite, const Setup& setup);
+
+/// Magnitudes, in the report's units. Figures that a run did not reach are absent. After an ABEND of the
+/// program of 1984 the peaks are there if the projectile was on its way back and every step up to the peak
+/// force was in equilibrium; the rebound speed never is.
+struct Prediction {
+  Program program = Program::accurate;
+  Setup setup;
+  std::optional<double> peak_force_lb;
+  std::optional<double> time_to_peak_ms;
+  std::optional<double> rebound_mph;  ///< at the weight criterion, the report's end of an impact
+  std::optional<double> peak_strain;
+  bool bottomed = false;  ///< the accurate solver: the pad was fully compressed
+  double error =
+      0;  ///< the solver's estimate for the peak force, relative; 0 for the program of 1984, which has none
+  std::string remark = {};  ///< why figures are missing or doubtful: an ABEND, a tolerance not met
+};
+
+/// Throws std::invalid_argument for a setup that is no sound case (impact_case.hpp).
+Prediction predict(const ValidationData& data, const Material& ensolite, Program program, const Setup& setup);
+
+/// Told after each run: done, of how many. One call at a time, from any thread.
+using Progress = std::function<void(std::size_t, std::size_t)>;
+
+/// One prediction for each setup and program, programs innermost; on all cores. Equal impacts are run once.
+/// Throws what predict() throws.
+std::vector<Prediction> predict_all(const ValidationData& data, const Material& ensolite,
+                                    const std::vector<Program>& which, const std::vector<Setup>& setups,
+                                    const Progress& progress = {});
+
+/// The prediction of a program for a setup; null where it is not there.
+const Prediction* find(const std::vector<Prediction>& predictions, Program program, const Setup& setup);
+
+}  // namespace dashpad::validation

@@ -1,0 +1,177 @@
+#pragma once
+/// Errors of the predictions against the measured tests, and whether they pass the rules that were fixed
+/// before the model was run (docs/decisions/0007-validation-rules.md).
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dashpad/report1986/validation/nose_radius.hpp"
+#include "dashpad/report1986/validation/simulations.hpp"
+#include "dashpad/report1986/validation/trends.hpp"
+
+namespace dashpad::validation {
+
+enum class Quantity { peak_force, time_to_peak, rebound_speed, peak_strain };
+inline constexpr Quantity quantities[] = {Quantity::peak_force, Quantity::time_to_peak,
+                                          Quantity::rebound_speed, Quantity::peak_strain};
+const char* to_string(Quantity quantity);
+
+/// The measured and the predicted value of a test; of rows that are certain.
+std::optional<double> measured(const MeasuredTest& test, Quantity quantity);
+std::optional<double> predicted(const Prediction& prediction, Quantity quantity);
+
+/// The rule of a quantity: bounds of bias and scatter; of ln(predicted/measured), for strain of the
+/// difference.
+struct Rule {
+  Quantity quantity;
+  double low = 0, high = 0, scatter = 0;
+  bool logarithmic = true;
+};
+extern const std::array<Rule, 4> rules;
+const Rule& rule_of(Quantity quantity);
+
+/// What the errors of a score come to. `errors` are ln(predicted/measured), for strain the differences.
+struct Statistics {
+  double bias = 0;      ///< exp(mean) - 1, or the mean
+  double scatter = 0;   ///< standard deviation, n - 1; 0 below two
+  bool passed = false;  ///< never below two
+};
+Statistics judge(const Rule& rule, const std::vector<double>& errors);
+
+/// The error of one test.
+struct TestError {
+  int test = 0;
+  double measured = 0, predicted = 0;
+  double error = 0;  ///< predicted/measured - 1; for strain the difference
+};
+
+/// A program on a support, for one quantity, at one radius.
+struct Score {
+  Program program = Program::accurate;
+  TestSupport support = TestSupport::load_cell;
+  Quantity quantity = Quantity::peak_force;
+  double radius_in = 0;
+  std::optional<Projectile> projectile = {};  ///< absent: both
+  std::vector<TestError> errors;              ///< of the tests with a certain reading and a prediction
+  int missing = 0;                            ///< tests with a certain reading, but no prediction
+  double bias = 0;                            ///< exp(mean of ln ratio) - 1, or mean difference
+  double scatter = 0;  ///< standard deviation of ln ratio, or of the difference; 0 below two tests
+  /// By the rule, and with no prediction missing: a program cannot pass by ending in an ABEND.
+  bool passed = false;
+};
+
+Score score(const MeasuredTests& measured, const std::vector<Prediction>& predictions, Program program,
+            TestSupport support, Quantity quantity, double radius_in,
+            std::optional<Projectile> projectile = {});
+
+/// A score of readings whose tests are lost, in all placings in their order. Shown beside the verdicts; the
+/// rules count certain readings only.
+struct PlacedScore {
+  Program program = Program::accurate;
+  double radius_in = 0;
+  UnplacedReadings group;
+  Quantity quantity = Quantity::peak_force;
+  long placings = 0;         ///< with a prediction for every reading
+  long placings_passed = 0;  ///< that the rule would pass
+  double bias = 0;           ///< mean over the placings
+  Interval bias_over_placings, scatter_over_placings;
+};
+
+/// Of every group of the quantities above; strains by the plug and by the diameter apart.
+std::vector<PlacedScore> placed_scores(const MeasuredTests& measured,
+                                       const std::vector<Prediction>& predictions, Program program,
+                                       double radius_in);
+
+/// The second rule of the rebound speed: how many predictions lie between what was measured and what the
+/// report's Table 3-2 admits.
+struct Admissible {
+  Program program = Program::accurate;
+  double radius_in = 0;
+  int admissible = 0, tests = 0;
+  int too_low = 0, too_high = 0;
+  int missing = 0;  ///< tests without a prediction: not admissible
+  bool passed = false;
+};
+
+/// The bound of Table 3-2 for one test with its own measured rebound and force: sqrt((U_R + W_S)/U) V, mph.
+/// Absent without these readings.
+std::optional<double> rebound_bound_mph(const ValidationData& data, const MeasuredTest& test);
+
+Admissible admissible_rebounds(const ValidationData& data, const std::vector<Prediction>& predictions,
+                               Program program, double radius_in);
+
+/// A score at the favoured radius, and its span over all radii of the study.
+struct Verdict {
+  Score score;
+  Interval bias_over_radii;
+  Interval scatter_over_radii;
+  int radii_passed = 0, radii = 0;
+};
+
+/// The slope of ln(predicted/measured force) over ln(speed), with its 95 % interval, and the ratios to the
+/// report's trend at the ends of its speed ranges. NaN where predictions are missing.
+struct ForceTrend {
+  Program program = Program::accurate;
+  double radius_in = 0;
+  int tests = 0;     ///< both projectiles, load cell, with force and prediction
+  double slope = 0;  ///< one line through all of them
+  Interval slope_confidence = {};
+  double aluminium_slope = 0;  ///< of the aluminium projectile alone; the steel one spans 1.5 mph
+  Interval aluminium_slope_confidence = {};
+  double aluminium_low = 0, aluminium_high = 0;  ///< ratio to curve "A" at 10 and 20 mph
+  double steel_low = 0, steel_high = 0;          ///< at 10 and 15 mph
+};
+
+/// Curve "A" with its tail: the trend of Eq. 36, and for the aluminium projectile not below the mean force of
+/// tests 1 and 24 (report, Figure 3-9: the tail is drawn through them; below 300 in.lb the trend is no fit),
+/// lb.
+double curve_a_force_lb(const ValidationData& data, Projectile projectile, double speed_mph);
+/// Curve "B" above the tail, lb.
+double curve_b_force_lb(const ValidationData& data, Projectile projectile, double speed_mph);
+
+ForceTrend force_trend(const ValidationData& data, const std::vector<Prediction>& at_tests,
+                       const std::vector<Prediction>& on_curves, Program program, double radius_in);
+
+enum class Explanation { explains, in_part, does_not };
+
+struct AnomalyVerdict {
+  std::vector<ForceTrend> trends;           ///< one a program, at the favoured radius
+  bool first_slope_gives_the_fall = false;  ///< accurate_first_slope: the printed ratios
+  bool curve_removes_the_fall = false;      ///< accurate: no slope, and the peak-force rule passes
+  bool slope_halves = false;                ///< from accurate_first_slope to accurate
+  Explanation explanation = Explanation::does_not;
+  std::vector<Explanation> over_radii;  ///< what it would be at each radius of the study
+};
+
+/// `force_passed`: of the accurate solver on the load cell.
+AnomalyVerdict judge_anomaly(const ValidationData& data, std::vector<ForceTrend> trends, bool force_passed);
+
+/// The whole study: data in, conclusions out.
+struct Study {
+  ValidationData data;
+  std::vector<FittedConstant> constants;
+  NominalStressFit nominal_stress;
+  RadiusStudy radius;
+  std::vector<Prediction>
+      at_tests;  ///< every test, every program, every radius of the study and the favoured one
+  std::vector<Prediction>
+      on_curves;  ///< the report's speeds (section 4), least, favoured and greatest radius, and the report's
+  std::vector<Verdict> verdicts;  ///< program by support by quantity, where anything was measured
+  std::vector<Verdict> at_the_reports_radius;  ///< the same at the radius that the report simulated with
+  std::vector<Verdict> by_projectile;          ///< on the load cell, for each projectile alone
+  std::vector<PlacedScore> placed;             ///< at the favoured radius
+  std::vector<Admissible> rebounds;            ///< load cell, at the favoured radius, one a program
+  AnomalyVerdict anomaly;
+  AnomalyVerdict anomaly_at_the_reports_radius;
+};
+
+/// The setups of the tests at a radius, and those of the report's simulations (section 4).
+std::vector<Setup> setups_of_tests(const MeasuredTests& measured, double radius_in);
+std::vector<Setup> setups_of_curves(double radius_in);
+
+/// `progress` is told of each stage on its own.
+Study run_study(const ValidationData& data, const Material& ensolite, const Progress& progress = {});
+
+}  // namespace dashpad::validation

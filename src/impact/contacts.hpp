@@ -1,0 +1,51 @@
+#pragma once
+/// The contact that suits a case, in memory that is kept from one impact to the next.
+
+#include <optional>
+#include <tuple>
+#include <type_traits>
+#include <variant>
+
+#include "dashpad/impact/impact_case.hpp"
+#include "model/contact/column_field.hpp"
+#include "model/contact/curve_contact.hpp"
+#include "model/contact/nine_parameter_contact.hpp"
+
+namespace dashpad {
+
+class Contacts {
+ public:
+  /// Returns visit(contact). Plain: columns computed one by one, without short cuts.
+  template <class Visit>
+  auto visit(const ImpactCase& impact, ColumnMath math, Visit&& visit) {
+    const double thickness = impact.pad.thickness;
+    const Sections sections = sections_of(impact.impactor.nose);
+    const auto renewed = [&](auto& contact, const auto&... arguments) -> auto& {
+      if (contact)
+        contact->set(arguments...);
+      else
+        contact.emplace(arguments...);
+      return *contact;
+    };
+    const auto of_law = [&](const auto& law) {
+      using Law = std::decay_t<decltype(law)>;
+      if constexpr (IsMemoryless<Law>) {
+        CurveContact contact(law.curve(), Law::recovers, thickness, sections);
+        return visit(contact);
+      } else {
+        if constexpr (std::is_same_v<Law, NineParameter>)
+          if (math == ColumnMath::vector) return visit(renewed(nine_parameter_, law, thickness, sections));
+        return visit(renewed(std::get<Field<Law>>(fields_), law, thickness, sections, math));
+      }
+    };
+    return std::visit(of_law, impact.pad.material.law);
+  }
+
+ private:
+  std::optional<NineParameterContact> nine_parameter_;
+  template <class Law>
+  using Field = std::optional<ColumnField<Law>>;
+  WithMemory<Field> fields_;
+};
+
+}  // namespace dashpad

@@ -1,0 +1,123 @@
+// What a pulse says of itself: whether it is whole, zeroed, and of the impact that it is said to be of.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/injury/pulse_report.hpp"
+#include "injury/pulse_words.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr double lowest_cut = 0.01;            // of the peak
+constexpr double cut_in_noise = 4;             // of the scatter
+constexpr double most_quiet_scatter = 0.02;    // of the peak, of a part that is quiet
+constexpr double worth_a_remark = 1e-3;        // of HIC15
+constexpr double surely = 3;                   // standard errors of a mean that is not 0
+constexpr double rounding_of_velocity = 1e-3;  // relative
+constexpr double rounding = 1e-9;              // of the peak
+
+/// Root mean square of the samples in the quiet interval, m/s2; 0 where there is none.
+double scatter(const PulseReport& report, const Pulse& pulse, double peak) {
+  if (!report.offset) return 0;
+  double squares = 0, count = 0;
+  for (std::size_t i = 0; i < pulse.time.size() && pulse.time[i] <= report.offset->offset.end; ++i)
+    if (pulse.time[i] >= report.offset->offset.begin) {
+      squares += pulse.acceleration[i] * pulse.acceleration[i];
+      ++count;
+    }
+  const double found = count > 0 ? std::sqrt(squares / count) : 0;
+  return found <= most_quiet_scatter * peak ? found : 0;
+}
+
+/// Two digits, and all digits before the point.
+std::string in_percent(double fraction) {
+  return fraction < 0.99 ? percentage(fraction) : fmt::format("{:.0f} %", 100 * fraction);
+}
+
+std::string cut(const std::string& where, double acceleration, double peak, const std::string& missing) {
+  return fmt::format(
+      "PULSE CUT: it {} at {} g, {} of its peak: {}, or the sensor has an offset; of a pulse that is not "
+      "whole "
+      "HIC, clips and velocity change are lower bounds",
+      where, brief(std::abs(acceleration) / standard_gravity), in_percent(std::abs(acceleration) / peak),
+      missing);
+}
+
+}  // namespace
+
+MeasuredImpact after_fall(double drop_height) {
+  return {.speed = std::sqrt(2 * standard_gravity * drop_height), .drop_height = drop_height};
+}
+
+std::optional<double> restitution(const PulseReport& report) {
+  if (!report.impact) return std::nullopt;
+  return std::abs(report.figures.velocity_change) / report.impact->speed - 1;
+}
+
+std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse) {
+  std::vector<Flag> all;
+  const double peak = dashpad::peak(pulse).magnitude;
+  const double limit = std::max(lowest_cut * peak, cut_in_noise * scatter(report, pulse, peak));
+  const bool begins_quietly = report.offset && !report.offset->given;
+  if (!begins_quietly && std::abs(pulse.acceleration.front()) > limit)
+    all.push_back({"PULSE CUT", cut("starts", pulse.acceleration.front(), peak, "its beginning is missing")});
+  if (std::abs(pulse.acceleration.back()) > limit)
+    all.push_back({"PULSE CUT", cut("ends", pulse.acceleration.back(), peak, "its end is missing")});
+  if (!report.impact) return all;
+  const double change = std::abs(report.figures.velocity_change), speed = report.impact->speed;
+  if (change < (1 - rounding_of_velocity) * speed)
+    all.push_back(
+        {"IMPOSSIBLE VELOCITY CHANGE",
+         fmt::format("IMPOSSIBLE VELOCITY CHANGE: {} m/s is less than the impact speed, {} m/s; likely "
+                     "the pulse is cut, the unit or the sensitivity is wrong, or the sensor has an "
+                     "offset",
+                     brief(change), brief(speed))});
+  if (change > (1 + rounding_of_velocity) * 2 * speed)
+    all.push_back(
+        {"IMPOSSIBLE VELOCITY CHANGE",
+         fmt::format("IMPOSSIBLE VELOCITY CHANGE: {} m/s is more than twice the impact speed, {} m/s; "
+                     "likely the sensor has an offset, the unit or the sensitivity is wrong, or there "
+                     "is more than one impact in the pulse",
+                     brief(change), brief(speed))});
+  return all;
+}
+
+std::string each_in_g(const std::vector<double>& accelerations, double peak) {
+  std::string text;
+  for (const double value : accelerations)
+    text += fmt::format("{}{:.3g}", text.empty() ? "" : ", ",
+                        std::abs(value) < rounding * peak ? 0 : value / standard_gravity);
+  return text + " g";
+}
+
+std::string change_of_hic15(const OffsetEffect& effect) {
+  if (!(effect.hic15_without > 0))
+    return fmt::format("HIC15 is {} with it, and 0 without", brief(effect.hic15_with));
+  const double change = effect.hic15_with / effect.hic15_without - 1;
+  return fmt::format("HIC15 is {} {} with it than without", in_percent(std::abs(change)),
+                     change < 0 ? "lower" : "higher");
+}
+
+std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak) {
+  const SensorOffset& offset = effect.offset;
+  const double root = std::sqrt(static_cast<double>(offset.samples));
+  bool is_more_than_noise = false;
+  for (std::size_t i = 0; i < offset.mean.size(); ++i)
+    is_more_than_noise = is_more_than_noise || std::abs(offset.mean[i]) > surely * offset.scatter[i] / root;
+  std::vector<std::string> remarks;
+  const double change = std::abs(effect.hic15_with - effect.hic15_without);
+  if (!effect.taken_off && is_more_than_noise && change > worth_a_remark * effect.hic15_without)
+    remarks.push_back(fmt::format("an offset of {} before the impact: {}; --zero auto takes it off",
+                                  each_in_g(offset.mean, peak), change_of_hic15(effect)));
+  if (effect.given && std::ranges::max(offset.scatter) > most_quiet_scatter * peak)
+    remarks.push_back(fmt::format("the interval of --zero is not quiet: its scatter is {}, and the peak {}",
+                                  each_in_g(offset.scatter, peak), each_in_g({peak}, peak)));
+  return remarks;
+}
+
+}  // namespace dashpad

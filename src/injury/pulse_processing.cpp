@@ -1,0 +1,47 @@
+// What is done to a measured pulse before its figures.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "dashpad/injury/pulse_report.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+Pulse processed(const Pulse& pulse, std::optional<double> interval,
+                const std::optional<PulseFilter>& filter) {
+  const Pulse even = interval ? resampled(pulse, *interval) : pulse;
+  return filter ? cfc_filtered(even, filter->channel_frequency_class, filter->corner, filter->ends) : even;
+}
+
+}  // namespace
+
+Pulse processed_pulse(const MeasuredPulse& measured, std::optional<double> interval,
+                      const std::optional<PulseFilter>& filter) {
+  if (measured.components.empty()) return processed(measured.pulse, interval, filter);
+  Pulse result;
+  std::vector<std::vector<double>> components;
+  for (const std::vector<double>& component : measured.components) {
+    Pulse direction = processed({measured.pulse.time, component}, interval, filter);
+    result.time = std::move(direction.time);
+    components.push_back(std::move(direction.acceleration));
+  }
+  result.acceleration = resultant_of(components);
+  return result;
+}
+
+std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std::optional<double> interval,
+                                              const PulseFilter& filter) {
+  const std::vector<double>& time = measured.pulse.time;
+  const double mean = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  const double slower = std::max(mean, interval.value_or(0));
+  const int of_class = filter.channel_frequency_class;
+  if (samples_suffice(of_class, slower)) return std::nullopt;
+  return fmt::format("sampled at {} kHz; CFC{} wants {} kHz at least", brief(1e-3 / slower), of_class,
+                     brief(1e-2 * of_class));
+}
+
+}  // namespace dashpad

@@ -1,0 +1,188 @@
+#include "dashpad/input/case_file.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "input/law_table.hpp"
+#include "input/parameter_table.hpp"
+#include "input/spelling.hpp"
+#include "input/support_table.hpp"
+
+namespace dashpad {
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+double read_mass(TableReader& table) {
+  const bool has_mass = table.has("mass");
+  const bool has_weight = table.has("weight");
+  if (has_mass && has_weight) table.fault("weight", "give mass or weight, not both");
+  if (!has_mass && !has_weight)
+    table.fault("mass", "is missing; give a mass, such as \"4.5 kg\", or a weight, such as \"10 lbf\"");
+  if (has_mass == has_weight) return no_number;
+  return has_mass ? table.quantity("mass", "kg") : table.quantity("weight", "N") / standard_gravity;
+}
+
+/// A nose that is not named is a sphere.
+Nose read_nose(TableReader& table) {
+  const auto shape = table.has("nose") ? read_alternative<Nose>(table, "nose") : Sphere{};
+  return with_parameters(shape.value_or(Sphere{}), table);
+}
+
+Impactor read_impactor(TableReader& table) {
+  const Impactor impactor{
+      .mass = read_mass(table), .nose = read_nose(table), .speed = table.quantity("speed", "m/s")};
+  table.refuse_others();
+  return impactor;
+}
+
+bool is_card_name(std::string_view name) {
+  return std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+           c == '_' || c == '-';
+  });
+}
+
+std::vector<std::string> names_of_cards(const std::filesystem::path& materials) {
+  std::vector<std::string> names;
+  for (const auto& card : list_materials(materials)) names.push_back(card.stem().string());
+  return names;
+}
+
+/// Where cards are looked for.
+struct Folders {
+  std::filesystem::path of_case;
+  std::filesystem::path materials;
+};
+
+std::optional<std::filesystem::path> find_card(TableReader& pad, const Folders& folders) {
+  const std::string name = pad.text("material");
+  if (name.empty()) return std::nullopt;
+  const bool is_path = name.ends_with(".toml");
+  if (is_path && std::ranges::any_of(name, [](char c) { return static_cast<unsigned char>(c) < ' '; })) {
+    pad.fault("material", "the path holds a control character");
+    return std::nullopt;
+  }
+  if (!is_path && !is_card_name(name)) {
+    pad.fault("material", "must be the name of a card (letters, digits, . _ -) or a path that ends in .toml");
+    return std::nullopt;
+  }
+  const auto card = is_path ? folders.of_case / name : folders.materials / (name + ".toml");
+  std::error_code ignored;
+  if (std::filesystem::exists(card, ignored)) return card;
+  if (is_path) {
+    pad.fault("material", "no such file: " + card.string());
+  } else {
+    const auto names = names_of_cards(folders.materials);
+    pad.fault("material", "no such card in " + folders.materials.string() +
+                              (names.empty() ? ", which has none" : ", which has " + listing(names)) +
+                              did_you_mean(name, names));
+  }
+  return std::nullopt;
+}
+
+/// Nothing after a fault. `card` becomes the file that was found.
+std::optional<Material> read_named_material(TableReader& pad, const Folders& folders,
+                                            std::optional<std::filesystem::path>& card) {
+  try {
+    card = find_card(pad, folders);
+    if (card) return read_material(*card);
+  } catch (const InputError& error) {
+    pad.faults().add(error.faults());
+  }
+  return std::nullopt;
+}
+
+std::optional<Material> read_material_in_line(TableReader& pad) {
+  const auto law = read_law(pad);
+  const auto fitted = read_fitted(pad);
+  if (!law) return std::nullopt;
+  Material material;
+  material.name = "in line";
+  material.law = *law;
+  material.fitted = fitted;
+  return material;
+}
+
+struct PadEntry {
+  Pad pad;
+  bool material_to_check = false;  ///< given in the case itself
+  std::optional<std::filesystem::path> card;
+};
+
+PadEntry read_pad(TableReader& table, const Folders& folders) {
+  PadEntry entry;
+  entry.pad.thickness = table.quantity("thickness", "m");
+  const bool named = table.has("material");
+  const bool in_line = table.has("law") || table.has("parameters");
+  if (named && in_line) table.fault("material", "give a material or a law with parameters, not both");
+  if (!named && !in_line)
+    table.fault("material", "is missing; give the name of a card, or a law with parameters");
+  std::optional<Material> material;
+  if (named && !in_line) material = read_named_material(table, folders, entry.card);
+  if (in_line && !named) material = read_material_in_line(table);
+  entry.material_to_check = in_line && material.has_value();
+  entry.pad.material = material.value_or(Material());
+  table.refuse_others();
+  return entry;
+}
+
+Options read_options(TableReader& table) {
+  Options options;
+  if (table.has("tolerance")) {
+    options.tolerance = table.number("tolerance");
+    if (options.tolerance < 1e-8 || options.tolerance > 1e-2)
+      table.fault("tolerance", "must be at least 1e-8 and at most 1e-2");
+  }
+  if (table.has("time_limit")) {
+    options.time_limit = table.quantity("time_limit", "s");
+    if (options.time_limit <= 0) table.fault("time_limit", "must be more than 0");
+  }
+  table.refuse_others();
+  return options;
+}
+
+/// The mass is checked as what the case gave for it, and the material of a card with its card.
+std::vector<Violation> violations_in_terms_of(const TomlNode& root, const ImpactCase& impact,
+                                              bool material_to_check) {
+  std::vector<Violation> broken = violations(impact);
+  if (!material_to_check)
+    std::erase_if(broken, [](const Violation& violation) {
+      return violation.key.starts_with("pad.parameters.") || violation.key.starts_with("pad.fitted.");
+    });
+  for (Violation& violation : broken)
+    if (violation.key == "impactor.mass" && root.nearest("impactor.weight").key == "weight") {
+      violation.key = "impactor.weight";
+      violation.rule = "the mass " + violation.rule;
+    }
+  return broken;
+}
+
+}  // namespace
+
+CaseFile read_case(const std::filesystem::path& file, const std::filesystem::path& materials) {
+  const TomlNode root = read_toml(file);
+  FaultList faults(file.string());
+  TableReader top(root, "", faults);
+  CaseFile result;
+  result.files.push_back({"the case file", file});
+  ImpactCase& impact = result.impact;
+  bool material_to_check = false;
+  impact.title = top.text("title", Presence::optional);
+  if (auto table = top.table("impactor")) impact.impactor = read_impactor(*table);
+  if (auto table = top.table("pad")) {
+    PadEntry entry = read_pad(*table, {file.parent_path(), materials});
+    impact.pad = std::move(entry.pad);
+    material_to_check = entry.material_to_check;
+    if (entry.card) result.files.push_back({"the material card", *std::move(entry.card)});
+  }
+  if (auto table = top.table("support")) impact.support = read_support(*table);
+  if (auto table = top.table("solver", Presence::optional)) result.options = read_options(*table);
+  top.refuse_others();
+
+  faults.add(violations_in_terms_of(root, impact, material_to_check), root);
+  faults.throw_if_any();
+  return result;
+}
+
+}  // namespace dashpad

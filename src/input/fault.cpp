@@ -1,0 +1,85 @@
+#include "dashpad/input/fault.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "quantities/text.hpp"
+
+namespace dashpad {
+namespace {
+
+constexpr std::size_t most_of_a_kind = 5;
+constexpr std::size_t most_lines = 200;  // of a message, of however many kinds its faults are
+
+/// The line without its value, with # in the place of every number.
+std::string kind_of(std::string_view line) {
+  std::string kind;
+  const auto value = line.find(" = "), rule = line.rfind(": ");
+  if (value < rule && rule != std::string_view::npos) {
+    kind = line.substr(0, value);
+    line.remove_prefix(rule);
+  }
+  kind += line;
+  std::string numberless;
+  for (const char c : kind) {
+    const bool is_digit = (c >= '0' && c <= '9') || (c == '.' && numberless.ends_with('#'));
+    if (!is_digit) numberless += c;
+    if (is_digit && !numberless.ends_with('#')) numberless += '#';
+  }
+  return numberless;
+}
+
+std::string message(const std::vector<Fault>& faults) {
+  std::vector<std::string> lines;
+  std::ranges::transform(faults, std::back_inserter(lines),
+                         [](const Fault& fault) { return to_string(fault); });
+  lines = abridged(lines);
+  if (lines.size() > most_lines) {
+    lines.resize(most_lines);
+    lines.emplace_back("...");
+  }
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
+  return text;
+}
+
+}  // namespace
+
+std::string to_string(const Fault& fault) {
+  std::string line = fault.file;
+  if (fault.line > 0) line += fmt::format(":{}", fault.line);
+  if (!fault.key.empty()) line += ": " + fault.key;
+  if (!fault.value.empty()) line += " = " + fault.value;
+  return one_line(line + ": " + fault.rule);
+}
+
+std::vector<std::string> abridged(const std::vector<std::string>& lines) {
+  std::vector<std::string> kinds;
+  std::ranges::transform(lines, std::back_inserter(kinds), kind_of);
+  std::map<std::string_view, std::size_t> all_of;
+  for (const std::string& kind : kinds) ++all_of[kind];
+  std::map<std::string_view, std::size_t> shown;
+  std::vector<std::string> text;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::size_t count = ++shown[kinds[i]];
+    if (count <= most_of_a_kind) text.push_back(lines[i]);
+    if (count == most_of_a_kind && all_of[kinds[i]] > most_of_a_kind)
+      text.push_back(fmt::format("and {} more of this kind", all_of[kinds[i]] - most_of_a_kind));
+  }
+  return text;
+}
+
+InputError::InputError(std::vector<Fault> faults)
+    : std::runtime_error(message(faults)), faults_(std::move(faults)) {}
+
+[[noreturn]] void refuse_file(const std::filesystem::path& file, const std::string& rule, int line) {
+  throw InputError({Fault{file.string(), line, "", "", rule}});
+}
+
+}  // namespace dashpad

@@ -1,0 +1,170 @@
+// The files of an ISO-MME test in a zip or tar. They are unpacked into memory, never onto the disk.
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <set>
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "input/iso_mme/members.hpp"
+#include "input/measurement/measurement_text.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr std::size_t most_entries = 10'000;
+constexpr std::size_t longest_name = 1000;
+/// What a tar claims to hold in all. To pass over a file of a tar is to unpack it; of a zip it costs nothing.
+constexpr std::int64_t largest_tar = std::int64_t{1} << 34;
+
+/// An archive, opened for reading from its first entry on.
+class Archive {
+ public:
+  explicit Archive(const std::filesystem::path& file) : name_(file.string()) {
+    descriptor_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (descriptor_ < 0) refuse_file(name_, std::string("cannot be read: ") + std::strerror(errno));
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) fail("is not a regular file");
+    archive_.reset(::archive_read_new());
+    if (!archive_) fail("cannot be read: no memory");
+    ::archive_read_support_format_zip_seekable(archive_.get());
+    ::archive_read_support_format_tar(archive_.get());
+    ::archive_read_support_filter_gzip(archive_.get());
+    if (::archive_read_open_fd(archive_.get(), descriptor_, 65536) != ARCHIVE_OK) fail(reason());
+  }
+  ~Archive() {
+    archive_.reset();
+    ::close(descriptor_);
+  }
+  Archive(const Archive&) = delete;
+  Archive& operator=(const Archive&) = delete;
+
+  /// The name of the next regular file. False at the end.
+  bool next(std::string& name) {
+    while (true) {
+      const int result = ::archive_read_next_header(archive_.get(), &entry_);
+      if (result == ARCHIVE_EOF) return false;
+      if (result < ARCHIVE_WARN) refuse_file(name_, reason());
+      if (++entries_ > most_entries)
+        refuse_file(name_, fmt::format("holds more than {} files", most_entries));
+      if ((::archive_format(archive_.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_TAR) count_size();
+      name = safe_name();
+      if (::archive_entry_filetype(entry_) == AE_IFREG && ::archive_entry_hardlink(entry_) == nullptr)
+        return true;
+    }
+  }
+
+  /// The content of the entry that next() came to. `room` is what may still be unpacked.
+  std::string read(const std::string& name, std::size_t most, bool cut, std::size_t& room) {
+    std::string content;
+    std::array<char, 65536> block{};
+    while (content.size() < most || !cut) {
+      const la_ssize_t count = ::archive_read_data(archive_.get(), block.data(), block.size());
+      if (count == 0) break;
+      if (count < 0) refuse_file(name_, one_line(name) + ": " + reason());
+      const auto size = static_cast<std::size_t>(count);
+      if (size > room)
+        refuse_file(name_, fmt::format("unpacks to more than {} MiB", largest_measurement >> 20));
+      room -= size;
+      if (content.size() + size > most && !cut)
+        refuse_file(name_, fmt::format("{}: is larger than {} MiB", one_line(name), most >> 20));
+      content.append(block.data(), std::min(size, most - content.size()));
+    }
+    return content;
+  }
+
+ private:
+  struct Deleter {
+    void operator()(archive* opened) const { ::archive_read_free(opened); }
+  };
+
+  [[noreturn]] void fail(const std::string& rule) {
+    archive_.reset();
+    ::close(descriptor_);
+    refuse_file(name_, rule);
+  }
+
+  std::string reason() {
+    const char* text = ::archive_error_string(archive_.get());
+    return "cannot be unpacked" + (text == nullptr ? "" : ": " + one_line(text));
+  }
+
+  void count_size() {
+    const std::int64_t size = ::archive_entry_size_is_set(entry_) != 0 ? ::archive_entry_size(entry_) : 0;
+    if (size < 0 || size > largest_tar - claimed_) refuse_file(name_, "is too large for a tar; use a zip");
+    claimed_ += size;
+  }
+
+  /// With / between folders and without "./". A name that leads out of the archive is a reason to trust
+  /// nothing in it.
+  std::string safe_name() {
+    const char* text = ::archive_entry_pathname_utf8(entry_);
+    if (text == nullptr) text = ::archive_entry_pathname(entry_);
+    std::string name = text == nullptr ? "" : text;
+    if (name.size() > longest_name) refuse_file(name_, "holds a name that is too long");
+    std::ranges::replace(name, '\\', '/');
+    const bool has_drive = name.size() > 1 && name[1] == ':';
+    const std::string framed = "/" + name + "/";
+    if (name.starts_with('/') || has_drive || framed.find("/../") != std::string::npos)
+      refuse_file(name_,
+                  fmt::format("holds the name \"{}\", which leads out of the archive", one_line(name)));
+    while (name.starts_with("./")) name.erase(0, 2);
+    return name;
+  }
+
+  std::string name_;
+  int descriptor_ = -1;
+  std::unique_ptr<archive, Deleter> archive_;
+  archive_entry* entry_ = nullptr;
+  std::size_t entries_ = 0;
+  std::int64_t claimed_ = 0;
+};
+
+}  // namespace
+
+bool is_archive(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return false;
+  std::array<char, 512> begin{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(begin.data(), begin.size());
+  const std::string_view bytes(begin.data(), static_cast<std::size_t>(stream.gcount()));
+  const bool is_zip = bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06");
+  return is_zip || bytes.starts_with("\x1f\x8b") || (bytes.size() == 512 && bytes.substr(257, 5) == "ustar");
+}
+
+std::vector<std::string> names_in_archive(const std::filesystem::path& archive) {
+  Archive opened(archive);
+  std::set<std::string> seen;
+  std::string name;
+  while (opened.next(name))
+    if (!seen.insert(name).second)
+      refuse_file(archive.string(), fmt::format("holds \"{}\" twice", one_line(name)));
+  return {seen.begin(), seen.end()};
+}
+
+MmeMembers read_from_archive(const std::filesystem::path& archive, const std::vector<std::string>& names,
+                             std::size_t most, bool cut) {
+  Archive opened(archive);
+  const std::set<std::string> wanted(names.begin(), names.end());
+  MmeMembers members;
+  std::size_t room = largest_measurement;
+  std::string name;
+  while (members.size() < wanted.size() && opened.next(name))
+    if (wanted.contains(name)) members[name] = opened.read(name, most, cut, room);
+  return members;
+}
+
+}  // namespace dashpad

@@ -1,0 +1,193 @@
+#include "dashpad/input/iso_mme/iso_mme.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "dashpad/input/fault.hpp"
+#include "input/iso_mme/choice.hpp"
+#include "input/iso_mme/test_files.hpp"
+#include "input/iso_mme/text.hpp"
+#include "input/measurement/column_units.hpp"
+
+namespace dashpad {
+
+namespace {
+
+using Channels = std::vector<IsoMmeChannel>;
+
+struct EvenTimes {
+  double first = 0, interval = 0;
+
+  [[nodiscard]] double at(std::size_t sample) const { return first + interval * static_cast<double>(sample); }
+  /// Not where rounding makes one of two neighbours.
+  [[nodiscard]] bool increase(std::size_t count) const {
+    for (std::size_t i = 1; i < count; ++i)
+      if (!(at(i) > at(i - 1))) return false;
+    return std::isfinite(at(count));
+  }
+};
+
+std::optional<double> number_of(const MmeLabels& labels, const std::string& name, MeasurementFaults& faults) {
+  const MmeLabel* label = labels.find(name);
+  if (label == nullptr || label->value.empty()) {
+    faults.add(label == nullptr ? 0 : label->line, name, "", "is missing");
+    return std::nullopt;
+  }
+  const ReadNumber number = read_number(label->value);
+  if (number.kind == NumberKind::number) return number.value;
+  faults.add(label->line, label->name, label->value, rule_for(number.kind));
+  return std::nullopt;
+}
+
+EvenTimes times_of(const MmeLabels& labels, std::size_t count, MeasurementFaults& faults) {
+  if (const MmeLabel* reference = labels.find("Reference channel");
+      reference != nullptr && !reference->value.empty() && lower_case(reference->value) != "implicit")
+    faults.add(reference->line, reference->name, reference->value,
+               "only \"implicit\" times are read, those with a first sample and an interval");
+  const auto first = number_of(labels, "Time of first sample", faults);
+  const auto interval = number_of(labels, "Sampling interval", faults);
+  if (!first || !interval) return {};
+  const MmeLabel* label = labels.find("Sampling interval");
+  const EvenTimes times{*first, *interval};
+  if (!(*interval > 0))
+    faults.add(label->line, label->name, label->value, "must be more than 0");
+  else if (!times.increase(count))
+    faults.add(label->line, label->name, label->value, "does not give times that increase");
+  return times;
+}
+
+/// Adds one channel to the result: its values, or a direction of a resultant.
+class Combiner {
+ public:
+  Combiner(const MmeTestFiles& test, const IsoMmeOptions& options, MeasuredPulse& result)
+      : test_(test), options_(options), result_(result) {}
+
+  void add(const IsoMmeChannel& channel, const std::string& text) {
+    MeasurementFaults faults(test_.shown(test_.channels.at(channel.number)));
+    const MmeChannelText read = read_mme_channel(text, faults);
+    const EvenTimes times = times_of(read.labels, read.values.size(), faults);
+    if (faults.none() && read.values.size() < 2) faults.add(0, "", "", "a pulse needs two samples at least");
+    MeasuredColumn column{.name = channel.code, .number = channel.number, .unit = read.labels.value("Unit")};
+    const std::string unit_of_file = column.unit;
+    const std::string rule =
+        settle_unit(column, ColumnKind::acceleration, options_.acceleration_unit, "--acceleration-unit",
+                    sensitivity_at(options_.sensitivity, result_.acceleration.size()));
+    const MmeLabel* label = read.labels.find("Unit");
+    if (!rule.empty()) faults.add(label == nullptr ? 0 : label->line, "Unit", unit_of_file, rule);
+    if (!result_.acceleration.empty() && (times.first != times_.first || times.interval != times_.interval ||
+                                          read.values.size() != result_.pulse.time.size()))
+      faults.add(0, "", "", "has other times than " + result_.acceleration.front().name);
+    faults.throw_if_any();
+    if (const auto remark = overruled_unit(column, unit_of_file)) result_.remarks.push_back(*remark);
+    if (const std::string code = read.labels.value("Channel code"); !code.empty() && code != channel.code)
+      result_.remarks.push_back(fmt::format("{}: its file has the code {}", channel.code, code));
+    append(read.values, times, column, faults);
+  }
+
+ private:
+  void append(const std::vector<double>& values, const EvenTimes& times, const MeasuredColumn& column,
+              MeasurementFaults& faults) {
+    Pulse& pulse = result_.pulse;
+    const bool is_first = result_.acceleration.empty();
+    if (is_first) {
+      times_ = times;
+      for (std::size_t i = 0; i < values.size(); ++i) pulse.time.push_back(times.at(i));
+    }
+    std::vector<double> scaled(values.size());
+    std::ranges::transform(values, scaled.begin(), [&](double value) { return value * column.factor; });
+    if (result_.resultant) {
+      result_.components.push_back(std::move(scaled));
+      pulse.acceleration = resultant_of(result_.components);
+    } else {
+      pulse.acceleration = std::move(scaled);
+    }
+    if (!std::ranges::all_of(pulse.acceleration, [](double value) { return std::isfinite(value); }))
+      faults.refuse(0, "", "", "holds a value that is too large to compute with");
+    result_.acceleration.push_back(column);
+  }
+
+  const MmeTestFiles& test_;
+  const IsoMmeOptions& options_;
+  MeasuredPulse& result_;
+  EvenTimes times_;
+};
+
+/// The code and the name in words of "11HEAD0000H3ACXA / Head x", by the number of the channel.
+std::map<int, std::pair<std::string, std::string>> listed_names(const MmeLabels& labels) {
+  std::map<int, std::pair<std::string, std::string>> names;
+  constexpr std::string_view beginning = "name of channel";
+  for (const MmeLabel& label : labels.all()) {
+    if (!lower_case(label.name).starts_with(beginning)) continue;
+    const auto number = channel_number(std::string(without_blanks(label.name.substr(beginning.size()))));
+    const auto slash = label.value.find('/');
+    const std::string code(without_blanks(std::string_view(label.value).substr(0, slash)));
+    const std::string words =
+        slash == std::string::npos ? "" : std::string(without_blanks(label.value.substr(slash + 1)));
+    if (number) names.emplace(*number, std::pair{code, words});
+  }
+  return names;
+}
+
+Channels list(const MmeTestFiles& test) {
+  std::vector<std::string> names;
+  for (const auto& [number, name] : test.channels) names.push_back(name);
+  if (!test.channel_list.empty()) names.push_back(test.channel_list);
+  const MmeMembers texts = test.beginnings(names);
+  auto listed = test.channel_list.empty() ? std::map<int, std::pair<std::string, std::string>>{}
+                                          : listed_names(read_mme_labels(texts.at(test.channel_list)));
+  Channels channels;
+  for (const auto& [number, name] : test.channels) {
+    const MmeLabels labels = read_mme_labels(texts.at(name));
+    IsoMmeChannel channel{.number = number,
+                          .code = labels.value("Channel code"),
+                          .name = labels.value("Name of the channel"),
+                          .unit = labels.value("Unit"),
+                          .samples = labels.value("Number of samples"),
+                          .problem = {}};
+    if (const auto found = listed.extract(number)) {
+      if (channel.code.empty()) channel.code = found.mapped().first;
+      if (channel.name.empty()) channel.name = found.mapped().second;
+    }
+    channels.push_back(std::move(channel));
+  }
+  for (const auto& [number, words] : listed)
+    channels.push_back({number, words.first, words.second, "", "", "its file is missing"});
+  std::ranges::sort(channels, {}, &IsoMmeChannel::number);
+  return channels;
+}
+
+}  // namespace
+
+bool is_iso_mme(const std::filesystem::path& file) {
+  std::error_code error;
+  return std::filesystem::is_directory(file, error) || lower_case(file.extension().string()) == ".mme" ||
+         is_archive(file);
+}
+
+std::vector<IsoMmeChannel> iso_mme_channels(const std::filesystem::path& file) {
+  return list(find_mme_test(file));
+}
+
+MeasuredPulse read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options) {
+  const MmeTestFiles test = find_mme_test(file);
+  MeasuredPulse result{.format = "ISO-MME",
+                       .time = {.name = "implicit", .unit = "s", .unit_origin = "format"},
+                       .resultant = options.resultant,
+                       .files = test.files()};
+  Combiner combiner(test, options, result);
+  const Channels chosen = chosen_channels(file, list(test), options);
+  if (options.sensitivity.size() > 1 && options.sensitivity.size() != chosen.size())
+    refuse_file(file, wrong_number_of_sensitivities(options.sensitivity.size(), chosen.size()));
+  for (const IsoMmeChannel& channel : chosen) {
+    if (!channel.problem.empty())
+      throw InputError({Fault{file.string(), 0, channel.code, "", channel.problem}});
+    const std::string& name = test.channels.at(channel.number);
+    combiner.add(channel, test.whole({name}).at(name));
+  }
+  return result;
+}
+
+}  // namespace dashpad

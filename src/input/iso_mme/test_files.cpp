@@ -1,0 +1,128 @@
+#include "input/iso_mme/test_files.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "input/measurement/measurement_text.hpp"
+
+namespace dashpad {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t beginning = 65536;  // bytes; enough for all labels
+constexpr std::size_t most_digits = 5;
+
+/// A name in its parts; folder and ending without their / and point.
+struct Name {
+  std::string folder, stem, ending;
+};
+Name parts(const std::string& whole) {
+  const auto slash = whole.rfind('/');
+  const std::string last = slash == std::string::npos ? whole : whole.substr(slash + 1);
+  const auto point = last.rfind('.');
+  return {slash == std::string::npos ? "" : whole.substr(0, slash), last.substr(0, point),
+          point == std::string::npos ? "" : last.substr(point + 1)};
+}
+
+bool are_alike(const std::string& a, const std::string& b) { return lower_case(a) == lower_case(b); }
+
+/// What some systems put beside every file of an archive.
+bool is_litter(const std::string& name) {
+  return name.starts_with("__MACOSX/") || parts(name).stem.starts_with("._") ||
+         (parts(name).stem.empty() && name.find("._") != std::string::npos);
+}
+
+std::optional<int> number_of_ending(const std::string& ending) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(ending.data(), ending.data() + ending.size(), number);
+  const bool is_all = error == std::errc{} && end == ending.data() + ending.size();
+  return is_all && ending.size() >= 3 && ending.size() <= most_digits && number > 0 ? std::optional{number}
+                                                                                    : std::nullopt;
+}
+
+/// The name of the .mme file in the folder or archive.
+std::string main_file(const fs::path& file, const std::vector<std::string>& names,
+                      const std::string& wanted) {
+  std::vector<std::string> found;
+  for (const std::string& name : names) {
+    const bool fits = wanted.empty() ? are_alike(parts(name).ending, "mme") : name == wanted;
+    if (fits && !is_litter(name)) found.push_back(name);
+  }
+  if (found.empty())
+    refuse_file(file, wanted.empty() ? "holds no .mme file: not a test in the format ISO-MME"
+                                     : "is not a regular file");
+  if (found.size() > 1)
+    refuse_file(file, fmt::format("holds several tests: {}, {}, ...", found[0], found[1]));
+  return found.front();
+}
+
+}  // namespace
+
+std::vector<InputFile> MmeTestFiles::files() const {
+  if (in_archive) return {{"the test", source}};
+  std::vector<InputFile> all{{"the .mme file of the test", source / main_file}};
+  if (!channel_list.empty()) all.push_back({"the list of the test's channels", source / channel_list});
+  for (const auto& [number, name] : channels) all.push_back({"a channel of the test", source / name});
+  return all;
+}
+
+MmeMembers MmeTestFiles::beginnings(const std::vector<std::string>& names) const {
+  return in_archive ? read_from_archive(source, names, beginning, true)
+                    : read_from_folder(source, names, beginning, true);
+}
+
+MmeMembers MmeTestFiles::whole(const std::vector<std::string>& names) const {
+  return in_archive ? read_from_archive(source, names, largest_measurement, false)
+                    : read_from_folder(source, names, largest_measurement, false);
+}
+
+MmeTestFiles find_mme_test(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (status.type() == fs::file_type::not_found) refuse_file(file, "no such file");
+  if (error) refuse_file(file, "cannot be read: " + error.message());
+  MmeTestFiles test{
+      .source = file, .in_archive = is_archive(file), .main_file = {}, .channel_list = {}, .channels = {}};
+  std::string wanted;
+  if (!is_directory(status) && !test.in_archive) {
+    wanted = file.filename().string();
+    test.source = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  }
+  const std::vector<std::string> names =
+      test.in_archive ? names_in_archive(test.source) : names_in_folder(test.source);
+  test.main_file = main_file(file, names, wanted);
+  const Name main = parts(test.main_file);
+  const std::string folder = main.folder.empty() ? "Channel" : main.folder + "/Channel";
+
+  std::vector<std::string> lists;
+  for (const std::string& name : names) {
+    const Name of = parts(name);
+    if (are_alike(of.folder, folder) && are_alike(of.ending, "chn") && !is_litter(name))
+      lists.push_back(name);
+  }
+  if (const auto same = std::ranges::find_if(
+          lists, [&](const std::string& name) { return are_alike(parts(name).stem, main.stem); });
+      same != lists.end())
+    test.channel_list = *same;
+  else if (lists.size() == 1)
+    test.channel_list = lists.front();
+
+  const std::string stem = test.channel_list.empty() ? main.stem : parts(test.channel_list).stem;
+  for (const std::string& name : names) {
+    const Name of = parts(name);
+    const auto number = number_of_ending(of.ending);
+    if (!number || !are_alike(of.folder, folder) || !are_alike(of.stem, stem)) continue;
+    if (!test.channels.emplace(*number, name).second)
+      refuse_file(file, fmt::format("has channel {} twice", *number));
+  }
+  if (test.channels.empty())
+    refuse_file(file, fmt::format("holds no channel: no file {}/{}.001", folder, stem));
+  return test;
+}
+
+}  // namespace dashpad

@@ -1,0 +1,17 @@
+#pragma once
+/// Pad laws and their fitted range in TOML. Cards have them at their top, cases in [pad].
+
+#include <optional>
+
+#include "dashpad/model/pad/material.hpp"
+#include "input/table_reader.hpp"
+
+namespace dashpad {
+
+/// `law` and the table [parameters]; nothing if the law cannot be known. Parameters at fault are NaN.
+std::optional<PadLaw> read_law(TableReader& table);
+
+/// The optional table [fitted].
+std::optional<FittedRange> read_fitted(TableReader& table);
+
+}  // namespace dashpad

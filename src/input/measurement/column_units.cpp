@@ -1,0 +1,211 @@
+#include "input/measurement/column_units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+#include "dashpad/impact/solution.hpp"
+#include "dashpad/quantities/quantity.hpp"
+#include "input/measurement/measurement_text.hpp"
+#include "quantities/unit_factor.hpp"
+#include "quantities/unit_text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> time_units{"s", "ms", "us", "µs", "sec", "msec"};
+constexpr std::array<std::string_view, 18> acceleration_units{
+    "g",     "G",      "gn",      "m/s2",   "m/s^2", "m/s²",   "m/s**2", "mm/s2",  "mm/s^2",
+    "mm/s²", "mm/ms2", "mm/ms^2", "mm/ms²", "ft/s2", "ft/s^2", "in/s2",  "in/s^2", "in/s²"};
+constexpr std::array<std::string_view, 9> other_names_of_g{"g",  "G",   "gs",  "Gs", "g's",
+                                                           "gn", "g_n", "g_0", "g0"};
+
+bool is_among(std::string_view word, const auto& words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// In the words of the units database: "msec" is "ms", "m/s**2" is "m/s^2", "m_per_s2" is "m/s2".
+std::string standard_unit(std::string_view unit) {
+  std::string text = replaced(std::string(without_blanks(unit)), "**", "^");
+  text = replaced(replaced(text, "_per_", "/"), "/s/s", "/s2");
+  if (text == "m_s2" || text == "mps2") return "m/s2";
+  if (text == "sec" || text == "secs") return "s";
+  if (text == "msec") return "ms";
+  if (text == "usec") return "us";
+  return text;
+}
+
+const char* si_unit_of(ColumnKind kind) { return kind == ColumnKind::time ? "s" : "m/s2"; }
+
+constexpr const char* words_for(ColumnKind kind) {
+  return kind == ColumnKind::time ? "time" : "acceleration";
+}
+
+/// The place of the bracket that the one at the end of `text` closes.
+std::size_t opening_bracket(std::string_view text) {
+  if (!text.ends_with(')') && !text.ends_with(']')) return std::string_view::npos;
+  const char close = text.back();
+  const char open = close == ')' ? '(' : '[';
+  int depth = 0;
+  for (std::size_t i = text.size(); i-- > 0;) {
+    if (text[i] == close) ++depth;
+    if (text[i] == open && --depth == 0) return i;
+  }
+  return std::string_view::npos;
+}
+
+/// Whether what stands before a slash is part of a unit: the m of "v m/s" and "v_m/s", but not "Time /".
+bool ends_in_unit(std::string_view before) {
+  const auto last = before.substr(before.find_last_of(" _") + 1);
+  return !last.empty() && last.size() <= 2;
+}
+
+/// A unit, but neither of time nor of acceleration: the column of degrees called T.
+bool is_other_unit(const std::string& text) {
+  const std::string unit = tidy_unit(standard_unit(text));
+  return !unit.empty() && kind_of_unit_text(unit) == UnitText::plain &&
+         unit_factor(unit, "s").match == UnitMatch::other_dimension;
+}
+
+bool begins_with_word(const std::string& name, std::initializer_list<std::string_view> words) {
+  return std::ranges::any_of(words, [&](std::string_view word) {
+    if (!name.starts_with(word)) return false;
+    const char after = name.size() > word.size() ? name[word.size()] : ' ';
+    return !(after >= 'a' && after <= 'z');
+  });
+}
+
+/// The end of a header that looks like a unit but is none that is known: "mm_per_fortnight2". Else "".
+std::string unknown_unit(const std::string& header) {
+  const auto at = header.find_first_of("_ ,");
+  if (at == std::string::npos) return "";
+  const std::string end(without_blanks(std::string_view(header).substr(at + 1)));
+  const auto holds = [&](std::string_view sign) { return end.find(sign) != std::string::npos; };
+  return holds("_per_") || holds("/") || holds("^") || holds("²") ? end : "";
+}
+
+}  // namespace
+
+double pulse_unit_factor(ColumnKind kind, const std::string& unit) {
+  const std::string text = standard_unit(unit);
+  if (kind == ColumnKind::acceleration && is_among(text, other_names_of_g)) return standard_gravity;
+  if (text.empty()) throw UnitError("needs a unit");
+  try {
+    return to_si("1 " + text, si_unit_of(kind));
+  } catch (const UnitError& error) {
+    std::string rule = error.what();
+    if (kind == ColumnKind::acceleration) rule = replaced(rule, "gravity", "g");
+    throw UnitError(rule);
+  }
+}
+
+bool is_pulse_unit(ColumnKind kind, const std::string& unit) {
+  try {
+    return pulse_unit_factor(kind, unit) > 0;
+  } catch (const UnitError&) {
+    return false;
+  }
+}
+
+bool is_voltage(const std::string& unit) {
+  const std::string text = tidy_unit(standard_unit(unit));
+  return !text.empty() && kind_of_unit_text(text) == UnitText::plain &&
+         unit_factor(text, "V").match == UnitMatch::same_dimension;
+}
+
+bool is_customary_unit(std::string_view text) {
+  const std::string unit = standard_unit(text);
+  return is_among(unit, time_units) || is_among(unit, acceleration_units);
+}
+
+HeaderText split_header(std::string_view header) {
+  const std::string text = to_utf8(without_blanks(header));
+  if (const auto open = opening_bracket(text); open != std::string::npos) {
+    const std::string_view whole = text;
+    return {std::string(without_blanks(whole.substr(0, open))),
+            std::string(without_blanks(whole.substr(open + 1, whole.size() - open - 2)))};
+  }
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    if (std::string_view("_ ,/").find(text[i]) == std::string_view::npos) continue;
+    const std::string_view whole = text;
+    const auto name = without_blanks(whole.substr(0, i));
+    const auto unit = without_blanks(whole.substr(i + 1));
+    const bool is_quotient = name.ends_with("_per") || (text[i] == '/' && ends_in_unit(whole.substr(0, i)));
+    if (!name.empty() && !is_quotient && is_customary_unit(unit))
+      return {std::string(name), std::string(unit)};
+  }
+  return {text, ""};
+}
+
+bool looks_like(ColumnKind kind, const MeasuredColumn& column) {
+  const bool has_time_unit = is_pulse_unit(ColumnKind::time, column.unit);
+  const bool has_acceleration_unit = is_pulse_unit(ColumnKind::acceleration, column.unit);
+  if (!has_time_unit && !has_acceleration_unit && is_other_unit(column.unit)) return false;
+  const std::string name = lower_case(split_header(column.name).name);
+  if (kind == ColumnKind::time) {
+    const bool is_named = begins_with_word(name, {"time", "t", "zeit", "temps", "tiempo", "tempo"});
+    return has_time_unit || (is_named && !has_acceleration_unit);
+  }
+  const bool is_named =
+      begins_with_word(name, {"a", "ax", "ay", "az", "ar", "ares", "acc", "accx", "accy", "accz"}) ||
+      name.find("accel") != std::string::npos || name.find("beschl") != std::string::npos;
+  return has_acceleration_unit || (is_named && !has_time_unit);
+}
+
+std::string settle_unit(MeasuredColumn& column, ColumnKind kind, const std::string& given,
+                        const std::string& option, const std::optional<Sensitivity>& sensitivity) {
+  const std::string unit = given.empty() ? column.unit : given;
+  const char* const examples = kind == ColumnKind::time ? "s, ms, ..."
+                               : sensitivity            ? "V, mV"
+                                                        : "g, m/s2, ...";
+  if (const std::string unknown = unknown_unit(column.name); unit.empty() && !unknown.empty())
+    return fmt::format("the {} needs a unit; \"{}\" in the header is not one that is known: give {} {}",
+                       words_for(kind), unknown, option, examples);
+  if (unit.empty())
+    return fmt::format("the {} needs a unit; none is in the header: give {} {}", words_for(kind), option,
+                       examples);
+  const bool in_volts = kind == ColumnKind::acceleration && is_voltage(unit);
+  if (in_volts && !sensitivity)
+    return fmt::format("is in {}; --sensitivity, such as \"10 mV/g\", makes an acceleration of it", unit);
+  if (sensitivity && !in_volts)
+    return fmt::format("is in {}; --sensitivity is for a column in V or mV", unit);
+  try {
+    column.factor = in_volts ? to_si("1 " + unit, "V") / sensitivity->volts_per_acceleration
+                             : pulse_unit_factor(kind, unit);
+  } catch (const UnitError& error) {
+    return given.empty() ? fmt::format("{}; {} gives another unit", error.what(), option)
+                         : fmt::format("{} {}: {}", option, given, error.what());
+  }
+  if (!(column.factor > 0)) return fmt::format("\"{}\" is not a unit", unit);
+  column.unit_origin = given.empty() ? "header" : "given";
+  column.unit = unit;
+  if (in_volts) column.sensitivity = sensitivity->text;
+  return "";
+}
+
+std::string wrong_number_of_sensitivities(std::size_t given, std::size_t acceleration_units) {
+  return fmt::format("{} sensitivities were given for {} {}; give one for all, or one for each", given,
+                     acceleration_units, acceleration_units == 1 ? "acceleration" : "acceleration_units");
+}
+
+std::optional<Sensitivity> sensitivity_at(const std::vector<Sensitivity>& given, std::size_t place) {
+  if (given.size() == 1) return given.front();
+  return place < given.size() ? std::optional{given[place]} : std::nullopt;
+}
+
+std::optional<std::string> overruled_unit(const MeasuredColumn& column, const std::string& unit_of_file) {
+  if (column.unit_origin != "given" || unit_of_file.empty() || unit_of_file == column.unit)
+    return std::nullopt;
+  return fmt::format("{}: the file says {}; {} was given and used", column.name, unit_of_file, column.unit);
+}
+
+}  // namespace dashpad

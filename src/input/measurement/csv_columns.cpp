@@ -1,0 +1,292 @@
+#include "input/measurement/csv_columns.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "input/measurement/column_units.hpp"
+#include "input/measurement/csv_rows.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr std::size_t most_header_rows = 1000;
+constexpr std::size_t most_listed = 20;
+
+using Columns = std::vector<MeasuredColumn>;
+
+bool is_number_like(std::string_view field, char separator) {
+  const NumberKind kind = read_csv_number(field, separator).kind;
+  return kind != NumberKind::text && kind != NumberKind::empty;
+}
+
+/// The unit in a field that is nothing else: "ms", "[ms]", "(g)".
+std::optional<std::string> lone_unit(const std::string& field) {
+  const auto [name, unit] = split_header(field);
+  if (name.empty() && !unit.empty()) return unit;
+  return is_customary_unit(field) ? std::optional{field} : std::nullopt;
+}
+
+bool is_row_of_units(const CsvHeader::Row& row) {
+  bool any = false;
+  for (const std::string& field : row.fields) {
+    const bool is_unit = lone_unit(field).has_value();
+    any = any || is_unit;
+    if (!is_unit && !field.empty() && field != "-" && field.size() > 12) return false;
+    if (!is_unit && looks_like(ColumnKind::time, MeasuredColumn{.name = field})) return false;
+  }
+  return any && (lone_unit(row.fields.front()).has_value() || row.fields.front().empty());
+}
+
+/// How many columns a row tells something about that we look for.
+int score(const CsvHeader::Row& row) {
+  int known = 0;
+  for (const std::string& field : row.fields) {
+    const auto [name, unit] = split_header(field);
+    const MeasuredColumn column{.name = field, .unit = unit};
+    known += looks_like(ColumnKind::time, column) || looks_like(ColumnKind::acceleration, column) ? 1 : 0;
+  }
+  return known;
+}
+
+const CsvHeader::Row* row_of_names(const CsvHeader& header) {
+  const CsvHeader::Row* best = nullptr;
+  for (const CsvHeader::Row& row : header.rows) {
+    if (is_row_of_units(row)) continue;
+    const bool fits = row.fields.size() >= std::min<std::size_t>(header.width, 2);
+    if (fits && (best == nullptr || score(row) >= score(*best))) best = &row;
+  }
+  return best;
+}
+
+std::string listing(const Columns& columns) {
+  std::string text;
+  for (std::size_t i = 0; i < columns.size() && i < most_listed; ++i)
+    text += fmt::format("{}{} ({})", i == 0 ? "" : ", ", columns[i].name, columns[i].number);
+  return text + (columns.size() > most_listed ? ", ..." : "");
+}
+
+std::optional<std::size_t> column_number(const std::string& text) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// The column that the user named. By its whole header, else by its name without unit; then the same without
+/// regard to capitals.
+std::optional<MeasuredColumn> named(const Columns& all, const std::string& wanted, const std::string& option,
+                                    std::size_t line, MeasurementFaults& faults) {
+  if (const auto number = column_number(wanted)) {
+    if (*number >= 1 && *number <= all.size()) return all[*number - 1];
+    faults.add(line, "", "", fmt::format("{} {}: the columns are 1 to {}", option, wanted, all.size()));
+    return std::nullopt;
+  }
+  const auto bare = [](const MeasuredColumn& column) { return split_header(column.name).name; };
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    Columns found;
+    for (const MeasuredColumn& column : all) {
+      const std::string name = attempt % 2 == 0 ? column.name : bare(column);
+      if (attempt < 2 ? name == wanted : lower_case(name) == lower_case(wanted)) found.push_back(column);
+    }
+    if (found.size() == 1) return found.front();
+    if (found.size() > 1) {
+      faults.add(line, "", "",
+                 fmt::format("{} {}: several columns have that name: {}; give the number", option, wanted,
+                             listing(found)));
+      return std::nullopt;
+    }
+  }
+  faults.add(line, "", "", fmt::format("{} {}: no such column; there are {}", option, wanted, listing(all)));
+  return std::nullopt;
+}
+
+/// Those in volts where there is a sensitivity, if there are any.
+Columns those_that_look_like(ColumnKind kind, const Columns& all,
+                             const std::vector<Sensitivity>& sensitivity = {}) {
+  Columns found;
+  if (kind == ColumnKind::acceleration && !sensitivity.empty())
+    std::ranges::copy_if(all, std::back_inserter(found),
+                         [](const MeasuredColumn& column) { return is_voltage(column.unit); });
+  if (!found.empty()) return found;
+  std::ranges::copy_if(all, std::back_inserter(found),
+                       [&](const MeasuredColumn& column) { return looks_like(kind, column); });
+  return found;
+}
+
+/// What is said about columns that are called as wanted but have a unit that is not of this kind.
+std::string units_of_namesakes(ColumnKind kind, const Columns& all) {
+  std::string text;
+  for (const MeasuredColumn& column : all)
+    if (kind == ColumnKind::acceleration && is_voltage(column.unit))
+      text += fmt::format("; column {} is in {}, for which --sensitivity is needed, such as \"10 mV/g\"",
+                          column.number, column.unit);
+    else if (!column.unit.empty() && !is_pulse_unit(ColumnKind::time, column.unit) &&
+             !is_pulse_unit(ColumnKind::acceleration, column.unit) &&
+             looks_like(kind, MeasuredColumn{.name = split_header(column.name).name}))
+      text += fmt::format("; the unit \"{}\" of column {} is not one of {}", column.unit, column.number,
+                          kind == ColumnKind::time ? "time" : "acceleration");
+  return text;
+}
+
+/// The columns of one kind: as named, else as the header tells.
+Columns chosen(const CsvColumns& columns, ColumnKind kind, const std::vector<std::string>& names,
+               std::size_t most, const std::vector<Sensitivity>& sensitivity, MeasurementFaults& faults) {
+  const std::string word = kind == ColumnKind::time ? "time" : "acceleration";
+  const std::string option = "--" + word;
+  const std::size_t line = columns.names != nullptr ? columns.names->line : 0;
+  Columns found;
+  if (!names.empty()) {
+    for (const std::string& name : names)
+      if (const auto column = named(columns.all, name, option, line, faults)) found.push_back(*column);
+    return found;
+  }
+  found = those_that_look_like(kind, columns.all, sensitivity);
+  if (found.empty())
+    faults.add(line, "", "",
+               fmt::format("no column is recognized as the {}; name it with {}: {}{}", word, option,
+                           listing(columns.all), units_of_namesakes(kind, columns.all)));
+  if (found.size() > most) {
+    faults.add(
+        line, "", "",
+        fmt::format("several columns may be the {}: {}; choose with {}{}", word, listing(found), option,
+                    kind == ColumnKind::acceleration ? ", or combine two or three with --resultant" : ""));
+    found.clear();
+  }
+  return found;
+}
+
+void settle(MeasuredColumn& column, ColumnKind kind, const std::string& given,
+            const std::optional<Sensitivity>& sensitivity, std::size_t line, MeasurementFaults& faults,
+            std::vector<std::string>& remarks) {
+  const std::string unit_of_file = column.unit;
+  const std::string option = kind == ColumnKind::time ? "--time-unit" : "--acceleration-unit";
+  const std::string rule = settle_unit(column, kind, given, option, sensitivity);
+  if (!rule.empty()) faults.add(line, column.name, "", rule);
+  if (const auto remark = overruled_unit(column, unit_of_file); remark && rule.empty())
+    remarks.push_back(*remark);
+}
+
+}  // namespace
+
+CsvHeader read_csv_header(std::string_view text, char separator, int fewest) {
+  CsvHeader header;
+  CsvRows rows(text, separator);
+  CsvRow row;
+  std::optional<CsvHeader> fallback;
+  std::string_view comment;
+  while (header.rows.size() < most_header_rows && rows.next(row)) {
+    const auto is_number = [&](std::string_view field) { return is_number_like(field, separator); };
+    const auto numbers = std::ranges::count_if(row.fields, is_number);
+    const auto begin_numbers = [&](CsvHeader& of) {
+      of.first_line = row.line;
+      of.width = row.filled();
+    };
+    if (numbers >= fewest && !fallback) {
+      begin_numbers(fallback.emplace(header));
+      comment = rows.comment();
+    }
+    if (numbers >= fewest && is_number(row.fields.front())) {
+      begin_numbers(header);
+      comment = rows.comment();
+      break;
+    }
+    CsvHeader::Row names{row.line, {}};
+    for (std::size_t i = 0; i < row.filled(); ++i) {
+      const std::string_view field = without_blanks(row.fields[i]);
+      header.is_latin1 = header.is_latin1 || !is_utf8(field);
+      names.fields.push_back(to_utf8(field));
+    }
+    if (!names.fields.empty()) header.rows.push_back(std::move(names));
+  }
+  if (header.first_line == 0 && fallback) header = *fallback;
+  if (header.first_line != 0 && header.rows.empty() && !comment.empty()) {
+    CsvRows words(comment, separator);
+    if (words.next(row) && row.filled() == header.width && row.fault.empty()) {
+      CsvHeader::Row names{rows.comment_line(), {}};
+      for (const std::string_view field : row.fields) names.fields.push_back(to_utf8(without_blanks(field)));
+      header.rows.push_back(std::move(names));
+      header.from_comment = true;
+    }
+  }
+  return header;
+}
+
+CsvColumns name_columns(const CsvHeader& header) {
+  CsvColumns columns;
+  columns.names = row_of_names(header);
+  const std::size_t named_columns = columns.names != nullptr ? columns.names->fields.size() : 0;
+  for (std::size_t i = 0; i < std::max(header.width, named_columns); ++i) {
+    MeasuredColumn column{.name = fmt::format("column {}", i + 1), .number = static_cast<int>(i + 1)};
+    if (i < named_columns && !columns.names->fields[i].empty()) {
+      column.name = columns.names->fields[i];
+      column.unit = split_header(column.name).unit;
+    }
+    for (const CsvHeader::Row& row : header.rows)
+      if (column.unit.empty() && i < row.fields.size() && is_row_of_units(row))
+        column.unit = lone_unit(row.fields[i]).value_or("");
+    columns.all.push_back(std::move(column));
+  }
+  return columns;
+}
+
+void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsvOptions& options,
+                    MeasurementFaults& faults, std::vector<std::string>& remarks) {
+  const std::size_t line = columns.names != nullptr ? columns.names->line : 0;
+  const bool any_known = !those_that_look_like(ColumnKind::time, columns.all).empty() ||
+                         !those_that_look_like(ColumnKind::acceleration, columns.all).empty();
+  std::vector<std::string> time;
+  std::vector<std::string> acceleration = options.acceleration;
+  if (!options.time.empty()) time.push_back(options.time);
+  if (options.interval && columns.all.size() == 1 && acceleration.empty()) acceleration = {"1"};
+  if (!options.interval && columns.all.size() == 2 && time.empty() && acceleration.empty() && !any_known) {
+    time = {"1"};
+    acceleration = {"2"};
+    remarks.emplace_back(
+        "of the two columns the first is taken for the time, the second for the acceleration");
+  }
+  if (columns.names != nullptr && columns.names->fields.size() < header.width && score(*columns.names) > 0)
+    faults.add(
+        line, "", "",
+        fmt::format("names {} columns, but the numbers in line {} have {}; decimal commas need another "
+                    "separator, such as a semicolon",
+                    columns.names->fields.size(), header.first_line, header.width));
+  const Columns times = options.interval ? Columns{} : chosen(columns, ColumnKind::time, time, 1, {}, faults);
+  columns.acceleration = chosen(columns, ColumnKind::acceleration, acceleration, options.resultant ? 3 : 1,
+                                options.sensitivity, faults);
+  const std::size_t count = columns.acceleration.size();
+  if (options.resultant ? count == 1 || count > 3 : count > 1)
+    faults.add(line, "", "",
+               options.resultant ? fmt::format("a resultant needs two or three accelerations, not {}", count)
+                                 : "several accelerations were named; combine them with --resultant");
+  if (!times.empty()) {
+    columns.time = times.front();
+    settle(columns.time, ColumnKind::time, options.time_unit, {}, line, faults, remarks);
+  } else if (options.interval) {
+    columns.time = {.name = "samples", .unit = "s", .unit_origin = "given"};
+    for (const MeasuredColumn& unread : those_that_look_like(ColumnKind::time, columns.all))
+      remarks.push_back(fmt::format("the times of column {}, {}, were not read: --interval was given",
+                                    unread.number, unread.name));
+  }
+  if (options.sensitivity.size() > 1 && options.sensitivity.size() != count)
+    faults.add(line, "", "", wrong_number_of_sensitivities(options.sensitivity.size(), count));
+  for (std::size_t i = 0; i < count; ++i) {
+    MeasuredColumn& column = columns.acceleration[i];
+    const auto is_same = [&](const MeasuredColumn& other) { return other.number == column.number; };
+    if (!times.empty() && is_same(columns.time))
+      faults.add(line, column.name, "", "is both the time and an acceleration");
+    if (std::any_of(columns.acceleration.begin(), columns.acceleration.begin() + static_cast<long>(i),
+                    is_same))
+      faults.add(line, column.name, "", "is named twice");
+    settle(column, ColumnKind::acceleration, options.acceleration_unit,
+           sensitivity_at(options.sensitivity, i), line, faults, remarks);
+  }
+  if (header.from_comment)
+    remarks.push_back(fmt::format("names of columns were read from the comment in line {}", line));
+  if (header.is_latin1) remarks.emplace_back("the header is not UTF-8; it was read as Latin-1");
+}
+
+}  // namespace dashpad

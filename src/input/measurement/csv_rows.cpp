@@ -1,0 +1,168 @@
+#include "input/measurement/csv_rows.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace dashpad {
+
+namespace {
+
+constexpr std::size_t sample_size = 65536;  // bytes
+constexpr std::size_t sample_rows = 400;
+constexpr std::size_t longest_quoted_field = 10'000;  // more is a quote that is never closed
+
+/// Whole lines.
+std::string_view beginning_of(std::string_view text) {
+  const std::string_view sample = text.substr(0, sample_size);
+  return sample.size() < text.size() ? sample.substr(0, sample.find_last_of("\r\n")) : text;
+}
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+}  // namespace
+
+std::size_t CsvRow::filled() const {
+  std::size_t count = fields.size();
+  while (count > 0 && without_blanks(fields[count - 1]).empty()) --count;
+  return count;
+}
+
+bool CsvRows::next(CsvRow& row) {
+  std::string_view line;
+  while (lines_.next(line)) {
+    const std::string_view content = without_blanks(line);
+    if (content.starts_with('#')) {
+      comment_ = content.substr(content.find_first_not_of('#') == std::string_view::npos
+                                    ? content.size()
+                                    : content.find_first_not_of('#'));
+      comment_line_ = lines_.number();
+      if (numbers_ && comments_among_numbers_++ == 0) first_comment_among_numbers_ = comment_line_;
+      continue;
+    }
+    row.line = lines_.number();
+    row.fields.clear();
+    row.fault = {};
+    if (!content.empty()) split(line, row);
+    if (row.filled() == 0 && row.fault.empty()) {
+      ++pending_blank_lines_;
+      continue;
+    }
+    blank_lines_ += pending_blank_lines_;  // those at the end of the file are nothing to speak of
+    pending_blank_lines_ = 0;
+    return true;
+  }
+  return false;
+}
+
+/// The text of the field whose quote opens at `begin`. It may go on in further lines, which `line` then takes
+/// in. `after` is the place behind the closing quote.
+std::string_view CsvRows::quoted(std::string_view& line, std::size_t begin, CsvRow& row, std::size_t& after) {
+  std::string text;
+  std::size_t i = begin + 1;
+  while (true) {
+    if (i >= line.size()) {
+      std::string_view more;
+      if (text.size() > longest_quoted_field || !lines_.next(more)) {
+        row.fault = "has a quote that is not closed";
+        after = line.size();
+        break;
+      }
+      text += '\n';
+      line = {line.data(), static_cast<std::size_t>(more.data() + more.size() - line.data())};
+      i = static_cast<std::size_t>(more.data() - line.data());
+      continue;
+    }
+    if (line[i] != '"') {
+      text += line[i++];
+    } else if (i + 1 < line.size() && line[i + 1] == '"') {
+      text += '"';
+      i += 2;
+    } else {
+      after = i + 1;
+      break;
+    }
+  }
+  return unquoted_.emplace_back(std::move(text));
+}
+
+void CsvRows::split(std::string_view line, CsvRow& row) {
+  if (!unquoted_.empty()) unquoted_.clear();
+  const bool by_blanks = separator_ == ' ';
+  const auto ends_field = [&](char c) { return by_blanks ? is_blank(c) : c == separator_; };
+  std::size_t at = 0;
+  while (true) {
+    while (at < line.size() && is_blank(line[at]) && (by_blanks || line[at] != separator_)) ++at;
+    if (by_blanks && at >= line.size()) return;
+    if (at < line.size() && line[at] == '"') {
+      row.fields.push_back(quoted(line, at, row, at));
+      while (at < line.size() && is_blank(line[at]) && !ends_field(line[at])) ++at;
+      if (at < line.size() && !ends_field(line[at]) && row.fault.empty())
+        row.fault = "has text behind a closing quote";
+      while (at < line.size() && !ends_field(line[at])) ++at;
+    } else {
+      const std::size_t begin = at;
+      while (at < line.size() && !ends_field(line[at])) ++at;
+      row.fields.push_back(line.substr(begin, at - begin));
+    }
+    if (at >= line.size()) return;
+    ++at;
+  }
+}
+
+bool is_one_column(std::string_view text) {
+  LineReader lines(beginning_of(text));
+  std::string_view line;
+  std::size_t numbers = 0, others = 0, names = 0, with_comma = 0, increasing = 0;
+  double latest = -std::numeric_limits<double>::infinity();
+  while (lines.next(line)) {
+    line = without_blanks(line);
+    if (line.empty() || line.starts_with('#')) continue;
+    if (read_csv_number(line, ';').kind != NumberKind::number) {
+      if (numbers > 0)
+        ++others;
+      else
+        names = static_cast<std::size_t>(std::ranges::count(line, ',')) + 1;
+      continue;
+    }
+    ++numbers;
+    const auto comma = line.find(',');
+    if (comma == std::string_view::npos) continue;
+    ++with_comma;
+    const double first = read_number(line.substr(0, comma)).value;
+    if (first > latest) ++increasing;
+    latest = first;
+  }
+  const bool are_two =
+      (names >= 2 && 2 * with_comma >= numbers) || (with_comma == numbers && 10 * increasing >= 8 * numbers);
+  return numbers > others && !are_two;
+}
+
+char find_separator(std::string_view text) {
+  const std::string_view sample = beginning_of(text);
+  char best = ',';
+  std::size_t best_score = 0;
+  for (const char separator : {'\t', ';', ',', ' '}) {
+    CsvRows rows(sample, separator);
+    CsvRow row;
+    std::size_t score = 0;
+    for (std::size_t count = 0; count < sample_rows && rows.next(row); ++count) {
+      const auto is_number = [&](std::string_view field) {
+        return read_csv_number(field, separator).kind == NumberKind::number;
+      };
+      const auto numbers = static_cast<std::size_t>(std::ranges::count_if(row.fields, is_number));
+      if (numbers >= 2) score += numbers == row.filled() ? 10 : 1;
+    }
+    if (score <= best_score) continue;
+    best_score = score;
+    best = separator;
+  }
+  return best;
+}
+
+ReadNumber read_csv_number(std::string_view field, char separator) {
+  const ReadNumber number = read_number(field);
+  if (number.kind != NumberKind::text || separator == ',') return number;
+  return field.find(',') == std::string_view::npos ? number : read_number(field, ',');
+}
+
+}  // namespace dashpad

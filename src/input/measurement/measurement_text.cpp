@@ -1,0 +1,211 @@
+#include "input/measurement/measurement_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "input/text_file.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr std::size_t longest_shown_value = 60;
+constexpr std::size_t longest_number = 100;
+
+/// Closes a file at the end of its scope.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() { ::close(number_); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+ private:
+  int number_;
+};
+
+/// Its size as the file system tells it.
+std::size_t require_regular(int descriptor, const std::string& name) {
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0)
+    refuse_file(name, std::string("cannot be read: ") + std::strerror(errno));
+  if (S_ISDIR(status.st_mode)) refuse_file(name, "is a folder; a file is needed");
+  if (!S_ISREG(status.st_mode)) refuse_file(name, "is not a regular file");
+  return static_cast<std::size_t>(status.st_size);
+}
+
+/// Length of the UTF-8 character at the front of `text`; 0 if there is none.
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t length = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+  if (length == 0 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  const unsigned char second = byte(1);  // longer than needed, half of a pair, or beyond Unicode
+  if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f)) return 0;
+  if ((first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f)) return 0;
+  return length;
+}
+
+}  // namespace
+
+void MeasurementFaults::add(std::size_t line, std::string key, std::string_view value, std::string rule) {
+  std::string shown(value.substr(0, longest_shown_value));
+  if (value.size() > longest_shown_value) shown += "...";
+  faults_.push_back({file_, static_cast<int>(line), std::move(key), std::move(shown), std::move(rule)});
+  if (faults_.size() == most_measurement_faults) {
+    faults_.back().rule += "; reading stopped here, after so many faults";
+    throw InputError(faults_);
+  }
+}
+
+void MeasurementFaults::throw_if_any() const {
+  if (!faults_.empty()) throw InputError(faults_);
+}
+
+void MeasurementFaults::refuse(std::size_t line, std::string key, std::string_view value, std::string rule) {
+  add(line, std::move(key), value, std::move(rule));
+  throw InputError(faults_);
+}
+
+std::string read_descriptor(int descriptor, const std::string& name, std::size_t most, bool cut) {
+  const Descriptor closing(descriptor);
+  const std::size_t told = require_regular(descriptor, name);
+  if (told > most && !cut) refuse_file(name, fmt::format("is larger than {} MiB", most >> 20));
+  // Not relied on beyond that: some files grow while they are read, or tell nothing.
+  constexpr std::size_t step = 65536;
+  std::string content(std::min(told, most) + step, '\0');
+  std::size_t size = 0;
+  while (true) {
+    if (content.size() == size) content.resize(2 * size);
+    const ssize_t count = ::read(descriptor, content.data() + size, content.size() - size);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) refuse_file(name, std::string("cannot be read: ") + std::strerror(errno));
+    size += static_cast<std::size_t>(count);
+    if (size > most && !cut) refuse_file(name, fmt::format("is larger than {} MiB", most >> 20));
+    if (count == 0 || size > most) break;
+  }
+  content.resize(std::min(size, most));
+  return content;
+}
+
+std::string read_measurement(const std::filesystem::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  if (descriptor < 0 && errno == ENOENT) refuse_file(file.string(), "no such file");
+  if (descriptor < 0 && errno == ENXIO) refuse_file(file.string(), "is not a regular file");
+  if (descriptor < 0) refuse_file(file.string(), std::string("cannot be read: ") + std::strerror(errno));
+  return read_descriptor(descriptor, file.string(), largest_measurement);
+}
+
+std::string_view text_in(std::string_view content, MeasurementFaults& faults) {
+  if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff"))
+    faults.refuse(1, "", "", "is UTF-16; save it as UTF-8");
+  const auto is_binary = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f' && c != '\x1a';
+  };
+  const auto found = std::ranges::find_if(content, is_binary);
+  if (found == content.end()) return without_mark(content);
+  const auto line = static_cast<std::size_t>(std::count(content.begin(), found, '\n')) + 1;
+  faults.refuse(line, "", "",
+                fmt::format("is not text: it holds the byte {}", static_cast<unsigned char>(*found)));
+}
+
+bool LineReader::next(std::string_view& line) {
+  if (rest_.empty()) return false;
+  ++number_;
+  const char* const begin = rest_.data();
+  const char* const text_end = begin + rest_.size();
+  if (line_feed_ == nullptr || line_feed_ < begin) {  // looked up once a line feed, not once a line
+    const auto* const found = static_cast<const char*>(std::memchr(begin, '\n', rest_.size()));
+    line_feed_ = found == nullptr ? text_end : found;
+  }
+  const auto size_to_line_feed = static_cast<std::size_t>(line_feed_ - begin);
+  const auto* const cr = static_cast<const char*>(std::memchr(begin, '\r', size_to_line_feed));
+  const char* const end = cr == nullptr ? line_feed_ : cr;
+  const bool is_cr_lf = cr != nullptr && cr + 1 == line_feed_ && line_feed_ != text_end;
+  if (is_cr_lf)
+    cr_lf_ = true;
+  else if (end != text_end)
+    (cr != nullptr ? cr_ : lf_) = true;
+  line = {begin, static_cast<std::size_t>(end - begin)};
+  const auto taken = line.size() + (is_cr_lf ? 2 : end == text_end ? 0 : 1);
+  rest_.remove_prefix(taken);
+  return true;
+}
+
+std::string_view without_blanks(std::string_view text) {
+  constexpr std::string_view blanks = " \t\f\x1a";
+  const auto first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+std::string to_utf8(std::string_view text) {
+  if (is_utf8(text)) return std::string(text);
+  std::string converted;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80) converted += static_cast<char>(0xc0 | (byte >> 6));
+    converted += static_cast<char>(byte < 0x80 ? byte : 0x80 | (byte & 0x3f));
+  }
+  return converted;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
+ReadNumber read_number(std::string_view text, char decimal) {
+  text = without_blanks(text);
+  if (text.empty()) return {};
+  if (text.size() > longest_number) return {NumberKind::text};
+  std::array<char, longest_number> with_point{};
+  if (decimal != '.') {
+    if (text.find('.') != std::string_view::npos) return {NumberKind::text};
+    std::ranges::replace_copy(text, with_point.begin(), decimal, '.');
+    text = {with_point.data(), text.size()};
+  }
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc::invalid_argument || end != text.data() + text.size()) return {NumberKind::text};
+  if (error == std::errc::result_out_of_range) return {NumberKind::out_of_range};
+  return std::isfinite(value) ? ReadNumber{NumberKind::number, value} : ReadNumber{NumberKind::not_finite};
+}
+
+std::string rule_for(NumberKind kind) {
+  switch (kind) {
+    case NumberKind::number: break;
+    case NumberKind::not_finite: return "must be a finite number";
+    case NumberKind::out_of_range: return "is too large or too small to compute with";
+    case NumberKind::text: return "must be a number";
+    case NumberKind::empty: return "is missing; a pulse cannot have gaps";
+  }
+  return "";
+}
+
+}  // namespace dashpad

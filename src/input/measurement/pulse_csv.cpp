@@ -1,0 +1,286 @@
+#include "dashpad/input/measurement/pulse_csv.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "input/measurement/csv_columns.hpp"
+#include "input/measurement/csv_rows.hpp"
+#include "input/measurement/pulse_gaps.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr std::size_t most_gap_remarks = 20;
+
+/// What was met on the way through the numbers.
+struct Findings {
+  std::size_t repeated_samples = 0, first_repeated = 0;
+  std::size_t empty_columns = 0;                     ///< rows with nothing behind their last separator
+  std::size_t decimal_comma = 0, decimal_point = 0;  ///< the first line of each
+};
+
+std::string plural(std::size_t count, const std::string& word) {
+  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+/// Reads the rows of numbers of a table.
+class NumberReader {
+ public:
+  NumberReader(const CsvColumns& columns, std::optional<double> interval, char separator,
+               MeasurementFaults& faults)
+      : separator_(separator), interval_(interval), width_(columns.all.size()), faults_(faults) {
+    if (!interval_) columns_.push_back(columns.time);
+    columns_.insert(columns_.end(), columns.acceleration.begin(), columns.acceleration.end());
+    if (columns.acceleration.size() > 1) components.resize(columns.acceleration.size());
+  }
+
+  void add(const CsvRow& row) {
+    if (!row.fault.empty()) {
+      faults_.add(row.line, "", "", std::string(row.fault));
+      return;
+    }
+    if (!fits(row)) return;
+    std::array<double, 4> sample{};
+    bool complete = true;
+    if (interval_) sample[0] = *interval_ * static_cast<double>(pulse.time.size());
+    const std::size_t values = interval_ ? 1 : 0;  // those of the columns begin there
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      complete = read(row, columns_[i], sample[values + i]) && complete;
+    if (complete) append(sample, row);
+  }
+
+  Pulse pulse;
+  std::vector<std::vector<double>> components;  ///< of a resultant
+  std::vector<std::uint32_t> lines;             ///< of the samples
+  Findings findings;
+
+ private:
+  bool fits(const CsvRow& row) {
+    if (row.fields.size() == width_) return true;
+    if (row.fields.size() > width_ && row.filled() <= width_) {
+      ++findings.empty_columns;
+      return true;
+    }
+    faults_.add(row.line, "", "",
+                fmt::format("has {} where {} are expected{}", plural(row.fields.size(), "field"), width_,
+                            separator_ == ',' && row.fields.size() > width_
+                                ? "; decimal commas need another separator, such as a semicolon"
+                                : ""));
+    return false;
+  }
+
+  bool read(const CsvRow& row, const MeasuredColumn& column, double& value) {
+    const std::string_view field = row.fields[static_cast<std::size_t>(column.number - 1)];
+    const ReadNumber number = read_csv_number(field, separator_);
+    if (number.kind != NumberKind::number) {
+      faults_.add(row.line, column.name, without_blanks(field), rule_for(number.kind));
+      return false;
+    }
+    if (!has_usual_decimal_sign(row.line, column, field)) return false;
+    value = number.value * column.factor;
+    if (std::isfinite(value)) return true;
+    faults_.add(row.line, column.name, without_blanks(field), rule_for(NumberKind::out_of_range));
+    return false;
+  }
+
+  /// A comma may be a decimal sign or part thousands; together with points nobody knows.
+  bool has_usual_decimal_sign(std::size_t line, const MeasuredColumn& column, std::string_view field) {
+    const bool comma = separator_ != ',' && field.find(',') != std::string_view::npos;
+    if (!comma && (findings.decimal_point != 0 && findings.decimal_comma == 0)) return true;
+    if (!comma && field.find('.') == std::string_view::npos) return true;
+    std::size_t& first = comma ? findings.decimal_comma : findings.decimal_point;
+    const std::size_t other = comma ? findings.decimal_point : findings.decimal_comma;
+    if (first == 0) first = line;
+    if (other == 0) return true;
+    faults_.add(line, column.name, without_blanks(field),
+                fmt::format("has a decimal {}, but line {} has a {}", comma ? "comma" : "point", other,
+                            comma ? "point" : "comma"));
+    return false;
+  }
+
+  void append(const std::array<double, 4>& sample, const CsvRow& row) {
+    const double time = sample[0];
+    if (!interval_ && !pulse.time.empty() && !(time > pulse.time.back())) {
+      if (sample == latest_) {
+        if (findings.repeated_samples++ == 0) findings.first_repeated = row.line;
+        return;
+      }
+      const MeasuredColumn& column = columns_.front();
+      faults_.add(
+          row.line, column.name, without_blanks(row.fields[static_cast<std::size_t>(column.number - 1)]),
+          time == pulse.time.back() ? "repeats the time before, with another value; times must increase"
+                                    : "is earlier than the time before; times must increase");
+      return;
+    }
+    if (pulse.time.size() == most_samples)
+      faults_.refuse(row.line, "", "", fmt::format("more than {} samples", most_samples));
+    const double value = components.empty() ? sample[1] : std::hypot(sample[1], sample[2], sample[3]);
+    if (!std::isfinite(value)) {
+      faults_.add(row.line, "", "", "the resultant is too large to compute with");
+      return;
+    }
+    latest_ = sample;
+    pulse.time.push_back(time);
+    pulse.acceleration.push_back(value);
+    lines.push_back(static_cast<std::uint32_t>(row.line));  // a file has fewer bytes than that
+    for (std::size_t i = 0; i < components.size(); ++i) components[i].push_back(sample[i + 1]);
+  }
+
+  char separator_;
+  std::optional<double> interval_;  ///< s, where no column has the times
+  std::size_t width_;
+  MeasurementFaults& faults_;
+  std::vector<MeasuredColumn> columns_;  ///< the time first, if it has a column
+  std::array<double, 4> latest_{};
+};
+
+/// A number in a chosen column, in a row below the names: a sample that would be lost.
+void require_no_numbers(const CsvHeader& header, const CsvColumns& columns, char separator,
+                        MeasurementFaults& faults) {
+  for (const CsvHeader::Row& row : header.rows) {
+    if (&row <= columns.names && columns.names != nullptr) continue;
+    std::vector<MeasuredColumn> chosen = columns.acceleration;
+    if (columns.time.number > 0) chosen.insert(chosen.begin(), columns.time);
+    const auto field_of = [&](const MeasuredColumn& column) {
+      const auto at = static_cast<std::size_t>(column.number - 1);
+      return at < row.fields.size() ? std::string_view(row.fields[at]) : std::string_view();
+    };
+    const auto holds_number = [&](const MeasuredColumn& column) {
+      return read_csv_number(field_of(column), separator).kind == NumberKind::number;
+    };
+    if (std::ranges::none_of(chosen, holds_number)) continue;
+    for (const MeasuredColumn& column : chosen)
+      if (!holds_number(column))
+        faults.add(row.line, column.name, field_of(column),
+                   rule_for(read_csv_number(field_of(column), separator).kind));
+  }
+}
+
+struct Table {
+  std::string content;
+  std::string_view text;  ///< without byte order mark
+  bool has_mark = false;
+  bool has_one_column = false;
+  char separator = ',';
+  CsvHeader header;
+  CsvColumns columns;
+};
+
+void read_table(const std::filesystem::path& file, const PulseCsvOptions& options, MeasurementFaults& faults,
+                Table& table) {
+  table.content = read_measurement(file);
+  table.text = text_in(table.content, faults);
+  table.has_mark = table.text.size() < table.content.size();
+  if (without_blanks(table.text).empty()) faults.refuse(0, "", "", "is empty");
+  const bool two_are_named = !options.time.empty() || (!options.interval && !options.acceleration.empty());
+  table.has_one_column = !two_are_named && is_one_column(table.text);
+  table.separator = table.has_one_column ? ';' : find_separator(table.text);
+  table.header = read_csv_header(table.text, table.separator, table.has_one_column ? 1 : 2);
+  if (table.header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
+  table.columns = name_columns(table.header);
+}
+
+std::vector<std::string> remarks_on(const Findings& findings, const CsvRows& rows, bool has_mark) {
+  std::vector<std::string> remarks;
+  if (has_mark) remarks.emplace_back("a byte order mark at the beginning was left out");
+  if (rows.lines().kinds_of_ends() > 1) remarks.emplace_back("the lines end in different ways");
+  if (rows.blank_lines() > 0)
+    remarks.push_back(fmt::format("{} left out", plural(rows.blank_lines(), "line") + " without content"));
+  if (findings.decimal_comma > 0) remarks.emplace_back("decimal commas were read as points");
+  if (findings.empty_columns > 0) remarks.emplace_back("empty columns at the end were left out");
+  if (findings.repeated_samples > 0)
+    remarks.push_back(
+        findings.repeated_samples == 1
+            ? fmt::format("1 sample that repeats the one before was left out, in line {}",
+                          findings.first_repeated)
+            : fmt::format("{} samples that repeat the one before were left out, the first in line {}",
+                          findings.repeated_samples, findings.first_repeated));
+  if (const std::size_t count = rows.comments_among_numbers(); count > 0)
+    remarks.push_back(count == 1 ? fmt::format("1 line that begins with # among the numbers was left out, in "
+                                               "line {}",
+                                               rows.first_comment_among_numbers())
+                                 : fmt::format("{} lines that begin with # among the numbers were left out, "
+                                               "the first in line {}",
+                                               count, rows.first_comment_among_numbers()));
+  return remarks;
+}
+
+/// Faults for the gaps between the times or, if they are to be bridged, remarks.
+void judge_gaps(const NumberReader& numbers, const MeasuredColumn& time, bool bridge,
+                MeasurementFaults& faults, std::vector<std::string>& remarks) {
+  const PulseGaps gaps = find_gaps(numbers.pulse.time);
+  const auto words = [&](const PulseGap& gap) {
+    return fmt::format("between lines {} and {} {:.6g} ms are missing", numbers.lines[gap.after],
+                       numbers.lines[gap.after + 1], 1e3 * gap.length);
+  };
+  if (!bridge)
+    for (const PulseGap& gap : gaps.all)
+      faults.add(numbers.lines[gap.after + 1], time.name, "",
+                 fmt::format("{}, where samples are {:.6g} ms apart; --bridge-gaps takes a straight line",
+                             words(gap), 1e3 * gaps.usual_step));
+  for (std::size_t i = 0; i < std::min(gaps.all.size(), most_gap_remarks); ++i)
+    remarks.push_back(words(gaps.all[i]) + "; a straight line was taken");
+  if (gaps.all.size() > most_gap_remarks)
+    remarks.push_back(fmt::format("{} more gaps between the times; straight lines were taken",
+                                  gaps.all.size() - most_gap_remarks));
+}
+
+}  // namespace
+
+MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOptions& options) {
+  MeasurementFaults faults(file.string());
+  Table table;
+  read_table(file, options, faults, table);
+  if (table.has_one_column && !options.interval)
+    faults.refuse(
+        table.header.first_line, "", "",
+        "has one column of numbers, and no times; if that is the acceleration, --interval \"0.1 ms\" "
+        "tells the time between two samples");
+  MeasuredPulse result{.format = "CSV", .resultant = options.resultant};
+  choose_columns(table.columns, table.header, options, faults, result.remarks);
+  faults.throw_if_any();
+  require_no_numbers(table.header, table.columns, table.separator, faults);
+
+  NumberReader numbers(table.columns, options.interval, table.separator, faults);
+  CsvRows rows(table.text, table.separator);
+  CsvRow row;
+  std::size_t blank_lines = 0;
+  while (rows.next(row))
+    if (row.line >= table.header.first_line) {
+      if (options.interval && row.line > table.header.first_line && rows.blank_lines() > blank_lines)
+        faults.add(row.line - 1, "", "", "has no content; without times a sample may be missing here");
+      blank_lines = rows.blank_lines();
+      rows.begin_numbers();
+      numbers.add(row);
+    }
+  const std::size_t count = numbers.pulse.time.size();
+  if (faults.none() && count < 2) faults.add(0, "", "", "has one sample only; a pulse needs two");
+  faults.throw_if_any();
+  std::vector<std::string> bridged;
+  if (!options.interval) judge_gaps(numbers, table.columns.time, options.bridge_gaps, faults, bridged);
+  faults.throw_if_any();
+
+  for (std::string& remark : remarks_on(numbers.findings, rows, table.has_mark))
+    result.remarks.push_back(std::move(remark));
+  for (std::string& remark : bridged) result.remarks.push_back(std::move(remark));
+  result.pulse = std::move(numbers.pulse);
+  result.components = std::move(numbers.components);
+  result.time = table.columns.time;
+  result.acceleration = table.columns.acceleration;
+  result.files.push_back({"the measurement", file});
+  return result;
+}
+
+std::vector<MeasuredColumn> pulse_csv_columns(const std::filesystem::path& file) {
+  MeasurementFaults faults(file.string());
+  Table table;
+  read_table(file, {}, faults, table);
+  return table.columns.all;
+}
+
+}  // namespace dashpad

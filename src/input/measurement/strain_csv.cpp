@@ -1,0 +1,196 @@
+#include "dashpad/input/measurement/strain_csv.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "input/measurement/column_units.hpp"
+#include "input/measurement/csv_columns.hpp"
+#include "input/measurement/csv_rows.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr std::size_t most_rows = 10'000;
+constexpr double least_strain = 1e-12;  // the largest of a history; below it, rounding is not small
+
+/// One strain of that unit as a pure number; absent for a unit that is none of a strain.
+std::optional<double> strain_factor(const std::string& unit) {
+  if (unit.empty() || unit == "1" || unit == "-") return 1;
+  if (unit == "%" || lower_case(unit) == "percent") return 0.01;
+  return std::nullopt;
+}
+
+/// A column called strain, with its unit also where no bracket sets it apart: "strain %", "strain_percent".
+std::optional<MeasuredColumn> as_strain(MeasuredColumn column) {
+  std::string name = lower_case(split_header(column.name).name);
+  for (const std::string_view unit : {" %", "_%", "_percent", " percent"})
+    if (column.unit.empty() && name.ends_with(unit)) {
+      name.erase(name.size() - unit.size());
+      column.unit = "%";
+    }
+  if (name != "strain") return std::nullopt;
+  return column;
+}
+
+struct StrainColumns {
+  MeasuredColumn time, strain;
+};
+
+/// Faults where the header does not tell which is which, or in which unit.
+StrainColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
+  const CsvColumns named = name_columns(header);
+  const std::size_t line = named.names != nullptr ? named.names->line : header.first_line;
+  if (named.names == nullptr)
+    faults.refuse(line, "", "",
+                  "needs a line above the numbers that names the columns and their units: time_s,strain");
+  std::vector<MeasuredColumn> times, strains;
+  for (const MeasuredColumn& column : named.all) {
+    if (const auto strain = as_strain(column))
+      strains.push_back(*strain);
+    else if (looks_like(ColumnKind::time, column))
+      times.push_back(column);
+  }
+  if (times.size() != 1)
+    faults.add(line, "", "",
+               fmt::format("one column of times is needed, such as time_s or \"time [ms]\"; there are {}",
+                           times.size()));
+  if (strains.size() != 1)
+    faults.add(
+        line, "", "",
+        fmt::format("one column called strain is needed, such as strain or \"strain [%]\"; there are {}",
+                    strains.size()));
+  StrainColumns chosen;
+  if (times.size() == 1) {
+    chosen.time = times.front();
+    const std::string rule = settle_unit(chosen.time, ColumnKind::time, "", "the header");
+    if (!rule.empty())
+      faults.add(line, chosen.time.name, "",
+                 "the time needs a unit in the header, such as time_s or time [ms]");
+  }
+  if (strains.size() == 1) {
+    chosen.strain = strains.front();
+    const auto factor = strain_factor(chosen.strain.unit);
+    if (!factor) faults.add(line, chosen.strain.name, "", "a strain is a pure number, or in %");
+    chosen.strain.factor = factor.value_or(1);
+  }
+  faults.throw_if_any();
+  return chosen;
+}
+
+/// A strain in a row above the numbers, but below the names: a row that would be lost.
+void require_no_numbers(const CsvHeader& header, const StrainColumns& columns, char separator,
+                        MeasurementFaults& faults) {
+  const std::size_t names = name_columns(header).names->line;
+  const auto field = [](const CsvHeader::Row& row, const MeasuredColumn& column) {
+    const auto at = static_cast<std::size_t>(column.number - 1);
+    return at < row.fields.size() ? std::string_view(row.fields[at]) : std::string_view();
+  };
+  for (const CsvHeader::Row& row : header.rows)
+    if (row.line > names && read_csv_number(field(row, columns.strain), separator).kind == NumberKind::number)
+      faults.add(row.line, columns.time.name, field(row, columns.time),
+                 rule_for(read_csv_number(field(row, columns.time), separator).kind));
+}
+
+/// Reads the rows and judges each as it comes.
+class StrainReader {
+ public:
+  StrainReader(StrainColumns columns, char separator, MeasurementFaults& faults)
+      : columns_(std::move(columns)), separator_(separator), faults_(faults) {}
+
+  void add(const CsvRow& row) {
+    if (!row.fault.empty()) return faults_.add(row.line, "", "", std::string(row.fault));
+    const auto time = value(row, columns_.time), strain = value(row, columns_.strain);
+    if (!time || !strain) return;
+    if (rows_++ == most_rows) faults_.refuse(row.line, "", "", fmt::format("more than {} rows", most_rows));
+    if (!table.time.empty() && *time == table.time.back() && *strain == table.strain.back()) {
+      ++repeated_;
+      return;
+    }
+    // The first time is taken off all others: what counts is what rounding leaves of them.
+    const double begin = table.time.empty() ? *time : table.time.front();
+    if (!std::isfinite(*time - begin))
+      faults_.add(row.line, columns_.time.name, field(row, columns_.time),
+                  rule_for(NumberKind::out_of_range));
+    else if (last_time_ && !(*time - begin > *last_time_ - begin))
+      faults_.add(row.line, columns_.time.name, field(row, columns_.time),
+                  *time > *last_time_ ? "is too near the time before, so long after the first"
+                                      : "must be later than the time before");
+    last_time_ = time;
+    if (!(*strain >= 0 && *strain < 1))
+      faults_.add(row.line, columns_.strain.name, field(row, columns_.strain),
+                  "a strain is at least 0 and below 1 (100 %), positive in compression");
+    else if (rows_ == 1 && *strain != 0)
+      faults_.add(row.line, columns_.strain.name, field(row, columns_.strain),
+                  "the history begins at first contact, with strain 0");
+    table.time.push_back(*time);
+    table.strain.push_back(*strain);
+  }
+
+  void finish() {
+    if (!faults_.none()) return;
+    if (repeated_ > 0)
+      table.remarks.push_back(
+          fmt::format("{} {} before {} left out", repeated_,
+                      repeated_ == 1 ? "row that repeats the one" : "rows that repeat the one",
+                      repeated_ == 1 ? "was" : "were"));
+    if (table.time.size() < 2)
+      faults_.add(0, "", "", "has one row only; a history needs two");
+    else if (const double largest = std::ranges::max(table.strain); !(largest > least_strain))
+      faults_.add(0, columns_.strain.name, "",
+                  largest == 0 ? "is 0 throughout" : "is below 1e-12 throughout");
+  }
+
+  StrainTable table;
+
+ private:
+  static std::string_view field(const CsvRow& row, const MeasuredColumn& column) {
+    const auto at = static_cast<std::size_t>(column.number - 1);
+    return at < row.fields.size() ? without_blanks(row.fields[at]) : std::string_view{};
+  }
+
+  std::optional<double> value(const CsvRow& row, const MeasuredColumn& column) {
+    const ReadNumber read = read_csv_number(field(row, column), separator_);
+    if (read.kind == NumberKind::number) return read.value * column.factor;
+    faults_.add(row.line, column.name, field(row, column), rule_for(read.kind));
+    return std::nullopt;
+  }
+
+  StrainColumns columns_;
+  char separator_;
+  MeasurementFaults& faults_;
+  std::optional<double> last_time_;
+  std::size_t rows_ = 0, repeated_ = 0;
+};
+
+}  // namespace
+
+StrainTable read_strain_csv(const std::filesystem::path& file) {
+  MeasurementFaults faults(file.string());
+  const std::string content = read_measurement(file);
+  const std::string_view text = text_in(content, faults);
+  if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
+  const char separator = find_separator(text);
+  const CsvHeader header = read_csv_header(text, separator);
+  if (header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
+
+  const StrainColumns columns = choose(header, faults);
+  require_no_numbers(header, columns, separator, faults);
+  StrainReader reader(columns, separator, faults);
+  CsvRows rows(text, separator);
+  for (CsvRow row; rows.next(row);)
+    if (row.line >= header.first_line) reader.add(row);
+  reader.finish();
+  faults.throw_if_any();
+  if (const double begin = reader.table.time.front(); begin != 0) {
+    for (double& time : reader.table.time) time -= begin;
+    reader.table.remarks.push_back(
+        fmt::format("the first time, {:g} s, is first contact; it was taken off all times", begin));
+  }
+  return std::move(reader.table);
+}
+
+}  // namespace dashpad

@@ -1,0 +1,70 @@
+#include "input/spelling.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <vector>
+
+namespace dashpad {
+namespace {
+
+constexpr std::size_t longest_word = 64;
+
+/// Letters to insert, delete or replace to make one word of the other.
+std::size_t edit_distance(std::string_view from, std::string_view to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (const char letter : from) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      const std::size_t replaced = diagonal + (letter != to[j] ? 1 : 0);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// What a name of one letter begins like is no guess.
+constexpr std::size_t shortest_beginning = 2;
+
+/// "a", "b" or "c".
+std::string alternatives(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + ("\"" + words[i] + "\"");
+  return text;
+}
+
+std::vector<std::string> beginning_with(std::string_view word, std::span<const std::string> words) {
+  std::vector<std::string> found;
+  if (word.size() < shortest_beginning) return found;
+  std::ranges::copy_if(words, std::back_inserter(found),
+                       [word](const std::string& candidate) { return candidate.starts_with(word); });
+  return found;
+}
+
+}  // namespace
+
+std::string did_you_mean(std::string_view word, std::span<const std::string> words) {
+  if (word.size() > longest_word) return {};
+  if (const auto longer = beginning_with(word, words); !longer.empty())
+    return "; did you mean " + alternatives(longer) + "?";
+  const std::string* closest = nullptr;
+  std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
+  for (const std::string& candidate : words) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance >= least || distance >= std::min(word.size(), candidate.size())) continue;
+    least = distance;
+    closest = &candidate;
+  }
+  return closest ? "; did you mean \"" + *closest + "\"?" : "";
+}
+
+std::string listing(std::span<const std::string> words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
+}  // namespace dashpad

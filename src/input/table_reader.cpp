@@ -1,0 +1,102 @@
+#include "input/table_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "dashpad/quantities/quantity.hpp"
+#include "input/spelling.hpp"
+
+namespace dashpad {
+namespace {
+
+using Kind = TomlNode::Kind;
+constexpr double missing_number = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+double read_quantity(const TomlNode& node, const std::string& key, const std::string& si_unit,
+                     FaultList& faults) {
+  const bool has_text = node.kind == Kind::text || node.kind == Kind::number;
+  try {
+    const double value = to_si(has_text ? node.text : "", si_unit);
+    if (node.kind == Kind::text) return value;
+    faults.add(node.line, key, node.written(), "must be text in quotes");
+  } catch (const UnitError& error) {
+    faults.add(node.line, key, node.written(), error.what());
+  }
+  return missing_number;
+}
+
+TableReader::TableReader(const TomlNode& table, std::string path, FaultList& faults)
+    : table_(&table), path_(std::move(path)), faults_(&faults) {}
+
+const TomlNode* TableReader::find(const std::string& key, Presence presence) {
+  if (!std::ranges::count(known_, key)) known_.push_back(key);
+  const TomlNode* node = table_->child(key);
+  if (!node && presence == Presence::required) faults_->add(table_->line, full_key(key), "", "is missing");
+  return node;
+}
+
+double TableReader::quantity(const std::string& key, const std::string& si_unit) {
+  const TomlNode* node = find(key, Presence::required);
+  return node ? read_quantity(*node, full_key(key), si_unit, *faults_) : missing_number;
+}
+
+double TableReader::number(const std::string& key) {
+  const TomlNode* node = find(key, Presence::required);
+  if (!node) return missing_number;
+  if (node->kind == Kind::number && std::isfinite(node->number)) return node->number;
+  fault(key, node->kind == Kind::number ? "must be a finite number"
+                                        : "must be a plain number, without quotes and unit");
+  return missing_number;
+}
+
+std::string TableReader::text(const std::string& key, Presence presence) {
+  const TomlNode* node = find(key, presence);
+  if (!node) return {};
+  if (node->kind == Kind::text && !node->text.empty()) return node->text;
+  fault(key, node->kind == Kind::text ? "must not be empty" : "must be text in quotes");
+  return {};
+}
+
+std::string TableReader::choice(const std::string& key, const std::vector<std::string>& choices) {
+  std::string chosen = text(key);
+  if (chosen.empty() || std::ranges::count(choices, chosen)) return chosen;
+  fault(key, "must be one of " + listing(choices) + did_you_mean(chosen, choices));
+  return {};
+}
+
+std::optional<TableReader> TableReader::table(const std::string& key, Presence presence) {
+  const TomlNode* node = find(key, presence);
+  if (!node) return std::nullopt;
+  if (node->kind == Kind::table) return TableReader(*node, full_key(key), *faults_);
+  fault(key, "must be a table: [" + full_key(key) + "]");
+  return std::nullopt;
+}
+
+const TomlNode* TableReader::array(const std::string& key) {
+  const TomlNode* node = find(key, Presence::required);
+  if (!node || node->kind == Kind::array) return node;
+  fault(key, "must be an array in square brackets");
+  return nullptr;
+}
+
+bool TableReader::has(const std::string& key) { return find(key, Presence::optional) != nullptr; }
+
+void TableReader::fault(const std::string& key, std::string rule) {
+  const TomlNode* node = table_->child(key);
+  faults_->add(node ? node->line : table_->line, full_key(key), node ? node->written() : "", std::move(rule));
+}
+
+void TableReader::refuse_others() {
+  for (const TomlNode& entry : table_->children) {
+    if (std::ranges::count(known_, entry.key)) continue;
+    const std::string meant = did_you_mean(entry.key, known_);
+    faults_->add(entry.line, full_key(entry.key), entry.written(),
+                 "unknown key" + (meant.empty() ? "; known here are " + listing(known_) : meant));
+  }
+}
+
+}  // namespace dashpad

@@ -1,0 +1,80 @@
+#pragma once
+/// Reads the entries of a TOML table and collects every fault instead of stopping at the first.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dashpad/input/fault.hpp"
+#include "dashpad/model/pad/law.hpp"
+#include "input/toml_tree.hpp"
+
+namespace dashpad {
+
+/// The faults of one file.
+class FaultList {
+ public:
+  explicit FaultList(std::string file) : file_(std::move(file)) {}
+
+  void add(int line, std::string key, std::string value, std::string rule);
+  /// Faults of another file that this one names.
+  void add(const std::vector<Fault>& faults);
+  /// The broken rules of what was made of the tree, with line and text of the keys; but not those of keys,
+  /// or parts of keys, that have a fault already.
+  void add(const std::vector<Violation>& violations, const TomlNode& root);
+  /// Throws InputError, in the order of lines, if there is a fault.
+  void throw_if_any();
+  [[nodiscard]] std::size_t size() const { return faults_.size(); }
+
+ private:
+  [[nodiscard]] bool explains(std::string_view key) const;
+
+  std::string file_;
+  std::vector<Fault> faults_;
+};
+
+enum class Presence { required, optional };
+
+class TableReader {
+ public:
+  /// `path` is the table's dotted key; "" for the file itself. Both arguments must outlive the reader.
+  TableReader(const TomlNode& table, std::string path, FaultList& faults);
+
+  /// In SI. NaN if absent or at fault.
+  double quantity(const std::string& key, const std::string& si_unit);
+  /// A plain number. NaN if absent or at fault.
+  double number(const std::string& key);
+  /// Empty if absent or at fault; present text is never empty.
+  std::string text(const std::string& key, Presence presence = Presence::required);
+  /// One of the choices; empty if absent or at fault.
+  std::string choice(const std::string& key, const std::vector<std::string>& choices);
+  std::optional<TableReader> table(const std::string& key, Presence presence = Presence::required);
+  const TomlNode* array(const std::string& key);
+
+  /// Whether the entry is there; from now on it is known.
+  bool has(const std::string& key);
+  void fault(const std::string& key, std::string rule);
+  /// Reports entries that nobody asked for.
+  void refuse_others();
+
+  [[nodiscard]] const TomlNode& node() const { return *table_; }
+  [[nodiscard]] FaultList& faults() const { return *faults_; }
+  [[nodiscard]] std::string full_key(const std::string& key) const {
+    return path_.empty() ? key : path_ + "." + key;
+  }
+
+ private:
+  const TomlNode* find(const std::string& key, Presence presence);
+
+  const TomlNode* table_;
+  std::string path_;
+  FaultList* faults_;
+  std::vector<std::string> known_;
+};
+
+/// In SI; NaN after a fault. For the entries of arrays; TableReader::quantity serves those of tables.
+double read_quantity(const TomlNode& node, const std::string& key, const std::string& si_unit,
+                     FaultList& faults);
+
+}  // namespace dashpad

@@ -1,0 +1,127 @@
+#include "input/toml_tree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dashpad/input/fault.hpp"
+#include "input/text_file.hpp"
+#include "input/toml_parser.hpp"
+
+namespace dashpad {
+namespace {
+
+/// toml++ nests a table for each dot in a key, without limit, and overflows the stack with some ten thousand.
+constexpr std::ptrdiff_t most_dots = 64;
+
+/// Where the string that begins at `begin` ends; the end of the line or text where it is not closed.
+std::size_t end_of_string(std::string_view text, std::size_t begin) {
+  const char quote = text[begin];
+  const bool has_escapes = quote == '"';
+  const std::string fence(3, quote);
+  const bool has_lines = text.substr(begin, 3) == fence;
+  for (std::size_t at = begin + (has_lines ? 3 : 1); at < text.size(); ++at) {
+    if (has_escapes && text[at] == '\\') {
+      ++at;
+    } else if (has_lines && text.substr(at, 3) == fence) {
+      // Up to two quotes more belong to the string and stand before those that close it.
+      at += 3;
+      for (int extra = 0; extra < 2 && at < text.size() && text[at] == quote; ++extra) ++at;
+      return at;
+    } else if (!has_lines && text[at] == quote) {
+      return at + 1;
+    } else if (!has_lines && text[at] == '\n') {
+      return at;
+    }
+  }
+  return text.size();
+}
+
+/// Line of the first name with more dots than that, outside of strings and comments; 0 if there is none. Up
+/// to the first error of syntax it divides the text as toml++ does, which does not read beyond that.
+int line_of_overlong_name(std::string_view text) {
+  std::ptrdiff_t dots = 0;
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const char c = text[at];
+    if (c == '"' || c == '\'') {
+      at = end_of_string(text, at);
+      continue;
+    }
+    if (c == '#') {
+      at = std::min(text.find('\n', at), text.size());
+      continue;
+    }
+    if (c == '.' && ++dots > most_dots)
+      return 1 + static_cast<int>(std::ranges::count(text.substr(0, at), '\n'));
+    if (std::string_view("=,{\n").find(c) != std::string_view::npos) dots = 0;
+    ++at;
+  }
+  return 0;
+}
+
+TomlNode convert(const toml::node& source, std::string key) {
+  TomlNode node;
+  node.line = static_cast<int>(source.source().begin.line);
+  node.key = std::move(key);
+  if (const auto* table = source.as_table()) {
+    node.kind = TomlNode::Kind::table;
+    for (const auto& [name, value] : *table) node.children.push_back(convert(value, std::string(name.str())));
+    std::ranges::stable_sort(node.children, {}, &TomlNode::line);
+  } else if (const auto* array = source.as_array()) {
+    node.kind = TomlNode::Kind::array;
+    for (const auto& value : *array)
+      node.children.push_back(convert(value, fmt::format("[{}]", node.children.size() + 1)));
+  } else if (const auto* text = source.as_string()) {
+    node.kind = TomlNode::Kind::text;
+    node.text = text->get();
+  } else if (source.is_number()) {
+    node.kind = TomlNode::Kind::number;
+    node.number = source.value_or(0.0);
+    node.text = fmt::format("{}", node.number);
+  } else {
+    node.text = source.is_boolean() ? (source.value_or(false) ? "true" : "false") : "a date or time";
+  }
+  return node;
+}
+
+}  // namespace
+
+const TomlNode* TomlNode::child(std::string_view name) const {
+  const auto found = std::ranges::find(children, name, &TomlNode::key);
+  return found != children.end() ? &*found : nullptr;
+}
+
+const TomlNode& TomlNode::nearest(std::string_view dotted_key) const {
+  const auto end = std::min(dotted_key.find_first_of(".[", 1), dotted_key.size());
+  const TomlNode* next = child(dotted_key.substr(0, end));
+  if (!next) return *this;
+  dotted_key.remove_prefix(end);
+  if (dotted_key.starts_with('.')) dotted_key.remove_prefix(1);
+  return dotted_key.empty() ? *next : next->nearest(dotted_key);
+}
+
+std::string TomlNode::written() const {
+  const auto continues_a_character = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };
+  std::size_t end = std::min<std::size_t>(60, text.size());
+  while (end > 0 && end < text.size() && continues_a_character(text[end])) --end;
+  const std::string shown = text.substr(0, end) + (end < text.size() ? "..." : "");
+  return kind == Kind::text ? '"' + shown + '"' : shown;
+}
+
+TomlNode read_toml(const std::filesystem::path& file) {
+  const std::string text = read_text_file(file);
+  if (const int line = line_of_overlong_name(text))
+    refuse_file(file, fmt::format("a name holds more than {} dots; text needs quotes", most_dots), line);
+  try {
+    TomlNode root = convert(toml::parse(text), "");
+    root.line = 0;  // a key that is missing at the top is missing nowhere in particular
+    return root;
+  } catch (const toml::parse_error& error) {
+    refuse_file(file, fmt::format("is not TOML: {}", error.description()),
+                static_cast<int>(error.source().begin.line));
+  }
+  return {};
+}
+
+}  // namespace dashpad

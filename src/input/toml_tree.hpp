@@ -1,0 +1,32 @@
+#pragma once
+/// A TOML file as a plain tree that remembers lines.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dashpad {
+
+struct TomlNode {
+  enum class Kind { table, array, text, number, other };
+
+  Kind kind = Kind::other;
+  int line = 0;
+  std::string key;    ///< in its table; "[1]", "[2]", ... in an array
+  std::string text;   ///< of a text; of other kinds, what stands there in the user's words
+  double number = 0;  ///< of a number, whole or not
+  std::vector<TomlNode> children;
+
+  /// The entry of a table, or null.
+  [[nodiscard]] const TomlNode* child(std::string_view name) const;
+  /// The entry with a dotted key, such as "pad.thickness" or "support.points[3]", or the last one on the way.
+  [[nodiscard]] const TomlNode& nearest(std::string_view dotted_key) const;
+  /// The value as in the file, shortened to a line; "" for tables and arrays.
+  [[nodiscard]] std::string written() const;
+};
+
+/// Throws InputError if the file cannot be read (input/text_file.hpp) or is not TOML.
+TomlNode read_toml(const std::filesystem::path& file);
+
+}  // namespace dashpad

@@ -1,0 +1,336 @@
+#pragma once
+/// A nose on a pad with memory: a field of columns at fixed depths, each with its own stress history.
+///
+///   strain(s) = (Y - s) / L                                                        (theory.md, Eq. 5)
+///   F = a0 max(stress(0), 0) + int max(stress(s), 0) a'(s) ds, over s in [0, min(Y, d)]   (theory.md, Eq. 6)
+///   int = 2 pi L int max(g, 0) dw,  g = stress / A a'/(2 pi),  dw = A d(strain)           (theory.md, Eq.
+///   20)
+///
+/// s is the depth at which the nose's surface meets a column; a(s) is the area of the nose's section, a0 that
+/// of its flat tip (theory.md, Eq. 3): the column is touched when Y passes s. g is
+/// smooth in w at the contact edge and at full compression alike; it is taken as linear between stations.
+/// Stations lie closer towards the axis, and are added there as the gap L - Y closes.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+
+#include "dashpad/model/nose/sections.hpp"
+#include "dashpad/model/pad/law.hpp"
+#include "model/contact/columns.hpp"
+#include "model/contact/contact.hpp"
+#include "model/contact/sweep.hpp"
+#include "model/pad/column_law.hpp"
+
+namespace dashpad {
+
+template <IsViscous Law>
+class ColumnField {
+ public:
+  /// All storage is taken here: later calls do not allocate.
+  ColumnField(const Law& law, double thickness, const Sections& nose, ColumnMath math = ColumnMath::vector)
+      : ColumnField(law, thickness, nose, math, sweeps(math).of<Law>()) {}
+  /// With a sweep of one's own, for a law that is none of PadLaw.
+  ColumnField(const Law& law, double thickness, const Sections& nose, ColumnMath math,
+              const SweepOf<Law>& sweep)
+      : law_(law),
+        power_(law.exponents()),
+        thickness_(thickness),
+        nose_(nose),
+        sweep_(sweep),
+        sweeps_(&sweeps(math)) {}
+
+  /// Another pad in the same storage.
+  void set(const Law& law, double thickness, const Sections& nose, ColumnMath math) {
+    law_ = law;
+    sweeps_ = &sweeps(math);
+    sweep_ = sweeps_->of<Law>();
+    if (law.exponents() != power_.exponents()) power_ = PowerShape(law.exponents());
+    thickness_ = thickness;
+    nose_ = nose;
+  }
+
+  /// The pad follows its law back on unloading.
+  [[nodiscard]] bool recovers() const { return true; }
+  [[nodiscard]] double first_force() const { return 0; }
+  /// The pad locks when this gap is not enough to carry the force (design limit: 1e-9 of the thickness).
+  [[nodiscard]] double lock_penetration() const { return thickness_ * (1 - 1e-9); }
+  [[nodiscard]] std::size_t stations() const { return columns_.size(); }
+  /// Columns updated in all trials since the start: the cost of the run.
+  [[nodiscard]] std::size_t updates() const { return updates_; }
+
+  struct Column {
+    double depth = 0;   ///< s, m
+    double strain = 0;  ///< > 0
+    double stress = 0;  ///< Pa, tension negative
+  };
+  /// Columns under strain in the accepted state, from the axis outwards.
+  [[nodiscard]] std::size_t strained_columns() const { return live_; }
+  [[nodiscard]] Column column(std::size_t j) const {
+    const double depth = columns_.depth()[j];
+    return {depth, (penetration_ - depth) / thickness_, columns_.now.stress[j]};
+  }
+
+  /// `resolution` is the relative spacing of stations aimed at; `expected` the largest penetration that is
+  /// expected, m, over which they are spread.
+  void start(double resolution, double expected = std::numeric_limits<double>::infinity()) {
+    clear(resolution);
+    lay_columns(expected, std::min(thickness_, nose_.depth));
+    for (std::size_t j = 0; j < columns_.size(); ++j) set_at_rest(columns_.now, j);
+  }
+  /// No columns yet: they are laid when the pad is unloaded.
+  void clear(double resolution) {
+    resolution_ = resolution;
+    penetration_ = largest_penetration_ = 0;
+    live_ = 0;
+    updates_ = 0;
+    last_ = {};
+    correction_ = 1;
+    columns_.clear();
+  }
+
+  /// Columns for the unloading of a pad that was only loaded so far, in the state to which `steps` have led.
+  /// Their integral, which has the error of the stations, is made to go on from the force of the loading.
+  void begin_after(const std::vector<LoadingStep>& steps, double force) {
+    penetration_ = largest_penetration_ = steps.empty() ? 0 : steps.back().penetration;
+    last_ = {};
+    columns_.clear();
+    lay_columns(penetration_, std::min(penetration_, nose_.depth));
+    if (penetration_ <= 0) return;
+    live_ = columns_.size();
+    const SweepStep step{columns_.depth(), columns_.weight(), live_, thickness_, 0,
+                         penetration_,     penetration_};
+    sweeps_->replay(power_, steps.data(), steps.data() + steps.size(), step, columns_.now);
+    updates_ += live_ * steps.size();
+    const double edge = steps.back().modulus * nose_.rate(penetration_);
+    correction_ = force / integrate(columns_.now, live_, penetration_, edge);
+  }
+
+  PadTrial trial(double advance, double from, double step) {
+    const double rate = advance / (thickness_ * step);
+    trial_ = penetration_ + advance;
+    const PadTrial next{advance, from, step, 0};
+    if (!next.shares_time_with(last_)) time_part_ = law_.time_part(from, from + step);
+    last_ = next;
+    rate_part_ = law_.rate_part(rate);
+    const double* depth = columns_.depth();
+    trial_live_ = static_cast<std::size_t>(std::lower_bound(depth, depth + columns_.size(), trial_) - depth);
+    updates_ += trial_live_;
+    if (trial_live_ == 0) return last_;
+    sweep_.step(law_, power_, rate_part_, time_part_, sweep_step(), columns_.now, columns_.next_state);
+    const double edge = rate >= 0 ? law_.edge_ratio(rate_part_) * nose_.rate(trial_) : unknown_edge;
+    last_.force = correction_ * integrate(columns_.next_state, trial_live_, trial_, edge);
+    return last_;
+  }
+
+  [[nodiscard]] double force_rate_when_held(const PadTrial& trial) {
+    recall(trial);
+    if (trial_live_ == 0) return 0;
+    const Columns& next = columns_.next_state;
+    double edge = 0;
+    double sum = sweep_.sum_of_held(law_, power_, trial.end(), sweep_step(), next, edge);
+    sum += edge * (next.measure[trial_live_ - 1] - edge_measure(trial_)) / 2;
+    return correction_ * (tip_rate_when_held(trial.end()) + 2 * std::numbers::pi * thickness_ * sum);
+  }
+
+  /// Of any column, tension negative: contact is lost where it crosses zero.
+  [[nodiscard]] double largest_stress(const PadTrial& trial) {
+    recall(trial);
+    if (trial_live_ == 0) return -std::numeric_limits<double>::min();
+    return *std::max_element(columns_.next_state.stress, columns_.next_state.stress + trial_live_);
+  }
+
+  void accept(const PadTrial& trial) {
+    recall(trial);
+    penetration_ = trial_;
+    largest_penetration_ = std::max(largest_penetration_, penetration_);
+    for (std::size_t j = trial_live_; j < columns_.size(); ++j) set_at_rest(columns_.next_state, j);
+    std::swap(columns_.now, columns_.next_state);
+    live_ = trial_live_;
+    last_ = {};
+    if (penetration_ == largest_penetration_) grade_axis();
+  }
+
+  /// Outer radius of the stressed area, m.
+  [[nodiscard]] double contact_radius() const {
+    double depth = std::min(penetration_, nose_.depth);
+    const double* stress = columns_.now.stress;
+    std::size_t j = live_;
+    while (j > 0 && stress[j - 1] <= 0) --j;
+    if (j == 0) return 0;
+    if (j < live_) {
+      const double inner = columns_.depth()[j - 1];
+      depth = inner + (columns_.depth()[j] - inner) * stress[j - 1] / (stress[j - 1] - stress[j]);
+    }
+    return nose_.radius(depth);
+  }
+
+ private:
+  static constexpr double unknown_edge = -1;
+  using Formulas = scalar::Formulas<Law>;
+
+  [[nodiscard]] Strain strain_at(double penetration, double depth) const {
+    return {(penetration - depth) / thickness_, ((thickness_ - penetration) + depth) / thickness_};
+  }
+  [[nodiscard]] SweepStep sweep_step() const {
+    return {columns_.depth(), columns_.weight(),   trial_live_, thickness_, penetration_,
+            trial_,           largest_penetration_};
+  }
+  void set_at_rest(const Columns& columns, std::size_t j) const {
+    for (double* array : columns.all()) array[j] = 0;
+  }
+  /// Force of the flat tip, below which the strain is that of the axis.
+  [[nodiscard]] double on_tip(double stress) const {
+    return nose_.tip > 0 ? nose_.tip * std::max(stress, 0.0) : 0;
+  }
+  [[nodiscard]] double tip_rate_when_held(double time) const {
+    const double stress = columns_.next_state.stress[0];
+    if (!(nose_.tip > 0 && stress > 0)) return 0;
+    const double strain = trial_ / thickness_;
+    const double largest = std::max(largest_penetration_, trial_) / thickness_;
+    const double still = envelope(law_, power_, strain_at(trial_, 0), law_.rate_part(0), largest);
+    return nose_.tip * relaxation_rate(law_, power_, time, strain) * (still - stress);
+  }
+
+  /// w at the outer end of the contact: 0, or where the nose grows no wider.
+  [[nodiscard]] double edge_measure(double penetration) const {
+    return penetration <= nose_.depth ? 0 : power_.at(strain_at(penetration, nose_.depth)).measure;
+  }
+  /// Integral of max(g, 0) over a cell in which g is linear.
+  static double positive_part(double g, double h, double width) {
+    if (g >= 0 && h >= 0) return (g + h) / 2 * width;
+    if (g <= 0 && h <= 0) return 0;
+    const double top = std::max(g, h);
+    return top * top / (top - std::min(g, h)) / 2 * width;
+  }
+
+  /// Eq. 20 over the first `live` columns and on to the contact edge, where g is `edge`.
+  [[nodiscard]] double integrate(const Columns& columns, std::size_t live, double penetration,
+                                 double edge) const {
+    const bool unloading = edge == unknown_edge;
+    const double last = columns.ratio[live - 1];
+    const double width = columns.measure[live - 1] - edge_measure(penetration);
+    double sum = 0;
+    if (unloading) {
+      // The stress at the edge is not known: g goes on as between the last two columns, within bounds, since
+      // these may lie close together.
+      edge = last;
+      if (live > 1) {
+        const std::size_t j = live - 2;
+        const double* g = columns.ratio;
+        const double* w = columns.measure;
+        // A column in tension lets go with a stress without bound: for the cell inside it that counts no more
+        // than the line through the next two columns, so that the force does not jump when it is gone.
+        double outer = last;
+        if (last < 0 && j > 0)
+          outer =
+              std::max(last, std::min(0.0, g[j] + (g[j] - g[j - 1]) * (w[j] - w[j + 1]) / (w[j - 1] - w[j])));
+        sum = sweeps_->sum_of_cells(columns, j) + bounded(positive_part(g[j], outer, w[j] - w[j + 1]),
+                                                          columns, j, j + 1, columns_.depth()[j + 1]);
+        edge += (last - g[j]) * width / (w[j] - w[j + 1]);
+      }
+      edge = std::min(edge, 0.0);
+      sum += bounded(positive_part(last, edge, width), columns, live - 1, live - 1, penetration);
+    } else {
+      sum = sweeps_->sum_of_cells(columns, live - 1) + positive_part(last, edge, width);
+    }
+    return on_tip(columns.stress[0]) + 2 * std::numbers::pi * thickness_ * sum;
+  }
+
+  /// On unloading a column may still push as its strain vanishes: stress over A then has no bound, but the
+  /// cell's force has one, its width times its stress.
+  [[nodiscard]] double bounded(double cell, const Columns& columns, std::size_t a, std::size_t b,
+                               double outer_depth) const {
+    const double* weight = columns_.weight();
+    const double top = std::max({columns.stress[a] * weight[a], columns.stress[b] * weight[b], 0.0});
+    return std::min(cell,
+                    1.5 * top * (std::min(outer_depth, nose_.depth) - columns_.depth()[a]) / thickness_);
+  }
+
+  /// Columns from the axis on to the depth `end`, their state still to be set: evenly as far as the contact
+  /// is expected to grow, closer towards the axis, which is touched first and carries the steepest stress
+  /// when the gap closes.
+  void lay_columns(double expected, double end) {
+    const double widest = 0.8 * resolution_ * std::min(expected, end);
+    const double gap = thickness_ - penetration_;
+    columns_.append(0, nose_.rate(0));
+    for (double depth = std::min(0.2 * widest, 8 * resolution_ * gap);
+         depth < end * (1 - 1e-9) && columns_.size() < ColumnStorage::most;
+         depth += std::min({std::max(widest, resolution_ * (depth - expected)),
+                            8 * resolution_ * (gap + depth), 3 * resolution_ * depth}))
+      columns_.append(depth, nose_.rate(depth));
+    columns_.fill_spare();
+  }
+
+  /// Near the axis the stress varies over the gap: cells there are split as the gap closes.
+  void grade_axis() {
+    const double gap = thickness_ - penetration_;
+    const double widest = 8 * resolution_;
+    const double* depth = columns_.depth();
+    for (std::size_t j = 0; j + 1 < live_ && depth[j] <= 4 * gap && columns_.size() < ColumnStorage::most;
+         ++j)
+      while (depth[j + 1] - depth[j] > widest * (gap + depth[j]) && columns_.size() < ColumnStorage::most)
+        insert_after(j, std::sqrt((gap + depth[j]) * (gap + depth[j + 1])) - gap);
+  }
+
+  /// The new column's stress over its envelope lies on the line between its neighbours': both are smooth
+  /// there, whatever the envelope's shape.
+  void insert_after(std::size_t j, double depth) {
+    const Columns& now = columns_.now;
+    const Formulas formulas{law_, power_, rate_part_, time_part_};
+    const Strain strain = strain_at(penetration_, depth);
+    const scalar::Strains<double> e{strain.value, strain.complement};
+    std::array<double, Formulas::parts> part{};
+    const auto at = formulas.strain_part(e, part.data());
+    const double measure = measure_of(formulas, e, at);
+    const double outer = relaxed(j + 1);
+    const double relative =
+        outer + (relaxed(j) - outer) * (measure - now.measure[j + 1]) / (now.measure[j] - now.measure[j + 1]);
+    columns_.insert(j + 1, depth, nose_.rate(depth));
+    const double stress = relative * formulas.envelope(part.data(), strain.value, strain.value);
+    for (std::size_t k = 0; k < part.size(); ++k) now.part[k][j + 1] = part[k];
+    now.stress[j + 1] = stress;
+    now.shape[j + 1] = at.shape;
+    now.measure[j + 1] = measure;
+    now.ratio[j + 1] = stress / at.shape * columns_.weight()[j + 1];
+    ++live_;
+  }
+
+  /// Stress over envelope of a column while loading.
+  [[nodiscard]] double relaxed(std::size_t j) const {
+    const double strain = (penetration_ - columns_.depth()[j]) / thickness_;
+    std::array<double, Formulas::parts> part;
+    for (std::size_t k = 0; k < part.size(); ++k) part[k] = columns_.now.part[k][j];
+    return columns_.now.stress[j] /
+           Formulas{law_, power_, rate_part_, time_part_}.envelope(part.data(), strain, strain);
+  }
+
+  /// Makes a trial from the accepted state the last one.
+  void recall(const PadTrial& wanted) {
+    if (!last_.is_same_step_as(wanted)) trial(wanted.advance, wanted.from, wanted.step);
+  }
+
+  Law law_;
+  PowerShape power_;
+  double thickness_;
+  Sections nose_;
+  SweepOf<Law> sweep_;
+  const Sweeps* sweeps_;
+  double resolution_ = 0.05;
+  double penetration_ = 0;
+  double largest_penetration_ = 0;
+  double trial_ = 0;
+  typename Law::RatePart rate_part_{};  ///< of the last trial
+  typename Law::TimePart time_part_{};  ///< likewise
+  PadTrial last_;                       ///< without step: none from the accepted state
+  double correction_ = 1;               ///< of the contact integral
+  std::size_t live_ = 0;                ///< columns under strain in the accepted state
+  std::size_t trial_live_ = 0;          ///< and in the trial
+  std::size_t updates_ = 0;
+  ColumnStorage columns_;
+};
+
+}  // namespace dashpad

@@ -1,0 +1,141 @@
+/// A step of all columns under strain, their replay, and the sums over them, for a number type N.
+///
+/// This is text, as src/model/pad/formulas.hpp is, and is included after it. Register<N> loads and stores.
+
+/// Strain, envelope, stress (theory.md, Eq. 9) and g (Eq. 20) of each column.
+template <class N, class Law>
+void step_columns(const Law& law, const PowerShape& power, const typename Law::RatePart& rate,
+                  const typename Law::TimePart& time, const SweepStep& step, const Columns& now,
+                  const Columns& next) {
+  using R = Register<N>;
+  const Formulas<Law> formulas{law, power, rate, time};
+  constexpr std::size_t parts = Formulas<Law>::parts;
+  const N per_thickness(1 / step.thickness);
+  const N least(least_strain);
+  const bool loading = step.after > step.before;
+  const N per_advance(loading ? 1 / (step.after - step.before) : 0);
+  for (std::size_t j = 0; j < step.count; j += R::size()) {
+    const N depth = R::load(step.depth + j);
+    const N strain = max((step.after - depth) * per_thickness, least);
+    const N complement = ((step.thickness - step.after) + depth) * per_thickness;
+    const N before = max((step.before - depth) * per_thickness, least);
+    const N largest = max((step.largest - depth) * per_thickness, least);
+    N part[parts];
+    N part_before[parts];
+    for (std::size_t k = 0; k < parts; ++k) part_before[k] = R::load(now.part[k] + j);
+    const Strains<N> e{strain, complement};
+    const Shape<N> at = formulas.strain_part(e, part);
+    const N stress_before = R::load(now.stress + j);
+    const N remainder = stress_before - formulas.envelope(part_before, before, largest);
+    N share(1.0);
+    if (loading) share = min(share, (step.after - depth) * per_advance);
+    const N envelope = formulas.envelope(part, strain, largest);
+    N stress = remainder * formulas.decay(before, strain, share) + envelope;
+    // A column in tension does not press again while its envelope is in tension (theory.md, Eq. 7).
+    const N zero(0.0);
+    stress = select(both(stress_before <= zero, envelope < zero), min(stress, zero), stress);
+    R::store(stress, next.stress + j);
+    for (std::size_t k = 0; k < parts; ++k) R::store(part[k], next.part[k] + j);
+    R::store(at.shape, next.shape + j);
+    R::store(measure_of(formulas, e, at), next.measure + j);
+    R::store(stress / at.shape * R::load(step.weight + j), next.ratio + j);
+  }
+}
+
+template <class N>
+void replay_columns(const PowerShape& power, const LoadingStep* first, const LoadingStep* last,
+                    const SweepStep& step, const Columns& columns) {
+  using R = Register<N>;
+  const N per_thickness(1 / step.thickness);
+  for (std::size_t j = 0; j < step.count; j += R::size()) {
+    const N depth = R::load(step.depth + j);
+    const auto strains_at = [&](double penetration) {
+      return Strains<N>{max((penetration - depth) * per_thickness, N(least_strain)),
+                        ((step.thickness - penetration) + depth) * per_thickness};
+    };
+    N stress(0.0);
+    N shape(0.0);
+    for (const LoadingStep* now = first; now != last; ++now) {
+      // The innermost column of these is the first to be touched.
+      if (now->penetration <= step.depth[j]) continue;
+      const N modulus(now->modulus);
+      const Strains<N> e = strains_at(now->penetration);
+      const N shape_after = select(e.value <= least_strain, N(0.0), shape_at(power, e).shape);
+      stress = (stress - modulus * shape) * now->decay + modulus * shape_after;
+      shape = shape_after;
+    }
+    const Strains<N> e = strains_at(step.after);
+    const Shape<N> at = shape_at(power, e);
+    R::store(stress, columns.stress + j);
+    R::store(at.shape, columns.part[0] + j);
+    R::store(at.shape, columns.shape + j);
+    R::store(measure_at(power, e, at), columns.measure + j);
+    R::store(stress / at.shape * R::load(step.weight + j), columns.ratio + j);
+  }
+}
+
+template <class N>
+double sum_cells(const Columns& columns, std::size_t cells) {
+  using R = Register<N>;
+  const N zero(0.0);
+  N sum(0.0);
+  for (std::size_t j = 0; j < cells; j += R::size()) {
+    const N g = R::load(columns.ratio + j);
+    const N h = R::load(columns.ratio + j + 1);
+    const N width = R::load(columns.measure + j) - R::load(columns.measure + j + 1);
+    const N top = max(g, h);
+    const N bottom = min(g, h);
+    N mean = 0.5 * (g + h);
+    const auto pressing = zero <= bottom;
+    if (!all(pressing)) {
+      const N part = 0.5 * (top * top / (top - bottom));
+      mean = select(pressing, mean, select(zero < top, part, zero));
+    }
+    sum = sum + R::first(cells - j, mean * width);
+  }
+  return R::sum(sum);
+}
+
+template <class N, class Law>
+double sum_held(const Law& law, const PowerShape& power, double time, const SweepStep& step,
+                const Columns& columns, double& edge) {
+  using R = Register<N>;
+  const Formulas<Law> still{law, power, law.rate_part(0), {}};
+  constexpr std::size_t parts = Formulas<Law>::parts;
+  const N rate(law.relaxation_rate(time));
+  const N per_thickness(1 / step.thickness);
+  const N zero(0.0);
+  for (std::size_t j = 0; j < step.count; j += R::size()) {
+    const N stress = R::load(columns.stress + j);
+    const N depth = R::load(step.depth + j);
+    const N strain = (step.after - depth) * per_thickness;
+    N part[parts];
+    for (std::size_t k = 0; k < parts; ++k) part[k] = R::load(columns.part[k] + j);
+    const N missing = still.envelope(part, strain, strain) - stress;
+    const N g = rate * relaxation_of(still, strain) * (missing / R::load(columns.shape + j)) *
+                R::load(step.weight + j);
+    R::store(select(zero < stress, g, zero), columns.ratio + j);
+  }
+  N sum(0.0);
+  const std::size_t cells = step.count - 1;
+  for (std::size_t j = 0; j < cells; j += R::size()) {
+    const N mean = 0.5 * (R::load(columns.ratio + j) + R::load(columns.ratio + j + 1));
+    const N width = R::load(columns.measure + j) - R::load(columns.measure + j + 1);
+    sum = sum + R::first(cells - j, mean * width);
+  }
+  edge = columns.ratio[cells];
+  return R::sum(sum);
+}
+
+template <class N, class Law>
+constexpr SweepOf<Law> sweep_of() {
+  return {step_columns<N, Law>, sum_held<N, Law>};
+}
+
+/// All of the above, for every law with memory.
+template <class N, class... Laws>
+void fill(std::tuple<SweepOf<Laws>...>& of_laws, Sweeps& sweeps) {
+  of_laws = {sweep_of<N, Laws>()...};
+  sweeps.replay = replay_columns<N>;
+  sweeps.sum_of_cells = sum_cells<N>;
+}

@@ -1,0 +1,55 @@
+#pragma once
+/// A law with memory at one strain of one column: the envelope G of theory.md, Eq. 8, its slope, and h.
+///
+/// Stresses in Pa, compression positive; rates in 1/s; times in s since first contact.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "dashpad/model/pad/law.hpp"
+#include "model/pad/scalar.hpp"
+
+namespace dashpad {
+
+namespace scalar {
+#include "model/pad/formulas.hpp"
+}  // namespace scalar
+
+/// G(e), given the largest strain e* that the column has seen.
+template <IsViscous Law>
+double envelope(const Law& law, const PowerShape& power, Strain strain, const typename Law::RatePart& rate,
+                double largest) {
+  using Formulas = scalar::Formulas<Law>;
+  auto at_rate = rate;
+  std::array<double, Formulas::parts> part{};
+  if (strain.value <= 0) {
+    // At rest there is no residual strain to come back to.
+    if constexpr (requires { at_rate.unloading; }) at_rate.unloading = false;
+    return Formulas{law, power, at_rate, {}}.envelope(part.data(), 0.0, 0.0);
+  }
+  const Formulas at{law, power, at_rate, {}};
+  static_cast<void>(at.strain_part(scalar::Strains<double>{strain.value, strain.complement}, part.data()));
+  return at.envelope(part.data(), strain.value, largest);
+}
+
+/// dG/de with the rate and the largest strain held. Strain > 0.
+template <IsViscous Law>
+double envelope_slope(const Law& law, const PowerShape& power, Strain strain,
+                      const typename Law::RatePart& rate, double largest) {
+  using scalar::Dual;
+  const scalar::Formulas<Law> at{law, power, rate, {}};
+  std::array<Dual, scalar::Formulas<Law>::parts> part{};
+  const scalar::Strains<Dual> e{{strain.value, 1}, {strain.complement, -1}};
+  static_cast<void>(at.strain_part(e, part.data()));
+  return at.envelope(part.data(), e.value, Dual(largest)).slope;
+}
+
+/// h.
+template <IsViscous Law>
+double relaxation_rate(const Law& law, const PowerShape& power, double time, double strain) {
+  const scalar::Formulas<Law> at{law, power, {}, {}};
+  return law.relaxation_rate(time) * relaxation_of(at, strain);
+}
+
+}  // namespace dashpad

@@ -1,0 +1,103 @@
+/// The formulas of the laws with memory, over a number type N: double, dual numbers, lanes of a vector
+/// register.
+///
+/// This is text: code with vectors must be compiled once for every instruction set, each time in a namespace
+/// of its own. Whoever includes it has opened a namespace in which N has + - * /, exp, log, max and choose
+/// (model/pad/scalar.hpp, model/pad/lanes.hpp). The laws' own formulas stand at the end of each law's header,
+/// where DASHPAD_FORMULAS calls for them: which powers of the strain a column keeps (strain_part), G from
+/// them (envelope), and exp(-H) over a step (decay); and where they are not the usual ones (measure_of and
+/// relaxation_of below), the measure w (measure) and by what h at strain zero is multiplied (relaxation).
+/// Stresses in Pa.
+///
+/// A strain must be more than 0, if by as little as least_strain.
+
+#define DASHPAD_FORMULA [[nodiscard, gnu::always_inline]] inline
+
+/// A strain with 1 - strain, as dashpad::Strain.
+template <class N>
+struct Strains {
+  N value;
+  N complement;
+};
+
+/// A(e) (theory.md, Eq. 14) and what it is made of.
+template <class N>
+struct Shape {
+  N shape;
+  N log_strain;
+  N log_complement;
+};
+
+/// A column that the nose does not reach still has a logarithm.
+inline constexpr double least_strain = 1e-300;
+
+template <class N>
+DASHPAD_FORMULA Shape<N> shape_at(const PowerShape& power, Strains<N> e) {
+  const PowerExponents x = power.exponents();
+  const N log_strain = log(e.value);
+  const N log_complement = log(e.complement);
+  return {exp(x.m * log_strain - x.n * log_complement), log_strain, log_complement};
+}
+
+/// In four sums that do not wait for each other.
+template <class N, std::size_t terms>
+DASHPAD_FORMULA N polynomial(const std::array<double, terms>& c, N x) {
+  static_assert(terms % 4 == 0);
+  const N y = 4.0 * x - 1.0;
+  const N y2 = y * y;
+  const N y4 = y2 * y2;
+  N a(c[terms - 4]), b(c[terms - 3]), d(c[terms - 2]), e(c[terms - 1]);
+  for (std::size_t i = terms - 4; i > 0; i -= 4) {
+    a = a * y4 + c[i - 4];
+    b = b * y4 + c[i - 3];
+    d = d * y4 + c[i - 2];
+    e = e * y4 + c[i - 1];
+  }
+  return (e * y + d) * y2 + (b * y + a);
+}
+
+/// w(e) (theory.md, Eq. 19), by an expansion about strain zero up to a half, about full compression above.
+template <class N>
+DASHPAD_FORMULA N measure_at(const PowerShape& power, Strains<N> e, const Shape<N>& at) {
+  const auto below = [&]() { return e.value * at.shape * polynomial(power.near_contact(), e.value); };
+  const auto above = [&]() {
+    return power.offset() - (power.log_weight() * at.log_complement +
+                             e.complement * at.shape * polynomial(power.near_bottom(), e.complement));
+  };
+  return choose(e.value <= 0.5, below, above);
+}
+
+/// The stress of a loading, on unloading times E (theory.md, Eq. 16).
+template <class N, class RatePart>
+DASHPAD_FORMULA N unloaded(N loading, const RatePart& rate, N strain, N largest) {
+  if (!rate.unloading) return loading;
+  const double ratio = rate.residual_ratio;
+  return loading * (1 / (1 - ratio) * ((strain - ratio * largest) / strain));
+}
+
+template <class Law>
+struct Formulas;
+
+/// w of a law: that of its power shape, unless it has a simpler one.
+template <class Law, class N>
+DASHPAD_FORMULA N measure_of(const Formulas<Law>& formulas, Strains<N> e, const Shape<N>& at) {
+  if constexpr (requires { formulas.measure(e, at); })
+    return formulas.measure(e, at);
+  else
+    return measure_at(formulas.power, e, at);
+}
+
+/// By what h at strain zero is multiplied: 1, unless a law says otherwise.
+template <class Law, class N>
+DASHPAD_FORMULA N relaxation_of(const Formulas<Law>& formulas, N strain) {
+  if constexpr (requires { formulas.relaxation(strain); })
+    return formulas.relaxation(strain);
+  else
+    return N(1.0);
+}
+
+#define DASHPAD_FORMULAS
+#include "dashpad/model/pad/linear_viscoelastic.hpp"
+#include "dashpad/model/pad/nine_parameter.hpp"
+#include "dashpad/model/pad/twenty_one_parameter.hpp"
+#undef DASHPAD_FORMULAS

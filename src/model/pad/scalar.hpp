@@ -1,0 +1,59 @@
+#pragma once
+/// Doubles, and a number with its derivative by the strain, as number types of src/model/pad/formulas.hpp.
+
+#include <cmath>
+#include <cstddef>
+
+namespace dashpad::scalar {
+
+using std::exp;
+using std::log;
+
+/// Computes only what is chosen.
+template <class Yes, class No>
+auto choose(bool where, Yes&& yes, No&& no) {
+  return where ? yes() : no();
+}
+
+inline double max(double a, double b) { return a > b ? a : b; }
+inline double min(double a, double b) { return a < b ? a : b; }
+inline bool both(bool a, bool b) { return a && b; }
+inline bool all(bool of) { return of; }
+inline double select(bool where, double yes, double no) { return where ? yes : no; }
+
+/// How numbers of a type come from and go to memory, one or several at a time.
+template <class N>
+struct Register;
+template <>
+struct Register<double> {
+  static constexpr std::size_t size() { return 1; }
+  static double load(const double* from) { return *from; }
+  static void store(double x, double* to) { *to = x; }
+  static double first(std::size_t, double x) { return x; }
+  static double sum(double x) { return x; }
+};
+
+struct Dual {
+  double value = 0;
+  double slope = 0;
+
+  Dual() = default;
+  Dual(double constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
+  Dual(double of, double by_strain) : value(of), slope(by_strain) {}
+
+  friend Dual operator+(Dual a, Dual b) { return {a.value + b.value, a.slope + b.slope}; }
+  friend Dual operator-(Dual a, Dual b) { return {a.value - b.value, a.slope - b.slope}; }
+  friend Dual operator*(Dual a, Dual b) { return {a.value * b.value, a.slope * b.value + a.value * b.slope}; }
+  friend Dual operator/(Dual a, Dual b) {
+    const double ratio = a.value / b.value;
+    return {ratio, (a.slope - ratio * b.slope) / b.value};
+  }
+  friend bool operator<=(Dual a, Dual b) { return a.value <= b.value; }
+  friend Dual exp(Dual x) {
+    const double power = std::exp(x.value);
+    return {power, power * x.slope};
+  }
+  friend Dual log(Dual x) { return {std::log(x.value), x.slope / x.value}; }
+};
+
+}  // namespace dashpad::scalar

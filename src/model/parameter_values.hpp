@@ -1,0 +1,63 @@
+#pragma once
+/// Variants whose alternatives have a name and a table of parameters (laws, noses): by name, and their
+/// numbers as a list, which writers of results and listings go through.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "dashpad/model/parameter.hpp"
+
+namespace dashpad {
+
+struct ParameterValue {
+  std::string key;
+  std::string symbol;
+  std::string unit;  ///< SI; "1" for a pure number
+  double value = 0;  ///< in that unit
+  std::string meaning;
+};
+
+template <class... Alternatives>
+std::vector<ParameterValue> parameter_values(const std::variant<Alternatives...>& variant) {
+  return std::visit(
+      []<class Of>(const Of& of) {
+        std::vector<ParameterValue> values;
+        for (const Parameter<Of>& parameter : Of::parameters)
+          values.push_back(
+              {parameter.key, parameter.symbol, parameter.unit, of.*(parameter.member), parameter.meaning});
+        return values;
+      },
+      variant);
+}
+
+/// Calls visit(alternative) with a default-made one of each kind, in order.
+template <class Variant, class Visit>
+void for_each_alternative(Visit&& visit) {
+  [&]<std::size_t... index>(std::index_sequence<index...>) {
+    (visit(std::variant_alternative_t<index, Variant>()), ...);
+  }
+  (std::make_index_sequence<std::variant_size_v<Variant>>());
+}
+
+template <class Variant>
+std::vector<std::string> names_of_alternatives() {
+  std::vector<std::string> names;
+  for_each_alternative<Variant>([&](const auto& of) { names.emplace_back(of.name); });
+  return names;
+}
+
+/// Its numbers still to be set; nothing for a name that is none.
+template <class Variant>
+std::optional<Variant> alternative_named(std::string_view name) {
+  std::optional<Variant> result;
+  for_each_alternative<Variant>([&](const auto& of) {
+    if (name == of.name) result = of;
+  });
+  return result;
+}
+
+}  // namespace dashpad

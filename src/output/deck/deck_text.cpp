@@ -1,0 +1,122 @@
+#include "output/deck/deck_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "dashpad/version.hpp"
+
+namespace dashpad {
+
+std::string plain_ascii(std::string_view text) {
+  std::string plain;
+  for (const char character : text) {
+    const auto byte = static_cast<unsigned char>(character);
+    if (byte < 0x20 || byte == 0x7f)
+      plain += ' ';
+    else if (byte >= 0xc0 || character == '&')
+      plain += '?';
+    else if (byte < 0x80)
+      plain += character;  // and what remains are the further bytes of a character
+  }
+  return plain;
+}
+
+std::string comment(std::string_view mark, std::string_view text, std::size_t width) {
+  const std::size_t room = width - mark.size() - 1;
+  std::string rest = plain_ascii(text);
+  std::string lines;
+  do {
+    std::size_t end = rest.size();
+    if (end > room) {
+      const std::size_t blank = rest.rfind(' ', room);
+      end = blank == std::string::npos || blank == 0 ? room : blank;
+    }
+    std::string line = fmt::format("{} {}", mark, rest.substr(0, end));
+    line.erase(line.find_last_not_of(' ') + 1);
+    lines += line + "\n";
+    rest.erase(0, end);
+    rest.erase(0, rest.find_first_not_of(' '));
+  } while (!rest.empty());
+  return lines;
+}
+
+std::vector<std::string> heading(const CurveFile& file) {
+  const UnitSystem& units = file.units;
+  std::vector<std::string> lines{fmt::format("Dashpad {} (commit {}): curves of an impact on a foam pad",
+                                             version(), build_facts().git_commit),
+                                 "Case: " + (file.title.empty() ? "without a title" : file.title)};
+  lines.insert(lines.end(), file.origin.begin(), file.origin.end());
+  lines.push_back(fmt::format(
+      "Units: {} (mass {}, length {}, time {}); velocity {}, acceleration {}, force {}, "
+      "stress {}, energy {}",
+      units.name, units.mass, units.length, units.time, units.speed,
+      file.acceleration_in_g ? "g" : units.acceleration, units.force, units.pressure, units.energy));
+  lines.emplace_back(
+      "Signs: force and penetration are positive in compression; velocity and motion are positive towards "
+      "the "
+      "pad; acceleration is negative while the pad pushes");
+  for (const std::string& flag : file.flags) lines.push_back("FLAG: " + flag);
+  return lines;
+}
+
+std::string number_field(double value) {
+  constexpr std::size_t width = 20;
+  if (value == 0) value = 0;  // without the sign
+  std::string text;
+  for (int digits = 13; text.empty() || text.size() >= width; --digits)
+    text = fmt::format("{:.{}E}", value, digits);
+  return fmt::format("{:>{}}", text, width);
+}
+
+std::string number_rows(const Curve& curve) {
+  std::string rows;
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    rows += number_field(curve.x[i]) + number_field(curve.y[i]) + "\n";
+  return rows;
+}
+
+namespace {
+
+void convert(std::vector<double>& values, CurveAxis& axis, const CurveFile& file) {
+  const bool in_g = file.acceleration_in_g && axis.si_unit == "m/s2";
+  const double factor = in_g ? 1 / standard_gravity : value_in(file.units, 1, axis.si_unit);
+  for (double& value : values) {
+    value *= factor;
+    if (!std::isfinite(value)) throw std::invalid_argument("curve: a number is not finite");
+  }
+  axis.si_unit = in_g ? "g" : unit_for(file.units, axis.si_unit);
+}
+
+}  // namespace
+
+Curve in_units_of(const CurveFile& file, const Curve& curve) {
+  Curve converted = curve;
+  if (curve.x.size() != curve.y.size()) throw std::invalid_argument("curve: x and y differ in length");
+  convert(converted.x, converted.abscissa, file);
+  convert(converted.y, converted.ordinate, file);
+  // As it will be written: two numbers may differ in more digits than a field has.
+  const auto written = [](double x) { return std::strtod(number_field(x).c_str(), nullptr); };
+  const auto falls_back = [&](double a, double b) { return written(b) <= written(a); };
+  if (std::ranges::adjacent_find(converted.x, falls_back) != converted.x.end())
+    throw std::invalid_argument("curve: x does not increase strictly");
+  return converted;
+}
+
+std::string caption(const Curve& curve) {
+  return fmt::format("{} ({}) over {} ({})", curve.ordinate.meaning, curve.ordinate.si_unit,
+                     curve.abscissa.meaning, curve.abscissa.si_unit);
+}
+
+int checked_first_id(const CurveFile& file) {
+  const auto count = static_cast<int>(std::min(file.curves.size(), std::size_t{highest_curve_id}));
+  if (file.first_id < 1 || file.first_id > highest_curve_id - std::max(count, 1) + 1)
+    throw std::invalid_argument(fmt::format("curve number {}: must be from 1 to {}, with those that follow",
+                                            file.first_id, highest_curve_id));
+  return file.first_id;
+}
+
+}  // namespace dashpad

@@ -1,0 +1,115 @@
+#include <array>
+#include <cmath>
+
+#include "dashpad/output/assessment.hpp"
+#include "dashpad/output/json/result.hpp"
+#include "quantities/json_values.hpp"
+
+namespace dashpad {
+
+namespace {
+
+std::string taken_from(const StandardValue& value) {
+  if (value.chosen_by_user) return "user";
+  return value.value ? "standard" : "case";
+}
+
+Json input(const StandardValue& value, double used, double of_case) {
+  return {{"value", number(used)},
+          {"from", taken_from(value)},
+          {"replaced", differ(used, of_case)},
+          {"case_value", number(of_case)},
+          {"standard_value", number(value.chosen_by_user ? value.instead : value.value)},
+          {"drop_height_m", number(value.drop_height)},
+          {"source", value.origin.source},
+          {"source_kind", value.chosen_by_user ? Json(nullptr) : Json(to_string(value.origin.kind))},
+          {"verified", value.origin.verified},
+          {"note", value.origin.note}};
+}
+
+Json impactor(const AssessmentReport& report) {
+  const Standard& standard = report.standard;
+  const Impactor& used = report.assessed.impactor;
+  const Impactor& of_case = report.given.impactor;
+  return {{"mass_kg", input(standard.mass, used.mass, of_case.mass)},
+          {"radius_m", input(standard.radius, sphere_radius(used.nose), sphere_radius(of_case.nose))},
+          {"speed_m_per_s", input(standard.speed, used.speed, of_case.speed)}};
+}
+
+Json criterion(const CriterionResult& result) {
+  const Criterion& of = result.criterion;
+  const ResultQuantity& quantity = quantity_of(of.metric);
+  const ScaledUnit unit = scaled_unit(quantity.si_unit, plain_si());
+  const auto shown = [&](double value) { return number(unit.scale * value); };
+  Json entry{{"metric", quantity.key}};
+  entry["level_g"] = of.metric == Metric::dwell_time ? number(of.level / standard_gravity) : Json(nullptr);
+  entry["description"] = of.description;
+  entry["unit"] = unit.unit;
+  entry["value"] = result.value ? shown(*result.value) : Json(nullptr);
+  entry["error"] = result.value ? shown(result.error) : Json(nullptr);
+  entry["lower_bound"] = result.lower_bound;
+  entry["limit"] = shown(of.limit);
+  entry["strict"] = of.strict;
+  entry["margin"] = result.margin ? shown(*result.margin) : Json(nullptr);
+  entry["margin_is_upper_bound"] = result.lower_bound;
+  entry["margin_fraction"] = number(result.relative_margin);
+  entry["verdict"] = to_string(result.verdict);
+  entry["reason"] = result.reason;
+  entry["source"] = of.origin.source;
+  entry["source_kind"] = to_string(of.origin.kind);
+  entry["verified"] = of.origin.verified;
+  entry["note"] = of.origin.note;
+  return entry;
+}
+
+Json key_figures(const KeyFigures& of) {
+  Json all;
+  const auto add = [&](const char* key, const Figure& figure) {
+    const ResultQuantity& quantity = result_quantity(key);
+    const double scale = scaled_unit(quantity.si_unit, plain_si()).scale;
+    all[key_with_unit(quantity)] = {{"value", figure.value ? number(scale * *figure.value) : Json(nullptr)},
+                                    {"lower_bound", figure.lower_bound}};
+  };
+  add("peak_acceleration", of.peak_acceleration);
+  add("hic15", of.hic15);
+  add("hic36", of.hic36);
+  add("peak_strain", of.peak_strain);
+  add("contact_end", of.contact_end);
+  add("rebound_speed", of.rebound_speed);
+  add("restitution", of.restitution);
+  return all;
+}
+
+Json texts(const std::vector<Flag>& reservations) {
+  Json array = Json::array();
+  for (const Flag& reservation : reservations) array.push_back(reservation.text);
+  return array;
+}
+
+}  // namespace
+
+std::string assessment_json(const AssessmentReport& report) {
+  const Standard& standard = report.standard;
+  Json criteria = Json::array();
+  for (const CriterionResult& result : report.assessment.results) criteria.push_back(criterion(result));
+  Json json;
+  json["verdict"] = to_string(report.assessment.verdict);
+  json["unqualified"] = report.assessment.unqualified();
+  json["reservations"] = texts(report.assessment.reservations);
+  json["caveat"] = assessment_caveat();
+  json["standard"] = {{"name", standard.name},
+                      {"variants", standard.chosen},
+                      {"title", standard.title},
+                      {"article", standard.article.empty() ? Json(nullptr) : Json(standard.article)},
+                      {"source", standard.source},
+                      {"source_kind", to_string(standard.source_kind)},
+                      {"note", standard.note}};
+  json["impactor"] = impactor(report);
+  json["criteria"] = criteria;
+  json["figures"] = key_figures(report.assessment.figures);
+  json["result"] = Json::parse(
+      result_json(report.assessed, report.solution.summary, whole_pulse_figures(report.solution)));
+  return json_text(json);
+}
+
+}  // namespace dashpad

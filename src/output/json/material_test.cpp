@@ -1,0 +1,150 @@
+// A material test for programs.
+
+#include "dashpad/output/material_test.hpp"
+#include "output/json/material.hpp"
+#include "quantities/json_values.hpp"
+
+namespace dashpad {
+
+namespace {
+
+/// Null for what the kind of test has no use for.
+Json request_json(const MaterialTest& of) {
+  const bool cyclic = of.kind == TestKind::cyclic, creep = of.kind == TestKind::creep,
+             measured = of.kind == TestKind::history;
+  return {{"kind", to_string(of.kind)},
+          {"strain", number_if(!creep && !measured, of.strain)},
+          {"hold_s", number_if(creep || of.kind == TestKind::relaxation, of.hold)},
+          {"stress_Pa", number_if(creep, of.stress)},
+          {"low_strain", number_if(cyclic, of.low)},
+          {"cycles", cyclic ? Json(of.cycles) : Json(nullptr)},
+          {"history", measured ? Json(of.history_name) : Json(nullptr)},
+          {"history_remarks", of.history_remarks},
+          {"stress_limits_Pa", numbers(of.stress_limits)},
+          {"steps_of_1984", of.steps_of_1984 ? Json(*of.steps_of_1984) : Json(nullptr)}};
+}
+
+Json point(const CushionPoint& of) {
+  return {{"strain", number(of.strain)},
+          {"stress_Pa", number(of.stress)},
+          {"energy_J_per_m3", number(of.energy)},
+          {"efficiency", number(of.efficiency)},
+          {"ideality", number(of.ideality)}};
+}
+
+Json figures(const MaterialTestRun& run) {
+  const CushionFigures& of = run.figures;
+  return {{"peak_stress_Pa", number(of.peak_stress)},
+          {"peak_stress_strain", number(of.strain_at_peak)},
+          {"energy_in_J_per_m3", number(of.energy_in)},
+          {"energy_returned_J_per_m3", number_if(run.unloads, of.energy_returned)},
+          {"hysteresis", number_if(run.unloads, of.hysteresis)},
+          {"best_efficiency", point(of.best_efficiency)}};
+}
+
+Json limits(const MaterialTestReport& report, const MaterialTestRun& run) {
+  Json array = Json::array();
+  for (std::size_t i = 0; i < run.at_limits.size(); ++i)
+    array.push_back({{"limit_Pa", number(report.test.stress_limits[i])},
+                     {"reached", run.at_limits[i] ? point(*run.at_limits[i]) : Json(nullptr)}});
+  return array;
+}
+
+Json relaxation(const std::optional<RelaxedStress>& of) {
+  if (!of) return nullptr;
+  return {{"end_of_ramp_Pa", number(of->at_end_of_ramp)},
+          {"after_tenth_of_hold_Pa", number(of->after_tenth)},
+          {"after_hold_Pa", number(of->after_hold)}};
+}
+
+Json creep_json(const std::optional<CreptStrain>& of) {
+  if (!of) return nullptr;
+  return {{"end_of_loading_strain", number(of->at_end_of_loading)},
+          {"after_hold_strain", number(of->after_hold)}};
+}
+
+Json turn(const std::optional<StressAtTurn>& of) {
+  if (!of) return nullptr;
+  return {{"last_loading_Pa", number(of->last_loading)},
+          {"next_Pa", number(of->next)},
+          {"jump_Pa", number(of->jump())}};
+}
+
+Json update(const std::optional<UpdateOf1984>& of) {
+  if (!of) return nullptr;
+  return {{"step_s", number(of->step)},
+          {"stress_discontinuity", turn(of->update_at_turn)},
+          {"exact_stress_at_the_same_times", turn(of->exact_at_turn)},
+          {"time_s", numbers(of->time)},
+          {"strain", numbers(of->strain)},
+          {"stress_Pa", numbers(of->stress)},
+          {"exact_stress_Pa", numbers(of->exact)}};
+}
+
+const char* name_of(ColumnEvent::Kind kind) {
+  switch (kind) {
+    case ColumnEvent::Kind::turned: return "turned";
+    case ColumnEvent::Kind::reloaded: return "reloaded";
+    case ColumnEvent::Kind::contact_lost: return "contact lost";
+    case ColumnEvent::Kind::contact_taken_up: return "contact taken up";
+  }
+  return "";
+}
+
+Json events(const ColumnTest& of) {
+  Json array = Json::array();
+  for (const ColumnEvent& event : of.events)
+    array.push_back({{"event", name_of(event.kind)},
+                     {"time_s", number(event.time)},
+                     {"strain", number(event.strain)},
+                     {"stress_before_Pa", number(event.stress_before)},
+                     {"stress_after_Pa", number(event.stress_after)}});
+  return array;
+}
+
+Json flags_json(const MaterialTestRun& run) {
+  Json array = Json::array();
+  for (const Flag& flag : run.flags) array.push_back({{"name", flag.name}, {"text", flag.text}});
+  return array;
+}
+
+Json run_json(const MaterialTestReport& report, const MaterialTestRun& run) {
+  const ColumnTest& column = run.column;
+  const CushionCurve& cushion = run.cushion;
+  return {{"rate_per_s", number(run.rate)},
+          {"figures", figures(run)},
+          {"stress_limits", limits(report, run)},
+          {"relaxation", relaxation(run.relaxed)},
+          {"creep", creep_json(run.crept)},
+          {"update_of_1984", update(run.update_of_1984)},
+          {"flags", flags_json(run)},
+          {"events", events(column)},
+          {"errors",
+           {{"stress_fraction_of_peak", number(column.stress_error)},
+            {"energy_fraction_of_energy_in", number(run.figures.energy_error)}}},
+          {"column",
+           {{"time_s", numbers(column.time)},
+            {"strain", numbers(column.strain)},
+            {"strain_rate_per_s", numbers(column.rate)},
+            {"stress_Pa", numbers(column.stress)},
+            {"work_J_per_m3", numbers(column.work)}}},
+          {"first_loading",
+           {{"strain", numbers(cushion.strain)},
+            {"largest_stress_Pa", numbers(cushion.stress)},
+            {"energy_J_per_m3", numbers(cushion.energy)},
+            {"efficiency", numbers(cushion.efficiency)},
+            {"ideality", numbers(cushion.ideality)}}}};
+}
+
+}  // namespace
+
+std::string material_test_json(const MaterialTestReport& report) {
+  Json runs = Json::array();
+  for (const MaterialTestRun& run : report.runs) runs.push_back(run_json(report, run));
+  return json_text({{"test", request_json(report.test)},
+                    {"material", material_json(report.material)},
+                    {"runs", runs},
+                    {"program", program_json()}});
+}
+
+}  // namespace dashpad

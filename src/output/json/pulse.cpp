@@ -1,0 +1,127 @@
+// A pulse for programs: JSON with the figures and how they came about, CSV with the samples.
+
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "dashpad/output/pulse.hpp"
+#include "dashpad/version.hpp"
+#include "output/json/injury.hpp"
+#include "quantities/json_values.hpp"
+
+namespace dashpad {
+
+namespace {
+
+Json in_g(double acceleration) { return number(acceleration / standard_gravity); }
+
+Json figures(const PulseReport& report) {
+  Json all = injury_json(report.figures, false);
+  all["hic_windows"] = Json::array();
+  for (const WindowedHic& of : report.windows)
+    all["hic_windows"].push_back({{"value", number(of.hic.value)},
+                                  {"begin_s", number(of.hic.begin)},
+                                  {"end_s", number(of.hic.end)},
+                                  {"longest_window_s", number(of.longest_window)}});
+  Json& dwells = all[result_quantity("dwell_time").key] = Json::array();
+  for (const DwellTime& of : report.dwells)
+    dwells.push_back(
+        {{"level_g", in_g(of.level)}, {"value_s", number(of.cumulative)}, {"longest_s", number(of.longest)}});
+  return all;
+}
+
+Json column(const MeasuredColumn& of) {
+  return {{"name", of.name},
+          {"number", of.number > 0 ? Json(of.number) : Json(nullptr)},
+          {"unit", of.unit},
+          {"unit_origin", of.unit_origin},
+          {"si_factor", number(of.factor)},
+          {"sensitivity", of.sensitivity.empty() ? Json(nullptr) : Json(of.sensitivity)}};
+}
+
+Json filter(const PulseReport& report) {
+  if (!report.filter) return nullptr;
+  return {{"channel_frequency_class", report.filter->channel_frequency_class},
+          {"corner", to_string(report.filter->corner)},
+          {"ends", to_string(report.filter->ends)}};
+}
+
+Json in_g(const std::vector<double>& accelerations) {
+  Json each = Json::array();
+  for (const double acceleration : accelerations) each.push_back(in_g(acceleration));
+  return each;
+}
+
+Json offset(const PulseReport& report) {
+  if (!report.offset) return nullptr;
+  const OffsetEffect& of = *report.offset;
+  return {{"begin_s", number(of.offset.begin)},
+          {"end_s", number(of.offset.end)},
+          {"interval", of.given ? "given" : "found"},
+          {"samples", of.offset.samples},
+          {"mean_g", in_g(of.offset.mean)},
+          {"scatter_g", in_g(of.offset.scatter)},
+          {"taken_off", of.taken_off},
+          {"hic15_with", number(of.hic15_with)},
+          {"hic15_without", number(of.hic15_without)}};
+}
+
+Json impact(const PulseReport& report) {
+  if (!report.impact) return nullptr;
+  return {{"speed_m_per_s", number(report.impact->speed)},
+          {"drop_height_m", number(report.impact->drop_height)},
+          {"restitution", number(restitution(report))}};
+}
+
+Json flags(const PulseReport& report) {
+  Json all = Json::array();
+  for (const Flag& flag : report.flags) all.push_back({{"name", flag.name}, {"text", flag.text}});
+  return all;
+}
+
+Json source(const PulseReport& report) {
+  const MeasuredPulse& of = report.measured;
+  Json accelerations = Json::array();
+  for (const MeasuredColumn& each : of.acceleration) accelerations.push_back(column(each));
+  return {{"file", report.file},
+          {"format", of.format},
+          {"time", column(of.time)},
+          {"acceleration", accelerations},
+          {"resultant", of.resultant},
+          {"samples", of.pulse.time.size()},
+          {"begin_s", number(of.pulse.time.front())},
+          {"end_s", number(of.pulse.time.back())},
+          {"remarks", of.remarks}};
+}
+
+}  // namespace
+
+std::string pulse_json(const PulseReport& report) {
+  Json result;
+  result["figures"] = figures(report);
+  result["impact"] = impact(report);
+  result["flags"] = flags(report);
+  result["source"] = source(report);
+  result["offset"] = offset(report);
+  result["processing"] = {
+      {"resampled_to_s", report.resampled_to ? number(*report.resampled_to) : Json(nullptr)},
+      {"filter", filter(report)},
+      {"samples", report.pulse.time.size()}};
+  result["program"] = program_json();
+  return json_text(result);
+}
+
+std::string pulse_csv(const PulseReport& report, const UnitSystem& units) {
+  const ResultQuantity &time = result_quantity("time"), &acceleration = result_quantity("acceleration");
+  const double time_factor = scaled_unit(time.si_unit, units).scale;
+  fmt::memory_buffer text;
+  fmt::format_to(std::back_inserter(text), "{},{}\n", key_with_unit(time, units),
+                 key_with_unit(acceleration, units));
+  for (std::size_t i = 0; i < report.pulse.time.size(); ++i)
+    fmt::format_to(std::back_inserter(text), "{},{}\n", time_factor * report.pulse.time[i],
+                   report.pulse.acceleration[i] / standard_gravity);
+  return fmt::to_string(text);
+}
+
+}  // namespace dashpad

@@ -1,0 +1,99 @@
+#include "dashpad/output/json/result.hpp"
+
+#include <cmath>
+
+#include "output/json/injury.hpp"
+#include "output/json/material.hpp"
+#include "quantities/json_values.hpp"
+#include "quantities/summary_values.hpp"
+
+namespace dashpad {
+
+namespace {
+
+Json moment(const EstimatedValue& of) {
+  return {{"time_s", number(of.value)}, {"velocity_m_per_s", number(of.velocity)}};
+}
+
+/// Every figure of the table, and the errors of those that have an estimate; null where it is absent.
+void add_figures(Json& result, Json& errors, const Summary& summary) {
+  for (const SummaryQuantity& entry : summary_quantities()) {
+    const ResultQuantity& quantity = *entry.quantity;
+    const EstimatedValue of = entry.of(summary);
+    const bool absent = std::isnan(of.value);
+    if (entry.is_moment)
+      result[quantity.key] = absent ? Json(nullptr) : moment(of);
+    else
+      result[key_with_unit(quantity)] = number(scaled_unit(quantity.si_unit, plain_si()).scale * of.value);
+    if (quantity.has_estimate) errors[quantity.key] = number_if(!absent, of.error);
+  }
+}
+
+Json energy(const EnergyLedger& ledger) {
+  const auto key = [](const char* of) { return key_with_unit(result_quantity(of)); };
+  return {{key("impact_energy"), number(ledger.initial)},
+          {key("kinetic_energy"), number(ledger.kinetic)},
+          {key("support_energy"), number(ledger.support)},
+          {key("pad_energy"), number(ledger.pad)},
+          {key("residual_energy"), number(ledger.residual)}};
+}
+
+Json solver(const Summary& summary) {
+  return {{"steps", summary.steps},
+          {"stations", summary.stations},
+          {"runs", summary.runs},
+          {"tolerance", number(summary.tolerance)},
+          {"wall_time_s", number(summary.wall_time)}};
+}
+
+Json pad(const Pad& of) {
+  Json json{{"thickness_m", number(of.thickness)}};
+  json.update(material_json(of.material));
+  return json;
+}
+
+Json support(const Support& of) {
+  Json points = Json::array();
+  for (const Support::Point& point : of.points())
+    points.push_back({{"deflection_m", number(point.deflection)}, {"force_N", number(point.force)}});
+  if (of.is_rigid()) return {{"type", "rigid"}, {"stiffness_N_per_m", nullptr}, {"points", points}};
+  if (of.points().size() > 1) return {{"type", "curve"}, {"stiffness_N_per_m", nullptr}, {"points", points}};
+  const Support::Point& point = of.points().front();
+  return {
+      {"type", "linear"}, {"stiffness_N_per_m", number(point.force / point.deflection)}, {"points", points}};
+}
+
+Json impactor(const Impactor& of) {
+  Json json = {{"mass_kg", number(of.mass)}, {"speed_m_per_s", number(of.speed)}};
+  json["nose"] = name_of(of.nose);
+  for (const ParameterValue& value : parameter_values(of.nose))
+    json[name_with_unit(value.key, value.unit)] = number(value.value);
+  return json;
+}
+
+Json echo(const ImpactCase& impact) {
+  return {{"title", impact.title},
+          {"impactor", impactor(impact.impactor)},
+          {"pad", pad(impact.pad)},
+          {"support", support(impact.support)}};
+}
+
+}  // namespace
+
+std::string result_json(const ImpactCase& impact, const Summary& summary,
+                        const std::optional<InjuryFigures>& injury) {
+  Json result, errors;
+  result["status"] = to_string(summary.status);
+  add_figures(result, errors, summary);
+  result["energy"] = energy(summary.energy);
+  result["extrapolated"] = summary.extrapolated;
+  result["extrapolations"] = summary.extrapolations;
+  result["injury"] = injury ? injury_json(*injury, true) : Json(nullptr);
+  result["errors"] = errors;
+  result["solver"] = solver(summary);
+  result["case"] = echo(impact);
+  result["program"] = program_json();
+  return json_text(result);
+}
+
+}  // namespace dashpad

@@ -1,0 +1,125 @@
+// The answers of a study as JSON, in SI and g.
+
+#include "dashpad/output/study.hpp"
+#include "output/text/study_words.hpp"
+#include "quantities/json_values.hpp"
+
+namespace dashpad {
+
+namespace {
+
+Json estimate_json(const study::Estimate& of, double scale = 1) {
+  return {{"value", number(scale * of.value)},
+          {"low", number(scale * of.low)},
+          {"high", number(scale * of.high)}};
+}
+
+Json distribution_json(const std::string& response, const study::Distribution& of) {
+  const auto [scale, unit] = scaled_unit(si_unit_of(response), plain_si());
+  Json quantiles = Json::array();
+  for (const study::Distribution::Quantile& quantile : of.quantiles) {
+    Json json = {{"probability", quantile.probability}};
+    json.update(estimate_json(quantile.value, scale));
+    quantiles.push_back(json);
+  }
+  return {{"response", response},
+          {"unit", unit},
+          {"rows", of.rows},
+          {"rows_struck_through", of.struck_through},
+          {"rows_without", of.without},
+          {"mean", estimate_json(of.mean, scale)},
+          {"deviation", number(scale * of.deviation)},
+          {"least", number(scale * of.least)},
+          {"greatest", number(scale * of.greatest)},
+          {"quantiles", quantiles}};
+}
+
+Json exceedance_json(const StudyLimit& limit, const study::Exceedance& of) {
+  const auto [scale, unit] = scaled_unit(si_unit_of(limit.response), plain_si());
+  return {{"response", limit.response},
+          {"unit", unit},
+          {"limit", number(scale * limit.value)},
+          {"probability", estimate_json(of.probability)},
+          {"rows_above", of.exceeding},
+          {"rows_struck_through", of.struck_through},
+          {"rows", of.rows},
+          {"rows_undecided", of.undecided}};
+}
+
+Json sensitivity_json(const std::string& response, const study::Sensitivity& of) {
+  Json indices = Json::array();
+  for (const study::Sensitivity::Index& index : of.indices)
+    indices.push_back({{"factor", index.factor},
+                       {"first_order", estimate_json(index.first)},
+                       {"total", estimate_json(index.total)}});
+  return {{"response", response}, {"draws", of.draws}, {"draws_left_out", of.left_out}, {"indices", indices}};
+}
+
+Json levels_json(const StudyAnswers& answers, const study::Group& group) {
+  const std::vector<std::size_t> factors = level_factors(answers.study);
+  Json levels = Json::array();
+  for (std::size_t i = 0; i < group.levels.size(); ++i) {
+    const study::Factor& factor = answers.study.factors[factors[i]];
+    Json level = {{"factor", factor.key}, {"unit", factor.unit}, {"value", number(group.levels[i])}};
+    if (factor.unit.empty())
+      level["value"] = level_text(answers.study, factors[i], group.levels[i], plain_si());
+    levels.push_back(level);
+  }
+  return levels;
+}
+
+Json group_json(const StudyAnswers& answers, const StudyAnswers::OfGroup& of) {
+  Json distributions = Json::array(), exceedances = Json::array(), sensitivities = Json::array();
+  for (std::size_t i = 0; i < of.distributions.size(); ++i) {
+    const std::string& response = answers.study.responses[answers.responses[i]];
+    distributions.push_back(distribution_json(response, of.distributions[i]));
+    if (of.sensitivities[i]) sensitivities.push_back(sensitivity_json(response, *of.sensitivities[i]));
+  }
+  for (std::size_t i = 0; i < of.exceedances.size(); ++i)
+    exceedances.push_back(exceedance_json(answers.limits[i], of.exceedances[i]));
+  return {{"levels", levels_json(answers, of.group)},
+          {"distributions", distributions},
+          {"exceedances", exceedances},
+          {"sobol_indices", sensitivities}};
+}
+
+Json cushion_json(const study::CushionCurves& curves) {
+  Json drops = Json::array();
+  for (const study::CushionCurves::Drop& drop : curves.drops)
+    for (const study::CushionCurve& curve : drop.curves) {
+      Json points = Json::array();
+      for (std::size_t i = 0; i < curve.static_stress.size(); ++i)
+        points.push_back({{"static_stress_Pa", number(curve.static_stress[i])},
+                          {"peak_acceleration_g", number(curve.peak_deceleration[i] / standard_gravity)}});
+      drops.push_back({{"drop_height_m", drop.height},
+                       {"speed_m_per_s", drop.speed},
+                       {"thickness_m", curve.thickness},
+                       {"points", points}});
+    }
+  return {{"loaded_area", "projected contact area of the nose at the largest penetration"},
+          {"curves", drops}};
+}
+
+}  // namespace
+
+std::string study_json(const StudyAnswers& answers) {
+  Json groups = Json::array();
+  for (const StudyAnswers::OfGroup& of : answers.groups) groups.push_back(group_json(answers, of));
+  Json json = {{"program", program_json()},
+               {"title", answers.study.title},
+               {"computed_by", answers.program},
+               {"rows", answers.records.rows.size()},
+               {"rows_of_study", answers.rows},
+               {"rows_doubtful", answers.records.doubtful},
+               {"rows_extrapolated", answers.records.extrapolated},
+               {"rows_bottomed", answers.records.bottomed},
+               {"rows_struck_through", answers.records.struck_through},
+               {"rows_at_time_limit", answers.records.time_limit},
+               {"are_draws", answers.groups.front().group.drawn},
+               {"interval", 0.95},
+               {"groups", groups}};
+  if (answers.cushion_curves) json["cushion_curves"] = cushion_json(*answers.cushion_curves);
+  return json_text(json);
+}
+
+}  // namespace dashpad

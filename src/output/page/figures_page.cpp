@@ -1,0 +1,21 @@
+#include "dashpad/output/page/figures_page.hpp"
+
+#include <stdexcept>
+
+#include "dashpad/output/page/page.hpp"
+#include "output/page/figures_page_check.hpp"
+#include "output/page/figures_page_data.hpp"
+#include "output/page/page_template.hpp"
+
+namespace dashpad {
+
+std::string figures_page(const FiguresPage& page) {
+  check(page);
+  if (!has_page()) throw std::runtime_error(no_page);
+  std::string text{figures_page_before_data};
+  text += figures_page_data(page);
+  text += figures_page_after_data;
+  return text;
+}
+
+}  // namespace dashpad

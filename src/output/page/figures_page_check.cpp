@@ -1,0 +1,34 @@
+#include "output/page/figures_page_check.hpp"
+
+#include <cstddef>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "output/plot/check.hpp"
+#include "output/plot/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+void check(const PageTable& table) {
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    if (table.rows[row].size() != table.columns.size())
+      throw std::invalid_argument(fmt::format("row {} of the table \"{}\" has {} cells, not {}", row + 1,
+                                              readable(table.caption), table.rows[row].size(),
+                                              table.columns.size()));
+  }
+}
+
+}  // namespace
+
+void check(const FiguresPage& page) {
+  for (const PageSection& section : page.sections) {
+    for (const PageTable& table : section.tables) check(table);
+    for (const PageFigure& figure : section.figures)
+      for (const Panel& panel : figure.plot.panels) check(panel);
+  }
+}
+
+}  // namespace dashpad

@@ -1,0 +1,12 @@
+#pragma once
+/// Whether what a page of figures is made of fits together.
+
+#include "dashpad/output/page/figures_page.hpp"
+
+namespace dashpad {
+
+/// Throws std::invalid_argument if columns of a series or rows of a table differ in length, or if an axis
+/// cannot have its limits.
+void check(const FiguresPage& page);
+
+}  // namespace dashpad

@@ -1,0 +1,43 @@
+// A material test as a page.
+
+#include "dashpad/output/material_test.hpp"
+#include "dashpad/output/page/figures_page.hpp"
+#include "output/plot/material_test.hpp"
+#include "output/text/material_test_words.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+std::string material_test_page(const MaterialTestReport& report, const UnitSystem& units) {
+  const std::string source = source_words(report);
+  const auto figure = [&](std::vector<Panel> panels, std::string note) {
+    PageFigure of;
+    of.plot = {"", std::move(panels), source};
+    of.note = std::move(note);
+    return of;
+  };
+  FiguresPage page;
+  page.title = material_words(report.material);
+  page.summary = {test_words(report.test, units)};
+  for (std::string& note : notes_on(report)) page.summary.push_back(std::move(note));
+  page.warnings = flag_words(report);
+  page.sections = {
+      {.heading = "Figures", .paragraphs = {}, .tables = tables_of(report, units), .figures = {}},
+      {.heading = "Stress",
+       .paragraphs = {},
+       .tables = {},
+       .figures = {figure({stress_over_strain(report, units)}, ""),
+                   figure({stress_over_time(report, units), strain_over_time(report, units)}, "")}},
+      {.heading = "Cushioning",
+       .paragraphs = {},
+       .tables = {},
+       .figures = {figure({energy_over_strain(report, units)}, ""),
+                   figure({efficiency_over_strain(report), ideality_over_strain(report)},
+                          "Efficiency is energy over the largest stress so far; ideality is that over the "
+                          "strain."),
+                   figure({efficiency_over_stress(report, units)},
+                          "The foam is used best at the stress where the efficiency is highest.")}}};
+  return figures_page(page);
+}
+
+}  // namespace dashpad

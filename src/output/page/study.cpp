@@ -1,0 +1,78 @@
+// A study as a page, and its leading figure as a still.
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dashpad/version.hpp"
+#include "output/plot/study_figures.hpp"
+#include "output/text/study_tables.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr std::size_t most_panels_of_still = 4;
+
+void add(FiguresPage& page, const char* heading, std::vector<PageFigure> figures,
+         std::vector<std::string> paragraphs = {}) {
+  if (!figures.empty())
+    page.sections.push_back({.heading = heading,
+                             .paragraphs = std::move(paragraphs),
+                             .tables = {},
+                             .figures = std::move(figures)});
+}
+
+/// Several figures of one kind, one below the other.
+Plot together(std::vector<PageFigure> figures, const std::string& title) {
+  Plot plot{.title = title, .panels = {}, .source = figures.front().plot.source};
+  for (PageFigure& figure : figures)
+    for (Panel& panel : figure.plot.panels)
+      if (plot.panels.size() < most_panels_of_still) plot.panels.push_back(std::move(panel));
+  return plot;
+}
+
+}  // namespace
+
+FiguresPage study_page(const StudyAnswers& answers, const UnitSystem& units) {
+  const bool drawn = answers.groups.front().group.drawn;
+  FiguresPage page{
+      .title = answers.study.title.empty() ? "Study" : one_line(answers.study.title),
+      .summary = {fmt::format("{} of {} rows, computed by Dashpad {}.", answers.records.rows.size(),
+                              answers.rows, one_line(answers.program)),
+                  fmt::format("dashpad {}, commit {}", version(), build_facts().git_commit)},
+      .warnings = study_warnings(answers),
+      .sections = {}};
+  page.sections.push_back({.heading = "What was studied",
+                           .paragraphs = {},
+                           .tables = {factor_table(answers, units)},
+                           .figures = {}});
+  page.sections.push_back({.heading = "Answers",
+                           .paragraphs = {interval_note(answers)},
+                           .tables = study_tables(answers, units),
+                           .figures = {}});
+  add(page, "Cushion curves", cushion_figures(answers, units));
+  add(page, "Curves", curve_figures(answers, units));
+  std::vector<PageFigure> maps = map_figures(answers, units);
+  for (PageFigure& figure : coloured_scatter_figures(answers, units)) maps.push_back(std::move(figure));
+  add(page, "Maps", std::move(maps));
+  add(page, "Which factor matters", index_figures(answers));
+  if (drawn) add(page, "Distributions", distribution_figures(answers, units));
+  add(page, "Scatter", scatter_figures(answers, units));
+  return page;
+}
+
+Plot study_plot(const StudyAnswers& answers, const UnitSystem& units) {
+  const std::string title = answers.study.title.empty() ? "Study" : one_line(answers.study.title);
+  // One map alone: its legend would be lost among those of others.
+  std::vector<PageFigure> maps = map_figures(answers, units);
+  if (maps.size() > 1) maps.erase(maps.begin() + 1, maps.end());
+  for (std::vector<PageFigure> figures :
+       {cushion_figures(answers, units), maps, curve_figures(answers, units),
+        distribution_figures(answers, units)})
+    if (!figures.empty()) return together(std::move(figures), title);
+  return {};
+}
+
+}  // namespace dashpad

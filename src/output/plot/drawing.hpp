@@ -1,0 +1,36 @@
+#pragma once
+/// What there is to draw of a plot.
+
+#include <string>
+#include <vector>
+
+#include "dashpad/output/plot/plot.hpp"
+#include "output/plot/legend.hpp"
+#include "output/plot/rows.hpp"
+
+namespace dashpad {
+
+/// A series with what its panel shows of it.
+struct SeriesDrawing {
+  SeriesStyle style = SeriesStyle::line;
+  std::string looks;           ///< in gnuplot's words
+  std::vector<PlotRun> runs;   ///< thinned; none for vertical and horizontal lines
+  std::vector<double> places;  ///< of vertical and horizontal lines
+};
+
+struct PanelDrawing {
+  std::vector<SeriesDrawing> series;  ///< those that have something to show, bands first
+  Span vertical_lines;                ///< which the x axis has to include
+  Span horizontal_lines;              ///< which the y axis has to include
+  bool has_data = false;              ///< more than vertical and horizontal lines
+};
+
+struct PlotDrawing {
+  std::vector<PanelDrawing> panels;  ///< as many as the plot has
+  Legend legend;
+};
+
+/// Throws std::invalid_argument if no panel has data.
+PlotDrawing drawing_of(const Plot& plot);
+
+}  // namespace dashpad

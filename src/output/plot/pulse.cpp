@@ -1,0 +1,75 @@
+// The picture of a pulse.
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/version.hpp"
+#include "output/plot/axis_with_unit.hpp"
+#include "output/text/pulse_words.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr std::size_t turn_of_filtered = 0, turn_of_raw = 3, turn_of_hic15 = 1, turn_of_hic36 = 2;
+
+Series line(const std::string& label, const Pulse& pulse, std::size_t turn, const UnitSystem& units) {
+  Series series{.label = label, .style = SeriesStyle::solid_line, .turn = turn};
+  const double time_factor = value_in(units, 1, "s");
+  for (std::size_t i = 0; i < pulse.time.size(); ++i) {
+    series.x.push_back(time_factor * pulse.time[i]);
+    series.y.push_back(pulse.acceleration[i] / standard_gravity);
+  }
+  return series;
+}
+
+/// 1 or -1: on which side of zero the pulse has its peak.
+double side_of_peak(const PulseReport& report) {
+  for (std::size_t i = 0; i < report.pulse.time.size(); ++i)
+    if (report.pulse.time[i] >= report.figures.peak.time) return report.pulse.acceleration[i] < 0 ? -1 : 1;
+  return 1;
+}
+
+/// The window of a HIC as a rectangle as high as the mean acceleration in it.
+Series window(const char* key, const Hic& hic, double side, std::size_t turn, const UnitSystem& units) {
+  const double begin = value_in(units, hic.begin, "s"), end = value_in(units, hic.end, "s");
+  const double duration = hic.end - hic.begin;
+  const double mean = duration > 0 ? side * std::pow(hic.value / duration, 0.4) : 0;
+  return {.label = fmt::format("{} = {}", result_quantity(key).title, brief(hic.value, 4)),
+          .style = SeriesStyle::band,
+          .x = {begin, end},
+          .y = {0, 0},
+          .y2 = {mean, mean},
+          .turn = turn};
+}
+
+}  // namespace
+
+Plot pulse_plot(const PulseReport& report, const UnitSystem& units) {
+  const double side = side_of_peak(report);
+  const InjuryFigures& figures = report.figures;
+  Panel panel{.title = {}, .x = axis_of("time", units), .y = axis_of("acceleration", units), .series = {}};
+  if (figures.hic36.begin != figures.hic15.begin || figures.hic36.end != figures.hic15.end)
+    panel.series.push_back(window("hic36", figures.hic36, side, turn_of_hic36, units));
+  panel.series.push_back(window("hic15", figures.hic15, side, turn_of_hic15, units));
+  if (report.filter) {
+    panel.series.push_back(line("as measured", report.measured.pulse, turn_of_raw, units));
+    panel.series.push_back(line(fmt::format("CFC{}", report.filter->channel_frequency_class), report.pulse,
+                                turn_of_filtered, units));
+  } else {
+    panel.series.push_back(line("pulse", report.pulse, turn_of_filtered, units));
+  }
+  const double level = side * figures.clip_3ms.level / standard_gravity;
+  panel.series.push_back(
+      {.label = fmt::format("{}, {} g", result_quantity("clip_3ms").title, brief(std::abs(level), 4)),
+       .style = SeriesStyle::horizontal_line,
+       .y = {level}});
+  return {.title = one_line(report.file),
+          .panels = {panel},
+          .source = fmt::format("dashpad {}; filter: {}", version(),
+                                report.filter ? filter_words(*report.filter) : "none")};
+}
+
+}  // namespace dashpad

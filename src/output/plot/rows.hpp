@@ -1,0 +1,45 @@
+#pragma once
+/// The points of a series that the picture needs.
+
+#include <limits>
+#include <vector>
+
+#include "dashpad/output/plot/plot.hpp"
+
+namespace dashpad {
+
+struct PlotRow {
+  double x = 0;
+  double y = 0;
+  double y2 = 0;  ///< of bands; otherwise as y
+};
+
+/// A part of a series without a gap.
+using PlotRun = std::vector<PlotRow>;
+
+/// From the lowest to the highest of the numbers that it includes; none at first.
+struct Span {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void include(double value);
+  [[nodiscard]] bool is_empty() const { return low > high; }
+};
+
+/// Whether the axis has a place for the number, disregarding its ends.
+bool is_drawable(double value, const Axis& axis);
+
+/// The parts of a line, a band or points that can be drawn on these axes and are not wholly beyond their
+/// ends.
+std::vector<PlotRun> drawable_runs(const Series& series, const Axis& x, const Axis& y);
+
+/// Leaves out of a line or band what makes no difference to the picture: of neighbours within half a pixel in
+/// x, the first, last, lowest and highest stay. `span` is what the x axis shows.
+PlotRun thinned_line(const PlotRun& run, const Axis& x, const Span& span);
+
+/// Leaves out of many points those that lie on others: of all points within the same square of one and a half
+/// pixels, the first stays.
+PlotRun thinned_points(const PlotRun& run, const Axis& x, const Span& x_span, const Axis& y,
+                       const Span& y_span);
+
+}  // namespace dashpad

@@ -1,0 +1,158 @@
+// Distribution functions, scatter and indices of a study.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/version.hpp"
+#include "output/plot/study_figures.hpp"
+#include "output/text/study_words.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+constexpr std::size_t most_steps = 400;        ///< of a distribution function
+constexpr std::size_t most_plain_dots = 1500;  ///< of a scatter plot
+
+/// The share of rows at or below each value; rows that struck through or have no value count as above all.
+Series distribution_function(std::vector<double> values, double scale) {
+  const auto all = static_cast<double>(values.size());
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  std::ranges::sort(values);
+  Series series{.style = SeriesStyle::solid_line};
+  const std::size_t count = values.size();
+  const std::size_t points = std::min(count, most_steps);
+  for (std::size_t i = 0; i < points; ++i) {
+    const std::size_t place = points < 2 ? 0 : i * (count - 1) / (points - 1);
+    series.x.push_back(scale * values[place]);
+    series.y.push_back(100 * static_cast<double>(place + 1) / all);
+  }
+  return series;
+}
+
+Panel distribution_panel(const StudyAnswers& answers, std::size_t i, const UnitSystem& units) {
+  const std::string name = response_name(answers, i), unit = si_unit_of(name);
+  const ScaledUnit shown = shown_as(unit, units);
+  Panel panel{.title = title_of(name),
+              .x = {.label = label(name, unit, units)},
+              .y = {.label = "Rows at or below (%)", .low = 0, .high = 100},
+              .series = {}};
+  for (std::size_t group = 0; group < std::min(answers.groups.size(), most_lines_drawn); ++group) {
+    const study::Group& of = answers.groups[group].group;
+    panel.series.push_back(distribution_function(
+        study::values_of(answers.study, answers.records, of, answers.responses[i]), shown.scale));
+    panel.series.back().label = group_label(answers, of, units);
+    panel.series.back().turn = group;
+  }
+  for (const StudyLimit& limit : answers.limits)
+    if (limit.response == name)
+      panel.series.push_back(
+          {.label = "limit", .style = SeriesStyle::vertical_line, .x = {shown.scale * limit.value}});
+  return panel;
+}
+
+Panel scatter_panel(const StudyAnswers& answers, std::size_t factor, std::size_t response,
+                    const UnitSystem& units) {
+  const study::Factor& of = answers.study.factors[factor];
+  const std::string& name = answers.study.responses[response];
+  const ScaledUnit x = shown_as(of.unit, units), y = shown_as(si_unit_of(name), units);
+  Panel panel{.title = fmt::format("{} over {}", name, of.key),
+              .x = {.label = label(of.key, of.unit, units)},
+              .y = {.label = label(name, si_unit_of(name), units)},
+              .series = {}};
+  const std::size_t groups = std::min(answers.groups.size(), most_lines_drawn);
+  for (std::size_t i = 0; i < groups; ++i) {
+    const std::vector<std::size_t>& places = answers.groups[i].group.places;
+    const std::size_t step = std::max<std::size_t>(1, places.size() * groups / most_plain_dots);
+    Series points{.label = group_label(answers, answers.groups[i].group, units),
+                  .style = SeriesStyle::points,
+                  .turn = i};
+    for (std::size_t k = 0; k < places.size(); k += step) {
+      points.x.push_back(x.scale * answers.records.factors[factor][places[k]]);
+      points.y.push_back(y.scale * answers.records.responses[response][places[k]]);
+    }
+    panel.series.push_back(std::move(points));
+  }
+  return panel;
+}
+
+/// A point and its interval, a narrow band at the factor's number.
+void add_index(Panel& panel, const study::Estimate& estimate, double place, std::size_t turn,
+               const std::string& name) {
+  constexpr double half_width = 0.06;
+  panel.series.push_back({.style = SeriesStyle::band,
+                          .x = {place - half_width, place + half_width},
+                          .y = {estimate.low, estimate.low},
+                          .y2 = {estimate.high, estimate.high},
+                          .turn = turn});
+  panel.series.push_back(
+      {.label = name, .style = SeriesStyle::points, .x = {place}, .y = {estimate.value}, .turn = turn});
+}
+
+Panel index_panel(const std::string& response, const study::Sensitivity& of) {
+  Panel panel{.title = response,
+              .x = {.label = "Factor:", .low = 0.5, .high = static_cast<double>(of.indices.size()) + 0.5},
+              .y = {.label = "Share of the variance"},
+              .series = {}};
+  for (std::size_t i = 0; i < of.indices.size(); ++i) {
+    const auto place = static_cast<double>(i + 1);
+    panel.x.label += fmt::format("{} {} {}", i == 0 ? "" : ",", i + 1, of.indices[i].factor);
+    add_index(panel, of.indices[i].first, place - 0.1, 0, "alone (first order)");
+    add_index(panel, of.indices[i].total, place + 0.1, 1, "with interactions (total)");
+  }
+  panel.series.push_back({.style = SeriesStyle::horizontal_line, .y = {0}});
+  return panel;
+}
+
+}  // namespace
+
+std::string study_source(const StudyAnswers& answers) {
+  return fmt::format("dashpad {}; {} rows; {}", version(), answers.records.rows.size(),
+                     one_line(answers.study.title));
+}
+
+std::vector<PageFigure> distribution_figures(const StudyAnswers& answers, const UnitSystem& units) {
+  std::vector<PageFigure> figures;
+  for (std::size_t i = 0; i < answers.responses.size(); ++i)
+    figures.push_back({.plot = {.title = "Distribution of " + response_name(answers, i),
+                                .panels = {distribution_panel(answers, i, units)},
+                                .source = study_source(answers)},
+                       .note = answers.groups.size() > most_lines_drawn
+                                   ? fmt::format("The first {} combinations of levels.", most_lines_drawn)
+                                   : ""});
+  return figures;
+}
+
+std::vector<PageFigure> scatter_figures(const StudyAnswers& answers, const UnitSystem& units) {
+  std::vector<PageFigure> figures;
+  for (std::size_t i = 0; i < answers.responses.size(); ++i) {
+    Plot plot{.title = response_name(answers, i) + " over each factor",
+              .panels = {},
+              .source = study_source(answers)};
+    for (const std::size_t factor : sampled_factors(answers.study))
+      plot.panels.push_back(scatter_panel(answers, factor, answers.responses[i], units));
+    if (!plot.panels.empty())
+      figures.push_back(
+          {.plot = std::move(plot),
+           .note = fmt::format("At most about {} rows are drawn, evenly thinned.", most_plain_dots)});
+  }
+  return figures;
+}
+
+std::vector<PageFigure> index_figures(const StudyAnswers& answers) {
+  std::vector<PageFigure> figures;
+  for (std::size_t i = 0; i < answers.responses.size(); ++i) {
+    const std::optional<study::Sensitivity>& of = answers.groups.front().sensitivities[i];
+    if (!of) continue;
+    figures.push_back({.plot = {.title = "Sobol' indices of " + response_name(answers, i),
+                                .panels = {index_panel(response_name(answers, i), *of)},
+                                .source = study_source(answers)},
+                       .note = "Bands: 95 % intervals by bootstrap over draws."});
+  }
+  return figures;
+}
+
+}  // namespace dashpad

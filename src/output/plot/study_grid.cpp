@@ -1,0 +1,102 @@
+#include "output/plot/study_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "output/text/study_words.hpp"
+
+namespace dashpad {
+
+namespace {
+
+/// Levels of all factors with levels, and the response there.
+struct Cell {
+  std::vector<double> levels;
+  double value = 0;
+};
+
+std::vector<Cell> cells_of(const StudyAnswers& answers, std::size_t response) {
+  std::vector<Cell> cells;
+  const std::vector<std::size_t> factors = level_factors(answers.study);
+  if (answers.groups.front().group.drawn) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    constexpr std::size_t median = 3;
+    for (const StudyAnswers::OfGroup& of : answers.groups) {
+      const double value = of.distributions[response].quantiles[median].value.value;
+      cells.push_back({of.group.levels, std::isfinite(value) ? value : none});
+    }
+    return cells;
+  }
+  for (std::size_t place = 0; place < answers.records.rows.size(); ++place) {
+    Cell cell{.levels = {}, .value = answers.records.responses[answers.responses[response]][place]};
+    for (const std::size_t factor : factors) cell.levels.push_back(answers.records.factors[factor][place]);
+    cells.push_back(std::move(cell));
+  }
+  return cells;
+}
+
+const std::vector<double>& levels_of(const study::Factor& factor) {
+  return std::get<study::Levels>(factor.spread).values;
+}
+
+std::vector<double> sorted(std::vector<double> values) {
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+std::size_t place_in(const std::vector<double>& levels, double value) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(levels, value) - levels.begin());
+}
+
+}  // namespace
+
+std::optional<GridPlane> grid_plane(const StudyAnswers& answers, std::size_t response,
+                                    const UnitSystem& units) {
+  const std::vector<std::size_t> factors = level_factors(answers.study);
+  // Places in `factors`: numbers before materials, many levels before few.
+  std::vector<std::size_t> order(factors.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto factor_at = [&](std::size_t i) -> const study::Factor& {
+    return answers.study.factors[factors[i]];
+  };
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+    const bool a_number = !factor_at(a).unit.empty(), b_number = !factor_at(b).unit.empty();
+    return a_number != b_number ? a_number : levels_of(factor_at(a)).size() > levels_of(factor_at(b)).size();
+  });
+  if (order.empty() || factor_at(order[0]).unit.empty() || levels_of(factor_at(order[0])).size() < 2)
+    return std::nullopt;
+
+  GridPlane plane;
+  plane.across = factors[order[0]];
+  plane.is_median = answers.groups.front().group.drawn;
+  plane.across_levels = sorted(levels_of(factor_at(order[0])));
+  plane.line_levels = {0};
+  if (order.size() > 1) {
+    plane.lines = factors[order[1]];
+    plane.line_levels = sorted(levels_of(factor_at(order[1])));
+  }
+  std::vector<double> middle(factors.size());
+  for (std::size_t i = 2; i < order.size(); ++i) {
+    const std::vector<double> levels = sorted(levels_of(factor_at(order[i])));
+    middle[order[i]] = levels[levels.size() / 2];
+    plane.at += fmt::format("{}{} = {}", plane.at.empty() ? "" : ", ", factor_at(order[i]).key,
+                            level_text(answers.study, factors[order[i]], middle[order[i]], units));
+  }
+  plane.values.assign(
+      plane.line_levels.size(),
+      std::vector<double>(plane.across_levels.size(), std::numeric_limits<double>::quiet_NaN()));
+  for (const Cell& cell : cells_of(answers, response)) {
+    bool here = true;
+    for (std::size_t i = 2; i < order.size(); ++i) here = here && cell.levels[order[i]] == middle[order[i]];
+    if (!here) continue;
+    const std::size_t line = plane.lines ? place_in(plane.line_levels, cell.levels[order[1]]) : 0;
+    plane.values[line][place_in(plane.across_levels, cell.levels[order[0]])] = cell.value;
+  }
+  return plane;
+}
+
+}  // namespace dashpad

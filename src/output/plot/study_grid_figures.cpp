@@ -1,0 +1,152 @@
+// Curves and maps of a grid, and cushion curves.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "output/plot/filled_map.hpp"
+#include "output/plot/study_figures.hpp"
+#include "output/plot/study_grid.hpp"
+#include "output/text/study_words.hpp"
+
+namespace dashpad {
+
+namespace {
+
+std::vector<double> scaled(std::vector<double> values, double scale) {
+  for (double& value : values) value *= scale;
+  return values;
+}
+
+Axis axis_of(const study::Factor& factor, const UnitSystem& units) {
+  return {.label = label(factor.key, factor.unit, units)};
+}
+
+std::string note_of(const GridPlane& plane) {
+  std::string note = plane.is_median ? "Medians of the draws. " : "";
+  if (!plane.at.empty()) note += "At " + plane.at + ".";
+  return note;
+}
+
+Plot curves(const StudyAnswers& answers, const GridPlane& plane, std::size_t response,
+            const UnitSystem& units) {
+  const std::string name = response_name(answers, response);
+  const study::Factor& across = answers.study.factors[plane.across];
+  Panel panel{.title = title_of(name),
+              .x = axis_of(across, units),
+              .y = {.label = label(name, si_unit_of(name), units)},
+              .series = {}};
+  const std::size_t count = plane.values.size(), lines = std::min(count, most_lines_drawn);
+  for (std::size_t i = 0; i < lines; ++i) {
+    const std::size_t line = lines < 2 ? 0 : i * (count - 1) / (lines - 1);
+    panel.series.push_back(
+        {.label = plane.lines
+                      ? fmt::format("{} {}", answers.study.factors[*plane.lines].key,
+                                    level_text(answers.study, *plane.lines, plane.line_levels[line], units))
+                      : "",
+         .style = SeriesStyle::line,
+         .x = scaled(plane.across_levels, shown_as(across.unit, units).scale),
+         .y = scaled(plane.values[line], shown_as(si_unit_of(name), units).scale),
+         .turn = i});
+  }
+  for (const StudyLimit& limit : answers.limits)
+    if (limit.response == name)
+      panel.series.push_back({.label = "limit",
+                              .style = SeriesStyle::horizontal_line,
+                              .y = {shown_as(si_unit_of(name), units).scale * limit.value}});
+  return {.title = fmt::format("{} over {}", name, across.key),
+          .panels = {panel},
+          .source = study_source(answers)};
+}
+
+Plot map_of(const StudyAnswers& answers, const GridPlane& plane, std::size_t response,
+            const UnitSystem& units) {
+  const std::string name = response_name(answers, response);
+  const study::Factor &across = answers.study.factors[plane.across],
+                      &up = answers.study.factors[*plane.lines];
+  const ScaledUnit shown = shown_as(si_unit_of(name), units);
+  Panel panel{.title = title_of(name), .x = axis_of(across, units), .y = axis_of(up, units), .series = {}};
+  std::vector<std::vector<double>> values;
+  double least = HUGE_VAL, greatest = -HUGE_VAL;
+  for (const std::vector<double>& line : plane.values) {
+    values.push_back(scaled(line, shown.scale));
+    for (const double value : values.back()) {
+      if (!std::isfinite(value)) continue;
+      least = std::min(least, value);
+      greatest = std::max(greatest, value);
+    }
+  }
+  const std::vector<double> x = scaled(plane.across_levels, shown_as(across.unit, units).scale),
+                            y = scaled(plane.line_levels, shown_as(up.unit, units).scale);
+  panel.x.low = x.front();
+  panel.x.high = x.back();
+  panel.y.low = y.front();
+  panel.y.high = y.back();
+  panel.series = filled_areas(x, y, values, round_levels(least, greatest), shown.unit);
+  return {.title = fmt::format("{} over {} and {}", name, across.key, up.key),
+          .panels = {panel},
+          .source = study_source(answers)};
+}
+
+Panel cushion_panel(const study::CushionCurves::Drop& drop, const UnitSystem& units) {
+  const ScaledUnit height = shown_as("m", units), stress = shown_as("Pa", units),
+                   speed = shown_as("m/s", units);
+  Panel panel{
+      .title = fmt::format("Drop height {} {} ({} {})", four_digits(height.scale * drop.height), height.unit,
+                           four_digits(speed.scale * drop.speed), speed.unit),
+      .x = {.label = fmt::format("Static stress: weight over contact area at the largest penetration ({})",
+                                 stress.unit),
+            .logarithmic = true},
+      .y = {.label = "Peak acceleration (g)", .low = 0},
+      .series = {}};
+  for (std::size_t i = 0; i < drop.curves.size(); ++i)
+    panel.series.push_back(
+        {.label = fmt::format("thickness {} {}", four_digits(height.scale * drop.curves[i].thickness),
+                              height.unit),
+         .style = SeriesStyle::line,
+         .x = scaled(drop.curves[i].static_stress, stress.scale),
+         .y = scaled(drop.curves[i].peak_deceleration, shown_as("m/s2", units).scale),
+         .turn = i});
+  return panel;
+}
+
+}  // namespace
+
+std::vector<PageFigure> curve_figures(const StudyAnswers& answers, const UnitSystem& units) {
+  std::vector<PageFigure> figures;
+  for (std::size_t i = 0; i < answers.responses.size(); ++i)
+    if (const std::optional<GridPlane> plane = grid_plane(answers, i, units))
+      figures.push_back({"", curves(answers, *plane, i, units), note_of(*plane)});
+  return figures;
+}
+
+std::vector<PageFigure> map_figures(const StudyAnswers& answers, const UnitSystem& units) {
+  std::vector<PageFigure> figures;
+  for (std::size_t i = 0; i < answers.responses.size(); ++i) {
+    const std::optional<GridPlane> plane = grid_plane(answers, i, units);
+    if (!plane || !plane->lines || plane->line_levels.size() < 3 || plane->across_levels.size() < 3 ||
+        answers.study.factors[*plane->lines].unit.empty())
+      continue;
+    Plot map = map_of(answers, *plane, i, units);
+    if (map.panels.front().series.empty()) continue;
+    figures.push_back(
+        {"", std::move(map), "Interpolated linearly between neighbours of the grid. " + note_of(*plane)});
+  }
+  return figures;
+}
+
+std::vector<PageFigure> cushion_figures(const StudyAnswers& answers, const UnitSystem& units) {
+  if (!answers.cushion_curves) return {};
+  const std::string nose = words_of(answers.study.base.impactor.nose);
+  Plot plot{.title = "Cushion curves of a " + nose, .panels = {}, .source = study_source(answers)};
+  for (const study::CushionCurves::Drop& drop : answers.cushion_curves->drops)
+    plot.panels.push_back(cushion_panel(drop, units));
+  return {
+      {"", std::move(plot),
+       "In the manner of ASTM D1596, but of a " + nose +
+           ", not of a platen wider than the cushion: the loaded area is the projected contact area at the "
+           "largest penetration. Do not mix them with a maker's curves."}};
+}
+
+}  // namespace dashpad

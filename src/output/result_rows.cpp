@@ -1,0 +1,199 @@
+#include "output/result_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "dashpad/impact/flags.hpp"
+#include "dashpad/version.hpp"
+#include "quantities/summary_values.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+std::string bottomed_flag(const Summary& summary, const UnitSystem& units) {
+  const Moment& moment = *summary.bottomed;
+  const bool rigid = summary.status == Status::bottomed_out;
+  return fmt::format(
+      "BOTTOMED at {}, the impactor still moving at {}{}", brief_quantity(moment.time, "s", units),
+      brief_quantity(moment.velocity, "m/s", units),
+      rigid ? "; figures are up to that moment" : "; while it stayed so, only the support gave way");
+}
+
+/// Close to full compression the rounded percentage would look like bottoming: there, what is left is said.
+std::string part_of_pad(double penetration, double thickness, int digits) {
+  const double left = 1 - penetration / thickness;
+  return left > 0 && left < 5e-5 ? fmt::format("all but {} of the pad", percentage(left))
+                                 : fmt::format("{} % of the pad", significant(100 * (1 - left), digits));
+}
+
+std::string remark_on(const std::string& key, const ImpactCase& impact, const Summary& summary,
+                      const UnitSystem& units, int digits) {
+  if (key == "peak_penetration") return part_of_pad(summary.peak_penetration, impact.pad.thickness, digits);
+  if (key == "peak_motion") return "pad and support";
+  if (key == "peak_strain") return "on the axis";
+  if (key == "rebound_speed" && summary.restitution)
+    return "restitution " + significant(*summary.restitution, digits);
+  if (key == "contact_end") return fmt::format("force below {} of its peak", percentage(contact_end_share));
+  if (key == "force_below_weight")
+    return "rebounding at " + brief_quantity(-summary.weight->velocity, "m/s", units, digits);
+  if (key == "energy_absorbed_fraction")
+    return fmt::format("of the {} of the impact", brief_quantity(summary.energy.initial, "J", units, digits));
+  return "";
+}
+
+ResultRow row_of(const ResultQuantity& of, double value, const UnitSystem& units, int digits) {
+  const bool is_share = of.key == std::string_view{"energy_absorbed_fraction"};
+  const ScaledUnit shown = is_share ? ScaledUnit{100, "%"} : shown_as(of.si_unit, units);
+  return {of.key, of.title, significant(shown.scale * value, digits), shown.unit, {}, ""};
+}
+
+/// Those that a designer asks for first on top. Release and energy residual are for files.
+constexpr const char* rows_of_summary[] = {
+    "peak_force",  "peak_acceleration", "time_to_peak_force", "peak_penetration",
+    "peak_motion", "rebound_speed",     "contact_end",        "energy_absorbed_fraction",
+    "peak_strain", "peak_strain_rate",  "force_below_weight"};
+
+constexpr const char* main_rows[] = {
+    "peak_acceleration", "hic15",          "hic36",       "hic_unlimited",
+    "clip_3ms",          "cumulative_3ms", "peak_force",  "peak_penetration",
+    "peak_motion",       "rebound_speed",  "contact_end", "energy_absorbed_fraction",
+    "velocity_change"};
+
+bool is_main(const std::string& key) { return std::ranges::find(main_rows, key) != std::end(main_rows); }
+
+/// 0 for what is 0 up to rounding, compared with a stretch of the pulse.
+double without_rounding(double time, double length) { return std::abs(time) < 1e-9 * length ? 0 : time; }
+
+/// `length` is that of the pulse, s.
+std::string remark_on(const InjuryValue& of, double length, const UnitSystem& units, int digits) {
+  const std::string key = of.quantity->key;
+  if (key == "hic_d") return "from HIC36";
+  if (key == "severity_index") return "Gadd";
+  if (of.time) return "at " + brief_quantity(without_rounding(*of.time, length), "s", units, digits);
+  const std::string kind = key == "clip_3ms" ? "in one stretch" : key == "cumulative_3ms" ? "in all" : "";
+  if (!of.begin || (*of.end <= *of.begin && !kind.empty())) return kind;
+  return (kind.empty() ? "" : kind + ", ") + stretch(*of.begin, *of.end, units, digits);
+}
+
+/// Whether two searches have found one window: as far as people can see, and beyond rounding.
+bool is_same(const InjuryValue& a, const InjuryValue& b) {
+  if (!a.begin || !b.begin) return false;
+  const double close = 1e-3 * (*a.end - *a.begin);
+  return std::abs(a.value - b.value) <= 1e-6 * a.value && std::abs(*a.begin - *b.begin) <= close &&
+         std::abs(*a.end - *b.end) <= close;
+}
+
+std::string tolerance_text(const Summary& summary) {
+  const std::string tolerance = percentage(summary.tolerance);
+  return summary.trustworthy() ? "to a tolerance of " + tolerance
+                               : "without meeting the tolerance of " + tolerance;
+}
+
+std::string duration(double seconds) {
+  return seconds < 1 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
+}
+
+}  // namespace
+
+std::string outcome(const Summary& summary) {
+  switch (summary.status) {
+    case Status::released:
+      return pulse_is_whole(summary) ? "The impactor rebounded and left the pad."
+                                     : "The pad stopped the impactor and does not push it back.";
+    case Status::bottomed_out: return "The pad bottomed out on its rigid support: no finite force beyond.";
+    case Status::time_limit: return "The impactor was still on the pad when the time was up.";
+    case Status::tolerance_not_met:
+      return summary.release ? "The impactor rebounded and left the pad."
+                             : "The computation stopped before the impactor left the pad.";
+    case Status::not_run: return "Nothing was computed.";
+  }
+  return "";
+}
+
+std::vector<std::string> warnings(const Summary& summary, const UnitSystem& units) {
+  std::vector<std::string> lines;
+  for (const Flag& flag : flags(summary)) {
+    if (flag.name == "NOT RUN") continue;
+    lines.push_back(flag.name == "BOTTOMED" ? bottomed_flag(summary, units) : one_line(flag.text));
+  }
+  return lines;
+}
+
+std::vector<ResultRow> summary_rows(const ImpactCase& impact, const Summary& summary, const UnitSystem& units,
+                                    Detail detail) {
+  std::vector<ResultRow> rows;
+  if (summary.status == Status::not_run) return rows;
+  const int digits = digits_of(detail);
+  for (const std::string key : rows_of_summary) {
+    const auto entry = std::ranges::find_if(
+        summary_quantities(), [&](const SummaryQuantity& each) { return key == each.quantity->key; });
+    const ResultQuantity& quantity = *entry->quantity;
+    const EstimatedValue of = entry->of(summary);
+    if (detail == Detail::main && (!is_main(key) || (key == "peak_motion" && impact.support.is_rigid())))
+      continue;
+    if (key == "peak_force" && std::isnan(of.value))
+      rows.push_back({key, quantity.title, "none", "", {}, "not finite once the pad is fully compressed"});
+    if (std::isnan(of.value)) continue;
+    rows.push_back(row_of(quantity, of.value, units, digits));
+    if (quantity.has_estimate) rows.back().error = of.error;
+    rows.back().remark = remark_on(key, impact, summary, units, digits);
+  }
+  return rows;
+}
+
+std::vector<ResultRow> pulse_rows(const InjuryFigures& figures, const UnitSystem& units, Detail detail) {
+  const int digits = digits_of(detail);
+  std::vector<ResultRow> rows;
+  const InjuryValue* before = nullptr;
+  const auto values = injury_values(figures);
+  const double length = figures.hic_unlimited.end - figures.hic_unlimited.begin;
+  std::string same;
+  for (const InjuryValue& of : values) {
+    const ResultQuantity& quantity = *of.quantity;
+    if (detail == Detail::main && !is_main(quantity.key)) continue;
+    if (detail == Detail::main && before != nullptr && is_same(of, *before)) {
+      same += (same.empty() ? "" : " and ") + title_in_sentence(quantity);
+      rows.back().remark = stretch(*of.begin, *of.end, units, digits) + "; also " + same;
+      continue;
+    }
+    same.clear();
+    before = &of;
+    rows.push_back(row_of(quantity, of.value, units, digits));
+    if (of.error > 0) rows.back().error = of.error;
+    rows.back().remark = remark_on(of, length, units, digits);
+  }
+  return rows;
+}
+
+std::string laid_out(const ResultRow& row) {
+  std::string line = fmt::format("  {:<21}{:>9} {:<7}", row.label, row.value, row.unit);
+  if (row.error) line += fmt::format("± {:<10}", shown_error(*row.error));
+  line += row.remark;
+  line.erase(line.find_last_not_of(' ') + 1);
+  return wrapped(line, 40) + "\n";
+}
+
+std::string stretch(double begin, double end, const UnitSystem& units, int digits) {
+  const double length = end - begin;
+  return fmt::format("from {} to {}", brief(value_in(units, without_rounding(begin, length), "s"), digits),
+                     brief_quantity(without_rounding(end, length), "s", units, digits));
+}
+
+std::string numbers_text(const Summary& summary) {
+  const std::string stations =
+      summary.stations > 0 ? fmt::format("{} stations", summary.stations) : "contact force in closed form";
+  return fmt::format("Solved {}: {} steps, {}, {} runs, {}; energy residual {} (dashpad {})",
+                     tolerance_text(summary), summary.steps, stations, summary.runs,
+                     duration(summary.wall_time),
+                     percentage(std::abs(summary.energy.residual / summary.energy.initial)), version());
+}
+
+std::string shown_error(double error) { return error < 1e-6 ? "< 0.0001 %" : percentage(error); }
+
+}  // namespace dashpad

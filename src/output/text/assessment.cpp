@@ -1,0 +1,290 @@
+#include "dashpad/output/assessment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/output/text/case.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+struct NamedValue {
+  const char* name;
+  const char* si_unit;
+  const StandardValue* value;
+};
+
+std::array<NamedValue, 3> values_of(const Standard& standard) {
+  return {
+      {{"mass", "kg", &standard.mass}, {"radius", "m", &standard.radius}, {"speed", "m/s", &standard.speed}}};
+}
+
+std::string value_text(const NamedValue& entry, const UnitSystem& units) {
+  if (!entry.value->value) return "the case's";
+  std::string text = brief_quantity(*entry.value->value, entry.si_unit, units);
+  if (entry.value->drop_height)
+    text += fmt::format(" (after a fall of {})", brief_quantity(*entry.value->drop_height, "m", units));
+  return text;
+}
+
+// --- A standard in full ---
+
+std::string origin_text(const Origin& origin) {
+  std::string text = wrapped(fmt::format("      {}{}: {}", origin.verified ? "" : "UNVERIFIED; ",
+                                         to_string(origin.kind), one_line(origin.source)),
+                             8) +
+                     "\n";
+  if (!origin.note.empty()) text += wrapped("      " + one_line(origin.note), 6) + "\n";
+  return text;
+}
+
+std::string entry_text(const NamedValue& entry, const UnitSystem& units) {
+  return fmt::format("    {:<8}{}\n", entry.name, value_text(entry, units)) +
+         origin_text(entry.value->origin);
+}
+
+std::string criterion_text(const Criterion& criterion, const UnitSystem& units) {
+  return wrapped(fmt::format("    {}: {} {}; {}", title_of(criterion), criterion.strict ? "below" : "at most",
+                             brief_quantity(criterion.limit, quantity_of(criterion.metric).si_unit, units),
+                             one_line(criterion.description)),
+                 6) +
+         "\n" + origin_text(criterion.origin);
+}
+
+std::string variant_text(const StandardVariant& variant, const UnitSystem& units) {
+  std::string text = fmt::format("\n  Variant {}: {}\n", variant.name, one_line(variant.title));
+  if (variant.mass) text += entry_text({"mass", "kg", &*variant.mass}, units);
+  if (variant.radius) text += entry_text({"radius", "m", &*variant.radius}, units);
+  if (variant.speed) text += entry_text({"speed", "m/s", &*variant.speed}, units);
+  return text;
+}
+
+std::string variants_text(const Standard& standard, const UnitSystem& units) {
+  std::string text;
+  for (const StandardVariant& variant : standard.variants) text += variant_text(variant, units);
+  return text;
+}
+
+/// Those that are in force are part of the impactor; of the others the names are enough.
+std::string other_variants_text(const Standard& standard) {
+  std::string names;
+  for (const StandardVariant& variant : standard.variants)
+    if (std::ranges::find(standard.chosen, variant.name) == standard.chosen.end())
+      names += (names.empty() ? "" : ", ") + one_line(variant.name);
+  return names.empty() ? "" : "\n  Not in force: " + names + "\n";
+}
+
+bool is_unverified(const std::optional<StandardValue>& value) { return value && !value->origin.verified; }
+
+/// Of the values in force. Where no variant was chosen all may still be.
+std::size_t count_unverified(const Standard& standard) {
+  const auto bad_value = [](const NamedValue& entry) { return !entry.value->origin.verified; };
+  const auto bad_limit = [](const Criterion& criterion) { return !criterion.origin.verified; };
+  auto count = static_cast<std::size_t>(std::ranges::count_if(values_of(standard), bad_value) +
+                                        std::ranges::count_if(standard.criteria, bad_limit));
+  if (!standard.chosen.empty()) return count;
+  for (const StandardVariant& variant : standard.variants)
+    count += static_cast<std::size_t>(is_unverified(variant.mass)) +
+             static_cast<std::size_t>(is_unverified(variant.radius)) +
+             static_cast<std::size_t>(is_unverified(variant.speed));
+  return count;
+}
+
+std::string values_counted(std::size_t count) {
+  return fmt::format("{} value{}", count, count == 1 ? "" : "s");
+}
+
+std::string full_name(const Standard& standard) {
+  std::string name = standard.name;
+  for (const std::string& variant : standard.chosen) name += ":" + variant;
+  return one_line(name);
+}
+
+// --- An assessment ---
+
+std::string giver(const StandardValue& value) {
+  return value.chosen_by_user ? "given by you" : "of the standard";
+}
+
+std::array<double, 3> values_of(const Impactor& impactor) {
+  return {impactor.mass, sphere_radius(impactor.nose), impactor.speed};
+}
+
+/// What the user did not want.
+std::string of_standard(const NamedValue& entry, const UnitSystem& units) {
+  if (!entry.value->instead) return "";
+  return fmt::format(", the standard {}", brief_quantity(*entry.value->instead, entry.si_unit, units));
+}
+
+std::string replaced_text(const AssessmentReport& report, const UnitSystem& units) {
+  const std::array<double, 3> of_case = values_of(report.given.impactor);
+  std::string replaced, kept;
+  std::size_t i = 0;
+  for (const NamedValue& entry : values_of(report.standard)) {
+    const double before = of_case[i++];
+    const std::string in_case = std::isnan(before) ? "a " + words_of(report.given.impactor.nose)
+                                                   : brief_quantity(before, entry.si_unit, units);
+    const std::optional<double>& value = entry.value->value;
+    if (!value || !differ(*value, before)) {
+      kept += fmt::format("{} ({}{}), ", entry.name, in_case, of_standard(entry, units));
+      continue;
+    }
+    const std::string line = fmt::format("  {:<8}{}, {}; the case has {}", entry.name,
+                                         value_text(entry, units), giver(*entry.value), in_case);
+    replaced += wrapped(line + of_standard(entry, units), 10) + "\n";
+  }
+  return (replaced.empty() ? "Nothing of the case was replaced.\n" : "Replaced in the case:\n" + replaced) +
+         wrapped(fmt::format("Kept from the case: {}pad, support, solver.", kept), 2) + "\n";
+}
+
+/// The figures in force that have sources of one kind; what the user gives or the case has is none of them.
+std::vector<std::string> figures_from(SourceKind kind, const Standard& standard) {
+  std::vector<std::string> names;
+  for (const NamedValue& entry : values_of(standard))
+    if (entry.value->value && !entry.value->chosen_by_user && entry.value->origin.kind == kind)
+      names.emplace_back(entry.name);
+  for (const Criterion& criterion : standard.criteria)
+    if (criterion.origin.kind == kind) names.push_back(limit_of(criterion));
+  return names;
+}
+
+std::string sources_text(const Standard& standard) {
+  std::vector<std::string> kinds;
+  for (const SourceKind kind : {SourceKind::own_text, SourceKind::secondary, SourceKind::none})
+    if (const auto names = figures_from(kind, standard); !names.empty())
+      kinds.push_back(fmt::format("{} ({})", to_string(kind), fmt::join(names, ", ")));
+  return wrapped(fmt::format("Sources of the standard's figures: {}. dashpad standards {} names them.",
+                             fmt::join(kinds, ", "), full_name(standard)),
+                 2) +
+         "\n";
+}
+
+/// The sign is there always: a margin of a failed criterion is negative. Of a lower bound it can only shrink.
+std::string margin_text(const CriterionResult& result, const UnitSystem& units, int digits) {
+  if (!result.margin) return "none";
+  const std::string margin =
+      brief_quantity(*result.margin, quantity_of(result.criterion.metric).si_unit, units, digits);
+  return fmt::format("{}{} ({:+.1f} %)", result.lower_bound ? "≤ " : "",
+                     margin.starts_with('-') ? margin : "+" + margin, 100 * *result.relative_margin);
+}
+
+/// Only where it may decide, or is asked for.
+std::string error_text(const CriterionResult& result, const UnitSystem& units, Detail detail) {
+  if (!result.value || (detail == Detail::main && result.verdict != Verdict::undecided)) return "";
+  if (!std::isfinite(result.error)) return "± unknown";
+  const ScaledUnit unit = shown_as(quantity_of(result.criterion.metric).si_unit, units);
+  return fmt::format("± {:.2g} {}", unit.scale * result.error, unit.unit);
+}
+
+std::string row(const CriterionResult& result, const UnitSystem& units, Detail detail) {
+  const int digits = digits_of(detail);
+  const std::string unit = quantity_of(result.criterion.metric).si_unit;
+  const std::string value = result.value ? brief_quantity(*result.value, unit, units, digits) : "none";
+  std::string line =
+      fmt::format("  {:<24}{:>12} {:<12}{:>10}  {:<23}{}\n", title_of(result.criterion),
+                  (result.lower_bound ? "≥ " : "") + value, error_text(result, units, detail),
+                  (result.criterion.strict ? "< " : "") + brief_quantity(result.criterion.limit, unit, units),
+                  margin_text(result, units, digits), to_string(result.verdict));
+  if (!result.reason.empty()) line += wrapped("    " + result.reason, 4) + "\n";
+  return line;
+}
+
+/// A line of two figures: "  Peak acceleration        108.7 g     Peak strain             0.8".
+std::string figures_text(const KeyFigures& of, const UnitSystem& units, int digits) {
+  const auto cell = [&](const char* key, const Figure& figure) {
+    const ResultQuantity& quantity = result_quantity(key);
+    return fmt::format("{:<19}{:>12}", quantity.title,
+                       figure.value ? (figure.lower_bound ? "≥ " : "") +
+                                          brief_quantity(*figure.value, quantity.si_unit, units, digits)
+                                    : "none");
+  };
+  return fmt::format("  {}     {}\n  {}     {}\n  {}     {}\n",
+                     cell("peak_acceleration", of.peak_acceleration), cell("peak_strain", of.peak_strain),
+                     cell("hic15", of.hic15), cell("contact_end", of.contact_end), cell("hic36", of.hic36),
+                     cell("rebound_speed", of.rebound_speed)) +
+         (of.restitution.value ? fmt::format("  {:<31}     {}\n", "", cell("restitution", of.restitution))
+                               : "");
+}
+
+std::string upper_case(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return text;
+}
+
+/// The answer, with the names of what stands beside it.
+std::string verdict_text(const AssessmentReport& report, const UnitSystem& units) {
+  const Assessment& assessment = report.assessment;
+  std::vector<std::string> names;
+  for (const Flag& reservation : assessment.reservations)
+    if (std::ranges::find(names, reservation.name) == names.end()) names.push_back(reservation.name);
+  std::string text = upper_case(to_string(assessment.verdict));
+  if (!names.empty()) text += fmt::format(", with reservations: {}", fmt::join(names, ", "));
+  text = wrapped(text, 2) + "\n";
+  const Summary& summary = report.solution.summary;
+  if (!summary.peak_force && summary.bottomed)
+    text += fmt::format("The pad was struck through at {}: on its rigid support no force is finite then.\n",
+                        brief_quantity(summary.bottomed->velocity, "m/s", units));
+  return text;
+}
+
+std::string reservations_text(const Assessment& assessment) {
+  std::string text;
+  for (const Flag& reservation : assessment.reservations)
+    text += wrapped("  - " + one_line(reservation.text), 4) + "\n";
+  return text.empty() ? "" : "Reservations:\n" + text + "\n";
+}
+
+}  // namespace
+
+const std::string& assessment_caveat() {
+  static const std::string caveat =
+      "A computation with one rigid sphere on a flat pad: no test to the standard and no certification.";
+  return caveat;
+}
+
+std::string standard_line(const Standard& standard) {
+  const std::size_t unverified = count_unverified(standard);
+  return fmt::format("  {:<28}{}{}\n", one_line(standard.name), one_line(standard.title),
+                     unverified > 0 ? fmt::format(" ({} unverified)", values_counted(unverified)) : "");
+}
+
+std::string standard_text(const Standard& standard, const UnitSystem& units) {
+  const auto line = [](const std::string& label, const std::string& of) {
+    return wrapped(fmt::format("  {:<9}{}", label, one_line(of)), 11) + "\n";
+  };
+  std::string text = one_line(standard.title) + "\n" + line("Name", full_name(standard));
+  if (!standard.article.empty()) text += line("Own text", standard.article);
+  text += line("Read", to_string(standard.source_kind) + ": " + standard.source);
+  if (!standard.note.empty()) text += line("Note", standard.note);
+  if (const std::size_t unverified = count_unverified(standard); unverified > 0)
+    text += line("WARNING", values_counted(unverified) +
+                                " not read in the standard or a source that repeats it: UNVERIFIED below");
+  text += "\n  Impactor\n";
+  for (const NamedValue& entry : values_of(standard)) text += entry_text(entry, units);
+  text += "\n  Criteria\n";
+  for (const Criterion& criterion : standard.criteria) text += criterion_text(criterion, units);
+  text += standard.chosen.empty() ? variants_text(standard, units) : other_variants_text(standard);
+  return text + "\n" + assessment_caveat() + "\n";
+}
+
+std::string assessment_text(const AssessmentReport& report, const UnitSystem& units, Detail detail) {
+  const Standard& standard = report.standard;
+  std::string text = verdict_text(report, units);
+  text += wrapped(fmt::format("{} ({})", one_line(standard.title), full_name(standard)), 2) + "\n\n";
+  text += fmt::format("  {:<24}{:>12} {:<12}{:>10}  {}\n", "Criterion", "value",
+                      detail == Detail::all ? "error" : "", "limit", "margin");
+  for (const CriterionResult& result : report.assessment.results) text += row(result, units, detail);
+  text += "\nThe impact:\n" + figures_text(report.assessment.figures, units, digits_of(detail)) + "\n";
+  text += reservations_text(report.assessment) + wrapped_lines(case_text(report.assessed, units));
+  text += replaced_text(report, units) + sources_text(standard);
+  if (!standard.note.empty()) text += wrapped(one_line(standard.note), 0) + "\n";
+  return text + "\n" + assessment_caveat() + "\n";
+}
+
+}  // namespace dashpad

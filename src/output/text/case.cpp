@@ -1,0 +1,106 @@
+#include "dashpad/output/text/case.hpp"
+
+#include <fmt/format.h>
+
+#include "model/parameter_values.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+/// `and radius 76.2 mm`
+std::string nose_text(const Nose& nose, const UnitSystem& units) {
+  std::string text;
+  for (const ParameterValue& number : parameter_values(nose))
+    text += fmt::format(" and {} {}", number.key, brief_quantity(number.value, number.unit, units));
+  return text;
+}
+
+std::string support_text(const Support& support, const UnitSystem& units) {
+  if (support.is_rigid()) return "a rigid support";
+  const Support::Point& last = support.points().back();
+  if (support.points().size() == 1)
+    return "a support of " + brief_quantity(last.force / last.deflection, "N/m", units);
+  return fmt::format("a support through {} points, the last {} at {}", support.points().size(),
+                     brief_quantity(last.force, "N", units), brief_quantity(last.deflection, "m", units));
+}
+
+std::string support_in_si(const Support& support) {
+  if (support.is_rigid()) return "rigid\n";
+  if (support.points().size() == 1) {
+    const Support::Point& point = support.points().front();
+    return fmt::format("linear, {} N/m\n", point.force / point.deflection);
+  }
+  std::string points;
+  for (const Support::Point& point : support.points())
+    points += fmt::format("{}{} N at {} m", points.empty() ? "" : ", ", point.force, point.deflection);
+  return points + "\n";
+}
+
+}  // namespace
+
+std::string case_text(const ImpactCase& impact, const UnitSystem& units) {
+  const Impactor& impactor = impact.impactor;
+  const Material& material = impact.pad.material;
+  std::string text = impact.title.empty() ? "" : one_line(impact.title) + "\n";
+  text += fmt::format("A {} of {}{} strikes at {}\n", words_of(impactor.nose),
+                      brief_quantity(impactor.mass, "kg", units), nose_text(impactor.nose, units),
+                      brief_quantity(impactor.speed, "m/s", units));
+  text += fmt::format("a pad of {} {} ({} law) on {}.\n", brief_quantity(impact.pad.thickness, "m", units),
+                      one_line(material.name), name_of(material.law), support_text(impact.support, units));
+  return text;
+}
+
+std::string case_in_si(const ImpactCase& impact, const Options& options) {
+  const Material& material = impact.pad.material;
+  std::string text;
+  const auto line = [&](const std::string& key, double value, const std::string& unit) {
+    text += fmt::format("  {} = {}{}{}\n", key, value, unit == "1" ? "" : " ", unit == "1" ? "" : unit);
+  };
+  line("impactor.mass", impact.impactor.mass, "kg");
+  text += fmt::format("  impactor.nose = {}\n", name_of(impact.impactor.nose));
+  for (const ParameterValue& number : parameter_values(impact.impactor.nose))
+    line("impactor." + number.key, number.value, number.unit);
+  line("impactor.speed", impact.impactor.speed, "m/s");
+  line("pad.thickness", impact.pad.thickness, "m");
+  text +=
+      fmt::format("  pad.material = {}\n  pad.law = {}\n", one_line(material.name), name_of(material.law));
+  for (const ParameterValue& parameter : parameter_values(material.law))
+    line("pad.parameters." + parameter.key, parameter.value, parameter.unit);
+  text += "  support = " + support_in_si(impact.support);
+  line("solver.tolerance", options.tolerance, "1");
+  line("solver.time_limit", options.time_limit, "s");
+  return text;
+}
+
+std::string material_line(const Material& material) {
+  return fmt::format("  {:<24} {:<21} {}\n", one_line(material.name), name_of(material.law),
+                     one_line(material.title));
+}
+
+std::string material_text(const Material& material, const UnitSystem& units) {
+  std::string text = fmt::format("{}\n", one_line(material.title.empty() ? material.name : material.title));
+  text += fmt::format("  Name    {}\n", one_line(material.name));
+  text += fmt::format("  Source  {}\n", material.source.empty() ? "not stated" : one_line(material.source));
+  text += fmt::format("  Law     {}\n", name_of(material.law));
+  if (material.fitted)
+    text += fmt::format("  Fitted  up to a strain of {} and at strain rates from {} to {} 1/s\n",
+                        brief(material.fitted->highest_strain), brief(material.fitted->lowest_rate),
+                        brief(material.fitted->highest_rate));
+  else
+    text += "  Fitted  range not stated: no result can be called extrapolated\n";
+  text += "\n";
+  for (const ParameterValue& parameter : parameter_values(material.law)) {
+    const std::string unit = unit_for(units, parameter.unit);
+    text += fmt::format("  {:<26}{:<8}{:>12} {:<6} {}\n", parameter.key, parameter.symbol,
+                        brief(value_in(units, parameter.value, parameter.unit)), shown_unit(unit),
+                        parameter.meaning);
+  }
+  if (!material.also_published.empty()) text += "\n  Published too, but not used by the law:\n";
+  for (const auto& [name, value] : material.also_published)
+    text += fmt::format("  {:<26}{}\n", one_line(name), one_line(value));
+  return text;
+}
+
+}  // namespace dashpad

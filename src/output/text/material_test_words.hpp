@@ -1,0 +1,34 @@
+#pragma once
+/// A material test in words and tables, before they are laid out: for the terminal, the page and the still.
+
+#include <string>
+#include <vector>
+
+#include "dashpad/laboratory/material_test.hpp"
+#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+
+namespace dashpad {
+
+/// The material's title with its name and law.
+std::string material_words(const Material& material);
+
+/// What was done, in a sentence.
+std::string test_words(const MaterialTest& test, const UnitSystem& units);
+
+/// "100 per second", or "measured".
+std::string rate_words(const MaterialTestRun& run);
+
+/// The flags of all runs, each with the rates for which it is raised.
+std::vector<std::string> flag_words(const MaterialTestReport& report);
+
+/// Sentences on how the numbers came about and how exact they are.
+std::vector<std::string> notes_on(const MaterialTestReport& report);
+
+/// The unit of an energy per volume: "kJ/m³" goes with kPa.
+std::string energy_density_unit(const UnitSystem& units);
+
+/// Figures, then what the test has besides: stress limits, relaxation, creep, the update of 1984, events.
+std::vector<PageTable> tables_of(const MaterialTestReport& report, const UnitSystem& units);
+
+}  // namespace dashpad

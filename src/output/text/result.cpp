@@ -1,0 +1,87 @@
+#include "dashpad/output/text/result.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "dashpad/output/text/case.hpp"
+#include "output/result_rows.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+/// The largest error that needs no remark beside its figure: ten times the tolerance, or half a percent, of
+/// which four digits show next to nothing.
+double unremarkable(double tolerance) { return std::max(10 * tolerance, 5e-3); }
+
+/// Takes the errors off the rows that they do not matter to; returns the largest of them.
+double take_errors(std::vector<ResultRow>& rows, double tolerance) {
+  double largest = 0;
+  for (ResultRow& row : rows)
+    if (row.error && *row.error <= unremarkable(tolerance)) {
+      largest = std::max(largest, *row.error);
+      row.error.reset();
+    }
+  return largest;
+}
+
+std::vector<ResultRow> main_rows_of(const ImpactCase& impact, const Summary& summary,
+                                    const std::optional<InjuryFigures>& injury, const UnitSystem& units) {
+  std::vector<ResultRow> rows = summary_rows(impact, summary, units, Detail::main);
+  if (!injury) return rows;
+  std::vector<ResultRow> all = pulse_rows(*injury, units, Detail::main);
+  std::erase_if(all, [](const ResultRow& row) { return row.key == "velocity_change"; });
+  std::erase_if(rows, [](const ResultRow& row) { return row.key == "peak_acceleration"; });
+  all.insert(all.end(), std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
+  return all;
+}
+
+std::string main_text(const ImpactCase& impact, const Summary& summary,
+                      const std::optional<InjuryFigures>& injury, const UnitSystem& units) {
+  std::vector<ResultRow> rows = main_rows_of(impact, summary, injury, units);
+  const double error = take_errors(rows, summary.tolerance);
+  const bool some_left =
+      std::ranges::any_of(rows, [](const ResultRow& row) { return row.error.has_value(); });
+  std::string text;
+  for (const ResultRow& row : rows) text += laid_out(row);
+  ImpactCase untitled = impact;
+  untitled.title.clear();
+  text += "\n" + wrapped_lines(case_text(untitled, units));
+  return text +
+         wrapped(fmt::format("Solver's error at most {}{}, energy residual {}; "
+                             "--all has every figure with its error.",
+                             shown_error(error), some_left ? " but where ± says more" : "",
+                             percentage(std::abs(summary.energy.residual / summary.energy.initial))),
+                 2) +
+         "\n";
+}
+
+std::string full_text(const ImpactCase& impact, const Summary& summary,
+                      const std::optional<InjuryFigures>& injury, const UnitSystem& units) {
+  std::string text;
+  for (const ResultRow& row : summary_rows(impact, summary, units, Detail::all)) text += laid_out(row);
+  if (injury) text += "\nThe pulse:\n";
+  if (injury)
+    for (const ResultRow& row : pulse_rows(*injury, units, Detail::all)) text += laid_out(row);
+  ImpactCase untitled = impact;
+  untitled.title.clear();
+  return text + "\n" + wrapped_lines(case_text(untitled, units)) + wrapped(numbers_text(summary), 2) + "\n";
+}
+
+}  // namespace
+
+std::string result_text(const ImpactCase& impact, const Summary& summary,
+                        const std::optional<InjuryFigures>& injury, const UnitSystem& units, Detail detail) {
+  std::string text = impact.title.empty() ? "" : wrapped(one_line(impact.title), 2) + "\n";
+  text += outcome(summary) + "\n";
+  for (const std::string& warning : warnings(summary, units)) text += wrapped(warning, 2) + "\n";
+  if (summary.status == Status::not_run) return text;
+  return text + "\n" + (detail == Detail::all ? full_text : main_text)(impact, summary, injury, units);
+}
+
+}  // namespace dashpad

@@ -1,0 +1,24 @@
+// The answers of a study for the terminal.
+
+#include <fmt/format.h>
+
+#include "output/text/study_tables.hpp"
+#include "output/text/study_words.hpp"
+#include "output/text/table.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+std::string study_text(const StudyAnswers& answers, const UnitSystem& units) {
+  std::string text = answers.study.title.empty() ? "Study" : one_line(answers.study.title);
+  text += fmt::format("\n{} rows, computed by Dashpad {}\n\n", answers.records.rows.size(),
+                      one_line(answers.program));
+  for (const std::string& warning : study_warnings(answers)) text += warning + "\n";
+  if (answers.records.rows.empty()) return text;
+  text += plain_text(factor_table(answers, units));
+  for (const PageTable& table : study_tables(answers, units))
+    text += "\n" + table.caption + "\n" + plain_text(table);
+  return text + "\n" + interval_note(answers) + "\n";
+}
+
+}  // namespace dashpad

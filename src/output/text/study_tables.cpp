@@ -1,0 +1,247 @@
+#include "output/text/study_tables.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/study/responses.hpp"
+#include "output/text/study_words.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+constexpr double shown_quantiles[] = {0.05, 0.5, 0.95};
+
+/// Of so many rows: "229 (22.9 %)". Only what grows with the force is unbounded then.
+std::string struck_through(const std::string& response, std::uint64_t count, std::uint64_t rows) {
+  const study::ResponseKind* kind = study::find_response_kind(response);
+  if (kind == nullptr || kind->growth != study::Growth::with_force) return "-";
+  return fmt::format("{} ({} %)", count,
+                     four_digits(100 * static_cast<double>(count) / static_cast<double>(rows)));
+}
+
+std::string share_above(const study::Exceedance& of) {
+  if (of.rows > 0) return percent_with_interval(of.probability);
+  return fmt::format("undecided ({} to {})", four_digits(100 * of.probability.low),
+                     four_digits(100 * of.probability.high));
+}
+
+void add_distributions(PageTable& table, const StudyAnswers& answers, const StudyAnswers::OfGroup& of,
+                       const UnitSystem& units) {
+  for (std::size_t i = 0; i < answers.responses.size(); ++i) {
+    const std::string name = response_name(answers, i);
+    const study::Distribution& distribution = of.distributions[i];
+    const ScaledUnit shown = shown_as(si_unit_of(name), units);
+    const auto digits = [&](double value) { return four_digits_or_struck(shown.scale * value); };
+    Row row{label(name, si_unit_of(name), units), with_interval(distribution.mean, shown.scale),
+            digits(distribution.deviation)};
+    for (const study::Distribution::Quantile& quantile : distribution.quantiles)
+      if (std::ranges::find(shown_quantiles, quantile.probability) != std::end(shown_quantiles))
+        row.push_back(with_interval(quantile.value, shown.scale));
+    row.push_back(digits(distribution.least));
+    row.push_back(digits(distribution.greatest));
+    if (answers.records.struck_through > 0)
+      row.push_back(struck_through(name, distribution.struck_through,
+                                   distribution.rows + distribution.struck_through + distribution.without));
+    row.push_back(distribution.without == 0
+                      ? std::to_string(distribution.rows)
+                      : fmt::format("{} ({} without)", distribution.rows, distribution.without));
+    table.rows.push_back(std::move(row));
+  }
+}
+
+void add_exceedances(PageTable& table, const StudyAnswers& answers, const StudyAnswers::OfGroup& of,
+                     const UnitSystem& units) {
+  for (std::size_t i = 0; i < answers.limits.size(); ++i) {
+    const StudyLimit& limit = answers.limits[i];
+    const study::Exceedance& exceedance = of.exceedances[i];
+    const ScaledUnit shown = shown_as(si_unit_of(limit.response), units);
+    Row row{title_of(limit.response),
+            four_digits(shown.scale * limit.value) + (shown.unit.empty() ? "" : " " + shown.unit),
+            share_above(exceedance), std::to_string(exceedance.exceeding)};
+    if (answers.records.struck_through > 0)
+      row.push_back(
+          struck_through(limit.response, exceedance.struck_through, exceedance.rows + exceedance.undecided));
+    row.push_back(exceedance.undecided == 0
+                      ? std::to_string(exceedance.rows)
+                      : fmt::format("{} ({} undecided)", exceedance.rows, exceedance.undecided));
+    table.rows.push_back(std::move(row));
+  }
+}
+
+void add_indices(PageTable& table, const StudyAnswers& answers, const StudyAnswers::OfGroup& of,
+                 const UnitSystem& /*none of them has a unit*/) {
+  for (std::size_t i = 0; i < answers.responses.size(); ++i) {
+    if (!of.sensitivities[i]) continue;
+    for (const study::Sensitivity::Index& index : of.sensitivities[i]->indices)
+      table.rows.push_back({title_of(response_name(answers, i)), index.factor,
+                            share_with_interval(index.first), share_with_interval(index.total),
+                            std::to_string(of.sensitivities[i]->draws)});
+  }
+}
+
+/// The columns, and where rows struck through a column for them before the last.
+Row with_struck_through(const StudyAnswers& answers, Row columns) {
+  if (answers.records.struck_through > 0) columns.insert(columns.end() - 1, "Struck through");
+  return columns;
+}
+
+using AddRows = void (*)(PageTable&, const StudyAnswers&, const StudyAnswers::OfGroup&, const UnitSystem&);
+
+/// The rows of all combinations of levels in one table; where there are several, the first column names them.
+PageTable over_groups(PageTable table, const StudyAnswers& answers, const UnitSystem& units, AddRows add) {
+  const bool named = answers.groups.size() > 1;
+  if (named) table.columns.insert(table.columns.begin(), "At");
+  for (std::size_t i = 0; i < answers.groups.size() && i < most_groups_shown; ++i) {
+    const StudyAnswers::OfGroup& of = answers.groups[i];
+    const std::size_t begin = table.rows.size();
+    add(table, answers, of, units);
+    for (std::size_t row = begin; named && row < table.rows.size(); ++row)
+      table.rows[row].insert(table.rows[row].begin(), group_label(answers, of.group, units));
+  }
+  return table;
+}
+
+std::string spread_text(const StudyAnswers& answers, std::size_t factor, const UnitSystem& units) {
+  using namespace study;
+  const auto text = [&](double value) { return level_text(answers.study, factor, value, units); };
+  const Spread& spread = answers.study.factors[factor].spread;
+  if (const auto* of = std::get_if<Normal>(&spread))
+    return fmt::format("normal, mean {}, deviation {}", text(of->mean), text(of->deviation));
+  if (const auto* of = std::get_if<Lognormal>(&spread))
+    return fmt::format("lognormal, median {}, spread of the logarithm {}", text(of->median),
+                       four_digits(of->spread));
+  if (const auto* of = std::get_if<Uniform>(&spread))
+    return fmt::format("uniform, {} to {}", text(of->low), text(of->high));
+  if (const auto* of = std::get_if<Triangular>(&spread))
+    return fmt::format("triangular, {}, {}, {}", text(of->low), text(of->mode), text(of->high));
+  if (const auto* of = std::get_if<Empirical>(&spread))
+    return fmt::format("{} measured values, {} to {}", of->values.size(), text(of->values.front()),
+                       text(of->values.back()));
+  const std::vector<double>& values = std::get<Levels>(spread).values;
+  std::string list = fmt::format("{} levels: ", values.size());
+  if (values.size() > 8)
+    return list + fmt::format("{}, {} ... {}", text(values[0]), text(values[1]), text(values.back()));
+  for (std::size_t i = 0; i < values.size(); ++i) list += (i == 0 ? "" : ", ") + text(values[i]);
+  return list;
+}
+
+}  // namespace
+
+std::vector<PageTable> study_tables(const StudyAnswers& answers, const UnitSystem& units) {
+  const bool drawn = answers.groups.front().group.drawn;
+  std::vector<PageTable> tables{over_groups(
+      {.caption = "Distribution",
+       .columns = with_struck_through(
+           answers, {"Response", "Mean", "Deviation", "5 %", "Median", "95 %", "Least", "Greatest", "Rows"})},
+      answers, units, add_distributions)};
+  if (!answers.limits.empty())
+    tables.push_back(over_groups(
+        {.caption = drawn ? "Probability of more than a limit" : "Share of rows above a limit",
+         .columns = with_struck_through(
+             answers, {"Response", "Limit", drawn ? "Probability (%)" : "Share (%)", "Rows above", "Rows"})},
+        answers, units, add_exceedances));
+  if (answers.study.indices)
+    tables.push_back(over_groups(
+        {.caption = "Sobol' indices: share of the variance that a factor explains",
+         .columns = {"Response", "Factor", "Alone (first order)", "With interactions (total)", "Draws"}},
+        answers, units, add_indices));
+  return tables;
+}
+
+PageTable factor_table(const StudyAnswers& answers, const UnitSystem& units) {
+  PageTable table{.caption = "Factors", .columns = {"Factor", "Varies"}, .rows = {}};
+  for (std::size_t i = 0; i < answers.study.factors.size(); ++i) {
+    const study::Factor& factor = answers.study.factors[i];
+    std::string text = spread_text(answers, i, units);
+    if (factor.lowest) text += ", not below " + level_text(answers.study, i, *factor.lowest, units);
+    if (factor.highest) text += ", not above " + level_text(answers.study, i, *factor.highest, units);
+    table.rows.push_back({factor.key, text});
+  }
+  return table;
+}
+
+std::vector<std::string> study_warnings(const StudyAnswers& answers) {
+  std::vector<std::string> texts;
+  const study::Records& records = answers.records;
+  const std::size_t rows = records.rows.size();
+  if (rows < answers.rows)
+    texts.push_back(
+        fmt::format("NOT COMPLETE: {} of {} rows are computed, in the order of their batches. The same "
+                    "command goes on.",
+                    rows, answers.rows));
+  if (records.doubtful > 0)
+    texts.push_back(fmt::format(
+        "DOUBTFUL: {} of {} rows miss the tolerance, make no valid case or lack a figure that was "
+        "asked for. No limit is decided by them.",
+        records.doubtful, rows));
+  if (records.struck_through > 0)
+    texts.push_back(fmt::format(
+        "STRUCK THROUGH: in {} of {} rows ({} %) the pad bottomed out on its rigid support, where the force "
+        "has no bound. They count as above every limit on force, acceleration, clips, HIC and severity "
+        "index, and as above all other rows in the quantiles; these responses have no mean.",
+        records.struck_through, rows,
+        four_digits(100 * static_cast<double>(records.struck_through) / static_cast<double>(rows))));
+  if (records.bottomed > records.struck_through)
+    texts.push_back(
+        fmt::format("BOTTOMED: in {} of {} rows the pad was fully compressed and only the support gave way; "
+                    "they count by their figures.",
+                    records.bottomed - records.struck_through, rows));
+  if (records.time_limit > 0)
+    texts.push_back(fmt::format(
+        "TIME LIMIT: in {} of {} rows the impactor was still on the pad when the time was up. Their largest "
+        "values are lower bounds: a limit that they do not exceed is undecided.",
+        records.time_limit, rows));
+  if (records.extrapolated > 0)
+    texts.push_back(fmt::format("EXTRAPOLATED: {} of {} rows go beyond what the material was measured for.",
+                                records.extrapolated, rows));
+  if (answers.groups.size() > most_groups_shown)
+    texts.push_back(fmt::format("CUT: the first {} of {} combinations of levels are shown; --json has all.",
+                                most_groups_shown, answers.groups.size()));
+  return texts;
+}
+
+namespace {
+
+/// Factors that are correlated with one before them: the product with the Cholesky factor takes their draws
+/// out of their strata.
+std::string unstratified_factors(const study::Study& study) {
+  std::vector<bool> is_later(study.factors.size());
+  for (const study::Correlation& pair : study.correlations)
+    if (pair.value != 0) is_later[std::max(pair.first, pair.second)] = true;
+  std::string names;
+  for (std::size_t i = 0; i < is_later.size(); ++i)
+    if (is_later[i]) names += (names.empty() ? "" : ", ") + study.factors[i].key;
+  return names;
+}
+
+}  // namespace
+
+std::string interval_note(const StudyAnswers& answers) {
+  if (!answers.groups.front().group.drawn)
+    return "Figures are over the levels as they are, each row counting the same. A grid has no "
+           "probabilities, so "
+           "there are no intervals; a range in brackets is that of undecided rows.";
+  std::string note =
+      "In brackets: 95 % intervals, of the mean by Student, of quantiles between order statistics, of "
+      "probabilities by Clopper and Pearson. They cover the sampling only.";
+  if (answers.study.sampling != study::Sampling::monte_carlo)
+    note +=
+        " They are made for independent draws; this study's are more even, so they are too wide rather than "
+        "too "
+        "narrow.";
+  const std::string names = unstratified_factors(answers.study);
+  if (answers.study.sampling == study::Sampling::latin_hypercube && !names.empty())
+    note += fmt::format(
+        " Not stratified: {}. Of two correlated factors only the first keeps one draw a stratum of the Latin "
+        "hypercube.",
+        names);
+  return note;
+}
+
+}  // namespace dashpad

@@ -1,0 +1,26 @@
+#pragma once
+/// The answers of a study as tables.
+
+#include <vector>
+
+#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/study/questions.hpp"
+
+namespace dashpad {
+
+/// More combinations of levels are only in the JSON.
+inline constexpr std::size_t most_groups_shown = 24;
+
+/// Distributions and, where asked for, exceedances and indices, over all combinations of levels.
+std::vector<PageTable> study_tables(const StudyAnswers& answers, const UnitSystem& units);
+
+/// What was studied: factors and how they vary.
+PageTable factor_table(const StudyAnswers& answers, const UnitSystem& units);
+
+/// What to beware of, a sentence each; its first words in capitals.
+std::vector<std::string> study_warnings(const StudyAnswers& answers);
+
+/// What the intervals mean.
+std::string interval_note(const StudyAnswers& answers);
+
+}  // namespace dashpad

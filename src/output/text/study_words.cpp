@@ -1,0 +1,96 @@
+#include "output/text/study_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+std::string four_digits(double value) {
+  if (!std::isfinite(value)) return "-";
+  if (std::abs(value) >= 1000 && std::abs(value) < 1e9) return fmt::format("{:.0f}", value);
+  return fmt::format("{:.4g}", value);
+}
+
+std::string four_digits_or_struck(double value) {
+  return value == HUGE_VAL ? "struck through" : four_digits(value);
+}
+
+std::string with_interval(const study::Estimate& estimate, double scale) {
+  const auto shown = [&](double value) { return four_digits_or_struck(scale * value); };
+  if (std::isnan(estimate.low) || std::isnan(estimate.value)) return shown(estimate.value);
+  const bool has_low = std::isfinite(estimate.low), has_high = std::isfinite(estimate.high);
+  if (estimate.low == HUGE_VAL) return shown(estimate.value);
+  if (!has_low && !has_high) return shown(estimate.value) + " (too few rows)";
+  if (!has_low) return fmt::format("{} (below {})", shown(estimate.value), shown(estimate.high));
+  if (!has_high) return fmt::format("{} (above {})", shown(estimate.value), shown(estimate.low));
+  return fmt::format("{} ({} to {})", shown(estimate.value), shown(estimate.low), shown(estimate.high));
+}
+
+std::string share_with_interval(const study::Estimate& share) {
+  return fmt::format("{:.3f} ({:.3f} to {:.3f})", share.value, share.low, share.high);
+}
+
+std::string percent_with_interval(const study::Estimate& estimate) { return with_interval(estimate, 100); }
+
+const std::string& response_name(const StudyAnswers& answers, std::size_t i) {
+  return answers.study.responses[answers.responses[i]];
+}
+
+std::string title_of(const std::string& name) {
+  const ResultQuantity* quantity = find_result_quantity(name);
+  return quantity == nullptr ? name : quantity->title;
+}
+
+std::string si_unit_of(const std::string& response) {
+  const ResultQuantity* quantity = find_result_quantity(response);
+  return quantity == nullptr ? "1" : quantity->si_unit;
+}
+
+std::string label(const std::string& name, const std::string& si_unit, const UnitSystem& units) {
+  const std::string unit = shown_as(si_unit, units).unit;
+  return unit.empty() ? title_of(name) : fmt::format("{} ({})", title_of(name), unit);
+}
+
+std::vector<std::size_t> level_factors(const study::Study& study) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < study.factors.size(); ++i)
+    if (!study.factors[i].is_sampled()) numbers.push_back(i);
+  return numbers;
+}
+
+std::vector<std::size_t> sampled_factors(const study::Study& study) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < study.factors.size(); ++i)
+    if (study.factors[i].is_sampled()) numbers.push_back(i);
+  return numbers;
+}
+
+std::string level_text(const study::Study& study, std::size_t factor, double value, const UnitSystem& units) {
+  const study::Factor& of = study.factors[factor];
+  const auto number = static_cast<std::size_t>(std::max(value, 0.0));
+  if (of.unit.empty() && number < study.materials.size()) return one_line(study.materials[number].name);
+  const ScaledUnit shown = shown_as(of.unit, units);
+  return four_digits(shown.scale * value) + (shown.unit.empty() ? "" : " " + shown.unit);
+}
+
+std::string group_label(const StudyAnswers& answers, const study::Group& group, const UnitSystem& units) {
+  const std::vector<std::size_t> factors = level_factors(answers.study);
+  std::string text;
+  for (std::size_t i = 0; i < group.levels.size(); ++i)
+    text += fmt::format("{}{} = {}", i == 0 ? "" : ", ", answers.study.factors[factors[i]].key,
+                        level_text(answers.study, factors[i], group.levels[i], units));
+  return text;
+}
+
+std::string shown_factor(const std::string& unit, double value, const Material& material,
+                         const UnitSystem& units) {
+  if (unit.empty()) return one_line(material.name);
+  const ScaledUnit shown = shown_as(unit, units);
+  return brief(shown.scale * value) + (shown.unit.empty() ? "" : " " + shown.unit);
+}
+
+}  // namespace dashpad

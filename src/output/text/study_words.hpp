@@ -1,0 +1,44 @@
+#pragma once
+/// Factors and responses of a study in the units of people.
+
+#include <string>
+#include <vector>
+
+#include "dashpad/study/questions.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+/// More lines than this tell nothing.
+inline constexpr std::size_t most_lines_drawn = 8;
+
+/// Four significant digits: what a study of some thousand rows can tell. "-" if not finite.
+std::string four_digits(double value);
+/// The same of a value that is infinite where the row struck through: those words then.
+std::string four_digits_or_struck(double value);
+/// "12.3 (11.9 to 12.8)", "12.3 (below 13)" for a bound at one side only; without brackets where there is no
+/// interval. An infinite value is "struck through".
+std::string with_interval(const study::Estimate& estimate, double scale = 1);
+/// The same with three decimals: shares.
+std::string share_with_interval(const study::Estimate& share);
+/// In per cent.
+std::string percent_with_interval(const study::Estimate& estimate);
+
+/// The response that is the i-th with answers.
+const std::string& response_name(const StudyAnswers& answers, std::size_t i);
+/// "Peak force" of the response peak_force; a factor has no other name than its key.
+std::string title_of(const std::string& name);
+std::string si_unit_of(const std::string& response);
+/// "Peak force (kN)".
+std::string label(const std::string& name, const std::string& si_unit, const UnitSystem& units);
+
+/// Numbers in Study::factors of those with levels, and of those with distributions.
+std::vector<std::size_t> level_factors(const study::Study& study);
+std::vector<std::size_t> sampled_factors(const study::Study& study);
+
+/// "impactor.speed = 5 m/s, pad.thickness = 30 mm"; "" without levels.
+std::string group_label(const StudyAnswers& answers, const study::Group& group, const UnitSystem& units);
+/// "5 m/s", or the name of a material.
+std::string level_text(const study::Study& study, std::size_t factor, double value, const UnitSystem& units);
+
+}  // namespace dashpad

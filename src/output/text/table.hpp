@@ -1,0 +1,21 @@
+#pragma once
+/// Tables for people who read no page.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "dashpad/output/page/figures_page.hpp"
+
+namespace dashpad {
+
+/// For the document of the validation.
+std::string markdown(const PageTable& table);
+
+/// Columns of even width, for a terminal.
+std::string plain_text(const PageTable& table);
+
+/// Characters of the longest cell of each column; the rows have as many cells as the first.
+std::vector<std::size_t> column_widths(const std::vector<std::vector<std::string>>& rows);
+
+}  // namespace dashpad

@@ -1,0 +1,132 @@
+#include "dashpad/quantities/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "quantities/dimension.hpp"
+#include "quantities/unit_factor.hpp"
+#include "quantities/unit_text.hpp"
+
+namespace dashpad {
+namespace {
+
+constexpr std::size_t longest_text = 100;
+
+struct NumberAndUnit {
+  double number = 0;
+  std::string number_text;
+  std::string unit;
+};
+
+/// "a speed", or "a value in m4" for a dimension without a name.
+std::string name_of(const Dimension& dimension) {
+  return dimension.name.empty() ? fmt::format("a value in {}", dimension.si_unit)
+                                : std::string(dimension.name);
+}
+
+/// `"20 m/s", "20 mph"`: the examples behind a number.
+std::string quoted_examples(const Dimension& dimension, std::string_view number) {
+  std::string list;
+  for (const auto example : dimension.examples)
+    if (!example.empty()) list += fmt::format("{}\"{} {}\"", list.empty() ? "" : ", ", number, example);
+  return list.empty() ? fmt::format("\"{}\"", number) : list;
+}
+
+NumberAndUnit split(std::string_view text, const Dimension& wanted) {
+  if (text.size() > longest_text)
+    throw UnitError(fmt::format("longer than {} characters; a number and a unit are needed", longest_text));
+  if (std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\t'; }))
+    throw UnitError("holds a control character");
+  const std::string tidy = tidy_unit(text);
+  const char* first = tidy.data() + (tidy.starts_with('+') && !tidy.starts_with("+-") ? 1 : 0);
+  const char* last = tidy.data() + tidy.size();
+  NumberAndUnit result;
+  const auto [end, error] = std::from_chars(first, last, result.number);
+  if (error == std::errc::invalid_argument)
+    throw UnitError(
+        fmt::format("{} starts with a number, such as {}", name_of(wanted), quoted_examples(wanted, "20")));
+  if (end != last && *end == ',')
+    throw UnitError("write the number with a decimal point and without commas, such as 1.5 or 1500");
+  if (error == std::errc::result_out_of_range)
+    throw UnitError("the number is too large or too small to compute with");
+  if (!std::isfinite(result.number)) throw UnitError("a finite number is needed");
+  result.number_text = std::string(first, end);
+  result.unit = tidy_unit({end, static_cast<std::size_t>(last - end)});
+  return result;
+}
+
+/// "; did you mean mph?" where a unit of the wanted dimension differs in capitals only.
+std::string other_capitals(const std::string& unit, const Dimension& wanted) {
+  const auto lower = [](std::string_view word) {
+    std::string result(word);
+    for (char& c : result)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return result;
+  };
+  for (const auto example : wanted.examples)
+    if (!example.empty() && lower(example) == lower(unit)) return fmt::format("; did you mean {}?", example);
+  return {};
+}
+
+std::string wrong_dimension(const std::string& unit, const Dimension& wanted) {
+  const auto fits = [](const std::string& text, std::string_view si_unit) {
+    return unit_factor(text, std::string(si_unit)).match == UnitMatch::same_dimension;
+  };
+  std::string rule = name_of(wanted) + " is needed";
+  if (!wanted.examples[0].empty())
+    rule += fmt::format(" ({})", examples_of_units(std::string(wanted.si_unit)));
+  for (const Dimension& dimension : known_dimensions())
+    if (fits(unit, dimension.si_unit)) rule += fmt::format(", but \"{}\" gives {}", unit, dimension.name);
+  if (fits(fmt::format("({}) m/s2", unit), wanted.si_unit))
+    rule += "; lb and kg are masses, the forces are lbf, kgf and N";
+  return rule + other_capitals(unit, wanted);
+}
+
+double factor_of(const std::string& unit, const Dimension& wanted) {
+  const std::string si_unit(wanted.si_unit);
+  switch (kind_of_unit_text(unit)) {
+    case UnitText::holds_number:
+      throw UnitError(
+          fmt::format("one number and one unit are needed, but \"{}\" holds another number", unit));
+    case UnitText::not_a_unit:
+      throw UnitError(fmt::format("\"{}\" is not a unit; use {}", unit, examples_of_units(si_unit)));
+    case UnitText::plain: break;
+  }
+  const auto [match, factor] = unit_factor(unit, si_unit);
+  if (match == UnitMatch::unknown)
+    throw UnitError(fmt::format("unknown unit \"{}\"; use {}{}", unit, examples_of_units(si_unit),
+                                other_capitals(unit, wanted)));
+  if (match == UnitMatch::other_dimension) throw UnitError(wrong_dimension(unit, wanted));
+  return factor;
+}
+
+}  // namespace
+
+std::string examples_of_units(const std::string& si_unit) {
+  std::string list;
+  for (const auto example : dimension_of(si_unit).examples)
+    if (!example.empty()) list += fmt::format("{}{}", list.empty() ? "" : ", ", example);
+  return list.empty() ? "no unit" : list;
+}
+
+double to_si(std::string_view text, const std::string& si_unit) {
+  const Dimension wanted = dimension_of(si_unit);
+  const auto [number, number_text, unit] = split(text, wanted);
+  if (unit.empty() && si_unit == "1") return number;
+  if (unit.empty())
+    throw UnitError(
+        fmt::format("{} needs a unit, such as {}", name_of(wanted), quoted_examples(wanted, number_text)));
+  const double value = number * factor_of(unit, wanted);
+  if (!std::isfinite(value)) throw UnitError("the number is too large to compute with");
+  return value;
+}
+
+double from_si(double value, const std::string& si_unit, const std::string& unit) {
+  if (unit == si_unit) return value;
+  return value / factor_of(tidy_unit(unit), dimension_of(si_unit));
+}
+
+}  // namespace dashpad

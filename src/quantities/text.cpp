@@ -1,0 +1,124 @@
+#include "quantities/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+namespace dashpad {
+
+namespace {
+
+/// As many whole digits or more, but not so many that an exponent is easier to read.
+bool is_long(double value, int digits) {
+  return std::abs(value) >= std::pow(10.0, digits - 1) - 0.05 && std::abs(value) < 1e9;
+}
+
+/// Bytes of a UTF-8 character at the start of `text` that a terminal obeys instead of showing it: the C1
+/// controls, line separators, and what changes the direction of writing. 0 if there is none.
+std::size_t unseen(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0; };
+  if (byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) < 0xa0) return 2;
+  if (byte(0) != 0xe2) return 0;
+  if (byte(1) == 0x80 && (byte(2) == 0x8e || byte(2) == 0x8f || (byte(2) >= 0xa8 && byte(2) <= 0xae)))
+    return 3;
+  return byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9 ? 3 : 0;
+}
+
+}  // namespace
+
+std::string significant(double value, int digits) {
+  if (!std::isfinite(value)) return "none";
+  if (value == 0) return "0";
+  if (is_long(value, digits)) return fmt::format("{:.0f}", value);
+  return fmt::format("{:#.{}g}", value, digits);
+}
+
+std::string brief(double value, int digits) {
+  if (!std::isfinite(value)) return "none";
+  return is_long(value, digits) ? fmt::format("{:.0f}", value) : fmt::format("{:.{}g}", value, digits);
+}
+
+ScaledUnit shown_as(const std::string& si_unit, const UnitSystem& units) {
+  ScaledUnit shown = scaled_unit(si_unit, units);
+  shown.unit = shown_unit(shown.unit);
+  return shown;
+}
+
+std::string brief_quantity(double value, const std::string& si_unit, const UnitSystem& units, int digits) {
+  const ScaledUnit shown = shown_as(si_unit, units);
+  const std::string number = brief(shown.scale * value, digits);
+  return shown.unit.empty() ? number : number + " " + shown.unit;
+}
+
+std::string percentage(double fraction) {
+  if (!std::isfinite(fraction)) return "unknown";
+  return fmt::format("{:.2g} %", 100 * fraction);
+}
+
+std::string shown_unit(const std::string& unit) {
+  if (unit == "1") return "";
+  std::string shown;
+  for (const char character : unit) shown += character == '.' ? "·" : std::string(1, character);
+  return shown;
+}
+
+double rounded_to(double value, int digits) {
+  // Not std::stod, which takes a number below 2.2e-308 for an error.
+  return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
+}
+
+std::size_t width_of(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));
+}
+
+void replace_all(std::string& text, std::string_view old, std::string_view fresh) {
+  for (auto place = text.find(old); place != std::string::npos; place = text.find(old, place + fresh.size()))
+    text.replace(place, old.size(), fresh);
+}
+
+std::string one_line(std::string_view text) {
+  std::string line;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (byte < 0x20 || byte == 0x7f) {
+      line += ' ';
+    } else if (const std::size_t length = unseen(text.substr(i))) {
+      line += ' ';
+      i += length - 1;
+    } else {
+      line += text[i];
+    }
+  }
+  return line;
+}
+
+std::string wrapped(std::string_view line, std::size_t indent) {
+  constexpr std::size_t widest = 100;
+  const std::string margin(indent, ' ');
+  std::string text;
+  std::string rest(line);
+  while (width_of(rest) > widest) {
+    const auto first_word = std::min(rest.find_first_not_of(' '), rest.size());
+    auto blank = rest.rfind(' ', widest);  // bytes, of which no column has less than one
+    if (blank == std::string::npos || blank <= first_word) blank = rest.find(' ', first_word);
+    if (blank == std::string::npos) break;
+    text.append(rest, 0, blank).append("\n");
+    rest.replace(0, blank + 1, margin);
+  }
+  return text + rest;
+}
+
+std::string wrapped_lines(std::string_view text) {
+  std::string result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    result += wrapped(text.substr(begin, end - begin), 2) + "\n";
+    begin = end + 1;
+  }
+  return result;
+}
+
+}  // namespace dashpad

@@ -1,0 +1,50 @@
+#pragma once
+/// Numbers and foreign text as people read them.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "dashpad/quantities/result_quantity.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+
+namespace dashpad {
+
+/// Significant digits, trailing zeros kept: "8.9408", "5768.8"; whole numbers are not cut: "123457". "none"
+/// if not finite.
+std::string significant(double value, int digits = 5);
+
+/// The same without trailing zeros: "25.4".
+std::string brief(double value, int digits = 5);
+
+/// The unit in which people see an SI unit: g for accelerations, "" for pure numbers, "in·lbf" for in.lbf.
+ScaledUnit shown_as(const std::string& si_unit, const UnitSystem& units);
+
+/// An SI value as people see it, with its unit, brief: "25.4 mm", "80 g". Pure numbers have no unit.
+std::string brief_quantity(double value, const std::string& si_unit, const UnitSystem& units, int digits = 5);
+
+/// A fraction as a percentage of two digits: "0.0031 %". "unknown" if not finite.
+std::string percentage(double fraction);
+
+/// A unit as it is shown: "in.lbf" gives "in·lbf"; "1" gives "".
+std::string shown_unit(const std::string& unit);
+
+/// The number with that many significant digits that is nearest to `value`.
+double rounded_to(double value, int digits);
+
+/// UTF-8 characters, which is what a column of a terminal holds: units have a · and a ³.
+std::size_t width_of(std::string_view text);
+
+/// Text from a file, safe for a terminal: line breaks and other control characters become spaces.
+std::string one_line(std::string_view text);
+
+/// Every place of `old`, from left to right; what took its place is not looked at again.
+void replace_all(std::string& text, std::string_view old, std::string_view fresh);
+
+/// Breaks a line at blanks so that no line is wider than 100 columns, as far as the words allow; all but the
+/// first are indented.
+std::string wrapped(std::string_view line, std::size_t indent);
+/// The same with each line of a text, by two columns.
+std::string wrapped_lines(std::string_view text);
+
+}  // namespace dashpad

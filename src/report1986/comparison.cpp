@@ -1,0 +1,245 @@
+#include "dashpad/report1986/comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dashpad/impact/solve.hpp"
+#include "dashpad/output/text/case.hpp"
+#include "dashpad/quantities/quantity.hpp"
+#include "dashpad/spit1984/run.hpp"
+#include "dashpad/version.hpp"
+#include "quantities/json_values.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad {
+
+namespace {
+
+ComparedRun accurate(std::string name, const ImpactCase& impact, const Options& options) {
+  Solution solution = solve(impact, options);
+  const Summary& summary = solution.summary;
+  ComparedRun run;
+  run.name = std::move(name);
+  if (!summary.trustworthy()) run.remark = "TOLERANCE NOT MET: " + to_string(summary.status);
+  if (summary.bottomed)
+    run.remark +=
+        std::string{run.remark.empty() ? "" : "; "} + "BOTTOMED: the pad was fully compressed for a while";
+  run.finished = summary.release.has_value();
+  run.trustworthy = summary.trustworthy();
+  run.peak_force = summary.peak_force;
+  run.time_of_peak_force = summary.time_of_peak_force;
+  run.peak_penetration = summary.peak_penetration;
+  run.peak_motion = summary.peak_motion;
+  if (run.finished && summary.weight) {
+    run.end_time = summary.weight->time;
+    run.end_speed = -summary.weight->velocity;
+  }
+  run.time = std::move(solution.history.time);
+  run.force = std::move(solution.history.force);
+  run.penetration = std::move(solution.history.penetration);
+  return run;
+}
+
+std::string remark_on(const spit1984::Run& run, double tolerance) {
+  using namespace spit1984;
+  std::string remark;
+  if (run.abend != Abend::none)
+    remark = fmt::format("ABEND {} ({}) at {:.4g} ms", static_cast<int>(run.abend),
+                         text_of(run.abend).message, run.duration_ms);
+  if (run.precision_stops.empty()) return remark;
+  if (!remark.empty()) remark += "; ";
+  const std::size_t stops = run.precision_stops.size();
+  return remark + fmt::format("PRECISION LIMIT: {} {} out of equilibrium by more than {:.2g} of the force",
+                              stops, stops == 1 ? "step" : "steps", tolerance);
+}
+
+ComparedRun historical(std::string name, const spit1984::Deck& deck, const spit1984::Settings& settings,
+                       const spit1984::Progress& progress) {
+  const spit1984::Run program = spit1984::run(deck, settings, progress);
+  const double inch = to_si("1 in", "m"), pound = to_si("1 lbf", "N");
+  ComparedRun run;
+  run.name = std::move(name);
+  run.remark = remark_on(program, settings.equilibrium_tolerance);
+  run.finished = program.abend == spit1984::Abend::none;
+  if (std::isfinite(program.peak_force_lb)) {
+    run.peak_force = -program.peak_force_lb * pound;
+    run.time_of_peak_force = program.time_of_peak_force_ms * 1e-3;
+  }
+  const std::size_t accepted = program.history.size() - (program.last_step_accepted ? 0 : 1);
+  for (std::size_t i = 0; i < accepted; ++i) {
+    const spit1984::Step& step = program.history[i];
+    run.time.push_back(step.time_ms * 1e-3);
+    run.force.push_back(-step.force_lb * pound);
+    run.penetration.push_back(step.penetration_in * inch);
+    run.peak_penetration = std::max(run.peak_penetration, step.penetration_in * inch);
+    run.peak_motion = std::max(run.peak_motion, step.motion_in * inch);
+  }
+  if (run.finished) {
+    run.end_time = program.duration_ms * 1e-3;
+    run.end_speed = -program.history.back().speed_in_per_s * inch;
+  }
+  return run;
+}
+
+/// Time steps that the program of 1984 takes if its impact lasts as long as the accurate one.
+std::size_t expected_steps(const ComparedRun& accurate, double time_step, int dimension) {
+  if (!accurate.end_time) return static_cast<std::size_t>(dimension);
+  return static_cast<std::size_t>(std::min(*accurate.end_time / time_step, 1.0 * dimension)) + 1;
+}
+
+/// A figure in the units shown; a dash where there is none.
+std::string shown(std::optional<double> value, const char* si_unit, const UnitSystem& units) {
+  return value ? significant(value_in(units, *value, si_unit)) : "-";
+}
+
+/// How far from the reference, signed.
+std::string deviation(std::optional<double> value, std::optional<double> reference) {
+  if (!value || !reference || *reference == 0) return "";
+  const double percent = 100 * (*value / *reference - 1);
+  return std::abs(percent) < 1000 ? fmt::format("{:+.2f}", percent) : "far off";
+}
+
+using Row = std::vector<std::string>;
+
+std::string laid_out(const std::vector<Row>& rows) {
+  std::vector<std::size_t> width(rows.front().size());
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < width.size(); ++i) width[i] = std::max(width[i], row[i].size());
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line = fmt::format("{:<{}}", row[0], width[0]);
+    for (std::size_t i = 1; i < width.size(); ++i) line += fmt::format("  {:>{}}", row[i], width[i]);
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+/// The points of a run in the units shown, up to twice the reference's peak: an ABEND may come after absurd
+/// forces.
+Series series(const ComparedRun& run, const std::vector<double>& values, const char* si_unit, double most,
+              const UnitSystem& units) {
+  Series drawn;
+  drawn.label = run.name;
+  for (std::size_t i = 0; i < run.time.size() && std::abs(values[i]) <= most; ++i) {
+    drawn.x.push_back(value_in(units, run.time[i], "s"));
+    drawn.y.push_back(value_in(units, values[i], si_unit));
+  }
+  return drawn;
+}
+
+}  // namespace
+
+Comparison compare(const ImpactCase& impact, const Options& options, double time_step,
+                   const ComparisonProgress& progress) {
+  using namespace spit1984;
+  if (const auto broken = what_a_deck_cannot_say(impact); !broken.empty())
+    throw std::invalid_argument(broken.front().key + ": " + broken.front().rule);
+  Deck deck = deck_of(impact);
+  deck.time_step_ms = 1e3 * time_step;
+
+  Comparison comparison;
+  comparison.time_step = time_step;
+  comparison.dimension = std::max(1000, static_cast<int>(std::min(0.1 / time_step, 1e6)));
+  comparison.runs.push_back(accurate("accurate", impact, options));
+  comparison.runs.push_back(
+      accurate("accurate, constants of 1984", with_the_constants_of_1984(impact), options));
+  constexpr std::size_t runs = 4;
+  const std::size_t expected =
+      expected_steps(comparison.runs[Comparison::reference], time_step, comparison.dimension);
+  std::size_t runs_done = 0;
+  const auto add = [&](std::string name, const Settings& settings) {
+    comparison.runs.push_back(historical(std::move(name), deck, settings, [&](int step) {
+      if (progress)
+        progress(runs_done * expected + std::min(static_cast<std::size_t>(step), expected), runs * expected);
+    }));
+    ++runs_done;
+  };
+  for (const Arithmetic arithmetic : {Arithmetic::pdp10, Arithmetic::binary32, Arithmetic::binary64}) {
+    Settings faithful;
+    faithful.arithmetic = arithmetic;
+    faithful.most_steps = faithful.most_stations = comparison.dimension;
+    add(fmt::format("1984, {}", to_string(arithmetic)), faithful);
+  }
+  Settings mended;
+  mended.arithmetic = Arithmetic::binary64;
+  mended.defects = all_mended;
+  mended.most_steps = mended.most_stations = comparison.dimension;
+  add("1984, mended, binary64", mended);
+  return comparison;
+}
+
+std::string comparison_text(const Comparison& comparison, const ImpactCase& impact, const UnitSystem& units) {
+  const auto unit = [&](const char* si_unit) { return shown_unit(unit_for(units, si_unit)); };
+  std::vector<Row> rows{{"", "peak", "", "at", "peak", "peak", "end", "", "end"},
+                        {"", "force", "", "time", "penetration", "motion", "speed", "", "time"},
+                        {"", unit("N"), "%", unit("s"), unit("m"), unit("m"), unit("m/s"), "%", unit("s")}};
+  const ComparedRun& reference = comparison.runs[Comparison::reference];
+  std::string remarks;
+  for (const ComparedRun& run : comparison.runs) {
+    const bool is_reference = &run == &reference;
+    rows.push_back({run.name, shown(run.peak_force, "N", units),
+                    is_reference ? "" : deviation(run.peak_force, reference.peak_force),
+                    shown(run.time_of_peak_force, "s", units), shown(run.peak_penetration, "m", units),
+                    shown(run.peak_motion, "m", units), shown(run.end_speed, "m/s", units),
+                    is_reference ? "" : deviation(run.end_speed, reference.end_speed),
+                    shown(run.end_time, "s", units)});
+    if (!run.remark.empty()) remarks += run.name + ": " + run.remark + "\n";
+  }
+  if (!remarks.empty()) remarks = "\n" + remarks;
+  return case_text(impact, units) + "\n" + laid_out(rows) + remarks + "\n%: deviation from \"" +
+         reference.name +
+         "\", the solution of the same equations with 17.64 in/s\n"
+         "to the mile per hour and 386.4 in/s2, as the program of 1984 counts. The end is when the force "
+         "falls\n"
+         "below the sphere's weight on rebound. Figures of a run with an ABEND may have lost their meaning "
+         "some time\n"
+         "before it.\n";
+}
+
+std::string comparison_json(const Comparison& comparison) {
+  Json runs = Json::array();
+  for (const ComparedRun& run : comparison.runs)
+    runs.push_back({{"name", run.name},
+                    {"finished", run.finished},
+                    {"trustworthy", run.trustworthy},
+                    {"remark", run.remark},
+                    {"peak_force_N", number(run.peak_force)},
+                    {"time_to_peak_force_s", number(run.time_of_peak_force)},
+                    {"peak_penetration_m", number(run.peak_penetration)},
+                    {"peak_motion_m", number(run.peak_motion)},
+                    {"end_time_s", number(run.end_time)},
+                    {"end_speed_m_per_s", number(run.end_speed)}});
+  const Json result{{"runs", runs},
+                    {"reference", comparison.runs[Comparison::reference].name},
+                    {"time_step_of_1984_s", comparison.time_step},
+                    {"dimension_of_1984", comparison.dimension},
+                    {"program", program_json()}};
+  return json_text(result);
+}
+
+Plot comparison_plot(const Comparison& comparison, const ImpactCase& impact, const UnitSystem& units) {
+  const ComparedRun& reference = comparison.runs[Comparison::reference];
+  const auto axis = [&](const char* text, const char* si_unit) {
+    Axis of;
+    of.label = fmt::format("{} ({})", text, shown_unit(unit_for(units, si_unit)));
+    return of;
+  };
+  Panel force{"Force", axis("Time", "s"), axis("Force", "N"), {}};
+  Panel penetration{"Penetration of the pad", axis("Time", "s"), axis("Penetration", "m"), {}};
+  force.y.low = 0;
+  for (const ComparedRun& run : comparison.runs) {
+    if (&run == &comparison.runs.front()) continue;  // not to be told from the reference at this scale
+    force.series.push_back(series(run, run.force, "N", 2 * reference.peak_force.value_or(0), units));
+    penetration.series.push_back(series(run, run.penetration, "m", 2 * reference.peak_penetration, units));
+  }
+  return {impact.title.empty() ? "The program of 1984 and the accurate solver" : impact.title,
+          {force, penetration},
+          fmt::format("dashpad {}; unfinished runs are drawn up to twice the reference's peak", version())};
+}
+
+}  // namespace dashpad

@@ -1,0 +1,213 @@
+#include "dashpad/report1986/validation/nose_radius.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/report1986/validation/energy.hpp"
+#include "dashpad/report1986/validation/verdict.hpp"
+#include "report1986/validation/placings.hpp"
+
+namespace dashpad::validation {
+
+namespace {
+
+using Residuals = std::vector<std::optional<double>>;
+
+/// Speeds of the plate at which curve "B" is above its tail, mph.
+constexpr double speeds_on_the_plate[] = {14, 16, 18, 20};
+
+Setup setup_of(const MeasuredTest& test, double radius_in) {
+  return {test.projectile, test.support, test.speed_mph, radius_in};
+}
+
+std::optional<double> log_ratio(std::optional<double> predicted, double expected) {
+  if (!predicted) return {};
+  return std::log(*predicted / expected);
+}
+
+std::optional<double> value_of(const std::vector<Prediction>& predictions, Program program,
+                               const Setup& setup, Quantity quantity) {
+  const Prediction* prediction = find(predictions, program, setup);
+  return prediction ? predicted(*prediction, quantity) : std::nullopt;
+}
+
+/// Residuals of the certain readings of a quantity on a support, by the accurate solver.
+RadiusCriterion of_tests(const ValidationData& data, const std::vector<Prediction>& at_tests,
+                         std::string name, TestSupport support, Quantity quantity) {
+  const bool logarithmic = rule_of(quantity).logarithmic;
+  const auto residuals_at = [&](double radius) {
+    Residuals residuals;
+    for (const MeasuredTest& test : data.measured.tests) {
+      const std::optional<double> reading = measured(test, quantity);
+      if (test.support != support || !reading) continue;
+      const auto value = value_of(at_tests, Program::accurate, setup_of(test, radius), quantity);
+      if (logarithmic)
+        residuals.push_back(log_ratio(value, *reading));
+      else
+        residuals.push_back(value ? std::optional(*value - *reading) : std::nullopt);
+    }
+    return residuals;
+  };
+  return radius_criterion(std::move(name), "certain rows of Table 3-1; accurate solver",
+                          logarithmic ? "ln" : "1", residuals_at);
+}
+
+/// Steel projectile: the strains lost their rows, so a residual is the root mean square over all placings.
+RadiusCriterion strains_on_the_load_cell(const ValidationData& data,
+                                         const std::vector<Prediction>& at_tests) {
+  MeasuredTests group{data.measured.tests, {}};
+  for (const UnplacedReadings& unplaced : data.measured.unplaced)
+    if (unplaced.column == "plug_strain" && unplaced.first_test == 28) group.unplaced.push_back(unplaced);
+  const auto residuals_at = [&](double radius) -> Residuals {
+    if (group.unplaced.empty()) return {};
+    std::vector<double> squares(group.unplaced.front().readings.size());
+    std::size_t ways = 0;
+    for_each_placing(group, "plug_strain", [&](const std::vector<MeasuredTest>& tests) {
+      std::size_t reading = 0;
+      ++ways;
+      for (const MeasuredTest& test : tests) {
+        if (test.number < 28 || test.number > 33 || !test.plug_strain) continue;
+        const auto value =
+            value_of(at_tests, Program::accurate, setup_of(test, radius), Quantity::peak_strain);
+        squares[reading++] += value ? std::pow(*value - *test.plug_strain, 2) : std::nan("");
+      }
+    });
+    Residuals residuals;
+    for (const double square : squares)
+      residuals.push_back(std::isnan(square) ? std::nullopt
+                                             : std::optional(std::sqrt(square / static_cast<double>(ways))));
+    return residuals;
+  };
+  return radius_criterion("strains on the load cell",
+                          "plug readings of tests 28 to 33, mean over all placings; accurate solver", "1",
+                          residuals_at);
+}
+
+RadiusCriterion forces_of_curve_b(const ValidationData& data, const std::vector<Prediction>& others,
+                                  std::string name, Program program) {
+  const auto residuals_at = [&](double radius) {
+    Residuals residuals;
+    for (const double speed : speeds_on_the_plate)
+      residuals.push_back(
+          log_ratio(value_of(others, program, {Projectile::aluminium, TestSupport::plate, speed, radius},
+                             Quantity::peak_force),
+                    curve_b_force_lb(data, Projectile::aluminium, speed)));
+    return residuals;
+  };
+  return radius_criterion(std::move(name),
+                          fmt::format("curve \"B\" at 14 to 20 mph, the report's estimate; {}",
+                                      program == Program::accurate ? "accurate solver" : to_string(program)),
+                          "ln", residuals_at);
+}
+
+struct Ratio {
+  Projectile projectile;
+  double speed_mph;
+  const char* constant;
+};
+constexpr Ratio ratios[] = {{Projectile::aluminium, 10, "force_ratio_aluminium_low_speed"},
+                            {Projectile::aluminium, 20, "force_ratio_aluminium_high_speed"},
+                            {Projectile::steel, 10, "force_ratio_steel_low_speed"},
+                            {Projectile::steel, 15, "force_ratio_steel_high_speed"}};
+
+/// The report's statements on its simulations are about the load cell.
+RadiusCriterion ratios_of_the_report(const ValidationData& data, const std::vector<Prediction>& others,
+                                     Program program) {
+  const auto residuals_at = [&](double radius) {
+    Residuals residuals;
+    for (const Ratio& ratio : ratios)
+      residuals.push_back(log_ratio(
+          value_of(others, program, {ratio.projectile, TestSupport::load_cell, ratio.speed_mph, radius},
+                   Quantity::peak_force),
+          data.constant(ratio.constant) * curve_a_force_lb(data, ratio.projectile, ratio.speed_mph)));
+    return residuals;
+  };
+  return radius_criterion(
+      "the report's force ratios",
+      fmt::format("1 to 0.4 and 1.4 to 0.4 of curve \"A\" (section 4); {}", to_string(program)), "ln",
+      residuals_at);
+}
+
+RadiusCriterion times_of_the_report(const ValidationData& data, const std::vector<Prediction>& others,
+                                    Program program) {
+  const auto residuals_at = [&](double radius) {
+    Residuals residuals;
+    for (const Setup& setup : setups_of_curves(radius)) {
+      if (setup.support != TestSupport::load_cell) continue;
+      const double expected =
+          1e3 * data.constant("expected_travel_in") / (inch_per_s_of_mph * setup.speed_mph) +
+          data.constant("excess_of_predicted_time_ms");
+      residuals.push_back(log_ratio(value_of(others, program, setup, Quantity::time_to_peak), expected));
+    }
+    return residuals;
+  };
+  return radius_criterion("the report's times to peak",
+                          fmt::format("2 ms above VT = 1.25 in (section 4); {}", to_string(program)), "ln",
+                          residuals_at);
+}
+
+}  // namespace
+
+std::vector<Prediction> predict_for_radius(const ValidationData& data, const Material& ensolite,
+                                           const Progress& progress) {
+  std::vector<Setup> load_cell, plate;
+  for (const double radius : radii_of_the_study()) {
+    for (const Setup& setup : setups_of_curves(radius))
+      if (setup.support == TestSupport::load_cell) load_cell.push_back(setup);
+    for (const double speed : speeds_on_the_plate)
+      plate.push_back({Projectile::aluminium, TestSupport::plate, speed, radius});
+  }
+  std::vector<Prediction> all = predict_all(
+      data, ensolite, {Program::printed_1984, Program::accurate_first_slope}, load_cell, progress);
+  const std::vector<Prediction> on_plate =
+      predict_all(data, ensolite, {Program::printed_1984, Program::accurate}, plate, progress);
+  all.insert(all.end(), on_plate.begin(), on_plate.end());
+  return all;
+}
+
+RadiusStudy study_radius(const ValidationData& data, const std::vector<Prediction>& at_tests,
+                         const std::vector<Prediction>& others) {
+  RadiusStudy study;
+  study.radii_in = radii_of_the_study();
+  study.criteria = {
+      of_tests(data, at_tests, "strains on the plate", TestSupport::plate, Quantity::peak_strain),
+      forces_of_curve_b(data, others, "forces on the plate", Program::accurate),
+      of_tests(data, at_tests, "forces on the load cell", TestSupport::load_cell, Quantity::peak_force),
+      of_tests(data, at_tests, "times on the load cell", TestSupport::load_cell, Quantity::time_to_peak),
+      strains_on_the_load_cell(data, at_tests),
+  };
+  study.criteria.push_back(
+      forces_of_curve_b(data, others, "the report's forces on the plate", Program::printed_1984));
+  study.criteria.back().of_the_report = true;
+  for (const Program program : {Program::printed_1984, Program::accurate_first_slope}) {
+    for (RadiusCriterion criterion :
+         {ratios_of_the_report(data, others, program), times_of_the_report(data, others, program)}) {
+      criterion.of_the_report = program == Program::printed_1984;
+      study.criteria.push_back(std::move(criterion));
+    }
+  }
+  return study;
+}
+
+double RadiusStudy::of_the_report_in() const {
+  double sum = 0;
+  int estimates = 0;
+  for (const RadiusCriterion& criterion : criteria)
+    if (criterion.of_the_report && !criterion.at_an_end && std::isfinite(criterion.favoured_in))
+      sum += criterion.favoured_in, ++estimates;
+  if (estimates == 0) return favoured_in();
+  return *std::ranges::min_element(radii_in, {},
+                                   [&](double radius) { return std::abs(radius - sum / estimates); });
+}
+
+RadiusStudy study_radius(const ValidationData& data, const Material& ensolite, const Progress& progress) {
+  std::vector<Setup> setups;
+  for (const double radius : radii_of_the_study())
+    for (const Setup& setup : setups_of_tests(data.measured, radius)) setups.push_back(setup);
+  return study_radius(data, predict_all(data, ensolite, {Program::accurate}, setups, progress),
+                      predict_for_radius(data, ensolite, progress));
+}
+
+}  // namespace dashpad::validation

@@ -1,0 +1,76 @@
+#include "report1986/validation/placings.hpp"
+
+#include <stdexcept>
+
+#include "report1986/validation/measured_tests_columns.hpp"
+
+namespace dashpad::validation {
+
+namespace {
+
+using Visit = std::function<void(const std::vector<MeasuredTest>&)>;
+
+/// The rows of a group that are free, as places in the vector of tests.
+struct Group {
+  const UnplacedReadings* readings = nullptr;
+  std::vector<std::size_t> rows;
+};
+
+std::vector<Group> groups_of(const MeasuredTests& measured, const std::string& column) {
+  std::vector<Group> groups;
+  for (const UnplacedReadings& unplaced : measured.unplaced) {
+    if (unplaced.column != column) continue;
+    Group group{&unplaced, {}};
+    for (const MeasuredTest* test : free_tests(measured, unplaced))
+      group.rows.push_back(static_cast<std::size_t>(test - measured.tests.data()));
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+struct Search {
+  std::optional<double> MeasuredTest::*reading;
+  const std::vector<Group>& groups;
+  const Visit& visit;
+  std::vector<MeasuredTest> tests;
+
+  /// Places the readings from number `next` of group `g` on, in rows from number `row` on.
+  void place(std::size_t g, std::size_t next, std::size_t row) {
+    if (g == groups.size()) return visit(tests);
+    const Group& group = groups[g];
+    const std::size_t left = group.readings->readings.size() - next;
+    if (left == 0) return place(g + 1, 0, 0);
+    for (; row + left <= group.rows.size(); ++row) {
+      std::optional<double>& place_of_it = tests[group.rows[row]].*reading;
+      place_of_it = group.readings->readings[next];
+      place(g, next + 1, row + 1);
+      place_of_it.reset();
+    }
+  }
+};
+
+}  // namespace
+
+double placings(std::size_t rows, std::size_t readings) {
+  if (readings > rows) return 0;
+  double ways = 1;
+  for (std::size_t i = 1; i <= readings; ++i)
+    ways = ways * static_cast<double>(rows - readings + i) / static_cast<double>(i);
+  return ways;
+}
+
+double placings(const MeasuredTests& measured, const std::string& column) {
+  double ways = 1;
+  for (const Group& group : groups_of(measured, column))
+    ways *= placings(group.rows.size(), group.readings->readings.size());
+  return ways;
+}
+
+void for_each_placing(const MeasuredTests& measured, const std::string& column, const Visit& visit) {
+  if (placings(measured, column) > most_placings)
+    throw std::length_error("too many placings of the unplaced readings of " + column);
+  const std::vector<Group> groups = groups_of(measured, column);
+  Search{measured_column(column).reading, groups, visit, measured.tests}.place(0, 0, 0);
+}
+
+}  // namespace dashpad::validation

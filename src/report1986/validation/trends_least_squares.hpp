@@ -1,0 +1,39 @@
+#pragma once
+/// Least squares of one and two constants, with 95 % intervals by Student's t.
+
+#include <cstddef>
+#include <vector>
+
+#include "dashpad/report1986/validation/trends.hpp"
+
+namespace dashpad::validation {
+
+struct Point {
+  double x = 0, y = 0;
+};
+
+/// An estimate, and how far it may be off. Infinite where there are too few points to tell.
+struct Estimate {
+  double value = 0;
+  Interval confidence;
+};
+
+/// The 95 % quantile of Student's t for both sides: P(|t| < it) = 0.95. Infinite below one degree of freedom.
+double student_95(std::size_t degrees_of_freedom);
+
+/// y = constant x; at least one point.
+struct ProportionalFit {
+  Estimate constant;
+  double scatter = 0;  ///< standard deviation of the residuals, n - 1; 0 for one point
+};
+ProportionalFit fit_proportional(const std::vector<Point>& points);
+
+/// y = intercept + slope x; at least two points of different x.
+struct LineFit {
+  Estimate intercept, slope;
+  Estimate ratio;  ///< intercept / slope, interval by Fieller's theorem; infinite where the slope may be 0
+  double scatter = 0;  ///< standard deviation of the residuals, n - 2; 0 for two points
+};
+LineFit fit_line(const std::vector<Point>& points);
+
+}  // namespace dashpad::validation

@@ -1,0 +1,210 @@
+// The validation as JSON.
+
+#include "dashpad/report1986/validation/claims.hpp"
+#include "quantities/json_values.hpp"
+#include "report1986/validation_tables.hpp"
+
+namespace dashpad {
+
+using namespace validation;
+
+namespace {
+
+template <class Values, class ToJson>
+Json array(const Values& values, ToJson to_json) {
+  Json all = Json::array();
+  for (const auto& value : values) all.push_back(to_json(value));
+  return all;
+}
+
+Json interval(const Interval& of) { return {{"low", number(of.low)}, {"high", number(of.high)}}; }
+
+Json measured_test_json(const MeasuredTest& test) {
+  return {{"test", test.number},
+          {"projectile", to_string(test.projectile)},
+          {"weight_lbf", number(test.weight_lb)},
+          {"support", to_string(test.support)},
+          {"speed_mph", number(test.speed_mph)},
+          {"energy_in_lbf", number(test.energy_in_lb)},
+          {"rebound_mph", number(test.rebound_mph)},
+          {"time_to_peak_ms", number(test.time_to_peak_ms)},
+          {"total_time_ms", number(test.total_time_ms)},
+          {"peak_force_lbf", number(test.peak_force_lb)},
+          {"plug_strain", number(test.plug_strain)},
+          {"diameter_strain", number(test.diameter_strain)}};
+}
+
+Json unplaced_json(const UnplacedReadings& group) {
+  return {{"column", group.column},
+          {"first_test", group.first_test},
+          {"last_test", group.last_test},
+          {"readings", numbers(group.readings)}};
+}
+
+Json constant_json(const FittedConstant& constant) {
+  return {{"name", constant.name},
+          {"title", constant.title},
+          {"unit", constant.unit},
+          {"printed", number(constant.printed)},
+          {"value", number(constant.value)},
+          {"confidence_95", interval(constant.confidence)},
+          {"tests", constant.tests},
+          {"scatter", number(constant.scatter)},
+          {"scatter_unit", constant.residual_unit},
+          {"over_placings", interval(constant.over_placings)},
+          {"confidence_95_over_placings", interval(constant.confidence_over_placings)},
+          {"placings", constant.placings},
+          {"printed_in_confidence", constant.printed_in_confidence},
+          {"printed_in_placings", constant.printed_in_placings},
+          {"method", constant.method}};
+}
+
+Json nominal_stress_json(const NominalStressFit& fit) {
+  return {{"points", array(fit.points,
+                           [](const NominalStressPoint& point) -> Json {
+                             return {{"test", point.test == 0 ? Json(nullptr) : Json(point.test)},
+                                     {"stress_psi", number(point.stress_psi)},
+                                     {"force_lbf", number(point.force_lb)}};
+                           })},
+          {"area_in2", number(fit.area_in2)},
+          {"area_over_placings_in2", interval(fit.area_over_placings)},
+          {"scatter", number(fit.scatter)},
+          {"scatter_over_placings", interval(fit.scatter_over_placings)},
+          {"slope", number(fit.slope)},
+          {"slope_confidence_95", interval(fit.slope_confidence)},
+          {"remark", fit.remark}};
+}
+
+Json criterion_json(const RadiusCriterion& criterion) {
+  return {{"name", criterion.name},
+          {"remark", criterion.remark},
+          {"unit", criterion.unit},
+          {"misfit", numbers(criterion.misfit)},
+          {"favoured_in", number(criterion.favoured_in)},
+          {"at_an_end", criterion.at_an_end},
+          {"admitted_95_in", interval(criterion.admitted)},
+          {"readings", criterion.readings},
+          {"of_the_report", criterion.of_the_report}};
+}
+
+Json verdict_json(const validation::Verdict& verdict) {
+  const Score& score = verdict.score;
+  return {{"program", to_string(score.program)},
+          {"support", to_string(score.support)},
+          {"projectile", score.projectile ? Json(to_string(*score.projectile)) : Json(nullptr)},
+          {"quantity", to_string(score.quantity)},
+          {"radius_in", number(score.radius_in)},
+          {"bias", number(score.bias)},
+          {"scatter", number(score.scatter)},
+          {"bias_over_radii", interval(verdict.bias_over_radii)},
+          {"scatter_over_radii", interval(verdict.scatter_over_radii)},
+          {"radii_passed", verdict.radii_passed},
+          {"radii", verdict.radii},
+          {"passed", score.passed},
+          {"missing", score.missing},
+          {"errors", array(score.errors, [](const TestError& error) -> Json {
+             return {{"test", error.test},
+                     {"measured", number(error.measured)},
+                     {"predicted", number(error.predicted)},
+                     {"error", number(error.error)}};
+           })}};
+}
+
+Json placed_json(const PlacedScore& placed) {
+  return {{"program", to_string(placed.program)},
+          {"quantity", to_string(placed.quantity)},
+          {"radius_in", number(placed.radius_in)},
+          {"first_test", placed.group.first_test},
+          {"last_test", placed.group.last_test},
+          {"placings", placed.placings},
+          {"placings_passed", placed.placings_passed},
+          {"bias", number(placed.bias)},
+          {"bias_over_placings", interval(placed.bias_over_placings)},
+          {"scatter_over_placings", interval(placed.scatter_over_placings)}};
+}
+
+Json rebound_json(const Admissible& rebound) {
+  return {{"program", to_string(rebound.program)},
+          {"radius_in", number(rebound.radius_in)},
+          {"missing", rebound.missing},
+          {"tests", rebound.tests},
+          {"admissible", rebound.admissible},
+          {"too_low", rebound.too_low},
+          {"too_high", rebound.too_high},
+          {"passed", rebound.passed}};
+}
+
+Json trend_json(const ForceTrend& trend) {
+  return {{"program", to_string(trend.program)},
+          {"slope", number(trend.slope)},
+          {"slope_confidence_95", interval(trend.slope_confidence)},
+          {"tests", trend.tests},
+          {"slope_aluminium", number(trend.aluminium_slope)},
+          {"slope_aluminium_confidence_95", interval(trend.aluminium_slope_confidence)},
+          {"ratio_aluminium_10_mph", number(trend.aluminium_low)},
+          {"ratio_aluminium_20_mph", number(trend.aluminium_high)},
+          {"ratio_steel_10_mph", number(trend.steel_low)},
+          {"ratio_steel_15_mph", number(trend.steel_high)}};
+}
+
+Json claim_json(const ReportClaim& claim) {
+  return {{"where", claim.where},
+          {"claim", claim.claim},
+          {"unit", claim.unit},
+          {"printed", number(claim.printed)},
+          {"computed", number(claim.computed)},
+          {"tolerance", number(claim.tolerance)},
+          {"agrees", claim.agrees},
+          {"remark", claim.remark}};
+}
+
+Json prediction_json(const Prediction& prediction) {
+  const Setup& setup = prediction.setup;
+  return {{"program", to_string(prediction.program)},
+          {"projectile", to_string(setup.projectile)},
+          {"support", to_string(setup.support)},
+          {"speed_mph", number(setup.speed_mph)},
+          {"radius_in", number(setup.radius_in)},
+          {"peak_force_lbf", number(prediction.peak_force_lb)},
+          {"time_to_peak_ms", number(prediction.time_to_peak_ms)},
+          {"rebound_mph", number(prediction.rebound_mph)},
+          {"peak_strain", number(prediction.peak_strain)},
+          {"bottomed", prediction.bottomed},
+          {"error_of_peak_force", number(prediction.error)},
+          {"remark", prediction.remark}};
+}
+
+}  // namespace
+
+std::string validation_json(const Study& study) {
+  const AnomalyVerdict& anomaly = study.anomaly;
+  const Json result{{"source", "Crash Padding Research, Volume III (1986), sections 3 and 4"},
+                    {"favoured_radius_in", number(study.radius.favoured_in())},
+                    {"passed", passes(study)},
+                    {"verdicts", array(study.verdicts, verdict_json)},
+                    {"radius_of_the_report_in", number(study.radius.of_the_report_in())},
+                    {"verdicts_at_the_reports_radius", array(study.at_the_reports_radius, verdict_json)},
+                    {"verdicts_by_projectile", array(study.by_projectile, verdict_json)},
+                    {"lost_readings_placed", array(study.placed, placed_json)},
+                    {"rebounds", array(study.rebounds, rebound_json)},
+                    {"anomaly",
+                     {{"trends", array(anomaly.trends, trend_json)},
+                      {"first_slope_gives_the_fall", anomaly.first_slope_gives_the_fall},
+                      {"curve_removes_the_fall", anomaly.curve_removes_the_fall},
+                      {"slope_halves", anomaly.slope_halves},
+                      {"the_support_defect", words(anomaly.explanation)}}},
+                    {"radius",
+                     {{"radii_in", numbers(study.radius.radii_in)},
+                      {"criteria", array(study.radius.criteria, criterion_json)}}},
+                    {"constants", array(study.constants, constant_json)},
+                    {"nominal_stress", nominal_stress_json(study.nominal_stress)},
+                    {"claims", array(check_claims(study.data), claim_json)},
+                    {"tests", array(study.data.measured.tests, measured_test_json)},
+                    {"lost_readings", array(study.data.measured.unplaced, unplaced_json)},
+                    {"predictions_of_the_tests", array(study.at_tests, prediction_json)},
+                    {"predictions_over_speed", array(study.on_curves, prediction_json)},
+                    {"program", program_json()}};
+  return json_text(result);
+}
+
+}  // namespace dashpad

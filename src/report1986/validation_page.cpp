@@ -1,0 +1,132 @@
+// The validation as a page.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "dashpad/version.hpp"
+#include "quantities/text.hpp"
+#include "report1986/validation_series.hpp"
+#include "report1986/validation_tables.hpp"
+
+namespace dashpad {
+
+using namespace validation;
+
+namespace {
+
+PageTable captioned(std::string caption, PageTable table) {
+  table.caption = std::move(caption);
+  return table;
+}
+
+/// The figures of these slugs.
+std::vector<PageFigure> chosen(const std::vector<ValidationFigure>& figures,
+                               const std::vector<std::string>& slugs) {
+  std::vector<PageFigure> result;
+  for (const ValidationFigure& figure : figures)
+    if (std::ranges::find(slugs, figure.slug) != slugs.end())
+      result.push_back({figure.name, figure.plot, figure.note});
+  return result;
+}
+
+PageSection verdict_section(const Study& study, const std::vector<ValidationFigure>& figures) {
+  return {
+      .heading = "Verdict",
+      .paragraphs =
+          {"The rules were fixed before the first run: bias of peak force and rebound speed within 15 %, of "
+           "time to peak within 10 %, of strain within 0.05; scatter at most 25 % for force, 15 % for time "
+           "and rebound, 0.05 for strain. A score of fewer than two tests cannot pass.",
+           "Bias is exp(mean of ln(predicted / measured)) - 1, scatter the standard deviation of the same; "
+           "for "
+           "strain both are of the difference.",
+           fmt::format(
+               "The anomaly of section 4: predicted forces fall with speed from about 1 to 0.4 of the "
+               "measured ones. By the rules the support defect {}.",
+               words(study.anomaly.explanation))},
+      .tables = {captioned("Predictions of the tests", verdict_table(study)),
+                 captioned(
+                     "Rebound on the load cell: between 0.95 of the measured speed and 1.05 of the bound "
+                     "of Table 3-2 in at least 80 % of the tests",
+                     rebound_table(study)),
+                 captioned("On the load cell, each projectile alone", by_projectile_table(study)),
+                 captioned("Anomaly: ratio of the forces", anomaly_table(study, study.anomaly)),
+                 captioned("Anomaly: the rules", anomaly_rules_table(study.anomaly)),
+                 captioned(fmt::format("Predictions of the tests at {:.2f} in, the radius that the report's "
+                                       "own simulations point to",
+                                       study.radius.of_the_report_in()),
+                           reports_radius_table(study)),
+                 captioned("Anomaly at that radius: ratio of the forces",
+                           anomaly_table(study, study.anomaly_at_the_reports_radius)),
+                 captioned("Anomaly at that radius: the rules",
+                           anomaly_rules_table(study.anomaly_at_the_reports_radius)),
+                 captioned("The accurate solver over the nose radius: bias", score_over_radius_table(study))},
+      .figures = chosen(figures, {"force-ratio"})};
+}
+
+PageSection error_section(const Study& study) {
+  PageSection section{.heading = "Errors test by test"};
+  for (const Quantity quantity : quantities)
+    section.tables.push_back(captioned(axis_label(quantity), error_table(study, quantity)));
+  return section;
+}
+
+std::vector<std::string> warnings(const Study& study) {
+  const Tally accurate = tally(study, Program::accurate);
+  std::vector<std::string> texts;
+  if (accurate.passed < accurate.all)
+    texts.push_back(fmt::format("NOT PASSED: the accurate solver misses {} of {} rules.",
+                                accurate.all - accurate.passed, accurate.all));
+  texts.push_back(fmt::format(
+      "UNKNOWN RADIUS: the nose radius of the projectiles is lost. Scores are at {:.2f} "
+      "in, which the strains on the plate favour{}, and at {:.2f} in, which the report's own "
+      "simulations point to; spans are over {} to {} in.",
+      study.radius.favoured_in(),
+      study.radius.criteria.front().at_an_end ? " (the end of the range: a bound, no estimate)" : "",
+      study.radius.of_the_report_in(), brief(least_radius_in), brief(greatest_radius_in)));
+  texts.emplace_back(
+      "RECONSTRUCTED: the load cell's static curve (Figure 3-3) is lost; ours follows from slopes and "
+      "energies that the report prints.");
+  return texts;
+}
+
+}  // namespace
+
+FiguresPage validation_page(const Study& study) {
+  const std::vector<ValidationFigure> figures = validation_figures(study);
+  FiguresPage page{
+      .title = "Validation against the tests of 1986",
+      .summary = {fmt::format("The {} tests of Crash Padding Research, Volume III (1986), Table 3-1, beside "
+                              "the accurate solver and the program of 1984. Units are the report's: lb, in, "
+                              "mph, ms.",
+                              study.data.measured.tests.size()),
+                  fmt::format("dashpad {}, commit {}", version(), build_facts().git_commit)},
+      .warnings = warnings(study)};
+  page.sections = {
+      verdict_section(study, figures),
+      error_section(study),
+      {.heading = "Measurements", .figures = chosen(figures, {"figure-3-3", "figure-3-6", "figure-3-7"})},
+      {.heading = "Regressions",
+       .paragraphs = {"The constants of the report's trend lines, fitted again to the readings whose test is "
+                      "certain. \"Over all placings\": the least and the greatest value when the other "
+                      "readings are placed in every order that the scan allows."},
+       .tables = {captioned("Constants of the trend lines", constants_table(study))},
+       .figures = chosen(figures, {"figure-3-4", "figure-3-5"})},
+      {.heading = "Energy account and statements of the report",
+       .tables = {captioned("Statements that can be computed", claims_table(study))},
+       .figures = chosen(figures, {"figure-3-8", "figure-3-9"})},
+      {.heading = "Simulations",
+       .figures = chosen(figures, {"figure-4-1", "figure-4-2", "figure-4-3", "figure-4-4", "figure-4-5"})},
+      {.heading = "Nose radius",
+       .tables = {captioned("Which radius the readings favour", radius_table(study))},
+       .figures = chosen(figures, {"nose-radius"})},
+      {.heading = "What remains uncertain",
+       .paragraphs =
+           {"The scan lost the rows of some readings: their order in a column is known, their tests "
+            "are not. They take no part in scores and are not drawn."},
+       .tables = {captioned("Readings whose test is lost", unplaced_table(study)),
+                  captioned("What they would say, over all placings in their order", placed_table(study))}}};
+  return page;
+}
+
+}  // namespace dashpad

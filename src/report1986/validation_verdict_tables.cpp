@@ -1,0 +1,244 @@
+// Verdict, errors and anomaly as tables.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "quantities/text.hpp"
+#include "report1986/validation_series.hpp"
+#include "report1986/validation_tables.hpp"
+
+namespace dashpad {
+
+using namespace validation;
+
+namespace {
+
+bool is_logarithmic(Quantity quantity) { return rule_of(quantity).logarithmic; }
+
+/// A bias or an error: "+12.3 %"; of strains the difference, "+0.012".
+std::string bias_text(double value, Quantity quantity) {
+  return is_logarithmic(quantity) ? fmt::format("{:+.1f} %", 100 * value) : fmt::format("{:+.3f}", value);
+}
+
+std::string scatter_text(double value, Quantity quantity) {
+  return is_logarithmic(quantity) ? fmt::format("{:.1f} %", 100 * value) : fmt::format("{:.3f}", value);
+}
+
+std::string with_digits(double value, Quantity quantity) {
+  switch (quantity) {
+    case Quantity::peak_force: return fmt::format("{:.0f}", value);
+    case Quantity::peak_strain: return fmt::format("{:.3f}", value);
+    default: return fmt::format("{:.2f}", value);
+  }
+}
+
+/// NaN where predictions are missing.
+std::string decimals(double value) { return std::isfinite(value) ? fmt::format("{:.2f}", value) : "-"; }
+std::string with_sign(double value) { return std::isfinite(value) ? fmt::format("{:+.2f}", value) : "-"; }
+std::string with_signs(const Interval& interval) {
+  if (!std::isfinite(interval.low) || !std::isfinite(interval.high)) return "-";
+  return fmt::format("{:+.2f} to {:+.2f}", interval.low, interval.high);
+}
+
+const char* passed_or_not(bool passed) { return passed ? "pass" : "FAIL"; }
+
+/// Without readings there is nothing to judge.
+bool is_judged(const validation::Verdict& verdict) {
+  return !verdict.score.errors.empty() || verdict.score.missing > 0;
+}
+
+/// Predicted value and error of a program in a test; dashes where there is no prediction.
+std::vector<std::string> error_cells(const std::vector<validation::Verdict>& verdicts,
+                                     const MeasuredTest& test, Program program, Quantity quantity) {
+  for (const auto& [score, bias, scatter, passed, radii] : verdicts) {
+    if (score.program != program || score.support != test.support || score.quantity != quantity) continue;
+    const auto error = std::ranges::find(score.errors, test.number, &TestError::test);
+    if (error != score.errors.end())
+      return {with_digits(error->predicted, quantity), bias_text(error->error, quantity)};
+  }
+  return {"-", "-"};
+}
+
+/// A column of the error tables: a program at a radius.
+struct ErrorColumn {
+  Program program;
+  double radius_in;
+  const std::vector<validation::Verdict>& verdicts;
+};
+std::vector<ErrorColumn> error_columns(const Study& study) {
+  const double favoured = study.radius.favoured_in(), of_the_report = study.radius.of_the_report_in();
+  return {{Program::accurate, favoured, study.verdicts},
+          {Program::accurate, of_the_report, study.at_the_reports_radius},
+          {Program::printed_1984, of_the_report, study.at_the_reports_radius}};
+}
+
+PageTable table_of(const std::vector<validation::Verdict>& verdicts) {
+  PageTable table{.columns = {"program", "support", "projectile", "quantity", "tests", "bias", "scatter",
+                              "bias over radii", "scatter over radii", "radii that pass", "verdict"}};
+  for (const validation::Verdict& verdict : verdicts) {
+    if (!is_judged(verdict)) continue;
+    const Score& score = verdict.score;
+    const Quantity quantity = score.quantity;
+    std::string tests = fmt::format("{}", score.errors.size());
+    if (score.missing > 0) tests += fmt::format(", {} without prediction", score.missing);
+    const auto span = [&](const Interval& interval, auto shown) {
+      return fmt::format("{} to {}", shown(interval.low, quantity), shown(interval.high, quantity));
+    };
+    table.rows.push_back({to_string(score.program), to_string(score.support),
+                          score.projectile ? to_string(*score.projectile) : "all", to_string(quantity), tests,
+                          score.errors.empty() ? "-" : bias_text(score.bias, quantity),
+                          score.errors.size() < 2 ? "-" : scatter_text(score.scatter, quantity),
+                          score.errors.empty() ? "-" : span(verdict.bias_over_radii, bias_text),
+                          score.errors.size() < 2 ? "-" : span(verdict.scatter_over_radii, scatter_text),
+                          fmt::format("{} of {}", verdict.radii_passed, verdict.radii),
+                          passed_or_not(score.passed)});
+  }
+  return table;
+}
+
+}  // namespace
+
+Tally tally(const Study& study, Program program) {
+  Tally tally;
+  for (const validation::Verdict& verdict : study.verdicts) {
+    if (verdict.score.program != program || !is_judged(verdict)) continue;
+    ++tally.all;
+    tally.passed += verdict.score.passed ? 1 : 0;
+  }
+  for (const Admissible& rebound : study.rebounds) {
+    if (rebound.program != program) continue;
+    ++tally.all;
+    tally.passed += rebound.passed ? 1 : 0;
+  }
+  return tally;
+}
+
+bool passes(const Study& study) {
+  const Tally accurate = tally(study, Program::accurate);
+  return accurate.all > 0 && accurate.passed == accurate.all;
+}
+
+PageTable verdict_table(const Study& study) { return table_of(study.verdicts); }
+
+PageTable reports_radius_table(const Study& study) { return table_of(study.at_the_reports_radius); }
+
+PageTable by_projectile_table(const Study& study) { return table_of(study.by_projectile); }
+
+PageTable placed_table(const Study& study) {
+  PageTable table{.columns = {"program", "quantity", "tests", "readings", "placings", "mean bias",
+                              "bias over placings", "placings that would pass"}};
+  for (const PlacedScore& placed : study.placed) {
+    const UnplacedReadings& group = placed.group;
+    const auto shown = [&](double bias) { return bias_text(bias, placed.quantity); };
+    table.rows.push_back(
+        {to_string(placed.program), to_string(placed.quantity),
+         fmt::format("{} to {}", group.first_test, group.last_test), fmt::format("{}", group.readings.size()),
+         fmt::format("{}", placed.placings), placed.placings == 0 ? "-" : shown(placed.bias),
+         placed.placings == 0
+             ? "-"
+             : shown(placed.bias_over_placings.low) + " to " + shown(placed.bias_over_placings.high),
+         fmt::format("{}", placed.placings_passed)});
+  }
+  return table;
+}
+
+PageTable rebound_table(const Study& study) {
+  PageTable table{
+      .columns = {"program", "tests", "admissible", "too low", "too high", "without prediction", "verdict"}};
+  for (const Admissible& rebound : study.rebounds)
+    table.rows.push_back({to_string(rebound.program), fmt::format("{}", rebound.tests),
+                          fmt::format("{}", rebound.admissible), fmt::format("{}", rebound.too_low),
+                          fmt::format("{}", rebound.too_high), fmt::format("{}", rebound.missing),
+                          passed_or_not(rebound.passed)});
+  return table;
+}
+
+PageTable error_table(const Study& study, Quantity quantity) {
+  PageTable table{.columns = {"test", "projectile", "support", "speed (mph)", "measured"}};
+  for (const ErrorColumn& column : error_columns(study)) {
+    table.columns.push_back(fmt::format("{}, {:.2f} in", to_string(column.program), column.radius_in));
+    table.columns.emplace_back("error");
+  }
+  for (const MeasuredTest& test : study.data.measured.tests) {
+    const std::optional<double> value = measured(test, quantity);
+    if (!value) continue;
+    std::vector<std::string> row{fmt::format("{}", test.number), to_string(test.projectile),
+                                 to_string(test.support), fmt::format("{:.1f}", test.speed_mph),
+                                 with_digits(*value, quantity)};
+    for (const ErrorColumn& column : error_columns(study))
+      for (std::string& cell : error_cells(column.verdicts, test, column.program, quantity))
+        row.push_back(std::move(cell));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+PageTable score_over_radius_table(const Study& study) {
+  PageTable table{.columns = {"nose radius (in)"}};
+  struct Column {
+    TestSupport support;
+    Quantity quantity;
+  };
+  std::vector<Column> columns;
+  for (const validation::Verdict& verdict : study.verdicts) {
+    if (verdict.score.program != Program::accurate || !is_judged(verdict)) continue;
+    columns.push_back({verdict.score.support, verdict.score.quantity});
+    table.columns.push_back(
+        fmt::format("{}, {}", to_string(verdict.score.quantity), to_string(verdict.score.support)));
+  }
+  for (const double radius : study.radius.radii_in) {
+    std::vector<std::string> row{fmt::format("{:.2f}", radius)};
+    for (const auto& [support, quantity] : columns) {
+      const Score one =
+          score(study.data.measured, study.at_tests, Program::accurate, support, quantity, radius);
+      row.push_back(bias_text(one.bias, quantity) + ", " + passed_or_not(one.passed));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+PageTable anomaly_table(const Study& study, const AnomalyVerdict& anomaly) {
+  PageTable table{.columns = {"program", "tests", "slope", "95 % interval", "slope, aluminium",
+                              "95 % interval", "aluminium, 10 mph", "aluminium, 20 mph", "steel, 10 mph",
+                              "steel, 15 mph"}};
+  std::vector<std::string> printed{"report", "-", "-", "-", "-", "-"};
+  for (const char* name : {"force_ratio_aluminium_low_speed", "force_ratio_aluminium_high_speed",
+                           "force_ratio_steel_low_speed", "force_ratio_steel_high_speed"})
+    printed.push_back(brief(study.data.constant(name)));
+  table.rows.push_back(std::move(printed));
+  for (const ForceTrend& trend : anomaly.trends) {
+    std::vector<std::string> row{
+        to_string(trend.program),         fmt::format("{}", trend.tests),
+        with_sign(trend.slope),           with_signs(trend.slope_confidence),
+        with_sign(trend.aluminium_slope), with_signs(trend.aluminium_slope_confidence)};
+    for (const double ratio : {trend.aluminium_low, trend.aluminium_high, trend.steel_low, trend.steel_high})
+      row.push_back(decimals(ratio));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+const char* words(Explanation explanation) {
+  switch (explanation) {
+    case Explanation::explains: return "explains it";
+    case Explanation::in_part: return "explains it in part";
+    case Explanation::does_not: return "does not explain it";
+  }
+  return "";
+}
+
+PageTable anomaly_rules_table(const AnomalyVerdict& anomaly) {
+  const auto met = [](bool is_met) { return is_met ? "met" : "NOT MET"; };
+  return {.columns = {"condition", "outcome"},
+          .rows = {{"1. the first slope alone gives the report's ratios within 25 %",
+                    met(anomaly.first_slope_gives_the_fall)},
+                   {"2. the support as specified removes the fall, and its peak forces pass",
+                    met(anomaly.curve_removes_the_fall)},
+                   {"the slope at least halves", met(anomaly.slope_halves)},
+                   {"so the support defect", words(anomaly.explanation)}}};
+}
+
+}  // namespace dashpad
