@@ -186,9 +186,11 @@ class Equilibrium {
     const std::optional<double> rate = predictor.next_rate(step);
     return rate ? *rate * step : spring_advance(step, slope);
   }
-  /// The root of Eq. 25 for a pad whose force grows in proportion to the advance; `slope` is that of Eq. 25.
+  /// The root of Eq. 25 for a pad whose force grows in proportion to the advance, or a share of the gap:
+  /// the stiffness changes with it. `slope` is that of Eq. 25.
   [[nodiscard]] double spring_advance(double step, double slope) const {
-    return motion_.travel(step) / slope;
+    const double most = numerics.guess_of_gap * (contact_.lock_penetration() - now().penetration);
+    return std::clamp(motion_.travel(step) / slope, -most, most);
   }
   static double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
   static double slope_of_fourth_power(double z) { return 4 * z * z * z; }

@@ -41,6 +41,8 @@ struct Numerics {
 
   /// Change of the pad's stiffness from one step to the next that a guess may assume.
   double most_stiffening = 2;
+  /// Share of the gap that a guess after an event may open or close.
+  double guess_of_gap = 0.1;
   /// A rate that fell to less than this share of the last is the breakdown towards the turning point: the
   /// stiffness over that step is not that of a spring.
   double breakdown_of_rate = 0.4;

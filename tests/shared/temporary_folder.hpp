@@ -17,6 +17,10 @@ class TemporaryFolder {
     std::string name = (std::filesystem::temp_directory_path() / "dashpad-test-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
     path_ = name;
+    // Also for a test that gives up its rights; mkdtemp lets only the owner in.
+    using std::filesystem::perms;
+    std::filesystem::permissions(path_, perms::others_read | perms::others_exec,
+                                 std::filesystem::perm_options::add);
   }
   ~TemporaryFolder() {
     std::error_code ignored;

@@ -192,9 +192,9 @@ std::string settle_unit(MeasuredColumn& column, ColumnKind kind, const std::stri
   return "";
 }
 
-std::string wrong_number_of_sensitivities(std::size_t given, std::size_t acceleration_units) {
+std::string wrong_number_of_sensitivities(std::size_t given, std::size_t accelerations) {
   return fmt::format("{} sensitivities were given for {} {}; give one for all, or one for each", given,
-                     acceleration_units, acceleration_units == 1 ? "acceleration" : "acceleration_units");
+                     accelerations, accelerations == 1 ? "acceleration" : "accelerations");
 }
 
 std::optional<Sensitivity> sensitivity_at(const std::vector<Sensitivity>& given, std::size_t place) {
