@@ -19,8 +19,8 @@ class TemporaryFolder {
     path_ = name;
     // Also for a test that gives up its rights; mkdtemp lets only the owner in.
     using std::filesystem::perms;
-    std::filesystem::permissions(path_, perms::others_read | perms::others_exec,
-                                 std::filesystem::perm_options::add);
+    constexpr perms enter = perms::group_read | perms::group_exec | perms::others_read | perms::others_exec;
+    std::filesystem::permissions(path_, enter, std::filesystem::perm_options::add);
   }
   ~TemporaryFolder() {
     std::error_code ignored;
