@@ -15,7 +15,7 @@
 #include "output.hpp"
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace fs = std::filesystem;
 
@@ -49,7 +49,7 @@ struct AssessRequest {
   std::optional<std::string> mass, radius, speed, drop_height;
   std::optional<std::string> json;
   std::string units;
-  Detail detail = Detail::main;
+  output::Detail detail = output::Detail::main;
   std::optional<std::string> tolerance;
   std::string standards;
   std::string materials;
@@ -62,8 +62,8 @@ struct AssessFolders {
 };
 
 struct AssessInput {
-  CaseFile given;
-  Standard standard;
+  input::CaseFile given;
+  injury::Standard standard;
   ImpactCase assessed;
 };
 
@@ -81,7 +81,7 @@ std::optional<double> read_option(const char* option, const std::optional<std::s
   return std::nullopt;
 }
 
-UserValues read_user_values(const AssessRequest& request, Complaints& wrong) {
+injury::UserValues read_user_values(const AssessRequest& request, Complaints& wrong) {
   if (request.speed && request.drop_height)
     wrong.emplace_back("--drop-height: give --speed or --drop-height, not both");
   return {.mass = read_option("--mass", request.mass, "kg", wrong),
@@ -95,7 +95,7 @@ template <class Reader>
 void noting_faults(Complaints& wrong, Reader read) {
   try {
     read();
-  } catch (const InputError& error) {
+  } catch (const input::InputError& error) {
     add_lines(error.faults(), wrong);
   } catch (const std::invalid_argument& error) {
     wrong.push_back(fmt::format("--standard: {}", error.what()));
@@ -104,24 +104,24 @@ void noting_faults(Complaints& wrong, Reader read) {
 
 AssessInput read_and_check(const AssessRequest& request, const AssessFolders& folders) {
   Complaints wrong;
-  const UserValues values = read_user_values(request, wrong);
+  const injury::UserValues values = read_user_values(request, wrong);
   const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
   AssessInput input;
-  std::vector<InputFile> files;
+  std::vector<input::InputFile> files;
   noting_faults(wrong, [&] {
-    const StandardChoice choice = standard_choice(request.standard);
-    files.push_back({"the standard", find_standard(choice.name, folders.standards)});
-    const Standard standard = read_standard(files.back().file);
-    input.standard = with_user_values(with_variants(standard, choice.variants), values);
+    const injury::StandardChoice choice = injury::standard_choice(request.standard);
+    files.push_back({"the standard", injury::find_standard(choice.name, folders.standards)});
+    const injury::Standard standard = injury::read_standard(files.back().file);
+    input.standard = injury::with_user_values(injury::with_variants(standard, choice.variants), values);
   });
-  std::optional<CaseFile> given = read_case(request.case_file, folders.materials, wrong);
+  std::optional<input::CaseFile> given = read_case(request.case_file, folders.materials, wrong);
   std::ranges::move(files_of(request.case_file, given), std::back_inserter(files));
   judge_targets(targets(request), files, request.force, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
 
   input.given = *std::move(given);
   if (tolerance) input.given.options.tolerance = *tolerance;
-  input.assessed = with_impactor_of(input.standard, input.given.impact);
+  input.assessed = injury::with_impactor_of(input.standard, input.given.impact);
   for (const Violation& violation : violations(input.assessed))
     wrong.push_back(fmt::format("{}, with the impactor of {}: {} = {}: {}", request.case_file,
                                 input.standard.name, violation.key, violation.value, violation.rule));
@@ -132,13 +132,15 @@ AssessInput read_and_check(const AssessRequest& request, const AssessFolders& fo
 int run_assessment(const AssessRequest& request, const AssessFolders& folders) {
   const AssessInput input = read_and_check(request, folders);
   const Solution solution = solve_with_progress(input.assessed, input.given.options);
-  const Assessment assessment = assess(input.standard, input.assessed, solution);
-  const AssessmentReport report{input.standard, input.given.impact, input.assessed, solution, assessment};
+  const injury::Assessment assessment = injury::assess(input.standard, input.assessed, solution);
+  const output::AssessmentReport report{input.standard, input.given.impact, input.assessed, solution,
+                                        assessment};
   publish(
-      targets(request), request.force, [&](const Target&) { return assessment_json(report); },
-      assessment_text(report, unit_system(request.units), request.detail));
-  if (!solution.summary.trustworthy() || assessment.verdict == Verdict::undecided) return exit_not_trusted;
-  return assessment.verdict == Verdict::pass ? int{exit_done} : exit_not_passed;
+      targets(request), request.force, [&](const Target&) { return output::assessment_json(report); },
+      output::assessment_text(report, unit_system(request.units), request.detail));
+  if (!solution.summary.trustworthy() || assessment.verdict == injury::Verdict::undecided)
+    return exit_not_trusted;
+  return assessment.verdict == injury::Verdict::pass ? int{exit_done} : exit_not_passed;
 }
 
 }  // namespace
@@ -173,4 +175,4 @@ void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
   });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

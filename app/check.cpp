@@ -9,7 +9,7 @@
 #include "dashpad/output/text/case.hpp"
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -29,10 +29,10 @@ struct CheckRequest {
 };
 
 int check(const CheckRequest& request, const std::filesystem::path& materials) {
-  const CaseFile input = read_case(request.case_file, materials);
+  const input::CaseFile input = input::read_case(request.case_file, materials);
   write_output(fmt::format("{}: OK\n\n{}\nIn SI:\n{}", request.case_file,
-                           case_text(input.impact, unit_system(request.units)),
-                           case_in_si(input.impact, input.options)));
+                           output::case_text(input.impact, unit_system(request.units)),
+                           output::case_in_si(input.impact, input.options)));
   return exit_done;
 }
 
@@ -50,4 +50,4 @@ void add_check(CLI::App& app, Action& action, const std::filesystem::path& execu
   });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -14,7 +14,7 @@
 #include "progress_line.hpp"
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 void add_units(CLI::App& app, std::string& units) {
   std::vector<std::string> names;
@@ -25,9 +25,10 @@ void add_units(CLI::App& app, std::string& units) {
       ->type_name("SYSTEM");
 }
 
-void add_all(CLI::App& app, Detail& detail) {
+void add_all(CLI::App& app, output::Detail& detail) {
   app.add_flag_callback(
-      "--all", [&detail] { detail = Detail::all; }, "Every figure, to five digits and with its error");
+      "--all", [&detail] { detail = output::Detail::all; },
+      "Every figure, to five digits and with its error");
 }
 
 void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance) {
@@ -58,11 +59,11 @@ void add_report(CLI::App& app, std::optional<std::string>& file) {
 }
 
 void judge_report(const std::optional<std::string>& file, std::vector<std::string>& wrong) {
-  if (file && !has_page()) wrong.push_back(std::string{"--report: "} + no_page);
+  if (file && !output::has_page()) wrong.push_back(std::string{"--report: "} + output::no_page);
 }
 
 void judge_picture(const std::optional<std::string>& file, std::vector<std::string>& wrong) {
-  if (file && !picture_format(*file))
+  if (file && !output::picture_format(*file))
     wrong.push_back(fmt::format("--picture {}: must end in .svg, .png or .pdf", *file));
 }
 
@@ -96,30 +97,30 @@ std::filesystem::path chosen_standards(const std::string& folder, const std::fil
   return folder.empty() ? standard_folder(executable) : std::filesystem::path{folder};
 }
 
-std::optional<CaseFile> read_case(const std::string& file, const std::filesystem::path& materials,
-                                  std::vector<std::string>& wrong) {
+std::optional<input::CaseFile> read_case(const std::string& file, const std::filesystem::path& materials,
+                                         std::vector<std::string>& wrong) {
   try {
-    return read_case(file, materials);
-  } catch (const InputError& error) {
+    return input::read_case(file, materials);
+  } catch (const input::InputError& error) {
     add_lines(error.faults(), wrong);
     return std::nullopt;
   }
 }
 
-CaseFile case_to_solve(
+input::CaseFile case_to_solve(
     const std::string& file, const std::filesystem::path& materials,
     const std::optional<std::string>& tolerance, std::vector<std::string> wrong,
-    const std::function<void(const std::vector<InputFile>&, std::vector<std::string>&)>& judge) {
+    const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge) {
   const std::optional<double> chosen = tolerance_of(tolerance, wrong);
-  std::optional<CaseFile> input = read_case(file, materials, wrong);
+  std::optional<input::CaseFile> input = read_case(file, materials, wrong);
   judge(files_of(file, input), wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
   if (chosen) input->options.tolerance = *chosen;
   return *std::move(input);
 }
 
-std::vector<InputFile> files_of(const std::string& file, const std::optional<CaseFile>& input) {
-  return input ? input->files : std::vector<InputFile>{{"the case file", file}};
+std::vector<input::InputFile> files_of(const std::string& file, const std::optional<input::CaseFile>& input) {
+  return input ? input->files : std::vector<input::InputFile>{{"the case file", file}};
 }
 
 Solution solve_with_progress(const ImpactCase& impact, const Options& options) {
@@ -134,7 +135,7 @@ int list_cards(std::string heading, const std::vector<std::filesystem::path>& ca
   for (const std::filesystem::path& card : cards) {
     try {
       text += line_of(card);
-    } catch (const InputError& error) {
+    } catch (const input::InputError& error) {
       add_lines(error.faults(), faults);
     }
   }
@@ -143,14 +144,14 @@ int list_cards(std::string heading, const std::vector<std::filesystem::path>& ca
   return exit_done;
 }
 
-std::vector<std::string> lines(const std::vector<Fault>& faults) {
+std::vector<std::string> lines(const std::vector<input::Fault>& faults) {
   std::vector<std::string> text;
   add_lines(faults, text);
   return text;
 }
 
-void add_lines(const std::vector<Fault>& faults, std::vector<std::string>& wrong) {
-  for (const Fault& fault : faults) wrong.push_back(to_string(fault));
+void add_lines(const std::vector<input::Fault>& faults, std::vector<std::string>& wrong) {
+  for (const input::Fault& fault : faults) wrong.push_back(to_string(fault));
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -14,7 +14,7 @@
 #include "dashpad/input/fault.hpp"
 #include "dashpad/output/text/result.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 enum ExitCode {
   exit_done = 0,         ///< results are there; also when the pad bottomed out or the time was up
@@ -44,7 +44,7 @@ void add_study(CLI::App& app, Action& action, const std::filesystem::path& execu
 /// Adds --units; the help names the systems on offer.
 void add_units(CLI::App& app, std::string& units);
 /// Adds --all: every figure, to five digits and with its error.
-void add_all(CLI::App& app, Detail& detail);
+void add_all(CLI::App& app, output::Detail& detail);
 /// Adds --tolerance.
 void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance);
 /// The tolerance of --tolerance; absent where there is none, or where it is none and `wrong` is told so.
@@ -73,18 +73,18 @@ std::filesystem::path chosen_standards(const std::string& folder, const std::fil
 std::filesystem::path find_card(const std::string& name, const std::filesystem::path& folder);
 
 /// The case of that file; absent where it has faults, of which `wrong` is told.
-std::optional<CaseFile> read_case(const std::string& file, const std::filesystem::path& materials,
-                                  std::vector<std::string>& wrong);
+std::optional<input::CaseFile> read_case(const std::string& file, const std::filesystem::path& materials,
+                                         std::vector<std::string>& wrong);
 
 /// The case to solve, with the tolerance of --tolerance in place of its own. `judge` sees the files that it
 /// was read from, and may add to `wrong`. Throws Refused with all that is wrong then.
-CaseFile case_to_solve(
+input::CaseFile case_to_solve(
     const std::string& file, const std::filesystem::path& materials,
     const std::optional<std::string>& tolerance, std::vector<std::string> wrong,
-    const std::function<void(const std::vector<InputFile>&, std::vector<std::string>&)>& judge);
+    const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge);
 
 /// The files that the case was read from; of a case with faults at least its own.
-std::vector<InputFile> files_of(const std::string& file, const std::optional<CaseFile>& input);
+std::vector<input::InputFile> files_of(const std::string& file, const std::optional<input::CaseFile>& input);
 
 /// solve(), with a line on standard error where that takes long.
 Solution solve_with_progress(const ImpactCase& impact, const Options& options);
@@ -95,8 +95,8 @@ int list_cards(std::string heading, const std::vector<std::filesystem::path>& ca
                const std::function<std::string(const std::filesystem::path&)>& line_of);
 
 /// One line for each fault.
-std::vector<std::string> lines(const std::vector<Fault>& faults);
-void add_lines(const std::vector<Fault>& faults, std::vector<std::string>& wrong);
+std::vector<std::string> lines(const std::vector<input::Fault>& faults);
+void add_lines(const std::vector<input::Fault>& faults, std::vector<std::string>& wrong);
 
 /// Facts about this build, for --version.
 std::string version_text();
@@ -112,4 +112,4 @@ class Refused : public std::runtime_error {
   std::vector<std::string> complaints_;
 };
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -14,7 +14,7 @@
 #include "progress_line.hpp"
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -48,11 +48,11 @@ std::vector<Target> targets(const CompareRequest& request) {
   return wanted;
 }
 
-CaseFile read_and_check(const CompareRequest& request, const std::filesystem::path& materials) {
+input::CaseFile read_and_check(const CompareRequest& request, const std::filesystem::path& materials) {
   std::vector<std::string> wrong;
   judge_picture(request.picture, wrong);
   if (std::isnan(request.time_step_ms)) wrong.emplace_back("--time-step nan: must be a number");
-  std::optional<CaseFile> input = read_case(request.case_file, materials, wrong);
+  std::optional<input::CaseFile> input = read_case(request.case_file, materials, wrong);
   judge_targets(targets(request), files_of(request.case_file, input), request.force, wrong);
   if (input)
     for (const Violation& violation : spit1984::what_a_deck_cannot_say(input->impact))
@@ -62,21 +62,23 @@ CaseFile read_and_check(const CompareRequest& request, const std::filesystem::pa
 }
 
 int run_comparison(const CompareRequest& request, const std::filesystem::path& materials) {
-  const CaseFile input = read_and_check(request, materials);
+  const input::CaseFile input = read_and_check(request, materials);
   const UnitSystem& units = unit_system(request.units);
-  const Comparison comparison = [&] {
+  const report1986::Comparison comparison = [&] {
     ProgressLine line{"Running the program of 1984"};
-    return compare(input.impact, input.options, 1e-3 * request.time_step_ms,
-                   [&](std::size_t done, std::size_t all) { line.show(done, all); });
+    return report1986::compare(input.impact, input.options, 1e-3 * request.time_step_ms,
+                               [&](std::size_t done, std::size_t all) { line.show(done, all); });
   }();
 
   const auto text_of = [&](const Target& target) {
     return target.option == "--json"
-               ? comparison_json(comparison)
-               : picture(comparison_plot(comparison, input.impact, units), *picture_format(target.file));
+               ? report1986::comparison_json(comparison)
+               : output::picture(report1986::comparison_plot(comparison, input.impact, units),
+                                 *output::picture_format(target.file));
   };
-  publish(targets(request), request.force, text_of, comparison_text(comparison, input.impact, units));
-  return comparison.runs.front().trustworthy && comparison.runs[Comparison::reference].trustworthy
+  publish(targets(request), request.force, text_of,
+          report1986::comparison_text(comparison, input.impact, units));
+  return comparison.runs.front().trustworthy && comparison.runs[report1986::Comparison::reference].trustworthy
              ? exit_done
              : exit_not_trusted;
 }
@@ -105,4 +107,4 @@ void add_compare(CLI::App& app, Action& action, const std::filesystem::path& exe
   });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -15,7 +15,7 @@
 #include "output.hpp"
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -51,15 +51,15 @@ tolerance.)";
 /// A new format is a row here.
 struct Format {
   const char* name;
-  std::string (*text)(const CurveFile&);
+  std::string (*text)(const output::CurveFile&);
   bool holds_one_curve;
   bool over_time_only;
 };
 
-constexpr Format formats[] = {{"ls-dyna", ls_dyna_text, false, false},
-                              {"radioss", radioss_text, false, false},
-                              {"csv", curve_csv, true, false},
-                              {"iso-mme", iso_mme_zip, false, true}};
+constexpr Format formats[] = {{"ls-dyna", output::ls_dyna_text, false, false},
+                              {"radioss", output::radioss_text, false, false},
+                              {"csv", output::curve_csv, true, false},
+                              {"iso-mme", output::iso_mme_zip, false, true}};
 
 struct ExportRequest {
   std::string case_file;
@@ -81,8 +81,8 @@ const Format& format_of(const ExportRequest& request) {
 
 std::vector<std::string> curves_of(const ExportRequest& request) {
   if (!request.curves.empty()) return request.curves;
-  std::vector<std::string> names = curve_names();
-  if (format_of(request).over_time_only) std::erase_if(names, std::not_fn(is_over_time));
+  std::vector<std::string> names = output::curve_names();
+  if (format_of(request).over_time_only) std::erase_if(names, std::not_fn(output::is_over_time));
   return names;
 }
 
@@ -91,7 +91,7 @@ std::vector<std::string> wrong_curves(const ExportRequest& request) {
   std::vector<std::string> wrong;
   if (format_of(request).over_time_only) {
     for (const std::string& name : request.curves)
-      if (!is_over_time(name))
+      if (!output::is_over_time(name))
         wrong.push_back(fmt::format("--curves {}: {} holds what is over time only", name, request.format));
     if (!request.system.empty())
       wrong.push_back(fmt::format("--system {}: {} is in SI", request.system, request.format));
@@ -102,44 +102,46 @@ std::vector<std::string> wrong_curves(const ExportRequest& request) {
   if (format_of(request).holds_one_curve && curves_of(request).size() != 1)
     wrong.push_back(
         fmt::format("--format {}: holds one curve; name it, as in --curves force", request.format));
-  const int highest_first = highest_curve_id - static_cast<int>(curves_of(request).size()) + 1;
+  const int highest_first = output::highest_curve_id - static_cast<int>(curves_of(request).size()) + 1;
   if (request.first_id > highest_first)
     wrong.push_back(fmt::format("--first-id {}: must be at most {}, to number all curves up to {}",
-                                request.first_id, highest_first, highest_curve_id));
+                                request.first_id, highest_first, output::highest_curve_id));
   return wrong;
 }
 
-CurveFile curves_for(const ExportRequest& request, const CaseFile& input, const Solution& solution) {
+output::CurveFile curves_for(const ExportRequest& request, const input::CaseFile& input,
+                             const Solution& solution) {
   std::optional<std::size_t> points;
   if (request.points) points = static_cast<std::size_t>(*request.points);
-  CurveFile file = curve_file(input.impact, solution, curves_of(request), points);
+  output::CurveFile file = output::curve_file(input.impact, solution, curves_of(request), points);
   if (!request.system.empty()) file.units = consistent_system(request.system);
   file.acceleration_in_g = request.in_g;
   file.first_id = request.first_id;
-  if (std::ranges::none_of(file.curves, [](const FileCurve& of) { return of.curve.exists(); }))
+  if (std::ranges::none_of(file.curves, [](const output::FileCurve& of) { return of.curve.exists(); }))
     throw std::runtime_error("nothing was written: " + file.curves.front().curve.name + " is " +
                              file.curves.front().remark);
   return file;
 }
 
 /// A line for each curve, then the flags.
-std::string account(const ExportRequest& request, const CurveFile& file) {
+std::string account(const ExportRequest& request, const output::CurveFile& file) {
   std::string text = fmt::format("{}, {}, units {}\n", request.out == "-" ? "standard output" : request.out,
                                  request.format, format_of(request).over_time_only ? "SI" : file.units.name);
   int id = file.first_id;
-  for (const FileCurve& of : file.curves)
+  for (const output::FileCurve& of : file.curves)
     text += fmt::format("  {:>8}  {:<13} {}\n", id++, of.curve.name, of.remark);
   for (const std::string& flag : file.flags) text += flag + "\n";
   return text;
 }
 
 int export_curves(const ExportRequest& request, const std::filesystem::path& materials) {
-  const CaseFile input = case_to_solve(request.case_file, materials, request.tolerance, wrong_curves(request),
-                                       [&](const auto& files, auto& wrong) {
-                                         judge_targets({{"--out", request.out}}, files, request.force, wrong);
-                                       });
+  const input::CaseFile input =
+      case_to_solve(request.case_file, materials, request.tolerance, wrong_curves(request),
+                    [&](const auto& files, auto& wrong) {
+                      judge_targets({{"--out", request.out}}, files, request.force, wrong);
+                    });
   const Solution solution = solve_with_progress(input.impact, input.options);
-  const CurveFile file = curves_for(request, input, solution);
+  const output::CurveFile file = curves_for(request, input, solution);
   publish(
       {{"--out", request.out}}, request.force, [&](const Target&) { return format_of(request).text(file); },
       account(request, file));
@@ -161,7 +163,7 @@ void add_options(CLI::App& sub, ExportRequest& request) {
   sub.add_option("--curves", request.curves, "Which, with commas between them (default: all)")
       ->delimiter(',')
       ->allow_extra_args(false)  // what follows may be CASE
-      ->check(CLI::IsMember(curve_names()))
+      ->check(CLI::IsMember(output::curve_names()))
       ->type_name("LIST");
   sub.add_option("--system", request.system, "Units of the deck (default: kg-mm-ms)")
       ->check(CLI::IsMember(system_names))
@@ -169,7 +171,7 @@ void add_options(CLI::App& sub, ExportRequest& request) {
   sub.add_flag("--acceleration-in-g", request.in_g, "Accelerations in g, not in the system's length/time^2")
       ->disable_flag_override();
   sub.add_option("--first-id", request.first_id, "Number of the first curve (default: 1)")
-      ->check(CLI::Range(1, highest_curve_id))
+      ->check(CLI::Range(1, output::highest_curve_id))
       ->type_name("N");
   sub.add_option("--points", request.points, "Keep at most N points of a curve; says how far off it is then")
       ->check(CLI::Range(2, most_points))
@@ -193,4 +195,4 @@ void add_export(CLI::App& app, Action& action, const std::filesystem::path& exec
   });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

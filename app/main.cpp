@@ -14,7 +14,7 @@
 #include "output.hpp"
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -66,7 +66,7 @@ constexpr std::size_t most_lines = 200;
 int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
   std::string text;
   const std::size_t count = complaints.size();
-  const std::vector<std::string> lines = abridged(complaints);
+  const std::vector<std::string> lines = input::abridged(complaints);
   for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) text += lines[i] + "\n";
   if (lines.size() > most_lines) text += "...\n";
   text += std::to_string(count) + (count == 1 ? " fault" : " faults");
@@ -79,7 +79,7 @@ int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
 int perform(const Action& action, const CLI::App& app) {
   try {
     return action();
-  } catch (const InputError& error) {
+  } catch (const input::InputError& error) {
     return refuse(lines(error.faults()), app);
   } catch (const Refused& error) {
     return refuse(error.complaints(), app);
@@ -90,12 +90,13 @@ int perform(const Action& action, const CLI::App& app) {
 std::string advice_on(const std::vector<std::string>& words, const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
-  if (words.empty()) return "a command is missing; there are " + listing(names);
+  if (words.empty()) return "a command is missing; there are " + input::listing(names);
   const std::string& word = words.front();
   if (word.ends_with(".toml")) return word + ": which command? To solve a case: dashpad run " + word;
-  if (word.starts_with('-')) return word + ": no such option before a command; there are " + listing(names);
-  const std::string meant = did_you_mean(word, names);
-  return word + ": no such command" + (meant.empty() ? "; there are " + listing(names) : meant);
+  if (word.starts_with('-'))
+    return word + ": no such option before a command; there are " + input::listing(names);
+  const std::string meant = input::did_you_mean(word, names);
+  return word + ": no such command" + (meant.empty() ? "; there are " + input::listing(names) : meant);
 }
 
 /// Help and version end in exit code 0, a command line that is not understood in 2.
@@ -135,10 +136,10 @@ int command(int argument_count, char** arguments) {
 
 }  // namespace
 
-}  // namespace dashpad
+}  // namespace dashpad::app
 
 int main(int argument_count, char** arguments) {
-  using namespace dashpad;
+  using namespace dashpad::app;
   try {
     prepare_streams();
     return command(argument_count, arguments);

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <system_error>
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace fs = std::filesystem;
 
@@ -53,4 +53,4 @@ fs::path running_executable(const char* argument_zero) {
   return error ? fs::path{argument_zero} : executable;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

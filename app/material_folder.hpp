@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace dashpad {
+namespace dashpad::app {
 
 /// The first of:
 ///   1. $DASHPAD_MATERIALS, if set and not empty, whether or not it exists: a wrong path is to be noticed;
@@ -22,4 +22,4 @@ std::filesystem::path validation_data_folder(const std::filesystem::path& execut
 /// The file of the running program; `argument_zero` where the system does not tell.
 std::filesystem::path running_executable(const char* argument_zero);
 
-}  // namespace dashpad
+}  // namespace dashpad::app

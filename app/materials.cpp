@@ -10,7 +10,7 @@
 #include "dashpad/output/text/case.hpp"
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace fs = std::filesystem;
 
@@ -37,21 +37,21 @@ std::string names_of(const std::vector<fs::path>& cards) {
 }
 
 int show(const MaterialsRequest& request, const fs::path& folder) {
-  const Material material = read_material(find_card(request.name, folder));
-  write_output(material_text(material, unit_system(request.units)));
+  const Material material = input::read_material(find_card(request.name, folder));
+  write_output(output::material_text(material, unit_system(request.units)));
   return exit_done;
 }
 
 int list_all_materials(const fs::path& folder) {
-  return list_cards(fmt::format("Materials in {}:\n", folder.string()), list_materials(folder),
-                    [](const fs::path& card) { return material_line(read_material(card)); });
+  return list_cards(fmt::format("Materials in {}:\n", folder.string()), input::list_materials(folder),
+                    [](const fs::path& card) { return output::material_line(input::read_material(card)); });
 }
 
 }  // namespace
 
 fs::path find_card(const std::string& name, const fs::path& folder) {
   if (name.ends_with(".toml")) return name;
-  const std::vector<fs::path> cards = list_materials(folder);
+  const std::vector<fs::path> cards = input::list_materials(folder);
   const auto card = std::ranges::find(cards, name, [](const fs::path& path) { return path.stem().string(); });
   if (card == cards.end())
     throw Refused(
@@ -74,4 +74,4 @@ void add_materials(CLI::App& app, Action& action, const fs::path& executable) {
   });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace fs = std::filesystem;
 
@@ -120,8 +120,8 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
-void judge_targets(const std::vector<Target>& targets, const std::vector<InputFile>& inputs, bool force,
-                   std::vector<std::string>& wrong) {
+void judge_targets(const std::vector<Target>& targets, const std::vector<input::InputFile>& inputs,
+                   bool force, std::vector<std::string>& wrong) {
   for (auto target = targets.begin(); target != targets.end(); ++target) {
     const auto say = [&](const std::string& what) {
       wrong.push_back(target->option + " " + target->file + ": " + what);
@@ -136,7 +136,7 @@ void judge_targets(const std::vector<Target>& targets, const std::vector<InputFi
     }
     if (target->is_standard_output()) continue;
     const auto input = std::ranges::find_if(
-        inputs, [&](const InputFile& read) { return is_same_file(target->file, read.file); });
+        inputs, [&](const input::InputFile& read) { return is_same_file(target->file, read.file); });
     if (input != inputs.end())
       say("is " + input->kind + "; name another");
     else if (const char* stream = stream_into(target->file))
@@ -236,4 +236,4 @@ void publish(const std::vector<Target>& targets, bool force, const TextOf& text_
   }
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -10,7 +10,7 @@
 #include "dashpad/input/input_file.hpp"
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 /// A file that the user wants written, as given: "--json" and its FILE.
 struct Target {
@@ -22,8 +22,8 @@ struct Target {
 /// Tells `wrong` what forbids writing to the targets, seen before the run, a line each: a file that exists
 /// (without force), a folder that is missing or closed to us, two targets that are one, standard output or
 /// standard error redirected to a target, a target that is one of the files that the command read.
-void judge_targets(const std::vector<Target>& targets, const std::vector<InputFile>& inputs, bool force,
-                   std::vector<std::string>& wrong);
+void judge_targets(const std::vector<Target>& targets, const std::vector<input::InputFile>& inputs,
+                   bool force, std::vector<std::string>& wrong);
 
 /// Fills the file of that name, which is there: for results too large for memory.
 using WriteFile = std::function<void(const std::filesystem::path&)>;
@@ -67,4 +67,4 @@ std::string publish(const std::vector<Target>& targets, bool force, const TextOf
 /// publish(), then what is for people: to standard output, or to standard error where that is for a target.
 void publish(const std::vector<Target>& targets, bool force, const TextOf& text_of, std::string_view summary);
 
-}  // namespace dashpad
+}  // namespace dashpad::app

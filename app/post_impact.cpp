@@ -12,7 +12,7 @@
 #include "output.hpp"
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -41,7 +41,7 @@ std::vector<Target> targets(const PostImpactRequest& request) {
 }
 
 struct PostImpactInput {
-  CaseFile file;
+  input::CaseFile file;
   Body first, second;
 };
 
@@ -53,7 +53,7 @@ PostImpactInput read_and_check(const PostImpactRequest& request, const std::file
   input.second.velocity = quantity_of("--other-velocity", request.other_velocity, "m/s", wrong).value_or(0);
   if (!(input.second.mass > 0))
     wrong.push_back(fmt::format("--other-mass {}: must be more than 0", *request.other_mass));
-  std::optional<CaseFile> file = read_case(request.case_file, materials, wrong);
+  std::optional<input::CaseFile> file = read_case(request.case_file, materials, wrong);
   judge_targets(targets(request), files_of(request.case_file, file), request.force, wrong);
   if (file) {
     input.file = *std::move(file);
@@ -84,8 +84,8 @@ int run(const PostImpactRequest& request, const std::filesystem::path& materials
   }
   publish(
       targets(request), request.force,
-      [&](const Target&) { return post_impact_json(input.first, input.second, impact, solution); },
-      post_impact_text(input.first, input.second, impact, solution, unit_system(request.units)));
+      [&](const Target&) { return output::post_impact_json(input.first, input.second, impact, solution); },
+      output::post_impact_text(input.first, input.second, impact, solution, unit_system(request.units)));
   return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
 }
 
@@ -111,4 +111,4 @@ void add_post_impact(CLI::App& app, Action& action, const std::filesystem::path&
   });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

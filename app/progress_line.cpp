@@ -10,7 +10,7 @@
 
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -80,4 +80,4 @@ void ProgressLine::say(double seconds) {
   write_error(fmt::format("{} will take about {:.0f} minutes\n", what_, std::ceil(seconds / 60)));
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

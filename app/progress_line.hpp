@@ -11,7 +11,7 @@
 
 #include "terminal_line.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 /// A line with the time since it was made and, if the computation tells, how much is done; from its second
 /// second on, where standard error is a terminal. Wiped at the end. What will take more than a minute says so
@@ -46,4 +46,4 @@ class ProgressLine {
   std::jthread clock_;
 };
 
-}  // namespace dashpad
+}  // namespace dashpad::app

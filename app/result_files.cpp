@@ -8,7 +8,7 @@
 #include "dashpad/output/text/result.hpp"
 #include "output.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -34,7 +34,7 @@ void add_result_files(CLI::App& app, ResultFiles& files) {
   add_all(app, files.detail);
 }
 
-void judge_result_files(const ResultFiles& files, const std::vector<InputFile>& inputs,
+void judge_result_files(const ResultFiles& files, const std::vector<input::InputFile>& inputs,
                         std::vector<std::string>& wrong) {
   judge_targets(targets(files), inputs, files.force, wrong);
   judge_report(files.report, wrong);
@@ -45,17 +45,18 @@ void publish(const ResultFiles& files, const SolvedCase& solved, std::string_vie
   const ImpactCase& impact = solved.impact;
   const Solution& solution = solved.solution;
   const UnitSystem& units = unit_system(files.units);
-  const std::optional<InjuryFigures> injury = whole_pulse_figures(solution);
+  const std::optional<injury::InjuryFigures> injury = injury::whole_pulse_figures(solution);
   const auto text_of = [&](const Target& target) {
-    if (target.option == "--json") return result_json(impact, solution.summary, injury);
+    if (target.option == "--json") return output::result_json(impact, solution.summary, injury);
     if (target.option == "--png")
-      return picture(result_plot(impact, solution, injury, units), PictureFormat::png);
-    if (target.option == "--csv") return history_csv(solution.history, units_of_files(units));
-    return page(impact, solved.options, solution, units, contact_snapshots(impact, solution.history));
+      return output::picture(output::result_plot(impact, solution, injury, units),
+                             output::PictureFormat::png);
+    if (target.option == "--csv") return output::history_csv(solution.history, units_of_files(units));
+    return output::page(impact, solved.options, solution, units, contact_snapshots(impact, solution.history));
   };
   std::string summary =
-      std::string{heading} + result_text(impact, solution.summary, injury, units, files.detail);
+      std::string{heading} + output::result_text(impact, solution.summary, injury, units, files.detail);
   publish(targets(files), files.force, text_of, summary.append(after));
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

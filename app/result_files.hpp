@@ -11,13 +11,13 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/input/input_file.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 /// What the user wants written, and how.
 struct ResultFiles {
   std::optional<std::string> json, csv, report, png;
   std::string units;
-  Detail detail = Detail::main;
+  output::Detail detail = output::Detail::main;
   bool force = false;
 };
 
@@ -25,7 +25,7 @@ struct ResultFiles {
 void add_result_files(CLI::App& app, ResultFiles& files);
 
 /// Tells `wrong` what forbids writing them, as judge_targets does.
-void judge_result_files(const ResultFiles& files, const std::vector<InputFile>& inputs,
+void judge_result_files(const ResultFiles& files, const std::vector<input::InputFile>& inputs,
                         std::vector<std::string>& wrong);
 
 /// A case, and what came of it.
@@ -40,4 +40,4 @@ struct SolvedCase {
 void publish(const ResultFiles& files, const SolvedCase& solved, std::string_view heading = "",
              std::string_view after = "");
 
-}  // namespace dashpad
+}  // namespace dashpad::app

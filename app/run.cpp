@@ -7,7 +7,7 @@
 #include "dashpad/input/case_file.hpp"
 #include "result_files.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -41,7 +41,7 @@ struct RunRequest {
 };
 
 int run(const RunRequest& request, const std::filesystem::path& materials) {
-  const CaseFile input =
+  const input::CaseFile input =
       case_to_solve(request.case_file, materials, request.tolerance, {},
                     [&](const auto& files, auto& wrong) { judge_result_files(request.files, files, wrong); });
   const Solution solution = solve_with_progress(input.impact, input.options);
@@ -65,4 +65,4 @@ void add_run(CLI::App& app, Action& action, const std::filesystem::path& executa
   });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

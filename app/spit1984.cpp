@@ -20,7 +20,7 @@
 #include "progress_line.hpp"
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -110,7 +110,7 @@ Deck deck_for(const Spit1984Request& request, const std::filesystem::path& mater
     wrong.emplace_back(request.interactive ? "--interactive: asks for everything itself; leave CASE out"
                                            : "CASE is missing; --interactive asks at the terminal instead");
   std::ranges::move(what_is_no_number(request), std::back_inserter(wrong));
-  std::optional<CaseFile> input;
+  std::optional<input::CaseFile> input;
   if (!request.case_file.empty()) input = read_case(request.case_file, materials, wrong);
   judge_targets(targets(request), files_of(request.case_file, input), request.force, wrong);
   if (input)
@@ -242,4 +242,4 @@ void add_spit1984(CLI::App& app, Action& action, const std::filesystem::path& ex
   });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

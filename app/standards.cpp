@@ -10,7 +10,7 @@
 #include "dashpad/output/assessment.hpp"
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace fs = std::filesystem;
 
@@ -34,10 +34,11 @@ struct StandardsRequest {
 };
 
 int show(const StandardsRequest& request, const fs::path& folder) {
-  const StandardChoice choice = standard_choice(request.name);
-  const Standard standard = read_standard(find_standard(choice.name, folder));
+  const injury::StandardChoice choice = injury::standard_choice(request.name);
+  const injury::Standard standard = injury::read_standard(injury::find_standard(choice.name, folder));
   try {
-    write_output(standard_text(with_variants(standard, choice.variants), unit_system(request.units)));
+    write_output(
+        output::standard_text(injury::with_variants(standard, choice.variants), unit_system(request.units)));
   } catch (const std::invalid_argument& error) {
     throw Refused({error.what()});
   }
@@ -45,8 +46,8 @@ int show(const StandardsRequest& request, const fs::path& folder) {
 }
 
 int list_all_standards(const fs::path& folder) {
-  return list_cards(fmt::format("Standards in {}:\n", folder.string()), list_standards(folder),
-                    [](const fs::path& file) { return standard_line(read_standard(file)); });
+  return list_cards(fmt::format("Standards in {}:\n", folder.string()), injury::list_standards(folder),
+                    [](const fs::path& file) { return output::standard_line(injury::read_standard(file)); });
 }
 
 }  // namespace
@@ -66,4 +67,4 @@ void add_standards(CLI::App& app, Action& action, const fs::path& executable) {
   });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

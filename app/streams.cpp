@@ -9,7 +9,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace dashpad {
+namespace dashpad::app {
 
 void prepare_streams() {
   std::signal(SIGPIPE, SIG_IGN);
@@ -42,4 +42,4 @@ void write_output(std::string_view text) {
 
 void write_error(std::string_view text) { write_all(STDERR_FILENO, text); }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace dashpad {
+namespace dashpad::app {
 
 /// Call first. A reader that goes away or a limit on file sizes becomes an error code instead of a signal,
 /// and no file that is opened later can take the place of a standard stream that is closed.
@@ -19,4 +19,4 @@ void write_output(std::string_view text);
 /// To standard error, where possible.
 void write_error(std::string_view text);
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -6,7 +6,7 @@
 
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 TerminalLine::TerminalLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 
@@ -31,4 +31,4 @@ std::string progress_bar(std::uint64_t done, std::uint64_t all) {
   return std::string(filled, '#') + std::string(width - filled, '.');
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace dashpad {
+namespace dashpad::app {
 
 class TerminalLine {
  public:
@@ -31,4 +31,4 @@ class TerminalLine {
 /// `done` of `all` in thirty characters: "######........................"; full if there is nothing to do.
 std::string progress_bar(std::uint64_t done, std::uint64_t all);
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -17,7 +17,7 @@
 #include "output.hpp"
 #include "progress_line.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace fs = std::filesystem;
 
@@ -58,7 +58,7 @@ struct ValidateFolders {
 };
 
 struct ValidateInput {
-  validation::ValidationData data;
+  report1986::ValidationData data;
   Material ensolite;
 };
 
@@ -72,13 +72,13 @@ std::vector<Target> files(const ValidateRequest& request) {
 std::vector<Target> stills(const ValidateRequest& request) {
   std::vector<Target> wanted;
   if (!request.figures) return wanted;
-  for (const std::string& slug : validation_figure_slugs())
+  for (const std::string& slug : report1986::validation_figure_slugs())
     wanted.push_back({"--figures", (fs::path{*request.figures} / (slug + "." + request.format)).string()});
   return wanted;
 }
 
-PictureFormat picture_format_of(const ValidateRequest& request) {
-  return *picture_format("still." + request.format);
+output::PictureFormat picture_format_of(const ValidateRequest& request) {
+  return *output::picture_format("still." + request.format);
 }
 
 /// What is to be written, as far as it can be judged before the run. `wrong` is told what forbids the folder
@@ -101,9 +101,9 @@ std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector
 
 /// gnuplot fails before the study, not after it.
 void try_to_draw(const ValidateRequest& request) {
-  Plot trial;
+  output::Plot trial;
   trial.panels.push_back({.series = {{.x = {0, 1}, .y = {0, 1}}}});
-  if (request.figures) picture(trial, picture_format_of(request));
+  if (request.figures) output::picture(trial, picture_format_of(request));
 }
 
 ValidateInput read_and_check(const ValidateRequest& request, const ValidateFolders& folders) {
@@ -112,24 +112,24 @@ ValidateInput read_and_check(const ValidateRequest& request, const ValidateFolde
   judge_report(request.report, wrong);
 
   ValidateInput input;
-  std::vector<Fault> faults;
-  input.data = validation::read_validation_data(folders.data, faults);
+  std::vector<input::Fault> faults;
+  input.data = report1986::read_validation_data(folders.data, faults);
   add_lines(faults, wrong);
-  std::vector<InputFile> inputs = input.data.files;
+  std::vector<input::InputFile> inputs = input.data.files;
   inputs.push_back({"the material card", folders.materials / material});
   judge_targets(targets, inputs, request.force, wrong);
   try {
-    input.ensolite = read_material(inputs.back().file);
-  } catch (const InputError& error) {
+    input.ensolite = input::read_material(inputs.back().file);
+  } catch (const input::InputError& error) {
     add_lines(error.faults(), wrong);
   }
   if (!wrong.empty()) throw Refused(std::move(wrong));
   return input;
 }
 
-validation::Study study_of(const ValidateInput& input) {
+report1986::Study study_of(const ValidateInput& input) {
   ProgressLine line{"Simulating the tests"};
-  return validation::run_study(input.data, input.ensolite,
+  return report1986::run_study(input.data, input.ensolite,
                                [&](std::size_t done, std::size_t all) { line.show(done, all); });
 }
 
@@ -151,22 +151,22 @@ class InterruptsHeld {
 };
 
 /// The texts of all files by file, before the first of them is written.
-std::map<std::string, std::string> texts_of(const ValidateRequest& request, const validation::Study& study) {
+std::map<std::string, std::string> texts_of(const ValidateRequest& request, const report1986::Study& study) {
   std::map<std::string, std::string> texts;
-  if (request.report) texts[*request.report] = figures_page(validation_page(study));
-  if (request.json) texts[*request.json] = validation_json(study);
+  if (request.report) texts[*request.report] = output::figures_page(report1986::validation_page(study));
+  if (request.json) texts[*request.json] = report1986::validation_json(study);
   if (!request.figures) return texts;
   const std::vector<Target> targets = stills(request);
-  const std::vector<ValidationFigure> figures = validation_figures(study);
+  const std::vector<report1986::ValidationFigure> figures = report1986::validation_figures(study);
   ProgressLine line{"Drawing the figures"};
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    texts[targets[i].file] = picture(figures[i].plot, picture_format_of(request));
+    texts[targets[i].file] = output::picture(figures[i].plot, picture_format_of(request));
     line.show(i + 1, figures.size());
   }
   return texts;
 }
 
-void write_results(const ValidateRequest& request, const validation::Study& study) {
+void write_results(const ValidateRequest& request, const report1986::Study& study) {
   const std::map<std::string, std::string> texts = texts_of(request, study);
   std::vector<Target> targets = files(request);
   for (Target& still : stills(request)) targets.push_back(std::move(still));
@@ -174,15 +174,15 @@ void write_results(const ValidateRequest& request, const validation::Study& stud
   if (request.figures) fs::create_directory(*request.figures);
   publish(
       targets, request.force, [&](const Target& target) { return texts.at(target.file); },
-      validation_text(study));
+      report1986::validation_text(study));
 }
 
 int run_validation(const ValidateRequest& request, const ValidateFolders& folders) {
   const ValidateInput input = read_and_check(request, folders);
   try_to_draw(request);
-  const validation::Study study = study_of(input);
+  const report1986::Study study = study_of(input);
   write_results(request, study);
-  return request.strict && !passes(study) ? exit_not_passed : exit_done;
+  return request.strict && !report1986::passes(study) ? exit_not_passed : exit_done;
 }
 
 }  // namespace
@@ -217,4 +217,4 @@ void add_validate(CLI::App& app, Action& action, const fs::path& executable) {
   });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

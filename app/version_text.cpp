@@ -6,7 +6,7 @@
 #include "command.hpp"
 #include "dashpad/version.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -34,4 +34,4 @@ std::string version_text() {
       NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH, ranks);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -38,13 +38,14 @@ Pulse sampled(F&& level) {
 template <class F>
 void criterion(benchmark::State& state, F level) {
   const Pulse pulse = sampled(level);
-  const double window = state.range(0) == 0 ? unlimited_window : step * static_cast<double>(state.range(0));
-  while (state.KeepRunning()) benchmark::DoNotOptimize(hic(pulse, window));
+  const double window =
+      state.range(0) == 0 ? injury::unlimited_window : step * static_cast<double>(state.range(0));
+  while (state.KeepRunning()) benchmark::DoNotOptimize(injury::hic(pulse, window));
 }
 
 void index(benchmark::State& state) {
   const Pulse pulse = sampled([](double s) { return std::sin(2 * pi * 99 * s); });
-  while (state.KeepRunning()) benchmark::DoNotOptimize(severity_index(pulse));
+  while (state.KeepRunning()) benchmark::DoNotOptimize(injury::severity_index(pulse));
 }
 
 void windows(benchmark::internal::Benchmark* benchmark) {

@@ -54,7 +54,7 @@ std::map<std::string, std::string> blocks_of(const std::vector<Chapter>& chapter
 }
 
 void draw(const std::vector<Chapter>& chapters, const fs::path& folder) {
-  FiguresPage page{
+  output::FiguresPage page{
       .title = "Dashpad's benchmarks",
       .summary = {"Work against precision beside other solvers, and what studies cost. bench/README.md "
                   "says how it was measured."}};
@@ -62,12 +62,12 @@ void draw(const std::vector<Chapter>& chapters, const fs::path& folder) {
     page.sections.push_back(chapter.section);
     for (std::size_t i = 0; i < chapter.figure_names.size(); ++i)
       write(folder / (chapter.figure_names[i] + ".png"),
-            picture(chapter.section.figures[i].plot, PictureFormat::png));
+            output::picture(chapter.section.figures[i].plot, output::PictureFormat::png));
   }
-  if (has_page())
-    write(folder / "benchmarks.html", figures_page(page));
+  if (output::has_page())
+    write(folder / "benchmarks.html", output::figures_page(page));
   else
-    fmt::print(stderr, "No page: {}\n", no_page);
+    fmt::print(stderr, "No page: {}\n", output::no_page);
 }
 
 int report(int count, char** arguments) {

@@ -11,7 +11,7 @@ namespace dashpad::bench {
 
 /// A section of the page; its tables are also those of README.md, by `names`, its figures also stills.
 struct Chapter {
-  PageSection section;
+  output::PageSection section;
   std::vector<std::string> table_names;
   std::vector<std::string> figure_names;
 };

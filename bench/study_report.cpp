@@ -52,11 +52,11 @@ Scaling scaling_of(const Costs& costs, const Key& key) {
   return {speed_up, speed_up / std::get<int>(key), one.cpu / all.cpu};
 }
 
-PageTable scaling_table(const Costs& costs) {
-  PageTable table{.caption = "",
-                  .columns = {"law", "workers", "rows a second", "speed-up", "efficiency, wall time",
-                              "efficiency, CPU time", "CPU time a row"},
-                  .rows = {}};
+output::PageTable scaling_table(const Costs& costs) {
+  output::PageTable table{.caption = "",
+                          .columns = {"law", "workers", "rows a second", "speed-up", "efficiency, wall time",
+                                      "efficiency, CPU time", "CPU time a row"},
+                          .rows = {}};
   for (const auto& [key, cost] : costs) {
     const auto& [study, launcher, workers, samples] = key;
     const Scaling scaling = scaling_of(costs, key);
@@ -71,10 +71,11 @@ PageTable scaling_table(const Costs& costs) {
   return table;
 }
 
-PageTable samples_table(const Costs& costs) {
-  PageTable table{.caption = "",
-                  .columns = {"law", "samples", "wall time", "CPU time a row", "peak memory", "store"},
-                  .rows = {}};
+output::PageTable samples_table(const Costs& costs) {
+  output::PageTable table{
+      .caption = "",
+      .columns = {"law", "samples", "wall time", "CPU time a row", "peak memory", "store"},
+      .rows = {}};
   for (const auto& [key, cost] : costs) {
     const auto& [study, launcher, workers, samples] = key;
     table.rows.push_back({law_of(study), fmt::format("{:.0f}", samples), fmt::format("{:.2f} s", cost.wall),
@@ -86,29 +87,31 @@ PageTable samples_table(const Costs& costs) {
 }
 
 /// Lines with their points; the label stands at the points.
-void add(Panel& panel, const std::string& label, std::size_t turn, double x, double y) {
-  for (Series& series : panel.series)
+void add(output::Panel& panel, const std::string& label, std::size_t turn, double x, double y) {
+  for (output::Series& series : panel.series)
     if (series.turn == turn) {
       series.x.push_back(x);
       series.y.push_back(y);
     }
-  if (std::ranges::any_of(panel.series, [&](const Series& series) { return series.turn == turn; })) return;
-  panel.series.push_back({.style = SeriesStyle::solid_line, .x = {x}, .y = {y}, .turn = turn});
-  panel.series.push_back({.label = label, .style = SeriesStyle::points, .x = {x}, .y = {y}, .turn = turn});
+  if (std::ranges::any_of(panel.series, [&](const output::Series& series) { return series.turn == turn; }))
+    return;
+  panel.series.push_back({.style = output::SeriesStyle::solid_line, .x = {x}, .y = {y}, .turn = turn});
+  panel.series.push_back(
+      {.label = label, .style = output::SeriesStyle::points, .x = {x}, .y = {y}, .turn = turn});
 }
 
-PageFigure scaling_figure(const RawResults& results, const Costs& costs) {
+output::PageFigure scaling_figure(const RawResults& results, const Costs& costs) {
   double most = 1;
   for (const auto& [key, cost] : costs) most = std::max<double>(most, std::get<int>(key));
-  Panel speed_up{.title = "Speed-up",
-                 .x = {.label = "Cores", .low = 0.5, .high = most + 0.5},
-                 .y = {.label = "Times one worker", .low = 0},
-                 .series = {}};
-  Panel wall{.title = "Efficiency in wall time",
-             .x = speed_up.x,
-             .y = {.label = "Efficiency (%)", .low = 0},
-             .series = {}};
-  Panel cpu{.title = "Efficiency in CPU time", .x = speed_up.x, .y = wall.y, .series = {}};
+  output::Panel speed_up{.title = "Speed-up",
+                         .x = {.label = "Cores", .low = 0.5, .high = most + 0.5},
+                         .y = {.label = "Times one worker", .low = 0},
+                         .series = {}};
+  output::Panel wall{.title = "Efficiency in wall time",
+                     .x = speed_up.x,
+                     .y = {.label = "Efficiency (%)", .low = 0},
+                     .series = {}};
+  output::Panel cpu{.title = "Efficiency in CPU time", .x = speed_up.x, .y = wall.y, .series = {}};
   for (const auto& [key, cost] : costs) {
     const auto& [study, launcher, workers, samples] = key;
     const std::string label = fmt::format("{}, {}", law_of(study), launcher);
@@ -118,8 +121,11 @@ PageFigure scaling_figure(const RawResults& results, const Costs& costs) {
     add(wall, label, turn, workers, 100 * scaling.wall_efficiency);
     add(cpu, label, turn, workers, 100 * scaling.cpu_efficiency);
   }
-  speed_up.series.push_back(
-      {.label = "ideal", .style = SeriesStyle::dashed_line, .x = {1, most}, .y = {1, most}, .turn = 6});
+  speed_up.series.push_back({.label = "ideal",
+                             .style = output::SeriesStyle::dashed_line,
+                             .x = {1, most},
+                             .y = {1, most},
+                             .turn = 6});
   return {
       .name = "Scaling",
       .plot = {.title = "A study on 1 to all cores",
@@ -130,18 +136,18 @@ PageFigure scaling_figure(const RawResults& results, const Costs& costs) {
           "programs on the machine."};
 }
 
-PageFigure samples_figure(const RawResults& results, const Costs& costs) {
-  const Axis samples_axis{.label = "Samples", .logarithmic = true, .low = 50, .high = 2e6};
-  Panel wall{.title = "Wall time, all cores",
-             .x = samples_axis,
-             .y = {.label = "Time (s)", .logarithmic = true},
-             .series = {}};
-  Panel cpu{
+output::PageFigure samples_figure(const RawResults& results, const Costs& costs) {
+  const output::Axis samples_axis{.label = "Samples", .logarithmic = true, .low = 50, .high = 2e6};
+  output::Panel wall{.title = "Wall time, all cores",
+                     .x = samples_axis,
+                     .y = {.label = "Time (s)", .logarithmic = true},
+                     .series = {}};
+  output::Panel cpu{
       .title = "CPU time a row", .x = samples_axis, .y = {.label = "Time (us)", .low = 0}, .series = {}};
-  Panel memory{.title = "Peak memory by law, and the store on disk",
-               .x = samples_axis,
-               .y = {.label = "Size (MB)", .logarithmic = true},
-               .series = {}};
+  output::Panel memory{.title = "Peak memory by law, and the store on disk",
+                       .x = samples_axis,
+                       .y = {.label = "Size (MB)", .logarithmic = true},
+                       .series = {}};
   for (const auto& [key, cost] : costs) {
     const std::string law = law_of(std::get<0>(key));
     const std::size_t turn = std::get<0>(key) == "law-4" ? 0 : 1;

@@ -66,34 +66,34 @@ std::string in_words(double time_us) {
   return time_us < 1e6 ? fmt::format("{:.3g} ms", time_us / 1000) : fmt::format("{:.3g} s", time_us / 1e6);
 }
 
-Panel panel_of(const RawResults& results, const CaseText& of, Measure measure, const char* title,
-               const char* axis) {
-  Panel panel{.title = title,
-              .x = {.label = axis, .logarithmic = true},
-              .y = {.label = "CPU time an impact (us)", .logarithmic = true, .low = 1},
-              .series = {}};
+output::Panel panel_of(const RawResults& results, const CaseText& of, Measure measure, const char* title,
+                       const char* axis) {
+  output::Panel panel{.title = title,
+                      .x = {.label = axis, .logarithmic = true},
+                      .y = {.label = "CPU time an impact (us)", .logarithmic = true, .low = 1},
+                      .series = {}};
   for (const Solver& solver : solvers) {
-    Series line{.style = SeriesStyle::solid_line, .turn = solver.turn};
+    output::Series line{.style = output::SeriesStyle::solid_line, .turn = solver.turn};
     for (const WorkPoint& point : front_of(results, of.id, solver.name, measure)) {
       line.x.push_back(point.error);
       line.y.push_back(point.time);
     }
-    Series points = line;
-    points.style = SeriesStyle::points;
+    output::Series points = line;
+    points.style = output::SeriesStyle::points;
     points.label = solver.name;
     panel.series.push_back(std::move(line));
     panel.series.push_back(std::move(points));
   }
   if (of.goal_us > 0 && measure == Measure::force_and_rebound) {
     panel.series.push_back({.label = fmt::format("goal: {} us at {}", of.goal_us, goal_error),
-                            .style = SeriesStyle::horizontal_line,
+                            .style = output::SeriesStyle::horizontal_line,
                             .y = {of.goal_us}});
-    panel.series.push_back({.style = SeriesStyle::vertical_line, .x = {goal_error}});
+    panel.series.push_back({.style = output::SeriesStyle::vertical_line, .x = {goal_error}});
   }
   return panel;
 }
 
-PageFigure figure_of(const RawResults& results, const CaseText& of) {
+output::PageFigure figure_of(const RawResults& results, const CaseText& of) {
   return {
       .name = of.id,
       .plot = {.title = fmt::format("Work and precision: {}", of.title),
@@ -107,9 +107,9 @@ PageFigure figure_of(const RawResults& results, const CaseText& of) {
           "five speeds."};
 }
 
-PageTable precision_table(const RawResults& results, const CaseText& of) {
+output::PageTable precision_table(const RawResults& results, const CaseText& of) {
   constexpr std::array wanted{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
-  PageTable table{
+  output::PageTable table{
       .caption = fmt::format("{}: {}. Fastest setting with at most this true error", of.id, of.title),
       .columns = {"solver"},
       .rows = {}};
@@ -134,8 +134,8 @@ std::string ratio(const std::vector<WorkPoint>& cvode, const WorkPoint& point) {
                      other.time / point.time);
 }
 
-PageTable goal_table(const RawResults& results) {
-  PageTable table{
+output::PageTable goal_table(const RawResults& results) {
+  output::PageTable table{
       .caption = "Fastest setting with a true error of at most 1e-3 in peak force and rebound speed",
       .columns = {"case", "goal", "with estimate", "error", "CVODE takes", "one run", "error", "CVODE takes"},
       .rows = {}};

@@ -10,14 +10,14 @@ if(NOT DASHPAD_BUILD_PAGE)
   file(CONFIGURE OUTPUT "${page_source}" CONTENT [[
 #include "output/page/page_template.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 const std::string_view page_before_data;
 const std::string_view page_after_data;
 const std::string_view figures_page_before_data;
 const std::string_view figures_page_after_data;
 
-}  // namespace dashpad
+}  // namespace dashpad::output
 ]] @ONLY)
   return()
 endif()

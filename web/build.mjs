@@ -81,10 +81,10 @@ writeFileSync(
   `// Made by web/build.mjs.
 #include "output/page/page_template.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 ${texts("page", "page/main.js")}
 ${texts("figures_page", "figures/main.js")}
-}  // namespace dashpad
+}  // namespace dashpad::output
 `,
 );

@@ -13,7 +13,7 @@
 #include "output.hpp"
 #include "progress_line.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace fs = std::filesystem;
 
@@ -70,44 +70,44 @@ std::optional<fs::path> card_file(const std::string& name, const fs::path& folde
 
 std::optional<Material> read_card(const fs::path& card, Wrong& wrong) {
   try {
-    return read_material(card);
-  } catch (const InputError& error) {
+    return input::read_material(card);
+  } catch (const input::InputError& error) {
     add_lines(error.faults(), wrong);
   }
   return std::nullopt;
 }
 
 /// Throws Refused with all that is wrong.
-MaterialTestReport run_test(const MaterialTestCommand& request, const fs::path& folder) {
+laboratory::MaterialTestReport run_test(const MaterialTestCommand& request, const fs::path& folder) {
   Wrong wrong;
   const std::optional<fs::path> card = card_file(request.test.material, folder, wrong);
-  std::vector<InputFile> files;
+  std::vector<input::InputFile> files;
   if (card) files.push_back({"the material card", *card});
   if (request.test.history) files.push_back({"the strain history", *request.test.history});
   judge_targets(targets(request), files, request.force, wrong);
   judge_picture(request.picture, wrong);
   judge_report(request.report, wrong);
-  const MaterialTest test = test_of(request.test, wrong);
+  const laboratory::MaterialTest test = test_of(request.test, wrong);
   const std::optional<Material> material = card ? read_card(*card, wrong) : std::nullopt;
   if (!wrong.empty()) throw Refused(std::move(wrong));
   try {
     const ProgressLine line{"Testing the material"};
-    return run_material_test(*material, test);
+    return laboratory::run_material_test(*material, test);
   } catch (const std::invalid_argument& error) {
     throw Refused({fmt::format("--test {}: {}", request.test.test, error.what())});
   }
 }
 
 int show(const MaterialTestCommand& request, const fs::path& folder) {
-  const MaterialTestReport report = run_test(request, folder);
+  const laboratory::MaterialTestReport report = run_test(request, folder);
   const UnitSystem& units = unit_system(request.units);
   const auto text_of = [&](const Target& target) {
-    if (target.option == "--json") return material_test_json(report);
-    if (target.option == "--csv") return material_test_csv(report, units_of_files(units));
-    if (target.option == "--report") return material_test_page(report, units);
-    return picture(material_test_plot(report, units), *picture_format(target.file));
+    if (target.option == "--json") return output::material_test_json(report);
+    if (target.option == "--csv") return output::material_test_csv(report, units_of_files(units));
+    if (target.option == "--report") return output::material_test_page(report, units);
+    return output::picture(output::material_test_plot(report, units), *output::picture_format(target.file));
   };
-  publish(targets(request), request.force, text_of, material_test_text(report, units));
+  publish(targets(request), request.force, text_of, output::material_test_text(report, units));
   return exit_done;
 }
 
@@ -134,4 +134,4 @@ void add_material_test(CLI::App& app, Action& action, const std::filesystem::pat
   });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -12,7 +12,7 @@
 #include "dashpad/input/measurement/strain_csv.hpp"
 #include "dashpad/quantities/quantity.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -24,8 +24,9 @@ constexpr double least_strain = 1e-12, most_strain = 0.999999;
 using Text = std::optional<std::string>;
 using Wrong = std::vector<std::string>;
 
-TestKind kind_of(const std::string& name) {
-  return *std::ranges::find_if(all_test_kinds, [&](TestKind kind) { return name == to_string(kind); });
+laboratory::TestKind kind_of(const std::string& name) {
+  return *std::ranges::find_if(laboratory::all_test_kinds,
+                               [&](laboratory::TestKind kind) { return name == to_string(kind); });
 }
 
 /// A number alone is in 1/s.
@@ -64,15 +65,16 @@ std::vector<double> rates_of(const MaterialTestRequest& request, Wrong& wrong) {
 }
 
 /// Options that mean nothing for the kind of test, and those that it lacks.
-void judge_options(const MaterialTestRequest& request, TestKind kind, Wrong& wrong) {
-  const auto only_for = [&](bool given, const char* option, std::initializer_list<TestKind> kinds) {
+void judge_options(const MaterialTestRequest& request, laboratory::TestKind kind, Wrong& wrong) {
+  const auto only_for = [&](bool given, const char* option,
+                            std::initializer_list<laboratory::TestKind> kinds) {
     if (!given || std::ranges::find(kinds, kind) != kinds.end()) return;
     std::string names;
-    for (const TestKind each : kinds)
+    for (const laboratory::TestKind each : kinds)
       names += fmt::format("{}{}", names.empty() ? "" : ", ", to_string(each));
     wrong.push_back(fmt::format("{}: is not for --test {}, but for {}", option, to_string(kind), names));
   };
-  using enum TestKind;
+  using enum laboratory::TestKind;
   only_for(!request.rates.empty(), "--rate", {constant_rate, parabolic, relaxation, creep, cyclic});
   only_for(request.strain.has_value(), "--strain", {constant_rate, parabolic, relaxation, cyclic});
   only_for(request.hold.has_value(), "--hold", {relaxation, creep});
@@ -92,7 +94,7 @@ void judge_options(const MaterialTestRequest& request, TestKind kind, Wrong& wro
 }
 
 /// Tells of the first step of a history that is too fast.
-void judge_rates(const MaterialTest& test, Wrong& wrong) {
+void judge_rates(const laboratory::MaterialTest& test, Wrong& wrong) {
   for (std::size_t i = 1; i < test.times.size(); ++i) {
     const double rate = std::abs(test.strains[i] - test.strains[i - 1]) / (test.times[i] - test.times[i - 1]);
     if (rate < highest_rate) continue;
@@ -104,27 +106,27 @@ void judge_rates(const MaterialTest& test, Wrong& wrong) {
   }
 }
 
-void read_history(const std::string& file, MaterialTest& test, Wrong& wrong) {
+void read_history(const std::string& file, laboratory::MaterialTest& test, Wrong& wrong) {
   if (file.empty()) {
     wrong.emplace_back("--history: needs the name of a file");
     return;
   }
   test.history_name = file;
   try {
-    StrainTable table = read_strain_csv(file);
+    input::StrainTable table = input::read_strain_csv(file);
     test.times = std::move(table.time);
     test.strains = std::move(table.strain);
     test.history_remarks = std::move(table.remarks);
     judge_rates(test, wrong);
-  } catch (const InputError& error) {
+  } catch (const input::InputError& error) {
     add_lines(error.faults(), wrong);
   }
 }
 
 }  // namespace
 
-MaterialTest test_of(const MaterialTestRequest& request, Wrong& wrong) {
-  MaterialTest test;
+laboratory::MaterialTest test_of(const MaterialTestRequest& request, Wrong& wrong) {
+  laboratory::MaterialTest test;
   test.kind = kind_of(request.test);
   judge_options(request, test.kind, wrong);
   if (!request.rates.empty()) test.rates = rates_of(request, wrong);
@@ -142,13 +144,14 @@ MaterialTest test_of(const MaterialTestRequest& request, Wrong& wrong) {
     test.stress_limits.push_back(
         quantity("--stress-limit", text, "Pa", 0, 1e12, "must be more than 0 and less than 1 TPa", 1, wrong));
   if (request.explicit_1984) test.steps_of_1984 = request.steps.value_or(20);
-  if (request.history && test.kind == TestKind::history) read_history(*request.history, test, wrong);
+  if (request.history && test.kind == laboratory::TestKind::history)
+    read_history(*request.history, test, wrong);
   return test;
 }
 
 void add_test_options(CLI::App& sub, MaterialTestRequest& request) {
   std::vector<std::string> kinds;
-  for (const TestKind kind : all_test_kinds) kinds.emplace_back(to_string(kind));
+  for (const laboratory::TestKind kind : laboratory::all_test_kinds) kinds.emplace_back(to_string(kind));
   sub.add_option("--test", request.test,
                  "constant-rate (default), parabolic, relaxation, creep, cyclic or history")
       ->check(CLI::IsMember(kinds))
@@ -183,4 +186,4 @@ void add_test_options(CLI::App& sub, MaterialTestRequest& request) {
       ->type_name("N");
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

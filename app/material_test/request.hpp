@@ -9,7 +9,7 @@
 
 #include "dashpad/laboratory/material_test.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 /// As on the command line; absent where not given.
 struct MaterialTestRequest {
@@ -25,6 +25,6 @@ struct MaterialTestRequest {
 void add_test_options(CLI::App& sub, MaterialTestRequest& request);
 
 /// The test. Adds to `wrong` all that is wrong with it, the rows of the history among it.
-MaterialTest test_of(const MaterialTestRequest& request, std::vector<std::string>& wrong);
+laboratory::MaterialTest test_of(const MaterialTestRequest& request, std::vector<std::string>& wrong);
 
-}  // namespace dashpad
+}  // namespace dashpad::app

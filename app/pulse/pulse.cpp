@@ -19,7 +19,7 @@
 #include "pulse/request.hpp"
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -70,22 +70,22 @@ std::vector<Target> targets(const PulseRequest& request) {
   return wanted;
 }
 
-MeasuredPulse read(const PulseRequest& request, const PulseSettings& settings, bool is_test) {
+input::MeasuredPulse read(const PulseRequest& request, const PulseSettings& settings, bool is_test) {
   if (is_test)
-    return read_iso_mme(request.file, {request.channel, request.table.acceleration_unit, request.resultant,
-                                       settings.sensitivities});
-  PulseCsvOptions options = request.table;
+    return input::read_iso_mme(request.file, {request.channel, request.table.acceleration_unit,
+                                              request.resultant, settings.sensitivities});
+  input::PulseCsvOptions options = request.table;
   options.resultant = request.resultant;
   options.interval = settings.interval_of_samples;
   options.sensitivity = settings.sensitivities;
-  return read_pulse_csv(request.file, options);
+  return input::read_pulse_csv(request.file, options);
 }
 
 /// Resampled and filtered as asked for; `wrong` is told where that cannot be.
-Pulse processed(const MeasuredPulse& measured, const PulseSettings& settings,
-                const std::optional<PulseFilter>& filter, std::vector<std::string>& wrong) {
+Pulse processed(const input::MeasuredPulse& measured, const PulseSettings& settings,
+                const std::optional<injury::PulseFilter>& filter, std::vector<std::string>& wrong) {
   try {
-    return processed_pulse(measured, settings.interval, filter);
+    return injury::processed_pulse(measured, settings.interval, filter);
   } catch (const std::invalid_argument& error) {
     const char* advice =
         filter && !settings.interval ? "; --resample INTERVAL makes samples of another interval" : "";
@@ -96,17 +96,18 @@ Pulse processed(const MeasuredPulse& measured, const PulseSettings& settings,
 
 /// The offset in the interval of --zero, else in the quiet part before the impact; `wrong` is told where
 /// --zero wants one and there is none.
-std::optional<SensorOffset> offset_of(const PulseRequest& request, const PulseSettings& settings,
-                                      const MeasuredPulse& measured, std::vector<std::string>& wrong) {
+std::optional<input::SensorOffset> offset_of(const PulseRequest& request, const PulseSettings& settings,
+                                             const input::MeasuredPulse& measured,
+                                             std::vector<std::string>& wrong) {
   if (!settings.zero_interval) {
-    std::optional<SensorOffset> offset = offset_before_impact(measured);
+    std::optional<input::SensorOffset> offset = input::offset_before_impact(measured);
     if (request.zero && !offset)
       wrong.emplace_back(
           "--zero auto: there is no quiet part before the impact; give its interval, --zero BEGIN,END");
     return offset;
   }
   try {
-    return offset_between(measured, settings.zero_interval->first, settings.zero_interval->second);
+    return input::offset_between(measured, settings.zero_interval->first, settings.zero_interval->second);
   } catch (const std::invalid_argument& error) {
     const std::vector<double>& time = measured.pulse.time;
     wrong.push_back(fmt::format("--zero {}: {}; the samples are from {:.6g} to {:.6g} ms", *request.zero,
@@ -123,37 +124,37 @@ double expected_time(const std::string& file) {
 }
 
 /// Adds the remarks on what was done and found.
-void remark_on(PulseReport& report) {
+void remark_on(injury::PulseReport& report) {
   std::vector<std::string>& remarks = report.measured.remarks;
   if (report.filter)
-    if (auto remark = sampled_too_slowly(report.measured, report.resampled_to, *report.filter))
+    if (auto remark = injury::sampled_too_slowly(report.measured, report.resampled_to, *report.filter))
       remarks.push_back(std::move(*remark));
   if (report.offset)
-    for (std::string& remark : offset_remarks(*report.offset, report.figures.peak.magnitude))
+    for (std::string& remark : injury::offset_remarks(*report.offset, report.figures.peak.magnitude))
       remarks.push_back(std::move(remark));
 }
 
-PulseReport report_on(const PulseRequest& request) {
+injury::PulseReport report_on(const PulseRequest& request) {
   std::vector<std::string> wrong;
-  const bool is_test = is_iso_mme(request.file);
+  const bool is_test = input::is_iso_mme(request.file);
   for (std::string& line : out_of_place(request, is_test)) wrong.push_back(std::move(line));
   const PulseSettings settings = settings_of(request, wrong);
-  PulseReport report{.file = request.file,
-                     .measured = {},
-                     .resampled_to = settings.interval,
-                     .filter = filter_of(request),
-                     .offset = {},
-                     .pulse = {},
-                     .figures = {},
-                     .impact = settings.impact,
-                     .windows = {},
-                     .dwells = {},
-                     .flags = {}};
+  injury::PulseReport report{.file = request.file,
+                             .measured = {},
+                             .resampled_to = settings.interval,
+                             .filter = filter_of(request),
+                             .offset = {},
+                             .pulse = {},
+                             .figures = {},
+                             .impact = settings.impact,
+                             .windows = {},
+                             .dwells = {},
+                             .flags = {}};
   ProgressLine waiting("Reading " + request.file);
   if (wrong.empty()) waiting.expect(expected_time(request.file));
   try {
     report.measured = read(request, settings, is_test);
-  } catch (const InputError& error) {
+  } catch (const input::InputError& error) {
     report.measured.files.push_back({"the measurement", request.file});
     add_lines(error.faults(), wrong);
   }
@@ -161,53 +162,54 @@ PulseReport report_on(const PulseRequest& request) {
   if (!wrong.empty()) throw Refused(std::move(wrong));
   waiting.now(fmt::format("Computing figures of {} samples", report.measured.pulse.time.size()));
   report.pulse = processed(report.measured, settings, report.filter, wrong);
-  const std::optional<SensorOffset> offset = offset_of(request, settings, report.measured, wrong);
+  const std::optional<input::SensorOffset> offset = offset_of(request, settings, report.measured, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
-  Pulse zero =
-      offset ? processed(zeroed(report.measured, *offset), settings, report.filter, wrong) : report.pulse;
+  Pulse zero = offset ? processed(input::zeroed(report.measured, *offset), settings, report.filter, wrong)
+                      : report.pulse;
   Pulse& other = request.zero ? report.pulse : zero;
-  const double hic15_of_other = offset ? hic(other, hic15_window).value : 0;
+  const double hic15_of_other = offset ? injury::hic(other, hic15_window).value : 0;
   if (request.zero) std::swap(report.pulse, zero);
-  report.figures = injury_figures(report.pulse);
+  report.figures = injury::injury_figures(report.pulse);
   if (offset) {
     report.offset = {*offset, settings.zero_interval.has_value(), request.zero.has_value(),
                      report.figures.hic15.value, hic15_of_other};
     if (request.zero) std::swap(report.offset->hic15_with, report.offset->hic15_without);
   }
-  for (const double window : settings.windows) report.windows.push_back({window, hic(report.pulse, window)});
+  for (const double window : settings.windows)
+    report.windows.push_back({window, injury::hic(report.pulse, window)});
   for (const double level : settings.levels)
     report.dwells.push_back(
-        {level, cumulative_dwell(report.pulse, level), longest_dwell(report.pulse, level)});
+        {level, injury::cumulative_dwell(report.pulse, level), injury::longest_dwell(report.pulse, level)});
   remark_on(report);
-  report.flags = flags(report, request.zero ? report.pulse : zero);
+  report.flags = injury::flags(report, request.zero ? report.pulse : zero);
   return report;
 }
 
 int show_figures(const PulseRequest& request) {
-  const PulseReport report = report_on(request);
+  const injury::PulseReport report = report_on(request);
   const UnitSystem& units = unit_system(request.units);
   const auto text_of = [&](const Target& target) {
     const ProgressLine waiting("Writing " + target.file);
-    if (target.option == "--json") return pulse_json(report);
-    if (target.option == "--csv") return pulse_csv(report, units_of_files(units));
-    return picture(pulse_plot(report, units), *picture_format(target.file));
+    if (target.option == "--json") return output::pulse_json(report);
+    if (target.option == "--csv") return output::pulse_csv(report, units_of_files(units));
+    return output::picture(output::pulse_plot(report, units), *output::picture_format(target.file));
   };
-  publish(targets(request), request.force, text_of, pulse_text(report, units, request.detail));
+  publish(targets(request), request.force, text_of, output::pulse_text(report, units, request.detail));
   return exit_done;
 }
 
 std::string list_of(const PulseRequest& request) {
   const ProgressLine waiting("Reading " + request.file);
   std::string text;
-  if (is_iso_mme(request.file)) {
-    for (const IsoMmeChannel& channel : iso_mme_channels(request.file))
+  if (input::is_iso_mme(request.file)) {
+    for (const input::IsoMmeChannel& channel : input::iso_mme_channels(request.file))
       text += fmt::format("{:>4}  {:<16}  {:<8}  {:>8}  {}{}\n", channel.number, channel.code, channel.unit,
                           channel.samples, channel.name,
                           channel.problem.empty() ? "" : " (" + channel.problem + ")");
     text = fmt::format("{:>4}  {:<16}  {:<8}  {:>8}  {}\n", "No.", "code", "unit", "samples", "name") + text;
   } else {
     text = fmt::format("{:>4}  {:<30}  {}\n", "No.", "column", "unit");
-    for (const MeasuredColumn& column : pulse_csv_columns(request.file))
+    for (const input::MeasuredColumn& column : input::pulse_csv_columns(request.file))
       text += fmt::format("{:>4}  {:<30}  {}\n", column.number, column.name,
                           column.unit.empty() ? "not said" : column.unit);
   }
@@ -249,4 +251,4 @@ void add_pulse(CLI::App& app, Action& action, const std::filesystem::path&) {
   });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

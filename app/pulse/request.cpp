@@ -10,7 +10,7 @@
 #include "dashpad/input/measurement/sensitivity.hpp"
 #include "dashpad/quantities/quantity.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -44,7 +44,8 @@ std::optional<std::pair<double, double>> interval_of(const std::string& text,
 }
 
 /// What --speed or --drop-height tells.
-std::optional<MeasuredImpact> impact_of(const PulseRequest& request, std::vector<std::string>& wrong) {
+std::optional<injury::MeasuredImpact> impact_of(const PulseRequest& request,
+                                                std::vector<std::string>& wrong) {
   const auto positive = [&](const char* option, const std::optional<std::string>& text, const char* unit) {
     const std::optional<double> value = quantity_of(option, text, unit, wrong);
     if (value && !(*value > 0)) wrong.push_back(fmt::format("{} {}: must be more than 0", option, *text));
@@ -54,17 +55,18 @@ std::optional<MeasuredImpact> impact_of(const PulseRequest& request, std::vector
   const std::optional<double> height = positive("--drop-height", request.drop_height, "m");
   if (request.speed && request.drop_height)
     wrong.emplace_back("--drop-height: is for a speed that is not known; give --speed or --drop-height");
-  if (height && *height > 0) return after_fall(*height);
-  return speed ? std::optional{MeasuredImpact{.speed = *speed}} : std::nullopt;
+  if (height && *height > 0) return injury::after_fall(*height);
+  return speed ? std::optional{injury::MeasuredImpact{.speed = *speed}} : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<PulseFilter> filter_of(const PulseRequest& request) {
+std::optional<injury::PulseFilter> filter_of(const PulseRequest& request) {
   if (!request.filter) return std::nullopt;
-  PulseFilter filter{std::stoi(request.filter->substr(3)),
-                     request.corner == "iso" ? Corner::iso_6487 : Corner::sae_j211, Ends::mirrored};
-  for (const Ends ends : all_ends)
+  injury::PulseFilter filter{std::stoi(request.filter->substr(3)),
+                             request.corner == "iso" ? injury::Corner::iso_6487 : injury::Corner::sae_j211,
+                             injury::Ends::mirrored};
+  for (const injury::Ends ends : injury::all_ends)
     if (request.ends == to_string(ends)) filter.ends = ends;
   return filter;
 }
@@ -80,7 +82,7 @@ PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>&
   if (request.zero && *request.zero != "auto") settings.zero_interval = interval_of(*request.zero, wrong);
   for (const std::string& text : request.sensitivities) {
     try {
-      settings.sensitivities.push_back(sensitivity_of(text));
+      settings.sensitivities.push_back(input::sensitivity_of(text));
     } catch (const UnitError& error) {
       wrong.push_back(fmt::format("--sensitivity {}: {}", text, error.what()));
     }
@@ -190,4 +192,4 @@ void add_processing_options(CLI::App& sub, PulseRequest& request) {
       ->type_name("LEVEL");
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

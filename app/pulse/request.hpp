@@ -12,11 +12,11 @@
 #include "dashpad/input/measurement/pulse_csv.hpp"
 #include "dashpad/output/text/result.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 struct PulseRequest {
   std::string file;
-  PulseCsvOptions table;
+  input::PulseCsvOptions table;
   std::string channel;
   bool resultant = false;
   bool list = false;
@@ -35,7 +35,7 @@ struct PulseRequest {
   std::optional<std::string> csv;
   std::optional<std::string> picture;
   std::string units;
-  Detail detail = Detail::main;
+  output::Detail detail = output::Detail::main;
   bool force = false;
 };
 
@@ -45,14 +45,14 @@ struct PulseSettings {
   std::vector<double> windows, levels;                     ///< s, m/s2
   std::optional<std::pair<double, double>> zero_interval;  ///< s; absent for that of the quiet part
   std::optional<double> interval_of_samples;               ///< s, of a table without times
-  std::vector<Sensitivity> sensitivities;
-  std::optional<MeasuredImpact> impact;  ///< with its speed
+  std::vector<input::Sensitivity> sensitivities;
+  std::optional<injury::MeasuredImpact> impact;  ///< with its speed
 };
 
 /// Adds to `wrong` all that is wrong with them.
 PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>& wrong);
 
-std::optional<PulseFilter> filter_of(const PulseRequest& request);
+std::optional<injury::PulseFilter> filter_of(const PulseRequest& request);
 
 /// Complaints about options that mean nothing for this kind of file.
 std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test);
@@ -62,4 +62,4 @@ void add_source_options(CLI::App& sub, PulseRequest& request);
 /// Options for what is done to the pulse and which figures are wanted.
 void add_processing_options(CLI::App& sub, PulseRequest& request);
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -17,7 +17,7 @@
 #include "study/hdf5.hpp"
 #include "study/study.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace fs = std::filesystem;
 
@@ -125,4 +125,4 @@ void add_study_export(CLI::App& study, Action& action) {
   sub->callback([request, &action] { action = [request] { return run_export(*request); }; });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -13,7 +13,7 @@
 
 #include "dashpad/study/export_csv.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -189,4 +189,4 @@ void write_hdf5(const study::Store& store, const std::filesystem::path& file, co
   }
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

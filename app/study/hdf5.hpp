@@ -6,7 +6,7 @@
 
 #include "dashpad/study/store.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 /// One data set a column, one value a row done, by row number; named as in the CSV and with the attributes
 /// `unit` and `meaning`. Groups: /factors, /responses, /rows (row, status, extrapolated, bottomed, error).
@@ -15,4 +15,4 @@ namespace dashpad {
 /// that calls it `shown`; then no file is left.
 void write_hdf5(const study::Store& store, const std::filesystem::path& file, const std::string& shown);
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -5,7 +5,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/quantities/quantity.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -39,8 +39,8 @@ std::string response_rule(const std::string& name, const study::Store& store) {
   return "is no response of this study; it keeps " + names;
 }
 
-std::optional<StudyLimit> limit_of(const std::string& text, const study::Store& store,
-                                   std::vector<std::string>& wrong) {
+std::optional<study::StudyLimit> limit_of(const std::string& text, const study::Store& store,
+                                          std::vector<std::string>& wrong) {
   const auto refuse = [&](const std::string& rule) {
     wrong.push_back(fmt::format("--limit \"{}\": {}", text, rule));
     return std::nullopt;
@@ -50,10 +50,10 @@ std::optional<StudyLimit> limit_of(const std::string& text, const study::Store& 
   const std::string name = trimmed(text.substr(0, sign));
   if (const std::string rule = response_rule(name, store); !rule.empty()) return refuse(name + " " + rule);
   try {
-    return StudyLimit{name, value_in_si(trimmed(text.substr(sign + 1)), unit_of(name, store))};
+    return study::StudyLimit{name, value_in_si(trimmed(text.substr(sign + 1)), unit_of(name, store))};
   } catch (const UnitError& error) {
     return refuse(error.what());
   }
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -7,13 +7,13 @@
 
 #include "dashpad/study/questions.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 /// Why the store has no such response; empty if it has.
 std::string response_rule(const std::string& name, const study::Store& store);
 
 /// "hic15 > 1000", "peak_force = 5 kN". Absent after a complaint.
-std::optional<StudyLimit> limit_of(const std::string& text, const study::Store& store,
-                                   std::vector<std::string>& wrong);
+std::optional<study::StudyLimit> limit_of(const std::string& text, const study::Store& store,
+                                          std::vector<std::string>& wrong);
 
-}  // namespace dashpad
+}  // namespace dashpad::app

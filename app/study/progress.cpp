@@ -7,7 +7,7 @@
 
 #include "streams.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -53,4 +53,4 @@ void StudyProgress::show(const study::Progress& progress) {
   }
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

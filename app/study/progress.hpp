@@ -7,7 +7,7 @@
 #include "dashpad/study/run_study.hpp"
 #include "terminal_line.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 class StudyProgress {
  public:
@@ -26,4 +26,4 @@ std::string clock_text(double seconds);
 /// "812 rows/s", "12.3 thousand rows/s".
 std::string rate_text(double rows, double seconds);
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -3,7 +3,7 @@
 #include <bit>
 #include <stdexcept>
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -65,4 +65,4 @@ BatchReport unpacked(const Message& message) {
   return report;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

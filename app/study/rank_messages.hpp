@@ -6,7 +6,7 @@
 
 #include "dashpad/study/store.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 using Message = std::vector<std::uint64_t>;
 
@@ -21,4 +21,4 @@ Message packed(const BatchReport& report);
 /// Throws std::runtime_error for numbers that are no report.
 BatchReport unpacked(const Message& message);
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -9,7 +9,7 @@
 #define MPICH_SKIP_MPICXX 1
 #include <mpi.h>
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -79,6 +79,6 @@ void Ranks::abort(int exit_code) {
   std::abort();
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app
 
 #endif

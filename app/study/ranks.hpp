@@ -9,7 +9,7 @@
 
 #include "study/rank_messages.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 /// What a rank says to rank 0, and what that answers.
 enum class Tag { ready = 1, result, failure, batch, stop };
@@ -52,4 +52,4 @@ class Ranks {
   int rank_ = 0, size_ = 1;
 };
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -12,7 +12,7 @@
 #include "result_files.hpp"
 #include "study/study.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -92,7 +92,7 @@ std::string heading(const Replay& of, const study::Store& store, const UnitSyste
   for (std::size_t i = 0; i < of.stored.factors.size(); ++i)
     text += fmt::format(
         "{} {} = {}", i == 0 ? "" : ",", store.factors()[i].name,
-        shown_factor(store.factors()[i].unit, of.stored.factors[i], of.impact.pad.material, units));
+        output::shown_factor(store.factors()[i].unit, of.stored.factors[i], of.impact.pad.material, units));
   return text + "\n\n";
 }
 
@@ -129,4 +129,4 @@ void add_study_replay(CLI::App& study, Action& action) {
   sub->callback([request, &action] { action = [request] { return run_replay(*request); }; });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

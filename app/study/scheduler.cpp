@@ -9,7 +9,7 @@
 
 #include "study/stop_signal.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -123,6 +123,6 @@ bool StudyScheduler::serve(const std::function<void(const study::Progress&)>& pr
   return rows_done_ == rows;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app
 
 #endif

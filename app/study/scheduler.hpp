@@ -13,7 +13,7 @@
 #include "dashpad/study/run_study.hpp"
 #include "study/ranks.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 /// What rank 0 does. One thread computes; the other one serves, writes and sleeps in between, so that a core
 /// is enough for both.
@@ -47,4 +47,4 @@ class StudyScheduler {
   std::exception_ptr failure_;
 };
 
-}  // namespace dashpad
+}  // namespace dashpad::app

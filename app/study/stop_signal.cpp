@@ -3,7 +3,7 @@
 #include <array>
 #include <csignal>
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -43,4 +43,4 @@ const std::atomic<bool>& StopSignal::wanted() { return is_wanted; }
 
 int StopSignal::exit_code() { return 128 + caught; }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

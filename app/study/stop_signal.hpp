@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-namespace dashpad {
+namespace dashpad::app {
 
 /// While this lives, the first SIGINT, SIGTERM or SIGHUP sets wanted(); the second one ends the program at
 /// once, as it does elsewhere. A signal that is ignored at the beginning (nohup) stays ignored. One at a
@@ -20,4 +20,4 @@ class StopSignal {
   [[nodiscard]] static int exit_code();
 };
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -10,7 +10,7 @@
 #include "study/stop_signal.hpp"
 #include "study/study.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -34,8 +34,8 @@ study::Store open_stored(const std::string& file) {
   return opened(file, [&] { return study::Store::open_to_read(file); });
 }
 
-std::vector<InputFile> files_of_store(const std::string& file) {
-  std::vector<InputFile> files{{"the store", file}};
+std::vector<input::InputFile> files_of_store(const std::string& file) {
+  std::vector<input::InputFile> files{{"the store", file}};
   std::error_code error;
   const std::string real = std::filesystem::weakly_canonical(file, error).string();
   for (const char* ending : {"-wal", "-shm", "-journal"})
@@ -66,4 +66,4 @@ int finish_study(const study::Store& store, const StudyRequest& request, std::ui
   return doubtful > 0 ? exit_not_trusted : exit_done;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

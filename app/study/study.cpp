@@ -14,7 +14,7 @@
 #include "study/stop_signal.hpp"
 #include "study/study_ranks.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace fs = std::filesystem;
 
@@ -90,4 +90,4 @@ void add_study(CLI::App& app, Action& action, const fs::path& executable) {
   });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

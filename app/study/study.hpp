@@ -10,7 +10,7 @@
 #include "dashpad/study/store.hpp"
 #include "dashpad/study/study.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 void add_study_replay(CLI::App& study, Action& action);
 void add_study_summary(CLI::App& study, Action& action);
@@ -32,10 +32,10 @@ study::Store open_store(const study::Study& study, const std::string& file);
 study::Store open_stored(const std::string& file);
 
 /// The store and what SQLite keeps beside it while it is open.
-std::vector<InputFile> files_of_store(const std::string& file);
+std::vector<input::InputFile> files_of_store(const std::string& file);
 
 /// Says what a run came to, in a line: rows, rate, doubtful rows; or how to go on. Returns the exit code.
 int finish_study(const study::Store& store, const StudyRequest& request, std::uint64_t rows_before,
                  double seconds, bool complete);
 
-}  // namespace dashpad
+}  // namespace dashpad::app

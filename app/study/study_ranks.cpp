@@ -21,7 +21,7 @@
 
 #endif
 
-namespace dashpad {
+namespace dashpad::app {
 
 bool is_one_of_several_ranks() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
@@ -47,7 +47,7 @@ std::vector<std::string> complaints_of(Step step) {
   try {
     step();
     return {};
-  } catch (const InputError& error) {
+  } catch (const input::InputError& error) {
     return lines(error.faults());
   } catch (const Refused& error) {
     return error.complaints();
@@ -147,4 +147,4 @@ int run_on_ranks(const StudyRequest& request, const std::filesystem::path& mater
 
 #endif
 
-}  // namespace dashpad
+}  // namespace dashpad::app

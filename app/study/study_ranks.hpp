@@ -5,7 +5,7 @@
 
 #include "study/study.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 /// Whether mpirun or a batch system started this process as one of several ranks. Asks the environment, so
 /// that a plain command never pays for MPI.
@@ -15,4 +15,4 @@ bool is_one_of_several_ranks();
 /// build has no MPI.
 int run_on_ranks(const StudyRequest& request, const std::filesystem::path& materials);
 
-}  // namespace dashpad
+}  // namespace dashpad::app

@@ -12,7 +12,7 @@
 #include "study/limit.hpp"
 #include "study/study.hpp"
 
-namespace dashpad {
+namespace dashpad::app {
 
 namespace {
 
@@ -47,9 +47,9 @@ std::vector<Target> targets(const StudySummaryRequest& request) {
   return wanted;
 }
 
-StudyQuestions questions_of(const StudySummaryRequest& request, const study::Store& store,
-                            std::vector<std::string>& wrong) {
-  StudyQuestions questions;
+study::StudyQuestions questions_of(const StudySummaryRequest& request, const study::Store& store,
+                                   std::vector<std::string>& wrong) {
+  study::StudyQuestions questions;
   for (const std::string& name : request.responses) {
     if (const std::string rule = response_rule(name, store); !rule.empty())
       wrong.push_back(fmt::format("--response {}: {}", name, rule));
@@ -57,7 +57,7 @@ StudyQuestions questions_of(const StudySummaryRequest& request, const study::Sto
       questions.responses.push_back(name);
   }
   for (const std::string& text : request.limits)
-    if (const std::optional<StudyLimit> limit = limit_of(text, store, wrong))
+    if (const std::optional<study::StudyLimit> limit = limit_of(text, store, wrong))
       questions.limits.push_back(*limit);
   return questions;
 }
@@ -68,20 +68,20 @@ int summarise(const StudySummaryRequest& request) {
   judge_targets(targets(request), files_of_store(request.store_file), request.force, wrong);
   judge_report(request.report, wrong);
   judge_picture(request.picture, wrong);
-  const StudyQuestions questions = questions_of(request, store, wrong);
+  const study::StudyQuestions questions = questions_of(request, store, wrong);
   if (wrong.empty() && store.rows_done() == 0)
     wrong.push_back(request.store_file + ": has no rows yet; run dashpad study first");
   if (!wrong.empty()) throw Refused(std::move(wrong));
 
-  const StudyAnswers answers = study_answers(store, questions);
+  const study::StudyAnswers answers = study::study_answers(store, questions);
   const UnitSystem& units = unit_system(request.units);
   const auto text_of = [&](const Target& target) {
-    if (target.option == "--json") return study_json(answers);
+    if (target.option == "--json") return output::study_json(answers);
     if (target.option == "--picture")
-      return picture(study_plot(answers, units), *picture_format(target.file));
-    return figures_page(study_page(answers, units));
+      return output::picture(output::study_plot(answers, units), *output::picture_format(target.file));
+    return output::figures_page(output::study_page(answers, units));
   };
-  publish(targets(request), request.force, text_of, study_text(answers, units));
+  publish(targets(request), request.force, text_of, output::study_text(answers, units));
   return exit_done;
 }
 
@@ -112,4 +112,4 @@ void add_study_summary(CLI::App& study, Action& action) {
   sub->callback([request, &action] { action = [request] { return summarise(*request); }; });
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::app

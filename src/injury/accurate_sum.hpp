@@ -1,6 +1,6 @@
 #pragma once
 
-namespace dashpad {
+namespace dashpad::injury {
 
 /// A sum of doubles that keeps what rounding takes from it.
 class AccurateSum {
@@ -19,4 +19,4 @@ class AccurateSum {
   double high_ = 0, low_ = 0;
 };
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

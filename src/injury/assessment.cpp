@@ -10,7 +10,7 @@
 #include "injury/thinned.hpp"
 #include "input/special_numbers.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 namespace {
 
@@ -25,7 +25,8 @@ struct Estimate {
 Estimate dwell(const Solution& solution, const InjuryFigures& figures, double level) {
   const Pulse pulse = pulse_of(solution.history);
   const double time = cumulative_dwell(pulse, level);
-  if (pulse.time.size() < fewest_to_compare || !std::isfinite(figures.errors.peak)) return {time, infinite};
+  if (pulse.time.size() < fewest_to_compare || !std::isfinite(figures.errors.peak))
+    return {time, input::infinite};
   const double shift = figures.errors.peak * level;
   const double shorter = cumulative_dwell(pulse, level + shift);
   const double longer = cumulative_dwell(pulse, std::max(level - shift, 0.0));
@@ -194,4 +195,4 @@ Assessment assess(const Standard& standard, const ImpactCase& impact, const Solu
   return assessment;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

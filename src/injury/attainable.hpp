@@ -6,7 +6,7 @@
 
 #include "dashpad/impact/pulse.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 /// The duration less the rounding of the times: a plateau from 3.5 to 6.5 ms lasts 3 ms, although the
 /// difference of the two doubles is less than the double 0.003.
@@ -15,4 +15,4 @@ inline double attainable(const Pulse& pulse, double duration) {
   return std::max(0.0, duration - 8 * std::numeric_limits<double>::epsilon() * latest);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

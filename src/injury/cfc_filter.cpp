@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace dashpad {
+namespace dashpad::injury {
 namespace {
 
 using Samples = std::vector<double>;
@@ -173,4 +173,4 @@ Pulse resampled(const Pulse& pulse, double interval) {
   return even;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

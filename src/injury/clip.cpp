@@ -9,7 +9,7 @@
 #include "injury/hump.hpp"
 #include "injury/magnitude.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 namespace {
 
 void check_input(const Pulse& pulse, double duration) {
@@ -147,4 +147,4 @@ Clip cumulative_clip(const Pulse& pulse, double duration) {
   return clip;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

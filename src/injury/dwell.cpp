@@ -5,7 +5,7 @@
 
 #include "injury/magnitude.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 namespace {
 
 Magnitude checked(const Pulse& pulse, double level) {
@@ -30,4 +30,4 @@ double longest_dwell(const Pulse& pulse, double level) {
   return longest;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

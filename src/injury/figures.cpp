@@ -8,7 +8,7 @@
 #include "dashpad/injury/severity_index.hpp"
 #include "injury/thinned.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 namespace {
 
@@ -103,4 +103,4 @@ std::optional<InjuryFigures> whole_pulse_figures(const Solution& solution) {
   return injury_figures(solution);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

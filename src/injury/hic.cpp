@@ -9,7 +9,7 @@
 #include "injury/hic_candidates.hpp"
 #include "injury/hump.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 namespace {
 
 using hic_search::Best;
@@ -95,4 +95,4 @@ Hic hic(const Pulse& pulse, double longest_window) {
 
 double hic_d(double hic36) { return 0.75446 * hic36 + 166.4; }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace dashpad::hic_search {
+namespace dashpad::injury::hic_search {
 
 Blocks::Blocks(const Curve& curve) : curve_(&curve) {
   const std::size_t intervals = curve.samples() - 1;
@@ -79,4 +79,4 @@ double Blocks::bound(std::size_t rank, std::size_t i, std::size_t j, double long
   return std::max({nearer, corner(b, rest - b), corner(rest - a, a)});
 }
 
-}  // namespace dashpad::hic_search
+}  // namespace dashpad::injury::hic_search

@@ -6,7 +6,7 @@
 
 #include "injury/hic_curve.hpp"
 
-namespace dashpad::hic_search {
+namespace dashpad::injury::hic_search {
 
 /// Block k of rank r holds the intervals from k 2^r on, 2^r of them or what is left.
 class Blocks {
@@ -37,4 +37,4 @@ class Blocks {
   std::vector<std::vector<Bounds>> bounds_;  // [rank][block]
 };
 
-}  // namespace dashpad::hic_search
+}  // namespace dashpad::injury::hic_search

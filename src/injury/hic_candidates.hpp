@@ -4,7 +4,7 @@
 
 #include "injury/hic_curve.hpp"
 
-namespace dashpad::hic_search {
+namespace dashpad::injury::hic_search {
 
 /// Two values that differ by less, relative, count as the same.
 inline constexpr double rounding = 1e-13;
@@ -35,4 +35,4 @@ void offer_longest(const Curve& curve, std::size_t i, std::size_t j, double long
 /// be the best of all.
 void offer_candidates(const Curve& curve, std::size_t i, std::size_t j, double longest, Best& best);
 
-}  // namespace dashpad::hic_search
+}  // namespace dashpad::injury::hic_search

@@ -1,6 +1,6 @@
 #include "injury/hic_curve.hpp"
 
-namespace dashpad::hic_search {
+namespace dashpad::injury::hic_search {
 
 void Curve::assign(const Pulse& pulse, double factor) {
   time_ = &pulse.time;
@@ -23,4 +23,4 @@ double Curve::gain(const Window& window) const {
   return sum;
 }
 
-}  // namespace dashpad::hic_search
+}  // namespace dashpad::injury::hic_search

@@ -8,7 +8,7 @@
 #include "dashpad/impact/pulse.hpp"
 #include "injury/accurate_sum.hpp"
 
-namespace dashpad::hic_search {
+namespace dashpad::injury::hic_search {
 
 /// A window from `before` (s) ahead of sample `first` to `after` (s) past sample `last`, first <= last. Each
 /// end is told from a sample near to it, so that no late time and no long pulse costs it digits.
@@ -62,4 +62,4 @@ inline double criterion(double duration, double gain) {
   return gain * mean * std::sqrt(mean);
 }
 
-}  // namespace dashpad::hic_search
+}  // namespace dashpad::injury::hic_search

@@ -8,7 +8,7 @@
 #include "injury/attainable.hpp"
 #include "injury/hic_candidates.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 namespace {
 
 using hic_search::Best;
@@ -137,4 +137,4 @@ double hic_from(double criterion, double scale) {
   return criterion / (levels * levels * std::sqrt(levels));
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

@@ -10,7 +10,7 @@
 #include "dashpad/injury/hic.hpp"
 #include "injury/hic_curve.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 /// Where the peak of a hump is, and its sign, 1 or -1.
 struct Hump {
@@ -33,4 +33,4 @@ double scale_for(double largest);
 /// HIC in g^2.5 s of the criterion of levels that were multiplied with `scale`.
 double hic_from(double criterion, double scale);
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

@@ -8,7 +8,7 @@
 
 #include "dashpad/impact/pulse.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 struct LinePoint {
   double time = 0;   ///< s
@@ -61,4 +61,4 @@ void for_each_stretch(const Magnitude& line, double level, Bound bound, Visit&& 
   if (inside) visit(begin, line.back().time);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

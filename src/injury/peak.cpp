@@ -4,7 +4,7 @@
 
 #include "injury/accurate_sum.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 Peak peak(const Pulse& pulse) {
   check(pulse);
@@ -25,4 +25,4 @@ double velocity_change(const Pulse& pulse) {
   return std::abs(sum.value());
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

@@ -9,7 +9,7 @@
 #include "injury/pulse_words.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 namespace {
 
@@ -61,7 +61,7 @@ std::optional<double> restitution(const PulseReport& report) {
 
 std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse) {
   std::vector<Flag> all;
-  const double peak = dashpad::peak(pulse).magnitude;
+  const double peak = injury::peak(pulse).magnitude;
   const double limit = std::max(lowest_cut * peak, cut_in_noise * scatter(report, pulse, peak));
   const bool begins_quietly = report.offset && !report.offset->given;
   if (!begins_quietly && std::abs(pulse.acceleration.front()) > limit)
@@ -104,7 +104,7 @@ std::string change_of_hic15(const OffsetEffect& effect) {
 }
 
 std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak) {
-  const SensorOffset& offset = effect.offset;
+  const input::SensorOffset& offset = effect.offset;
   const double root = std::sqrt(static_cast<double>(offset.samples));
   bool is_more_than_noise = false;
   for (std::size_t i = 0; i < offset.mean.size(); ++i)
@@ -120,4 +120,4 @@ std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak)
   return remarks;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

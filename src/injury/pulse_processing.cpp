@@ -7,7 +7,7 @@
 #include "dashpad/injury/pulse_report.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 namespace {
 
@@ -19,7 +19,7 @@ Pulse processed(const Pulse& pulse, std::optional<double> interval,
 
 }  // namespace
 
-Pulse processed_pulse(const MeasuredPulse& measured, std::optional<double> interval,
+Pulse processed_pulse(const input::MeasuredPulse& measured, std::optional<double> interval,
                       const std::optional<PulseFilter>& filter) {
   if (measured.components.empty()) return processed(measured.pulse, interval, filter);
   Pulse result;
@@ -29,12 +29,12 @@ Pulse processed_pulse(const MeasuredPulse& measured, std::optional<double> inter
     result.time = std::move(direction.time);
     components.push_back(std::move(direction.acceleration));
   }
-  result.acceleration = resultant_of(components);
+  result.acceleration = input::resultant_of(components);
   return result;
 }
 
-std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std::optional<double> interval,
-                                              const PulseFilter& filter) {
+std::optional<std::string> sampled_too_slowly(const input::MeasuredPulse& measured,
+                                              std::optional<double> interval, const PulseFilter& filter) {
   const std::vector<double>& time = measured.pulse.time;
   const double mean = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   const double slower = std::max(mean, interval.value_or(0));
@@ -44,4 +44,4 @@ std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std
                      brief(1e-2 * of_class));
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

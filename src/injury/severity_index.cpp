@@ -5,7 +5,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "injury/accurate_sum.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 namespace {
 
 /// |a| in g with its root.
@@ -50,4 +50,4 @@ double severity_index(const Pulse& pulse) {
   return sum.value();
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace dashpad {
+namespace dashpad::injury {
 
 namespace {
 
@@ -147,4 +147,4 @@ ImpactCase with_impactor_of(const Standard& standard, const ImpactCase& impact) 
   return result;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

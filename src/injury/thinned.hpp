@@ -5,7 +5,7 @@
 
 #include "dashpad/impact/pulse.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 /// With fewer samples nothing is left out, and a comparison says nothing.
 inline constexpr std::size_t fewest_to_compare = 4;
@@ -27,4 +27,4 @@ inline Pulse thinned(const Pulse& pulse) {
   return half;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

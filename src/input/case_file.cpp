@@ -8,7 +8,7 @@
 #include "input/spelling.hpp"
 #include "input/support_table.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
@@ -185,4 +185,4 @@ CaseFile read_case(const std::filesystem::path& file, const std::filesystem::pat
   return result;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

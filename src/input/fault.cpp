@@ -11,7 +11,7 @@
 
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 namespace {
 
 constexpr std::size_t most_of_a_kind = 5;
@@ -82,4 +82,4 @@ InputError::InputError(std::vector<Fault> faults)
   throw InputError({Fault{file.string(), line, "", "", rule}});
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -5,7 +5,7 @@
 
 #include "input/table_reader.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 void FaultList::add(int line, std::string key, std::string value, std::string rule) {
   faults_.push_back({file_, line, std::move(key), std::move(value), std::move(rule)});
@@ -38,4 +38,4 @@ void FaultList::throw_if_any() {
   throw InputError(faults_);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -2,7 +2,7 @@
 
 #include "input/parameter_table.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 std::optional<PadLaw> read_law(TableReader& table) {
   const auto law = read_alternative<PadLaw>(table, "law");
@@ -23,4 +23,4 @@ std::optional<FittedRange> read_fitted(TableReader& table) {
   return range;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

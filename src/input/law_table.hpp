@@ -6,7 +6,7 @@
 #include "dashpad/model/pad/material.hpp"
 #include "input/table_reader.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 /// `law` and the table [parameters]; nothing if the law cannot be known. Parameters at fault are NaN.
 std::optional<PadLaw> read_law(TableReader& table);
@@ -14,4 +14,4 @@ std::optional<PadLaw> read_law(TableReader& table);
 /// The optional table [fitted].
 std::optional<FittedRange> read_fitted(TableReader& table);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

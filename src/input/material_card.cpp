@@ -3,7 +3,7 @@
 #include "dashpad/input/case_file.hpp"
 #include "input/law_table.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 namespace {
 
 constexpr std::size_t most_also_published = 100;
@@ -58,4 +58,4 @@ std::vector<std::filesystem::path> list_materials(const std::filesystem::path& f
   return cards;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -10,7 +10,7 @@
 #include "input/table_reader.hpp"
 #include "model/parameter_values.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 /// Numbers at fault are NaN.
 template <class Alternative>
@@ -36,4 +36,4 @@ Variant with_parameters(const Variant& alternative, TableReader& table) {
   return std::visit([&]<class Of>(const Of&) { return Variant(read_parameters<Of>(table)); }, alternative);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-namespace dashpad {
+namespace dashpad::input {
 namespace {
 
 constexpr std::size_t longest_word = 64;
@@ -67,4 +67,4 @@ std::string listing(std::span<const std::string> words) {
   return list;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace dashpad {
+namespace dashpad::input {
 
 /// `; did you mean "radius"?` for the words that begin with `word`, all of them, or else for the closest one;
 /// "" if none is close.
@@ -14,4 +14,4 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> wor
 /// The words, comma separated.
 std::string listing(std::span<const std::string> words);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

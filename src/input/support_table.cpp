@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace dashpad {
+namespace dashpad::input {
 namespace {
 
 constexpr std::size_t most_points = 10'000;
@@ -67,4 +67,4 @@ Support read_support(TableReader& table) {
   return support;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

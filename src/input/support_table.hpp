@@ -4,9 +4,9 @@
 #include "dashpad/model/support/support.hpp"
 #include "input/table_reader.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 /// A rigid support after a fault.
 Support read_support(TableReader& table);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -8,7 +8,7 @@
 #include "dashpad/quantities/quantity.hpp"
 #include "input/spelling.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 namespace {
 
 using Kind = TomlNode::Kind;
@@ -99,4 +99,4 @@ void TableReader::refuse_others() {
   }
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

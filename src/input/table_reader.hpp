@@ -10,7 +10,7 @@
 #include "dashpad/model/pad/law.hpp"
 #include "input/toml_tree.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 /// The faults of one file.
 class FaultList {
@@ -77,4 +77,4 @@ class TableReader {
 double read_quantity(const TomlNode& node, const std::string& key, const std::string& si_unit,
                      FaultList& faults);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

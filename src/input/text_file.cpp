@@ -7,7 +7,7 @@
 
 #include "dashpad/input/fault.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 namespace {
 
 constexpr std::size_t largest_size = 1024 * 1024;  // bytes
@@ -52,4 +52,4 @@ std::string read_text_file(const std::filesystem::path& file) {
   return content;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace dashpad {
+namespace dashpad::input {
 
 /// What some programs write before UTF-8 text; no part of it.
 inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -15,4 +15,4 @@ std::string_view without_mark(std::string_view text);
 /// a folder, a pipe or a device, unreadable, larger, or not text.
 std::string read_text_file(const std::filesystem::path& file);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

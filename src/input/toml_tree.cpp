@@ -8,7 +8,7 @@
 #include "input/text_file.hpp"
 #include "input/toml_parser.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 namespace {
 
 /// toml++ nests a table for each dot in a key, without limit, and overflows the stack with some ten thousand.
@@ -124,4 +124,4 @@ TomlNode read_toml(const std::filesystem::path& file) {
   return {};
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dashpad {
+namespace dashpad::input {
 
 struct TomlNode {
   enum class Kind { table, array, text, number, other };
@@ -29,4 +29,4 @@ struct TomlNode {
 /// Throws InputError if the file cannot be read (input/text_file.hpp) or is not TOML.
 TomlNode read_toml(const std::filesystem::path& file);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace dashpad {
+namespace dashpad::laboratory {
 
 Motion Stretch::after_start(double x) const {
   return {std::max(start.strain + x * (start.rate + x * acceleration / 2), 0.0),
@@ -46,4 +46,4 @@ std::vector<Arc> arcs_of(const StrainHistory& history) {
   return arcs;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

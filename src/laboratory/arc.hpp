@@ -6,7 +6,7 @@
 
 #include "dashpad/laboratory/strain_history.hpp"
 
-namespace dashpad {
+namespace dashpad::laboratory {
 
 struct Motion {
   double strain = 0;
@@ -42,4 +42,4 @@ struct Arc : Stretch {
 /// A piece that turns is split at its vertex. The history must have no violations().
 std::vector<Arc> arcs_of(const StrainHistory& history);
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

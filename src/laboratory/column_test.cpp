@@ -11,7 +11,7 @@
 #include "laboratory/record.hpp"
 #include "laboratory/viscous_column.hpp"
 
-namespace dashpad {
+namespace dashpad::laboratory {
 namespace {
 
 constexpr int fewest_places = 2, most_places = 100000;
@@ -133,4 +133,4 @@ ColumnTest drive(const PadLaw& law, const StrainHistory& history, int places) {
       law);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

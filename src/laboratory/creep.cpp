@@ -11,7 +11,7 @@
 #include "laboratory/record.hpp"
 #include "laboratory/viscous_stress.hpp"
 
-namespace dashpad {
+namespace dashpad::laboratory {
 namespace {
 
 constexpr double farthest_strain = 0.999;
@@ -226,4 +226,4 @@ std::optional<ColumnTest> creep(const PadLaw& law, const CreepTest& test, int pl
   return std::visit([&](const auto& alternative) { return creep_of(alternative, test, places); }, law);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

@@ -8,7 +8,7 @@
 #include "dashpad/model/pad/law.hpp"
 #include "laboratory/viscous_column.hpp"
 
-namespace dashpad {
+namespace dashpad::laboratory {
 
 template <IsMemoryless Law>
 class CurveColumn {
@@ -63,4 +63,4 @@ class CurveColumn {
   bool lost_ = false;
 };
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

@@ -10,7 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace dashpad {
+namespace dashpad::laboratory {
 namespace {
 
 CushionPoint point_of(double strain, double stress, double energy) {
@@ -174,4 +174,4 @@ std::optional<CushionPoint> at_stress_limit(const CushionCurve& curve, double li
   return i == 0 ? before_first(curve, limit) : between(curve, i, limit);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

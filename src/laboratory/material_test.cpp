@@ -11,7 +11,7 @@
 #include "laboratory/strain_marks.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::laboratory {
 
 namespace {
 
@@ -213,4 +213,4 @@ MaterialTestReport run_material_test(const Material& material, const MaterialTes
   return report;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

@@ -5,7 +5,7 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 
-namespace dashpad {
+namespace dashpad::laboratory {
 
 struct Estimate {
   double value = 0;
@@ -48,4 +48,4 @@ Estimate integral_from_singularity(F&& f, double from, double to, double toleran
   return result;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

@@ -8,7 +8,7 @@
 #include "laboratory/arc.hpp"
 #include "laboratory/quadrature.hpp"
 
-namespace dashpad {
+namespace dashpad::laboratory {
 
 class Record {
  public:
@@ -44,4 +44,4 @@ class Record {
   double largest_error_ = 0;
 };
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

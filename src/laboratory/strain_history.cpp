@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace dashpad {
+namespace dashpad::laboratory {
 namespace {
 
 constexpr double rounding = 1e-9;  ///< of a strain
@@ -130,4 +130,4 @@ std::vector<Violation> violations(const StrainHistory& history) {
   return broken;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

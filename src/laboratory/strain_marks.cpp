@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dashpad {
+namespace dashpad::laboratory {
 
 double duration_of(const StrainHistory& history) {
   double time = 0;
@@ -63,4 +63,4 @@ StrainHistory split_at(const StrainHistory& history, const std::vector<double>& 
   return split;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

@@ -5,7 +5,7 @@
 
 #include "dashpad/laboratory/strain_history.hpp"
 
-namespace dashpad {
+namespace dashpad::laboratory {
 
 /// s
 double duration_of(const StrainHistory& history);
@@ -20,4 +20,4 @@ double strain_at(const StrainHistory& history, double time);
 /// of output.
 StrainHistory split_at(const StrainHistory& history, const std::vector<double>& times);
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

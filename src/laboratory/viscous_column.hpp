@@ -8,7 +8,7 @@
 
 #include "laboratory/viscous_stress.hpp"
 
-namespace dashpad {
+namespace dashpad::laboratory {
 
 /// When in an arc a column carries stress; times from the arc's start.
 struct Contact {
@@ -104,4 +104,4 @@ class ViscousColumn {
   bool lost_ = false;
 };
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

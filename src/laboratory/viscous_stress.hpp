@@ -19,7 +19,7 @@
 #include "laboratory/quadrature.hpp"
 #include "model/pad/column_law.hpp"
 
-namespace dashpad {
+namespace dashpad::laboratory {
 
 /// H over the part of a stretch between two times from its start.
 template <IsViscous Law>
@@ -132,4 +132,4 @@ class ViscousStress {
   PowerShape power_;
 };
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

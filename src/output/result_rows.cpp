@@ -12,7 +12,7 @@
 #include "quantities/summary_values.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -71,7 +71,7 @@ bool is_main(const std::string& key) { return std::ranges::find(main_rows, key) 
 double without_rounding(double time, double length) { return std::abs(time) < 1e-9 * length ? 0 : time; }
 
 /// `length` is that of the pulse, s.
-std::string remark_on(const InjuryValue& of, double length, const UnitSystem& units, int digits) {
+std::string remark_on(const injury::InjuryValue& of, double length, const UnitSystem& units, int digits) {
   const std::string key = of.quantity->key;
   if (key == "hic_d") return "from HIC36";
   if (key == "severity_index") return "Gadd";
@@ -82,7 +82,7 @@ std::string remark_on(const InjuryValue& of, double length, const UnitSystem& un
 }
 
 /// Whether two searches have found one window: as far as people can see, and beyond rounding.
-bool is_same(const InjuryValue& a, const InjuryValue& b) {
+bool is_same(const injury::InjuryValue& a, const injury::InjuryValue& b) {
   if (!a.begin || !b.begin) return false;
   const double close = 1e-3 * (*a.end - *a.begin);
   return std::abs(a.value - b.value) <= 1e-6 * a.value && std::abs(*a.begin - *b.begin) <= close &&
@@ -147,14 +147,15 @@ std::vector<ResultRow> summary_rows(const ImpactCase& impact, const Summary& sum
   return rows;
 }
 
-std::vector<ResultRow> pulse_rows(const InjuryFigures& figures, const UnitSystem& units, Detail detail) {
+std::vector<ResultRow> pulse_rows(const injury::InjuryFigures& figures, const UnitSystem& units,
+                                  Detail detail) {
   const int digits = digits_of(detail);
   std::vector<ResultRow> rows;
-  const InjuryValue* before = nullptr;
-  const auto values = injury_values(figures);
+  const injury::InjuryValue* before = nullptr;
+  const auto values = injury::injury_values(figures);
   const double length = figures.hic_unlimited.end - figures.hic_unlimited.begin;
   std::string same;
-  for (const InjuryValue& of : values) {
+  for (const injury::InjuryValue& of : values) {
     const ResultQuantity& quantity = *of.quantity;
     if (detail == Detail::main && !is_main(quantity.key)) continue;
     if (detail == Detail::main && before != nullptr && is_same(of, *before)) {
@@ -196,4 +197,4 @@ std::string numbers_text(const Summary& summary) {
 
 std::string shown_error(double error) { return error < 1e-6 ? "< 0.0001 %" : percentage(error); }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

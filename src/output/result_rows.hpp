@@ -10,7 +10,7 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/output/text/result.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// One figure as people read it.
 struct ResultRow {
@@ -34,7 +34,8 @@ std::vector<ResultRow> summary_rows(const ImpactCase& impact, const Summary& sum
                                     Detail detail);
 
 /// The figures of the pulse. Without `all`, those that are asked for first, and equal ones in one row.
-std::vector<ResultRow> pulse_rows(const InjuryFigures& figures, const UnitSystem& units, Detail detail);
+std::vector<ResultRow> pulse_rows(const injury::InjuryFigures& figures, const UnitSystem& units,
+                                  Detail detail);
 
 /// "  Peak force             5757 N      ± 0.2 %  remark", at most 100 columns wide.
 std::string laid_out(const ResultRow& row);
@@ -48,4 +49,4 @@ std::string shown_error(double error);
 /// "from 5.847 to 20.12 ms", with 0 for what is 0 up to rounding.
 std::string stretch(double begin, double end, const UnitSystem& units, int digits);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

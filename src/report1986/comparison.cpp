@@ -15,7 +15,7 @@
 #include "quantities/json_values.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -121,9 +121,9 @@ std::string laid_out(const std::vector<Row>& rows) {
 
 /// The points of a run in the units shown, up to twice the reference's peak: an ABEND may come after absurd
 /// forces.
-Series series(const ComparedRun& run, const std::vector<double>& values, const char* si_unit, double most,
-              const UnitSystem& units) {
-  Series drawn;
+output::Series series(const ComparedRun& run, const std::vector<double>& values, const char* si_unit,
+                      double most, const UnitSystem& units) {
+  output::Series drawn;
   drawn.label = run.name;
   for (std::size_t i = 0; i < run.time.size() && std::abs(values[i]) <= most; ++i) {
     drawn.x.push_back(value_in(units, run.time[i], "s"));
@@ -191,7 +191,7 @@ std::string comparison_text(const Comparison& comparison, const ImpactCase& impa
     if (!run.remark.empty()) remarks += run.name + ": " + run.remark + "\n";
   }
   if (!remarks.empty()) remarks = "\n" + remarks;
-  return case_text(impact, units) + "\n" + laid_out(rows) + remarks + "\n%: deviation from \"" +
+  return output::case_text(impact, units) + "\n" + laid_out(rows) + remarks + "\n%: deviation from \"" +
          reference.name +
          "\", the solution of the same equations with 17.64 in/s\n"
          "to the mile per hour and 386.4 in/s2, as the program of 1984 counts. The end is when the force "
@@ -222,15 +222,16 @@ std::string comparison_json(const Comparison& comparison) {
   return json_text(result);
 }
 
-Plot comparison_plot(const Comparison& comparison, const ImpactCase& impact, const UnitSystem& units) {
+output::Plot comparison_plot(const Comparison& comparison, const ImpactCase& impact,
+                             const UnitSystem& units) {
   const ComparedRun& reference = comparison.runs[Comparison::reference];
   const auto axis = [&](const char* text, const char* si_unit) {
-    Axis of;
+    output::Axis of;
     of.label = fmt::format("{} ({})", text, shown_unit(unit_for(units, si_unit)));
     return of;
   };
-  Panel force{"Force", axis("Time", "s"), axis("Force", "N"), {}};
-  Panel penetration{"Penetration of the pad", axis("Time", "s"), axis("Penetration", "m"), {}};
+  output::Panel force{"Force", axis("Time", "s"), axis("Force", "N"), {}};
+  output::Panel penetration{"Penetration of the pad", axis("Time", "s"), axis("Penetration", "m"), {}};
   force.y.low = 0;
   for (const ComparedRun& run : comparison.runs) {
     if (&run == &comparison.runs.front()) continue;  // not to be told from the reference at this scale
@@ -242,4 +243,4 @@ Plot comparison_plot(const Comparison& comparison, const ImpactCase& impact, con
           fmt::format("dashpad {}; unfinished runs are drawn up to twice the reference's peak", version())};
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::report1986

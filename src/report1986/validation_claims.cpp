@@ -6,12 +6,10 @@
 #include "quantities/text.hpp"
 #include "report1986/validation_tables.hpp"
 
-namespace dashpad {
+namespace dashpad::report1986 {
 
-using namespace validation;
-
-PageTable claims_table(const Study& study) {
-  PageTable table{.columns = {"where", "statement", "printed", "computed", "agrees", "remark"}};
+output::PageTable claims_table(const Study& study) {
+  output::PageTable table{.columns = {"where", "statement", "printed", "computed", "agrees", "remark"}};
   for (const ReportClaim& claim : check_claims(study.data)) {
     const std::string unit = claim.unit == "1" ? "" : " " + shown_unit(claim.unit);
     table.rows.push_back({claim.where, claim.claim, brief(claim.printed) + unit,
@@ -21,4 +19,4 @@ PageTable claims_table(const Study& study) {
   return table;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::report1986

@@ -9,13 +9,11 @@
 #include "quantities/text.hpp"
 #include "report1986/validation_figure_list.hpp"
 
-namespace dashpad {
-
-using namespace validation;
+namespace dashpad::report1986 {
 
 namespace {
 
-const Axis speed_axis{.label = "Initial speed (mph)", .low = least_speed, .high = greatest_speed};
+const output::Axis speed_axis{.label = "Initial speed (mph)", .low = least_speed, .high = greatest_speed};
 
 /// T = travel / V, in ms for in and mph.
 double time_of_travel(const Study& study, double travel_in, double speed_mph) {
@@ -23,21 +21,21 @@ double time_of_travel(const Study& study, double travel_in, double speed_mph) {
 }
 
 /// A fitted constant as a band over speed: its 95 % interval.
-Series interval_band(const FittedConstant& constant, const std::string& label, std::size_t turn,
-                     const std::function<double(double, double)>& value) {
-  Series band = function_line(
+output::Series interval_band(const FittedConstant& constant, const std::string& label, std::size_t turn,
+                             const std::function<double(double, double)>& value) {
+  output::Series band = function_line(
       label, turn, least_speed, greatest_speed,
-      [&](double speed) { return value(constant.confidence.low, speed); }, SeriesStyle::band);
+      [&](double speed) { return value(constant.confidence.low, speed); }, output::SeriesStyle::band);
   for (const double speed : band.x) band.y2.push_back(value(constant.confidence.high, speed));
   return band;
 }
 
-Panel measured_time_panel(const Study& study, const char* title, TestGroup group) {
-  Panel panel{.title = title,
-              .x = speed_axis,
-              .y = {.label = axis_label(Quantity::time_to_peak), .low = 0},
-              .series = predicted_lines(study, {Program::accurate, Program::printed_1984}, group,
-                                        Quantity::time_to_peak)};
+output::Panel measured_time_panel(const Study& study, const char* title, TestGroup group) {
+  output::Panel panel{.title = title,
+                      .x = speed_axis,
+                      .y = {.label = axis_label(Quantity::time_to_peak), .low = 0},
+                      .series = predicted_lines(study, {Program::accurate, Program::printed_1984}, group,
+                                                Quantity::time_to_peak)};
   const auto travel_time = [&](double travel, double speed) { return time_of_travel(study, travel, speed); };
   if (const FittedConstant* refit = fitted(study, "travel_in")) {
     panel.series.push_back(
@@ -45,7 +43,7 @@ Panel measured_time_panel(const Study& study, const char* title, TestGroup group
     panel.series.push_back(function_line(
         fmt::format("fitted again: VT = {:.2f} in", refit->value), turn::mended_1984, least_speed,
         greatest_speed, [&](double speed) { return travel_time(refit->value, speed); },
-        SeriesStyle::solid_line));
+        output::SeriesStyle::solid_line));
   }
   for (const auto& [name, words, turn] :
        {std::tuple{"travel_in", "report's fit", turn::report},
@@ -62,18 +60,18 @@ Panel measured_time_panel(const Study& study, const char* title, TestGroup group
 }  // namespace
 
 ValidationFigure support_curves(const Study& study) {
-  Series load_cell{.label = "load cell with bearing plate and floor: RECONSTRUCTED",
-                   .style = SeriesStyle::solid_line,
-                   .x = {0},
-                   .y = {0},
-                   .turn = turn::accurate};
+  output::Series load_cell{.label = "load cell with bearing plate and floor: RECONSTRUCTED",
+                           .style = output::SeriesStyle::solid_line,
+                           .x = {0},
+                           .y = {0},
+                           .turn = turn::accurate};
   for (const StaticPoint& point : study.data.load_cell) {
     load_cell.x.push_back(point.deflection_in);
     load_cell.y.push_back(point.force_lb);
   }
   constexpr double farthest = 0.6;
   const double stiffness = study.data.plate_stiffness_lb_per_in;
-  Panel panel{
+  output::Panel panel{
       .x = {.label = "Deflection (in)", .low = 0, .high = farthest},
       .y = {.label = "Force (lb)", .low = 0, .high = 6000},
       .series = {load_cell,
@@ -102,30 +100,31 @@ ValidationFigure time_to_peak(const Study& study) {
 
 ValidationFigure nominal_stress(const Study& study) {
   const NominalStressFit& fit = study.nominal_stress;
-  Series certain{.label = "strain of the same test", .style = SeriesStyle::points, .turn = turn::measured};
-  Series placed{.label = "strain whose test is lost, in the placing of least scatter",
-                .style = SeriesStyle::points,
-                .turn = turn::mended_1984};
+  output::Series certain{
+      .label = "strain of the same test", .style = output::SeriesStyle::points, .turn = turn::measured};
+  output::Series placed{.label = "strain whose test is lost, in the placing of least scatter",
+                        .style = output::SeriesStyle::points,
+                        .turn = turn::mended_1984};
   Interval forces{.low = HUGE_VAL, .high = 0};
   for (const NominalStressPoint& point : fit.points) {
-    Series& series = point.test == 0 ? placed : certain;
+    output::Series& series = point.test == 0 ? placed : certain;
     series.x.push_back(point.force_lb);
     series.y.push_back(point.stress_psi);
     forces = {.low = std::min(forces.low, point.force_lb), .high = std::max(forces.high, point.force_lb)};
   }
-  Panel panel{.x = {.label = "Peak force (lb)", .logarithmic = true},
-              .y = {.label = "Nominal stress (psi)", .logarithmic = true},
-              .series = {}};
+  output::Panel panel{.x = {.label = "Peak force (lb)", .logarithmic = true},
+                      .y = {.label = "Nominal stress (psi)", .logarithmic = true},
+                      .series = {}};
   if (!fit.points.empty()) {
     const double low = 0.8 * forces.low, high = 1.25 * forces.high;
     panel.series = {{.label = "over all placings",
-                     .style = SeriesStyle::band,
+                     .style = output::SeriesStyle::band,
                      .x = {low, high},
                      .y = {low / fit.area_over_placings.high, high / fit.area_over_placings.high},
                      .y2 = {low / fit.area_over_placings.low, high / fit.area_over_placings.low},
                      .turn = turn::accurate},
                     {.label = fmt::format("unit slope: force = {:.3g} in² x stress", fit.area_in2),
-                     .style = SeriesStyle::solid_line,
+                     .style = output::SeriesStyle::solid_line,
                      .x = {low, high},
                      .y = {low / fit.area_in2, high / fit.area_in2},
                      .turn = turn::accurate},
@@ -141,9 +140,10 @@ ValidationFigure nominal_stress(const Study& study) {
 }
 
 ValidationFigure force_over_speed(const Study& study) {
-  Panel panel{.x = speed_axis, .y = {.label = axis_label(Quantity::peak_force), .low = 0}, .series = {}};
+  output::Panel panel{
+      .x = speed_axis, .y = {.label = axis_label(Quantity::peak_force), .low = 0}, .series = {}};
   const auto add = [&](TestGroup group, const char* name, std::size_t turn) {
-    for (Series series : predicted_lines(study, Program::accurate, group, Quantity::peak_force)) {
+    for (output::Series series : predicted_lines(study, Program::accurate, group, Quantity::peak_force)) {
       series.label += std::string{", "} + name;
       series.turn = turn;
       panel.series.push_back(series);
@@ -163,7 +163,8 @@ ValidationFigure force_over_speed(const Study& study) {
 }
 
 ValidationFigure rebound_over_speed(const Study& study) {
-  Panel panel{.x = speed_axis, .y = {.label = axis_label(Quantity::rebound_speed), .low = 0}, .series = {}};
+  output::Panel panel{
+      .x = speed_axis, .y = {.label = axis_label(Quantity::rebound_speed), .low = 0}, .series = {}};
   for (const auto& [name, support, turn] :
        {std::tuple{"rebound_ratio_load_cell", "load cell", turn::accurate},
         std::tuple{"rebound_ratio_plate", "plate", turn::printed_1984}}) {
@@ -193,4 +194,4 @@ ValidationFigure rebound_over_speed(const Study& study) {
               "in Figures 4-4 and 4-5."};
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::report1986

@@ -9,9 +9,7 @@
 #include "quantities/text.hpp"
 #include "report1986/validation_tables.hpp"
 
-namespace dashpad {
-
-using namespace validation;
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -38,10 +36,10 @@ std::string column_words(const std::string& column) {
 
 }  // namespace
 
-PageTable constants_table(const Study& study) {
-  PageTable table{.columns = {"constant", "printed", "fitted again", "95 % interval", "printed within it",
-                              "tests", "over all placings", "printed within them",
-                              "95 % intervals over all placings"}};
+output::PageTable constants_table(const Study& study) {
+  output::PageTable table{.columns = {"constant", "printed", "fitted again", "95 % interval",
+                                      "printed within it", "tests", "over all placings",
+                                      "printed within them", "95 % intervals over all placings"}};
   for (const FittedConstant& constant : study.constants) {
     const bool has_placings = constant.placings > 1;
     table.rows.push_back({constant.title, with_unit(brief(constant.printed), constant.unit),
@@ -55,8 +53,9 @@ PageTable constants_table(const Study& study) {
   return table;
 }
 
-PageTable radius_table(const Study& study) {
-  PageTable table{.columns = {"criterion", "readings", "favoured radius (in)", "95 % range (in)", "remark"}};
+output::PageTable radius_table(const Study& study) {
+  output::PageTable table{
+      .columns = {"criterion", "readings", "favoured radius (in)", "95 % range (in)", "remark"}};
   for (const RadiusCriterion& criterion : study.radius.criteria) {
     const char* bound = !criterion.at_an_end                                                 ? ""
                         : criterion.favoured_in < (least_radius_in + greatest_radius_in) / 2 ? "at most "
@@ -71,8 +70,8 @@ PageTable radius_table(const Study& study) {
   return table;
 }
 
-PageTable unplaced_table(const Study& study) {
-  PageTable table{.columns = {"column", "tests", "readings, in their order"}};
+output::PageTable unplaced_table(const Study& study) {
+  output::PageTable table{.columns = {"column", "tests", "readings, in their order"}};
   for (const UnplacedReadings& group : study.data.measured.unplaced) {
     std::string readings;
     for (const double reading : group.readings) readings += (readings.empty() ? "" : ", ") + brief(reading);
@@ -105,8 +104,8 @@ std::vector<NamedTable> validation_tables(const Study& study) {
 
 std::map<std::string, std::string> validation_markdown_tables(const Study& study) {
   std::map<std::string, std::string> texts;
-  for (const NamedTable& named : validation_tables(study)) texts[named.name] = markdown(named.table);
+  for (const NamedTable& named : validation_tables(study)) texts[named.name] = output::markdown(named.table);
   return texts;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::report1986

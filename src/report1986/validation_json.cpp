@@ -4,9 +4,7 @@
 #include "quantities/json_values.hpp"
 #include "report1986/validation_tables.hpp"
 
-namespace dashpad {
-
-using namespace validation;
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -87,7 +85,7 @@ Json criterion_json(const RadiusCriterion& criterion) {
           {"of_the_report", criterion.of_the_report}};
 }
 
-Json verdict_json(const validation::Verdict& verdict) {
+Json verdict_json(const Verdict& verdict) {
   const Score& score = verdict.score;
   return {{"program", to_string(score.program)},
           {"support", to_string(score.support)},
@@ -207,4 +205,4 @@ std::string validation_json(const Study& study) {
   return json_text(result);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::report1986

@@ -9,9 +9,7 @@
 #include "quantities/text.hpp"
 #include "report1986/validation_figure_list.hpp"
 
-namespace dashpad {
-
-using namespace validation;
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -19,19 +17,19 @@ const std::vector<Program> all_programs(std::begin(programs), std::end(programs)
 /// On the plate, which is linear, the support defect and the first slope change nothing.
 const std::vector<Program> programs_on_plate{Program::accurate, Program::printed_1984};
 
-Panel speed_panel(const char* title, Quantity quantity) {
+output::Panel speed_panel(const char* title, Quantity quantity) {
   return {.title = title,
           .x = {.label = "Initial speed (mph)", .low = least_speed, .high = greatest_speed},
           .y = {.label = axis_label(quantity), .low = 0},
           .series = {}};
 }
 
-void add(Panel& panel, std::vector<Series> series) {
-  for (Series& one : series) panel.series.push_back(std::move(one));
+void add(output::Panel& panel, std::vector<output::Series> series) {
+  for (output::Series& one : series) panel.series.push_back(std::move(one));
 }
 
-Panel predicted_time_panel(const Study& study, const char* title, TestGroup group) {
-  Panel panel = speed_panel(title, Quantity::time_to_peak);
+output::Panel predicted_time_panel(const Study& study, const char* title, TestGroup group) {
+  output::Panel panel = speed_panel(title, Quantity::time_to_peak);
   add(panel, predicted_lines(study, all_programs, group, Quantity::time_to_peak));
   for (const auto& [name, turn] :
        {std::pair{"travel_in", turn::report}, std::pair{"expected_travel_in", turn::second}}) {
@@ -43,8 +41,8 @@ Panel predicted_time_panel(const Study& study, const char* title, TestGroup grou
   return panel;
 }
 
-Panel force_panel(const Study& study, const char* title, TestGroup group) {
-  Panel panel = speed_panel(title, Quantity::peak_force);
+output::Panel force_panel(const Study& study, const char* title, TestGroup group) {
+  output::Panel panel = speed_panel(title, Quantity::peak_force);
   panel.y.high = 10'000;
   add(panel, predicted_lines(study, all_programs, group, Quantity::peak_force));
   add(panel, curve_a(study, group.projectile, turn::report));
@@ -53,13 +51,13 @@ Panel force_panel(const Study& study, const char* title, TestGroup group) {
 }
 
 /// Upper bound of the rebound by the logic of Table 3-2, with the peak force of the trend.
-Series expected_on_load_cell(const Study& study, Projectile projectile) {
+output::Series expected_on_load_cell(const Study& study, Projectile projectile) {
   const ValidationData& data = study.data;
   const double ratio = data.constant("rebound_ratio_load_cell");
   const double from = data.constant("energy_trend_from_in_lb");
   const double greatest =
       projectile == Projectile::steel ? 16 : greatest_speed;  // beyond, Eq. 36 says nothing
-  Series line =
+  output::Series line =
       function_line("expected at most (Table 3-2)", turn::second, least_speed, greatest, [&](double speed) {
         const double energy = impact_energy_in_lb(weight_of(data, projectile), speed);
         if (energy < from) return std::nan("");
@@ -71,12 +69,12 @@ Series expected_on_load_cell(const Study& study, Projectile projectile) {
 }
 
 /// The same for the plate, with the peak force of curve B. It cannot be more than the initial speed.
-Series expected_on_plate(const Study& study) {
+output::Series expected_on_plate(const Study& study) {
   const ValidationData& data = study.data;
   const double ratio = data.constant("rebound_ratio_plate");
-  Series line = curve_b(study, Projectile::aluminium, turn::second).front();
+  output::Series line = curve_b(study, Projectile::aluminium, turn::second).front();
   line.label = "expected at most (Table 3-2)";
-  line.style = SeriesStyle::line;
+  line.style = output::SeriesStyle::line;
   for (std::size_t i = 0; i < line.x.size(); ++i) {
     const double energy = impact_energy_in_lb(weight_of(data, Projectile::aluminium), line.x[i]);
     const double stored = line.y[i] * line.y[i] / (2 * data.plate_stiffness_lb_per_in);
@@ -85,8 +83,9 @@ Series expected_on_plate(const Study& study) {
   return line;
 }
 
-Series printed_expectation(const Study& study, Projectile projectile) {
-  Series points{.label = "example printed in Table 3-2", .style = SeriesStyle::points, .turn = turn::second};
+output::Series printed_expectation(const Study& study, Projectile projectile) {
+  output::Series points{
+      .label = "example printed in Table 3-2", .style = output::SeriesStyle::points, .turn = turn::second};
   for (const ExpectationExample& example : study.data.table_3_2) {
     if (example.projectile != projectile) continue;
     points.x.push_back(example.speed_mph);
@@ -95,8 +94,8 @@ Series printed_expectation(const Study& study, Projectile projectile) {
   return points;
 }
 
-Panel rebound_panel(const Study& study, const char* title, TestGroup group) {
-  Panel panel = speed_panel(title, Quantity::rebound_speed);
+output::Panel rebound_panel(const Study& study, const char* title, TestGroup group) {
+  output::Panel panel = speed_panel(title, Quantity::rebound_speed);
   const bool plate = group.support == TestSupport::plate;
   add(panel,
       predicted_lines(study, plate ? programs_on_plate : all_programs, group, Quantity::rebound_speed));
@@ -109,7 +108,7 @@ Panel rebound_panel(const Study& study, const char* title, TestGroup group) {
   return panel;
 }
 
-ValidationFigure figure(const char* number, const char* title, std::vector<Panel> panels,
+ValidationFigure figure(const char* number, const char* title, std::vector<output::Panel> panels,
                         const std::string& source, const std::string& note) {
   return {.name = std::string{"Figure "} + number,
           .slug = std::string{"figure-"} + number,
@@ -135,7 +134,7 @@ ValidationFigure predicted_force_on_load_cell(const Study& study) {
 }
 
 ValidationFigure predicted_force_on_plate(const Study& study) {
-  Panel panel = speed_panel("", Quantity::peak_force);
+  output::Panel panel = speed_panel("", Quantity::peak_force);
   add(panel, predicted_lines(study, programs_on_plate, test_group::on_plate, Quantity::peak_force));
   add(panel, curve_b(study, Projectile::aluminium, turn::report));
   return figure("4-3", "Predicted peak force, flexible plate, aluminium projectile", {panel}, "section 4",
@@ -161,4 +160,4 @@ ValidationFigure predicted_rebound_on_plate(const Study& study) {
                     "initial speed: the plate stores so much that this bound says little.");
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::report1986

@@ -8,9 +8,7 @@
 #include "quantities/text.hpp"
 #include "report1986/validation_figure_list.hpp"
 
-namespace dashpad {
-
-using namespace validation;
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -37,9 +35,9 @@ constexpr ListedFigure list[] = {{"figure-3-3", support_curves},
                                  {"force-ratio", force_ratio}};
 
 /// Predicted over measured force of each test, at the report's radius.
-Series ratios(const Study& study, Program program, Projectile projectile, std::size_t turn) {
-  Series points{.label = to_string(program), .style = SeriesStyle::points, .turn = turn};
-  for (const validation::Verdict& verdict : study.at_the_reports_radius) {
+output::Series ratios(const Study& study, Program program, Projectile projectile, std::size_t turn) {
+  output::Series points{.label = to_string(program), .style = output::SeriesStyle::points, .turn = turn};
+  for (const Verdict& verdict : study.at_the_reports_radius) {
     const Score& score = verdict.score;
     if (score.program != program || score.support != TestSupport::load_cell ||
         score.quantity != Quantity::peak_force)
@@ -55,27 +53,28 @@ Series ratios(const Study& study, Program program, Projectile projectile, std::s
 }
 
 /// What the report found: from the ratio at the low end of its speeds to that at the high end.
-Series printed_ratio(const Study& study, const std::string& projectile, double greatest) {
+output::Series printed_ratio(const Study& study, const std::string& projectile, double greatest) {
   return {.label = "report: predictions over its trend",
-          .style = SeriesStyle::dashed_line,
+          .style = output::SeriesStyle::dashed_line,
           .x = {10, greatest},
           .y = {study.data.constant("force_ratio_" + projectile + "_low_speed"),
                 study.data.constant("force_ratio_" + projectile + "_high_speed")},
           .turn = turn::measured};
 }
 
-Panel ratio_panel(const Study& study, const char* title, Projectile projectile, Series printed) {
+output::Panel ratio_panel(const Study& study, const char* title, Projectile projectile,
+                          output::Series printed) {
   const Rule& rule = rule_of(Quantity::peak_force);
-  Panel panel{.title = title,
-              .x = {.label = "Initial speed (mph)", .low = least_speed, .high = greatest_speed},
-              .y = {.label = "Predicted / measured peak force", .low = 0, .high = 4},
-              .series = {{.label = "bias that the rule admits",
-                          .style = SeriesStyle::band,
-                          .x = {least_speed, greatest_speed},
-                          .y = {1 + rule.low, 1 + rule.low},
-                          .y2 = {1 + rule.high, 1 + rule.high},
-                          .turn = turn::measured},
-                         std::move(printed)}};
+  output::Panel panel{.title = title,
+                      .x = {.label = "Initial speed (mph)", .low = least_speed, .high = greatest_speed},
+                      .y = {.label = "Predicted / measured peak force", .low = 0, .high = 4},
+                      .series = {{.label = "bias that the rule admits",
+                                  .style = output::SeriesStyle::band,
+                                  .x = {least_speed, greatest_speed},
+                                  .y = {1 + rule.low, 1 + rule.low},
+                                  .y2 = {1 + rule.high, 1 + rule.high},
+                                  .turn = turn::measured},
+                                 std::move(printed)}};
   for (const auto& [program, turn] : {std::pair{Program::printed_1984, turn::printed_1984},
                                       std::pair{Program::mended_support_1984, turn::mended_1984},
                                       std::pair{Program::accurate_first_slope, turn::first_slope},
@@ -95,15 +94,15 @@ std::string program_of(const RadiusCriterion& criterion) {
 }  // namespace
 
 ValidationFigure misfit_over_radius(const Study& study) {
-  Panel panel{.x = {.label = "Nose radius (in)", .low = least_radius_in, .high = greatest_radius_in},
-              .y = {.label = "Misfit / least misfit", .low = 0, .high = 5},
-              .series = {}};
+  output::Panel panel{.x = {.label = "Nose radius (in)", .low = least_radius_in, .high = greatest_radius_in},
+                      .y = {.label = "Misfit / least misfit", .low = 0, .high = 5},
+                      .series = {}};
   for (const RadiusCriterion& criterion : study.radius.criteria) {
     double least = HUGE_VAL;
     for (const double misfit : criterion.misfit)
       if (misfit < least) least = misfit;  // never if it is NaN
     if (!std::isfinite(least) || least <= 0) continue;
-    Series line{
+    output::Series line{
         .label = fmt::format("{} ({}); {}", criterion.name, criterion.readings, program_of(criterion)),
         .x = study.radius.radii_in,
         .y = criterion.misfit};
@@ -148,4 +147,4 @@ std::vector<ValidationFigure> validation_figures(const Study& study) {
   return figures;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::report1986

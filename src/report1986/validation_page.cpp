@@ -9,28 +9,26 @@
 #include "report1986/validation_series.hpp"
 #include "report1986/validation_tables.hpp"
 
-namespace dashpad {
-
-using namespace validation;
+namespace dashpad::report1986 {
 
 namespace {
 
-PageTable captioned(std::string caption, PageTable table) {
+output::PageTable captioned(std::string caption, output::PageTable table) {
   table.caption = std::move(caption);
   return table;
 }
 
 /// The figures of these slugs.
-std::vector<PageFigure> chosen(const std::vector<ValidationFigure>& figures,
-                               const std::vector<std::string>& slugs) {
-  std::vector<PageFigure> result;
+std::vector<output::PageFigure> chosen(const std::vector<ValidationFigure>& figures,
+                                       const std::vector<std::string>& slugs) {
+  std::vector<output::PageFigure> result;
   for (const ValidationFigure& figure : figures)
     if (std::ranges::find(slugs, figure.slug) != slugs.end())
       result.push_back({figure.name, figure.plot, figure.note});
   return result;
 }
 
-PageSection verdict_section(const Study& study, const std::vector<ValidationFigure>& figures) {
+output::PageSection verdict_section(const Study& study, const std::vector<ValidationFigure>& figures) {
   return {
       .heading = "Verdict",
       .paragraphs =
@@ -64,8 +62,8 @@ PageSection verdict_section(const Study& study, const std::vector<ValidationFigu
       .figures = chosen(figures, {"force-ratio"})};
 }
 
-PageSection error_section(const Study& study) {
-  PageSection section{.heading = "Errors test by test"};
+output::PageSection error_section(const Study& study) {
+  output::PageSection section{.heading = "Errors test by test"};
   for (const Quantity quantity : quantities)
     section.tables.push_back(captioned(axis_label(quantity), error_table(study, quantity)));
   return section;
@@ -92,9 +90,9 @@ std::vector<std::string> warnings(const Study& study) {
 
 }  // namespace
 
-FiguresPage validation_page(const Study& study) {
+output::FiguresPage validation_page(const Study& study) {
   const std::vector<ValidationFigure> figures = validation_figures(study);
-  FiguresPage page{
+  output::FiguresPage page{
       .title = "Validation against the tests of 1986",
       .summary = {fmt::format("The {} tests of Crash Padding Research, Volume III (1986), Table 3-1, beside "
                               "the accurate solver and the program of 1984. Units are the report's: lb, in, "
@@ -129,4 +127,4 @@ FiguresPage validation_page(const Study& study) {
   return page;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::report1986

@@ -9,9 +9,7 @@
 #include "dashpad/version.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
-
-using namespace validation;
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -49,8 +47,8 @@ std::map<double, AtSpeed> by_speed(const Study& study, Program program, TestGrou
   return speeds;
 }
 
-Series over_speed(const std::map<double, AtSpeed>& speeds, std::optional<double> AtSpeed::*value) {
-  Series series;
+output::Series over_speed(const std::map<double, AtSpeed>& speeds, std::optional<double> AtSpeed::*value) {
+  output::Series series;
   for (const auto& [speed, at] : speeds) {
     if (!(at.*value)) continue;
     series.x.push_back(speed);
@@ -71,9 +69,9 @@ std::string axis_label(Quantity quantity) {
   return "";
 }
 
-Series measured_points(const Study& study, TestGroup group, Quantity quantity, const std::string& label,
-                       std::size_t turn) {
-  Series points{.label = label, .style = SeriesStyle::points, .turn = turn};
+output::Series measured_points(const Study& study, TestGroup group, Quantity quantity,
+                               const std::string& label, std::size_t turn) {
+  output::Series points{.label = label, .style = output::SeriesStyle::points, .turn = turn};
   for (const MeasuredTest& test : study.data.measured.tests) {
     const std::optional<double> value = measured(test, quantity);
     if (!value || test.projectile != group.projectile || test.support != group.support) continue;
@@ -83,46 +81,48 @@ Series measured_points(const Study& study, TestGroup group, Quantity quantity, c
   return points;
 }
 
-std::vector<Series> predicted_lines(const Study& study, Program program, TestGroup group, Quantity quantity) {
+std::vector<output::Series> predicted_lines(const Study& study, Program program, TestGroup group,
+                                            Quantity quantity) {
   const auto speeds = by_speed(study, program, group, quantity);
   const double of_the_report = study.radius.of_the_report_in(), favoured = study.radius.favoured_in();
   const auto label = [&](double radius) { return fmt::format("{}, {:.2f} in", to_string(program), radius); };
-  Series line = over_speed(speeds, &AtSpeed::of_the_report);
+  output::Series line = over_speed(speeds, &AtSpeed::of_the_report);
   line.label = label(of_the_report);
-  line.style = SeriesStyle::points;  // the program of 1984: many of its runs end in an ABEND
-  if (program == Program::accurate) line.style = SeriesStyle::solid_line;
-  if (program == Program::accurate_first_slope) line.style = SeriesStyle::line;
+  line.style = output::SeriesStyle::points;  // the program of 1984: many of its runs end in an ABEND
+  if (program == Program::accurate) line.style = output::SeriesStyle::solid_line;
+  if (program == Program::accurate_first_slope) line.style = output::SeriesStyle::line;
   line.turn = turn_of(program);
   if (program != Program::accurate) return {line};
 
-  Series band{.label = std::string{to_string(program)} + ", over the nose radii",
-              .style = SeriesStyle::band,
-              .turn = line.turn};
+  output::Series band{.label = std::string{to_string(program)} + ", over the nose radii",
+                      .style = output::SeriesStyle::band,
+                      .turn = line.turn};
   for (const auto& [speed, at] : speeds) {
     band.x.push_back(speed);
     band.y.push_back(at.low);
     band.y2.push_back(at.high);
   }
-  Series dashed = over_speed(speeds, &AtSpeed::favoured);
+  output::Series dashed = over_speed(speeds, &AtSpeed::favoured);
   dashed.label = label(favoured);
-  dashed.style = SeriesStyle::dashed_line;
+  dashed.style = output::SeriesStyle::dashed_line;
   dashed.turn = line.turn;
   if (favoured == of_the_report) return {band, line};
   return {band, line, dashed};
 }
 
-std::vector<Series> predicted_lines(const Study& study, const std::vector<Program>& programs, TestGroup group,
-                                    Quantity quantity) {
-  std::vector<Series> all;
-  for (const Program program : programs)
-    for (Series& series : predicted_lines(study, program, group, quantity)) all.push_back(std::move(series));
+std::vector<output::Series> predicted_lines(const Study& study, const std::vector<Program>& shown,
+                                            TestGroup group, Quantity quantity) {
+  std::vector<output::Series> all;
+  for (const Program program : shown)
+    for (output::Series& series : predicted_lines(study, program, group, quantity))
+      all.push_back(std::move(series));
   return all;
 }
 
-Series function_line(const std::string& label, std::size_t turn, double low, double high,
-                     const std::function<double(double)>& value, SeriesStyle style) {
+output::Series function_line(const std::string& label, std::size_t turn, double low, double high,
+                             const std::function<double(double)>& value, output::SeriesStyle style) {
   constexpr int steps = 100;
-  Series line{.label = label, .style = style, .turn = turn};
+  output::Series line{.label = label, .style = style, .turn = turn};
   for (int i = 0; i <= steps; ++i) {
     line.x.push_back(low + (high - low) * i / steps);
     line.y.push_back(value(line.x.back()));
@@ -173,4 +173,4 @@ std::string radius_note(const Study& study) {
   return note;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::report1986

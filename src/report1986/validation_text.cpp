@@ -6,15 +6,13 @@
 #include "quantities/text.hpp"
 #include "report1986/validation_tables.hpp"
 
-namespace dashpad {
-
-using namespace validation;
+namespace dashpad::report1986 {
 
 namespace {
 
 /// The columns that fit a terminal.
-PageTable narrow(const PageTable& table, const std::vector<std::size_t>& columns) {
-  PageTable result;
+output::PageTable narrow(const output::PageTable& table, const std::vector<std::size_t>& columns) {
+  output::PageTable result;
   for (const std::size_t column : columns) result.columns.push_back(table.columns[column]);
   for (const auto& row : table.rows) {
     result.rows.emplace_back();
@@ -31,27 +29,27 @@ std::string validation_text(const Study& study) {
       "Validation tests of Crash Padding Research, Volume III (1986), {} tests, in its units.\n"
       "The accurate solver passes {} of {} rules, which were fixed before the first run.\n\n",
       study.data.measured.tests.size(), accurate.passed, accurate.all);
-  text += plain_text(narrow(verdict_table(study), {0, 1, 3, 4, 5, 6, 7, 10}));
+  text += output::plain_text(narrow(verdict_table(study), {0, 1, 3, 4, 5, 6, 7, 10}));
   text += fmt::format(
       "\nAt a nose radius of {:.2f} in, which the first of these favours{}; bias over {} to {} in.\n"
       "Bias and scatter are of predicted / measured, for strain of the difference.\n",
       study.radius.favoured_in(),
       study.radius.criteria.front().at_an_end ? " (the end of the range: a bound, no estimate)" : "",
       brief(least_radius_in), brief(greatest_radius_in));
-  text += plain_text(narrow(radius_table(study), {0, 1, 2, 3}));
+  text += output::plain_text(narrow(radius_table(study), {0, 1, 2, 3}));
   text += "\nRebound on the load cell, between what was measured and what Table 3-2 admits:\n" +
-          plain_text(rebound_table(study));
+          output::plain_text(rebound_table(study));
   text += "\nThe anomaly of section 4, predicted over measured force:\n" +
-          plain_text(anomaly_table(study, study.anomaly)) + "\n" +
-          plain_text(anomaly_rules_table(study.anomaly));
+          output::plain_text(anomaly_table(study, study.anomaly)) + "\n" +
+          output::plain_text(anomaly_rules_table(study.anomaly));
   text += fmt::format(
       "\nThe report's statements on its own simulations come back with a nose radius of {:.2f} in.\n"
       "All programs there:\n",
       study.radius.of_the_report_in());
-  text += plain_text(narrow(reports_radius_table(study), {0, 1, 3, 4, 5, 6, 10})) + "\n" +
-          plain_text(anomaly_table(study, study.anomaly_at_the_reports_radius)) + "\n" +
-          plain_text(anomaly_rules_table(study.anomaly_at_the_reports_radius));
+  text += output::plain_text(narrow(reports_radius_table(study), {0, 1, 3, 4, 5, 6, 10})) + "\n" +
+          output::plain_text(anomaly_table(study, study.anomaly_at_the_reports_radius)) + "\n" +
+          output::plain_text(anomaly_rules_table(study.anomaly_at_the_reports_radius));
   return text;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::report1986

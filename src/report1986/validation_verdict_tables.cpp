@@ -9,9 +9,7 @@
 #include "report1986/validation_series.hpp"
 #include "report1986/validation_tables.hpp"
 
-namespace dashpad {
-
-using namespace validation;
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -45,13 +43,11 @@ std::string with_signs(const Interval& interval) {
 const char* passed_or_not(bool passed) { return passed ? "pass" : "FAIL"; }
 
 /// Without readings there is nothing to judge.
-bool is_judged(const validation::Verdict& verdict) {
-  return !verdict.score.errors.empty() || verdict.score.missing > 0;
-}
+bool is_judged(const Verdict& verdict) { return !verdict.score.errors.empty() || verdict.score.missing > 0; }
 
 /// Predicted value and error of a program in a test; dashes where there is no prediction.
-std::vector<std::string> error_cells(const std::vector<validation::Verdict>& verdicts,
-                                     const MeasuredTest& test, Program program, Quantity quantity) {
+std::vector<std::string> error_cells(const std::vector<Verdict>& verdicts, const MeasuredTest& test,
+                                     Program program, Quantity quantity) {
   for (const auto& [score, bias, scatter, passed, radii] : verdicts) {
     if (score.program != program || score.support != test.support || score.quantity != quantity) continue;
     const auto error = std::ranges::find(score.errors, test.number, &TestError::test);
@@ -65,7 +61,7 @@ std::vector<std::string> error_cells(const std::vector<validation::Verdict>& ver
 struct ErrorColumn {
   Program program;
   double radius_in;
-  const std::vector<validation::Verdict>& verdicts;
+  const std::vector<Verdict>& verdicts;
 };
 std::vector<ErrorColumn> error_columns(const Study& study) {
   const double favoured = study.radius.favoured_in(), of_the_report = study.radius.of_the_report_in();
@@ -74,10 +70,11 @@ std::vector<ErrorColumn> error_columns(const Study& study) {
           {Program::printed_1984, of_the_report, study.at_the_reports_radius}};
 }
 
-PageTable table_of(const std::vector<validation::Verdict>& verdicts) {
-  PageTable table{.columns = {"program", "support", "projectile", "quantity", "tests", "bias", "scatter",
-                              "bias over radii", "scatter over radii", "radii that pass", "verdict"}};
-  for (const validation::Verdict& verdict : verdicts) {
+output::PageTable table_of(const std::vector<Verdict>& verdicts) {
+  output::PageTable table{.columns = {"program", "support", "projectile", "quantity", "tests", "bias",
+                                      "scatter", "bias over radii", "scatter over radii", "radii that pass",
+                                      "verdict"}};
+  for (const Verdict& verdict : verdicts) {
     if (!is_judged(verdict)) continue;
     const Score& score = verdict.score;
     const Quantity quantity = score.quantity;
@@ -102,7 +99,7 @@ PageTable table_of(const std::vector<validation::Verdict>& verdicts) {
 
 Tally tally(const Study& study, Program program) {
   Tally tally;
-  for (const validation::Verdict& verdict : study.verdicts) {
+  for (const Verdict& verdict : study.verdicts) {
     if (verdict.score.program != program || !is_judged(verdict)) continue;
     ++tally.all;
     tally.passed += verdict.score.passed ? 1 : 0;
@@ -120,15 +117,15 @@ bool passes(const Study& study) {
   return accurate.all > 0 && accurate.passed == accurate.all;
 }
 
-PageTable verdict_table(const Study& study) { return table_of(study.verdicts); }
+output::PageTable verdict_table(const Study& study) { return table_of(study.verdicts); }
 
-PageTable reports_radius_table(const Study& study) { return table_of(study.at_the_reports_radius); }
+output::PageTable reports_radius_table(const Study& study) { return table_of(study.at_the_reports_radius); }
 
-PageTable by_projectile_table(const Study& study) { return table_of(study.by_projectile); }
+output::PageTable by_projectile_table(const Study& study) { return table_of(study.by_projectile); }
 
-PageTable placed_table(const Study& study) {
-  PageTable table{.columns = {"program", "quantity", "tests", "readings", "placings", "mean bias",
-                              "bias over placings", "placings that would pass"}};
+output::PageTable placed_table(const Study& study) {
+  output::PageTable table{.columns = {"program", "quantity", "tests", "readings", "placings", "mean bias",
+                                      "bias over placings", "placings that would pass"}};
   for (const PlacedScore& placed : study.placed) {
     const UnplacedReadings& group = placed.group;
     const auto shown = [&](double bias) { return bias_text(bias, placed.quantity); };
@@ -144,8 +141,8 @@ PageTable placed_table(const Study& study) {
   return table;
 }
 
-PageTable rebound_table(const Study& study) {
-  PageTable table{
+output::PageTable rebound_table(const Study& study) {
+  output::PageTable table{
       .columns = {"program", "tests", "admissible", "too low", "too high", "without prediction", "verdict"}};
   for (const Admissible& rebound : study.rebounds)
     table.rows.push_back({to_string(rebound.program), fmt::format("{}", rebound.tests),
@@ -155,8 +152,8 @@ PageTable rebound_table(const Study& study) {
   return table;
 }
 
-PageTable error_table(const Study& study, Quantity quantity) {
-  PageTable table{.columns = {"test", "projectile", "support", "speed (mph)", "measured"}};
+output::PageTable error_table(const Study& study, Quantity quantity) {
+  output::PageTable table{.columns = {"test", "projectile", "support", "speed (mph)", "measured"}};
   for (const ErrorColumn& column : error_columns(study)) {
     table.columns.push_back(fmt::format("{}, {:.2f} in", to_string(column.program), column.radius_in));
     table.columns.emplace_back("error");
@@ -175,14 +172,14 @@ PageTable error_table(const Study& study, Quantity quantity) {
   return table;
 }
 
-PageTable score_over_radius_table(const Study& study) {
-  PageTable table{.columns = {"nose radius (in)"}};
+output::PageTable score_over_radius_table(const Study& study) {
+  output::PageTable table{.columns = {"nose radius (in)"}};
   struct Column {
     TestSupport support;
     Quantity quantity;
   };
   std::vector<Column> columns;
-  for (const validation::Verdict& verdict : study.verdicts) {
+  for (const Verdict& verdict : study.verdicts) {
     if (verdict.score.program != Program::accurate || !is_judged(verdict)) continue;
     columns.push_back({verdict.score.support, verdict.score.quantity});
     table.columns.push_back(
@@ -200,10 +197,10 @@ PageTable score_over_radius_table(const Study& study) {
   return table;
 }
 
-PageTable anomaly_table(const Study& study, const AnomalyVerdict& anomaly) {
-  PageTable table{.columns = {"program", "tests", "slope", "95 % interval", "slope, aluminium",
-                              "95 % interval", "aluminium, 10 mph", "aluminium, 20 mph", "steel, 10 mph",
-                              "steel, 15 mph"}};
+output::PageTable anomaly_table(const Study& study, const AnomalyVerdict& anomaly) {
+  output::PageTable table{.columns = {"program", "tests", "slope", "95 % interval", "slope, aluminium",
+                                      "95 % interval", "aluminium, 10 mph", "aluminium, 20 mph",
+                                      "steel, 10 mph", "steel, 15 mph"}};
   std::vector<std::string> printed{"report", "-", "-", "-", "-", "-"};
   for (const char* name : {"force_ratio_aluminium_low_speed", "force_ratio_aluminium_high_speed",
                            "force_ratio_steel_low_speed", "force_ratio_steel_high_speed"})
@@ -230,7 +227,7 @@ const char* words(Explanation explanation) {
   return "";
 }
 
-PageTable anomaly_rules_table(const AnomalyVerdict& anomaly) {
+output::PageTable anomaly_rules_table(const AnomalyVerdict& anomaly) {
   const auto met = [](bool is_met) { return is_met ? "met" : "NOT MET"; };
   return {.columns = {"condition", "outcome"},
           .rows = {{"1. the first slope alone gives the report's ratios within 25 %",
@@ -241,4 +238,4 @@ PageTable anomaly_rules_table(const AnomalyVerdict& anomaly) {
                    {"so the support defect", words(anomaly.explanation)}}};
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::report1986

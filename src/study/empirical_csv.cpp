@@ -17,9 +17,10 @@ constexpr std::size_t most_values = 1'000'000;
 
 /// That of the header: a semicolon, a tab, or else a comma.
 char separator_of(std::string_view text) {
-  LineReader lines(text);
+  input::LineReader lines(text);
   std::string_view line;
-  while (lines.next(line) && (without_blanks(line).empty() || without_blanks(line).front() == '#')) {
+  while (lines.next(line) &&
+         (input::without_blanks(line).empty() || input::without_blanks(line).front() == '#')) {
   }
   for (const char c : {';', '\t'})
     if (line.find(c) != std::string_view::npos) return c;
@@ -35,7 +36,7 @@ struct Column {
 
 /// One unit of a header in SI.
 double unit_factor(const std::string& written, const std::string& unit, const Column& column,
-                   std::size_t line, MeasurementFaults& faults) {
+                   std::size_t line, input::MeasurementFaults& faults) {
   if (unit == "1") {
     if (written.empty() || written == "1" || written == "-") return 1;
     faults.add(line, column.name, written, "is a pure number and has no unit");
@@ -52,28 +53,29 @@ double unit_factor(const std::string& written, const std::string& unit, const Co
   return 1;
 }
 
-Column choose(const CsvRow& header, const std::string& wanted, const std::string& unit,
-              MeasurementFaults& faults) {
+Column choose(const input::CsvRow& header, const std::string& wanted, const std::string& unit,
+              input::MeasurementFaults& faults) {
   std::vector<std::string> names, titles;
   for (const std::string_view field : header.fields) {
-    titles.push_back(to_utf8(without_blanks(field)));
-    names.push_back(split_header(titles.back()).name);
+    titles.push_back(input::to_utf8(input::without_blanks(field)));
+    names.push_back(input::split_header(titles.back()).name);
   }
   std::size_t place = 0;
   if (!wanted.empty()) {
     while (place < names.size() && names[place] != wanted && titles[place] != wanted) ++place;
     if (place == names.size())
-      faults.refuse(header.line, "", wanted,
-                    "no such column; there are " + listing(titles) + did_you_mean(wanted, names));
+      faults.refuse(
+          header.line, "", wanted,
+          "no such column; there are " + input::listing(titles) + input::did_you_mean(wanted, names));
   } else if (header.filled() > 1) {
     faults.refuse(header.line, "", "",
-                  "has several columns; name one with column = \"...\": " + listing(titles));
+                  "has several columns; name one with column = \"...\": " + input::listing(titles));
   }
-  if (read_number(titles[place]).kind == NumberKind::number)
+  if (input::read_number(titles[place]).kind == input::NumberKind::number)
     faults.refuse(header.line, "", titles[place],
                   "needs a line above the numbers that names the column and its unit");
   Column column{place, header.fields.size(), titles[place], 1};
-  column.factor = unit_factor(split_header(titles[place]).unit, unit, column, header.line, faults);
+  column.factor = unit_factor(input::split_header(titles[place]).unit, unit, column, header.line, faults);
   return column;
 }
 
@@ -81,25 +83,26 @@ Column choose(const CsvRow& header, const std::string& wanted, const std::string
 
 std::vector<double> read_empirical(const std::filesystem::path& file, const std::string& column,
                                    const std::string& unit) {
-  MeasurementFaults faults(file.string());
-  const std::string content = read_measurement(file);
-  const std::string_view text = text_in(content, faults);
+  input::MeasurementFaults faults(file.string());
+  const std::string content = input::read_measurement(file);
+  const std::string_view text = input::text_in(content, faults);
   const char separator = separator_of(text);
-  CsvRows rows(text, separator);
-  CsvRow row;
+  input::CsvRows rows(text, separator);
+  input::CsvRow row;
   if (!rows.next(row)) faults.refuse(0, "", "", "is empty");
   const Column chosen = choose(row, column, unit, faults);
   std::vector<double> values;
   while (rows.next(row)) {
     const bool there = chosen.place < row.fields.size();
-    const std::string_view field = there ? without_blanks(row.fields[chosen.place]) : std::string_view();
-    const ReadNumber read = read_csv_number(field, separator);
+    const std::string_view field =
+        there ? input::without_blanks(row.fields[chosen.place]) : std::string_view();
+    const input::ReadNumber read = input::read_csv_number(field, separator);
     if (!row.fault.empty())
       faults.add(row.line, "", "", std::string(row.fault));
     else if (row.filled() > chosen.width)
       faults.add(row.line, "", "", "has more fields than the header");
-    else if (read.kind != NumberKind::number)
-      faults.add(row.line, chosen.name, field, rule_for(read.kind));
+    else if (read.kind != input::NumberKind::number)
+      faults.add(row.line, chosen.name, field, input::rule_for(read.kind));
     else
       values.push_back(read.value * chosen.factor);
     if (values.size() > most_values)

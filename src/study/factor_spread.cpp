@@ -11,25 +11,26 @@ namespace {
 
 constexpr double most_levels = 1e6;
 
-double read_entry(const TomlNode& entry, const std::string& key, const std::string& unit, FaultList& faults) {
-  if (unit != "1") return read_quantity(entry, key, unit, faults);
-  if (entry.kind == TomlNode::Kind::number && std::isfinite(entry.number)) return entry.number;
+double read_entry(const input::TomlNode& entry, const std::string& key, const std::string& unit,
+                  input::FaultList& faults) {
+  if (unit != "1") return input::read_quantity(entry, key, unit, faults);
+  if (entry.kind == input::TomlNode::Kind::number && std::isfinite(entry.number)) return entry.number;
   faults.add(entry.line, key, entry.written(), "must be a finite plain number, without quotes and unit");
   return std::nan("");
 }
 
-Levels read_values(TableReader& table, const std::string& unit) {
+Levels read_values(input::TableReader& table, const std::string& unit) {
   Levels levels;
-  const TomlNode* list = table.array("values");
+  const input::TomlNode* list = table.array("values");
   if (!list) return levels;
   if (list->children.empty()) table.fault("values", "must hold one value or more");
-  for (const TomlNode& entry : list->children)
+  for (const input::TomlNode& entry : list->children)
     levels.values.push_back(read_entry(entry, table.full_key("values") + entry.key, unit, table.faults()));
   return levels;
 }
 
 /// 0 after a fault.
-std::size_t read_count(TableReader& table) {
+std::size_t read_count(input::TableReader& table) {
   const double count = table.number("count");
   if (count >= 2 && count <= most_levels && count == std::floor(count))
     return static_cast<std::size_t>(count);
@@ -39,7 +40,7 @@ std::size_t read_count(TableReader& table) {
 }
 
 /// Both ends are exact.
-Levels read_range(TableReader& table, const std::string& unit) {
+Levels read_range(input::TableReader& table, const std::string& unit) {
   const double from = read_value(table, "from", unit), to = read_value(table, "to", unit);
   const std::size_t count = read_count(table);
   const bool logarithmic =
@@ -58,20 +59,20 @@ Levels read_range(TableReader& table, const std::string& unit) {
   return levels;
 }
 
-Empirical read_measured(TableReader& table, const std::string& unit, const FactorFolders& folders) {
+Empirical read_measured(input::TableReader& table, const std::string& unit, const FactorFolders& folders) {
   const std::string file = table.text("file");
-  const std::string column = table.text("column", Presence::optional);
+  const std::string column = table.text("column", input::Presence::optional);
   if (file.empty()) return {};
   try {
     return {read_empirical(folders.of_study / file, column, unit)};
-  } catch (const InputError& error) {
+  } catch (const input::InputError& error) {
     table.fault("file", "cannot be used; see its faults");
     table.faults().add(error.faults());
   }
   return {};
 }
 
-Spread read_distribution(TableReader& table, const std::string& unit, const FactorFolders& folders) {
+Spread read_distribution(input::TableReader& table, const std::string& unit, const FactorFolders& folders) {
   const std::string kind =
       table.choice("distribution", {"normal", "lognormal", "uniform", "triangular", "empirical"});
   const auto value = [&](const char* key) { return read_value(table, key, unit); };
@@ -88,11 +89,11 @@ Spread read_distribution(TableReader& table, const std::string& unit, const Fact
 
 }  // namespace
 
-double read_value(TableReader& table, const std::string& key, const std::string& unit) {
+double read_value(input::TableReader& table, const std::string& key, const std::string& unit) {
   return unit == "1" ? table.number(key) : table.quantity(key, unit);
 }
 
-Spread read_spread(TableReader& table, const std::string& unit, const FactorFolders& folders) {
+Spread read_spread(input::TableReader& table, const std::string& unit, const FactorFolders& folders) {
   const bool values = table.has("values"), range = table.has("from") || table.has("to") || table.has("count");
   const bool distribution = table.has("distribution");
   if (int{values} + int{range} + int{distribution} != 1) {

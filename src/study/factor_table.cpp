@@ -20,17 +20,17 @@ constexpr std::size_t most_materials = 1000;
 
 struct Entry {
   std::string key;
-  const TomlNode* node;
+  const input::TomlNode* node;
 };
 
 /// [factors."impactor.speed"] and [factors.impactor.speed] mean the same. A table that is on the way to a
 /// known key is opened; every other one is a factor.
-void collect(const TomlNode& table, const std::string& prefix, const std::vector<std::string>& known,
+void collect(const input::TomlNode& table, const std::string& prefix, const std::vector<std::string>& known,
              std::vector<Entry>& entries) {
-  for (const TomlNode& child : table.children) {
+  for (const input::TomlNode& child : table.children) {
     const std::string key = prefix + child.key;
     const auto on_the_way = [&](const std::string& of) { return of.starts_with(key + "."); };
-    if (child.kind == TomlNode::Kind::table && std::ranges::any_of(known, on_the_way))
+    if (child.kind == input::TomlNode::Kind::table && std::ranges::any_of(known, on_the_way))
       collect(child, key + ".", known, entries);
     else
       entries.push_back({key, &child});
@@ -38,41 +38,41 @@ void collect(const TomlNode& table, const std::string& prefix, const std::vector
 }
 
 /// Absent after a fault.
-std::optional<Material> read_named(const TomlNode& entry, const std::string& key,
-                                   const FactorFolders& folders, FaultList& faults) {
+std::optional<Material> read_named(const input::TomlNode& entry, const std::string& key,
+                                   const FactorFolders& folders, input::FaultList& faults) {
   const std::string& name = entry.text;
-  if (entry.kind != TomlNode::Kind::text || name.empty()) {
+  if (entry.kind != input::TomlNode::Kind::text || name.empty()) {
     faults.add(entry.line, key, entry.written(), "must be the name of a card or a .toml file in quotes");
     return std::nullopt;
   }
   try {
     const bool is_path = name.ends_with(".toml");
     const auto cards = is_path ? std::vector<std::filesystem::path>{folders.of_study / name}
-                               : list_materials(folders.materials);
+                               : input::list_materials(folders.materials);
     std::vector<std::string> names;
     for (const auto& card : cards) {
       names.push_back(card.stem().string());
-      if (is_path || names.back() == name) return read_material(card);
+      if (is_path || names.back() == name) return input::read_material(card);
     }
     faults.add(entry.line, key, entry.written(),
-               "no such card in " + folders.materials.string() + ", which has " + listing(names) +
-                   did_you_mean(name, names));
-  } catch (const InputError& error) {
+               "no such card in " + folders.materials.string() + ", which has " + input::listing(names) +
+                   input::did_you_mean(name, names));
+  } catch (const input::InputError& error) {
     faults.add(error.faults());
   }
   return std::nullopt;
 }
 
 /// A material that cannot be read keeps its place as the base case's.
-Levels read_materials(TableReader& table, const FactorFolders& folders, Study& study) {
+Levels read_materials(input::TableReader& table, const FactorFolders& folders, Study& study) {
   Levels levels;
-  const TomlNode* list = table.array("values");
+  const input::TomlNode* list = table.array("values");
   if (!list) return levels;
   if (list->children.empty() || list->children.size() > most_materials) {
     table.fault("values", fmt::format("must hold 1 to {} materials", most_materials));
     return levels;
   }
-  for (const TomlNode& entry : list->children) {
+  for (const input::TomlNode& entry : list->children) {
     const auto material = read_named(entry, table.full_key("values") + entry.key, folders, table.faults());
     if (!material) continue;
     levels.values.push_back(static_cast<double>(study.materials.size()));
@@ -81,12 +81,14 @@ Levels read_materials(TableReader& table, const FactorFolders& folders, Study& s
   return levels;
 }
 
-std::optional<double> read_cut_off(TableReader& table, const std::string& key, const std::string& unit) {
+std::optional<double> read_cut_off(input::TableReader& table, const std::string& key,
+                                   const std::string& unit) {
   if (!table.has(key)) return std::nullopt;
   return read_value(table, key, unit);
 }
 
-Factor read_factor(const FactorKey& key, TableReader& table, const FactorFolders& folders, Study& study) {
+Factor read_factor(const FactorKey& key, input::TableReader& table, const FactorFolders& folders,
+                   Study& study) {
   Factor factor{.key = key.key, .unit = key.unit, .spread = Levels{}, .lowest = {}, .highest = {}};
   if (key.key == "pad.material") {
     factor.spread = read_materials(table, folders, study);
@@ -104,9 +106,9 @@ std::string rule_for_unknown(const std::string& key, const ImpactCase& base,
     return base.support.is_rigid()
                ? "the support of the case is rigid"
                : "the support of the case is a curve: vary support.scale, which multiplies its forces";
-  const std::string meant = did_you_mean(key, known);
+  const std::string meant = input::did_you_mean(key, known);
   return "is no quantity of the case that can vary" +
-         (meant.empty() ? "; there are " + listing(known) : meant);
+         (meant.empty() ? "; there are " + input::listing(known) : meant);
 }
 
 /// What can vary.
@@ -118,7 +120,7 @@ struct Known {
 
 /// False if the factor cannot be judged further.
 bool read_entry(const Entry& entry, const std::string& path, const Known& known, const FactorFolders& folders,
-                FaultList& faults, Study& study) {
+                input::FaultList& faults, Study& study) {
   const auto& [key, node] = entry;
   const auto found = std::ranges::find(known.keys, key, &FactorKey::key);
   if (found == known.keys.end()) {
@@ -128,11 +130,11 @@ bool read_entry(const Entry& entry, const std::string& path, const Known& known,
       faults.add(node->line, path, node->written(), rule_for_unknown(key, study.base, known.names));
     return false;
   }
-  if (node->kind != TomlNode::Kind::table) {
+  if (node->kind != input::TomlNode::Kind::table) {
     faults.add(node->line, path, node->written(), "must be a table: [factors.\"" + key + "\"]");
     return false;
   }
-  TableReader reader(*node, path, faults);
+  input::TableReader reader(*node, path, faults);
   const std::size_t before = faults.size();
   study.factors.push_back(read_factor(*found, reader, folders, study));
   const bool good = faults.size() == before;
@@ -142,7 +144,7 @@ bool read_entry(const Entry& entry, const std::string& path, const Known& known,
 
 }  // namespace
 
-FactorLines read_factors(TableReader& top, bool has_base, const FactorFolders& folders, Study& study) {
+FactorLines read_factors(input::TableReader& top, bool has_base, const FactorFolders& folders, Study& study) {
   FactorLines lines;
   const auto table = top.table("factors");
   if (!table) {
@@ -165,8 +167,8 @@ FactorLines read_factors(TableReader& top, bool has_base, const FactorFolders& f
   return lines;
 }
 
-void add_violations(const std::vector<Violation>& broken, const TomlNode& root, const FactorLines& lines,
-                    FaultList& faults) {
+void add_violations(const std::vector<Violation>& broken, const input::TomlNode& root,
+                    const FactorLines& lines, input::FaultList& faults) {
   for (const Violation& violation : broken) {
     if (std::ranges::count(lines.at_fault, violation.key)) continue;
     const auto line = lines.lines.find(violation.key);

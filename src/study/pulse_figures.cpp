@@ -33,24 +33,24 @@ void PulseFigures::take(const Solution& solution) {
   fine_.pulse.acceleration = history.acceleration;
   check(fine_.pulse);
   fine_.prepare();
-  has_coarse_ = history.size() >= fewest_to_compare;
+  has_coarse_ = history.size() >= injury::fewest_to_compare;
   if (!has_coarse_) return;
-  thin(fine_.pulse, coarse_.pulse);
+  injury::thin(fine_.pulse, coarse_.pulse);
   coarse_.prepare();
 }
 
 void PulseFigures::Sampled::prepare() {
-  hump = hump_of(pulse);
+  hump = injury::hump_of(pulse);
   scale.reset();
 }
 
 double PulseFigures::Sampled::hic(double longest_window) {
-  if (!hump) return dashpad::hic(pulse, longest_window).value;
+  if (!hump) return injury::hic(pulse, longest_window).value;
   if (!scale) {
-    scale = scale_for(std::abs(pulse.acceleration[hump->peak]));
+    scale = injury::scale_for(std::abs(pulse.acceleration[hump->peak]));
     curve.assign(pulse, hump->sign * *scale);
   }
-  return hic_of(*hump, curve, *scale, longest_window).value;
+  return injury::hic_of(*hump, curve, *scale, longest_window).value;
 }
 
 /// The difference from every second sample, and the error of the force to the power that it has in the
@@ -68,23 +68,23 @@ EstimatedValue PulseFigures::hic(double longest_window) {
   const auto figure = [](double window) { return [window](Sampled& of) { return of.hic(window); }; };
   if (fine_.pulse.time.back() - fine_.pulse.time.front() > longest_window)
     return with_error(figure(longest_window), hic_power);
-  if (!whole_window_) whole_window_ = with_error(figure(unlimited_window), hic_power);
+  if (!whole_window_) whole_window_ = with_error(figure(injury::unlimited_window), hic_power);
   return *whole_window_;
 }
 
 EstimatedValue PulseFigures::hic_d() {
   const EstimatedValue hic36 = hic(36e-3);
-  const double value = dashpad::hic_d(hic36.value);
+  const double value = injury::hic_d(hic36.value);
   // The offset of HIC(d) has no error; that of the samples shrinks with it, that of the force is kept, as
   // there.
-  const double of_samples = (hic36.error - hic_power * force_error_) * (value - dashpad::hic_d(0)) / value;
+  const double of_samples = (hic36.error - hic_power * force_error_) * (value - injury::hic_d(0)) / value;
   return {value, of_samples + hic_power * force_error_};
 }
 
 EstimatedValue PulseFigures::clip_3ms() {
   const auto figure = [](const Sampled& of) {
-    return of.hump ? clip_of(*of.hump, of.pulse, three_milliseconds).level
-                   : contiguous_clip(of.pulse, three_milliseconds).level;
+    return of.hump ? injury::clip_of(*of.hump, of.pulse, three_milliseconds).level
+                   : injury::contiguous_clip(of.pulse, three_milliseconds).level;
   };
   const bool humps = fine_.hump && (coarse_.hump || !has_coarse_);
   if (!humps) return with_error(figure, 1);
@@ -94,15 +94,16 @@ EstimatedValue PulseFigures::clip_3ms() {
 
 EstimatedValue PulseFigures::cumulative_3ms() {
   if (fine_.hump && (coarse_.hump || !has_coarse_)) return clip_3ms();
-  return with_error([](const Sampled& of) { return cumulative_clip(of.pulse, three_milliseconds).level; }, 1);
+  return with_error(
+      [](const Sampled& of) { return injury::cumulative_clip(of.pulse, three_milliseconds).level; }, 1);
 }
 
 EstimatedValue PulseFigures::severity_index() {
-  return with_error([](const Sampled& of) { return dashpad::severity_index(of.pulse); }, hic_power);
+  return with_error([](const Sampled& of) { return injury::severity_index(of.pulse); }, hic_power);
 }
 
 EstimatedValue PulseFigures::velocity_change() {
-  return with_error([](const Sampled& of) { return dashpad::velocity_change(of.pulse); }, 1);
+  return with_error([](const Sampled& of) { return injury::velocity_change(of.pulse); }, 1);
 }
 
 }  // namespace dashpad::study

@@ -32,9 +32,9 @@ class PulseFigures {
   /// A pulse, and what several figures need of it.
   struct Sampled {
     Pulse pulse;
-    std::optional<Hump> hump;
+    std::optional<injury::Hump> hump;
     std::optional<double> scale;  ///< of the curve, once it is there
-    hic_search::Curve curve;
+    injury::hic_search::Curve curve;
 
     void prepare();
     double hic(double longest_window);

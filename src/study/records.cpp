@@ -96,7 +96,7 @@ std::vector<double> values_of(const Study& study, const Records& records, const 
   values.reserve(group.places.size());
   for (const std::size_t place : group.places)
     values.push_back(unbounded && records.statuses[place] == Status::bottomed_out
-                         ? infinite
+                         ? input::infinite
                          : records.responses[response][place]);
   return values;
 }
@@ -112,8 +112,8 @@ std::vector<Reading> readings_of(const Study& study, const Records& records, con
     const Status status = records.statuses[group.places[i]];
     const bool is_final = status == Status::released || status == Status::bottomed_out;
     const bool is_known = !std::isnan(values[i]) && (is_final || (status == Status::time_limit && grows));
-    double low = -infinite;
-    double high = infinite;
+    double low = -input::infinite;
+    double high = input::infinite;
     if (is_known) low = values[i];
     if (is_known && is_final) high = values[i];
     readings.push_back({low, high});

@@ -28,7 +28,7 @@ struct PulseRecipe {
 constexpr PulseRecipe of_pulses[] = {
     {"hic15", [](PulseFigures& of) { return of.hic(15e-3); }},
     {"hic36", [](PulseFigures& of) { return of.hic(36e-3); }},
-    {"hic_unlimited", [](PulseFigures& of) { return of.hic(unlimited_window); }},
+    {"hic_unlimited", [](PulseFigures& of) { return of.hic(injury::unlimited_window); }},
     {"hic_d", [](PulseFigures& of) { return of.hic_d(); }},
     {"clip_3ms", [](PulseFigures& of) { return of.clip_3ms(); }},
     {"cumulative_3ms", [](PulseFigures& of) { return of.cumulative_3ms(); }},
@@ -127,7 +127,7 @@ void ResponseReader::operator()(const Solution& solution, Outcome& outcome) {
   outcome.extrapolated = summary.extrapolated;
   outcome.bottomed = summary.bottomed.has_value();
   outcome.error = 0;
-  outcome.values.assign(kinds_.size(), no_value);
+  outcome.values.assign(kinds_.size(), input::no_value);
   if (pulse_) pulse_->take(solution);
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
     const Recipe& recipe = recipes()[kinds_[i]];
@@ -135,7 +135,7 @@ void ResponseReader::operator()(const Solution& solution, Outcome& outcome) {
     const EstimatedValue figure = recipe.of_pulse ? recipe.of_pulse(*pulse_) : recipe.of_summary(summary);
     if (is_possible(recipe.kind, figure.value)) outcome.values[i] = figure.value;
     // An estimate that is no number bounds nothing.
-    outcome.error = std::max(outcome.error, std::isnan(figure.error) ? infinite : figure.error);
+    outcome.error = std::max(outcome.error, std::isnan(figure.error) ? input::infinite : figure.error);
   }
 }
 

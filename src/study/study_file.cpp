@@ -18,7 +18,8 @@ namespace {
 /// TOML numbers are read as binary64, which holds these whole numbers exactly.
 constexpr double largest_whole_number = 9007199254740992;  // 2^53
 
-std::uint64_t read_whole_number(TableReader& table, const std::string& key, double lowest, double highest) {
+std::uint64_t read_whole_number(input::TableReader& table, const std::string& key, double lowest,
+                                double highest) {
   const double value = table.number(key);
   if (value >= lowest && value <= highest && value == std::floor(value))
     return static_cast<std::uint64_t>(value);
@@ -27,14 +28,14 @@ std::uint64_t read_whole_number(TableReader& table, const std::string& key, doub
   return static_cast<std::uint64_t>(lowest);
 }
 
-bool read_flag(TableReader& table, const std::string& key) {
+bool read_flag(input::TableReader& table, const std::string& key) {
   if (!table.has(key)) return false;
   const std::string written = table.node().child(key)->written();
   if (written != "true" && written != "false") table.fault(key, "must be true or false");
   return written == "true";
 }
 
-Sampling read_sampling(TableReader& table) {
+Sampling read_sampling(input::TableReader& table) {
   if (!table.has("sampling")) return Sampling::sobol;
   const std::string chosen = table.choice("sampling", {"monte-carlo", "latin-hypercube", "sobol"});
   return chosen == "monte-carlo"       ? Sampling::monte_carlo
@@ -42,13 +43,13 @@ Sampling read_sampling(TableReader& table) {
                                        : Sampling::sobol;
 }
 
-std::vector<std::string> read_responses(TableReader& table) {
+std::vector<std::string> read_responses(input::TableReader& table) {
   if (!table.has("responses")) return default_responses();
   std::vector<std::string> names;
-  const TomlNode* list = table.array("responses");
+  const input::TomlNode* list = table.array("responses");
   if (!list) return default_responses();
-  for (const TomlNode& entry : list->children) {
-    if (entry.kind != TomlNode::Kind::text)
+  for (const input::TomlNode& entry : list->children) {
+    if (entry.kind != input::TomlNode::Kind::text)
       table.faults().add(entry.line, table.full_key("responses") + entry.key, entry.written(),
                          "must be the name of a response in quotes");
     names.push_back(entry.text);
@@ -57,12 +58,12 @@ std::vector<std::string> read_responses(TableReader& table) {
 }
 
 /// Absent after a fault.
-std::optional<CaseFile> read_base(TableReader& table, const FactorFolders& folders) {
+std::optional<input::CaseFile> read_base(input::TableReader& table, const FactorFolders& folders) {
   const std::string name = table.text("case");
   if (name.empty()) return std::nullopt;
   try {
-    return read_case(folders.of_study / name, folders.materials);
-  } catch (const InputError& error) {
+    return input::read_case(folders.of_study / name, folders.materials);
+  } catch (const input::InputError& error) {
     table.faults().add(error.faults());
   }
   return std::nullopt;
@@ -73,17 +74,17 @@ std::size_t number_of(const Study& study, const std::string& key) {
                                   study.factors.begin());
 }
 
-void read_correlation(TableReader table, const FactorLines& lines, Study& study) {
+void read_correlation(input::TableReader table, const FactorLines& lines, Study& study) {
   std::vector<std::size_t> factors;
-  if (const TomlNode* between = table.array("between")) {
+  if (const input::TomlNode* between = table.array("between")) {
     std::vector<std::string> keys;
     for (const Factor& factor : study.factors) keys.push_back(factor.key);
-    for (const TomlNode& name : between->children) {
+    for (const input::TomlNode& name : between->children) {
       factors.push_back(number_of(study, name.text));
       if (factors.back() == study.factors.size() &&
           !std::ranges::count(lines.at_fault, "factors." + name.text))
         table.faults().add(name.line, table.full_key("between") + name.key, name.written(),
-                           "is none of the factors" + did_you_mean(name.text, keys));
+                           "is none of the factors" + input::did_you_mean(name.text, keys));
     }
     if (factors.size() != 2)
       table.fault("between", "must name two factors, such as [\"impactor.speed\", \"pad.thickness\"]");
@@ -94,20 +95,20 @@ void read_correlation(TableReader table, const FactorLines& lines, Study& study)
   if (known && !std::isnan(value)) study.correlations.push_back({factors[0], factors[1], value});
 }
 
-void read_correlations(TableReader& table, const FactorLines& lines, Study& study) {
+void read_correlations(input::TableReader& table, const FactorLines& lines, Study& study) {
   if (!table.has("correlations")) return;
-  const TomlNode* list = table.array("correlations");
+  const input::TomlNode* list = table.array("correlations");
   if (!list) return;
-  for (const TomlNode& entry : list->children) {
+  for (const input::TomlNode& entry : list->children) {
     const std::string path = table.full_key("correlations") + entry.key;
-    if (entry.kind == TomlNode::Kind::table)
-      read_correlation(TableReader(entry, path, table.faults()), lines, study);
+    if (entry.kind == input::TomlNode::Kind::table)
+      read_correlation(input::TableReader(entry, path, table.faults()), lines, study);
     else
       table.faults().add(entry.line, path, entry.written(), "must be a table: [[correlations]]");
   }
 }
 
-void read_sampling_plan(TableReader& table, Study& study) {
+void read_sampling_plan(input::TableReader& table, Study& study) {
   const bool sampled = std::ranges::any_of(study.factors, &Factor::is_sampled);
   if (sampled || table.has("samples")) study.samples = read_whole_number(table, "samples", 1, most_rows);
   study.sampling = read_sampling(table);
@@ -118,13 +119,13 @@ void read_sampling_plan(TableReader& table, Study& study) {
 }  // namespace
 
 Study read_study(const std::filesystem::path& file, const std::filesystem::path& materials) {
-  const TomlNode root = read_toml(file);
-  FaultList faults(file.string());
-  TableReader top(root, "", faults);
+  const input::TomlNode root = input::read_toml(file);
+  input::FaultList faults(file.string());
+  input::TableReader top(root, "", faults);
   const FactorFolders folders{file.parent_path(), materials};
   Study study;
-  study.text = read_text_file(file);
-  study.title = top.text("title", Presence::optional);
+  study.text = input::read_text_file(file);
+  study.title = top.text("title", input::Presence::optional);
   const auto base = read_base(top, folders);
   if (base) {
     study.base = base->impact;

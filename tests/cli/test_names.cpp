@@ -187,7 +187,7 @@ TEST_F(NamesTest, OfARunAreThoseOfTheTable) {
 }
 
 TEST_F(NamesTest, OfThePageAreThoseOfTheTable) {
-  if (!has_page()) GTEST_SKIP() << no_page;
+  if (!output::has_page()) GTEST_SKIP() << output::no_page;
   ASSERT_EQ(dashpad({"run", nine, "--report", file("page.html")}).exit_code, 0);
   const std::string page = read_file(file("page.html"));
   const std::string opening = R"(<script type="application/json" id="data">)";
@@ -223,7 +223,7 @@ TEST_F(NamesTest, OfAPulseAreThoseOfTheTable) {
 
 TEST_F(NamesTest, OfStandardsAndTheirAssessmentsAreThoseOfTheTable) {
   std::set<std::string> metric_keys, used;
-  for (const Metric metric : metrics()) metric_keys.insert(quantity_of(metric).key);
+  for (const injury::Metric metric : injury::metrics()) metric_keys.insert(injury::quantity_of(metric).key);
   static const std::regex line("\nmetric = \"([^\"]*)\"");
   for (const auto& entry : fs::directory_iterator(DASHPAD_SOURCE_DIR "/standards")) {
     const std::string text = read_file(entry.path());

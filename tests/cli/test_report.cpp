@@ -18,7 +18,7 @@ class Report : public CommandTest {
  protected:
   void SetUp() override {
     CommandTest::SetUp();
-    if (!has_page()) GTEST_SKIP() << no_page;
+    if (!output::has_page()) GTEST_SKIP() << output::no_page;
   }
 };
 
@@ -60,7 +60,7 @@ TEST_F(Report, and_the_other_results_need_files_of_their_own) {
 class NoReport : public CommandTest {};
 
 TEST_F(NoReport, is_refused_before_the_run_where_it_was_not_built) {
-  if (has_page()) GTEST_SKIP() << "it was built";
+  if (output::has_page()) GTEST_SKIP() << "it was built";
   const Outcome run = dashpad({"run", case_file(), "--report", file("page.html")});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.err, HasSubstr("-DDASHPAD_BUILD_PAGE=ON"));

@@ -11,6 +11,6 @@ using namespace dashpad::fuzz;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const auto file = write("test.archive", text_of(bytes, size));
-  if (is_iso_mme(file)) read_iso_mme_test(file);
+  if (input::is_iso_mme(file)) read_iso_mme_test(file);
   return 0;
 }

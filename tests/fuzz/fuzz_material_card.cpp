@@ -10,11 +10,13 @@ using namespace dashpad;
 using namespace dashpad::fuzz;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  const auto card = read_or_refuse([&] { return read_material(write("foam.toml", text_of(bytes, size))); });
+  const auto card =
+      read_or_refuse([&] { return input::read_material(write("foam.toml", text_of(bytes, size))); });
   if (!card) return 0;
   require(violations(*card).empty(), "a card that was read breaks no rule");
   require(!card->title.empty() && !card->source.empty(), "a card has a title and a source");
   for (const UnitSystem& units : unit_systems())
-    require_plain_text(material_text(*card, units) + material_line(*card), "a card is shown as plain text");
+    require_plain_text(output::material_text(*card, units) + output::material_line(*card),
+                       "a card is shown as plain text");
   return 0;
 }

@@ -31,18 +31,18 @@ void require_sound(const std::optional<double>& number) {
   require(!number || (*number > 0 && std::isfinite(*number)), "a number is finite and more than 0");
 }
 
-void require_sound(const validation::ValidationData& data) {
-  for (const validation::MeasuredTest& test : data.measured.tests)
+void require_sound(const report1986::ValidationData& data) {
+  for (const report1986::MeasuredTest& test : data.measured.tests)
     for (const auto& number :
          {std::optional{test.weight_lb}, std::optional{test.speed_mph}, std::optional{test.energy_in_lb},
           test.rebound_mph, test.time_to_peak_ms, test.total_time_ms, test.peak_force_lb, test.plug_strain,
           test.diameter_strain})
       require_sound(number);
-  for (const validation::UnplacedReadings& group : data.measured.unplaced)
+  for (const report1986::UnplacedReadings& group : data.measured.unplaced)
     for (const double reading : group.readings) require_sound(std::optional{reading});
-  for (const validation::StaticPoint& point : data.load_cell)
+  for (const report1986::StaticPoint& point : data.load_cell)
     for (const double number : {point.deflection_in, point.force_lb}) require_sound(std::optional{number});
-  for (const validation::PrintedConstant& constant : data.printed)
+  for (const report1986::PrintedConstant& constant : data.printed)
     require_sound(std::optional{constant.value});
   require_sound(std::optional{data.plate_stiffness_lb_per_in});
   require_sound(std::optional{data.pad_thickness_in});
@@ -54,8 +54,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   static const std::map<std::string, std::string> tables = sound_tables();
   for (const auto& [name, table] : tables) {
     write(name, text_of(bytes, size));
-    std::vector<Fault> faults;
-    const validation::ValidationData data = validation::read_validation_data(folder(), faults);
+    std::vector<input::Fault> faults;
+    const report1986::ValidationData data = report1986::read_validation_data(folder(), faults);
     fuzz::require_sound(faults);
     if (faults.empty()) require_sound(data);
     write(name, table);

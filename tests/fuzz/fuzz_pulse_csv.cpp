@@ -18,12 +18,12 @@ using namespace dashpad::fuzz;
 
 namespace {
 
-const std::vector<PulseCsvOptions>& ways_to_read() {
-  static const std::vector<PulseCsvOptions> ways{
+const std::vector<input::PulseCsvOptions>& ways_to_read() {
+  static const std::vector<input::PulseCsvOptions> ways{
       {},
       {.time = "1", .acceleration = {"2"}, .time_unit = "ms", .acceleration_unit = "g", .bridge_gaps = true},
       {.resultant = true, .bridge_gaps = true},
-      {.sensitivity = {sensitivity_of("10 mV/g")}, .interval = 1e-4},
+      {.sensitivity = {input::sensitivity_of("10 mV/g")}, .interval = 1e-4},
       {.acceleration_unit = "m/s2", .interval = 1e-4}};
   return ways;
 }
@@ -33,14 +33,14 @@ bool are_ordinary(const std::vector<double>& values) {
 }
 
 /// Numbers near the largest may overflow here; all others must not.
-void process(const MeasuredPulse& read) {
+void process(const input::MeasuredPulse& read) {
   const bool ordinary = are_ordinary(read.pulse.time) && are_ordinary(read.pulse.acceleration);
-  if (const auto offset = offset_before_impact(read)) {
-    const MeasuredPulse zeroed = dashpad::zeroed(read, *offset);
+  if (const auto offset = input::offset_before_impact(read)) {
+    const input::MeasuredPulse zeroed = input::zeroed(read, *offset);
     if (ordinary) check(zeroed.pulse);
   }
   try {
-    const Pulse filtered = cfc_filtered(read.pulse, 180);
+    const Pulse filtered = injury::cfc_filtered(read.pulse, 180);
     if (ordinary) require_finite(filtered.acceleration, "a filtered pulse is finite");
   } catch (const std::invalid_argument&) {  // uneven or too few samples
   }
@@ -50,7 +50,7 @@ void write_and_read(const Pulse& pulse) {
   std::string written = "time_s,acceleration_m_per_s2\n";
   for (std::size_t i = 0; i < pulse.time.size(); ++i)
     written += fmt::format("{},{}\n", pulse.time[i], pulse.acceleration[i]);
-  const Pulse again = read_pulse_csv(write("again.csv", written), {.bridge_gaps = true}).pulse;
+  const Pulse again = input::read_pulse_csv(write("again.csv", written), {.bridge_gaps = true}).pulse;
   require(again.time == pulse.time && again.acceleration == pulse.acceleration,
           "what is written is read as the same");
 }
@@ -59,9 +59,9 @@ void write_and_read(const Pulse& pulse) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const fs::path file = write("pulse.csv", text_of(bytes, size));
-  read_or_refuse([&] { return pulse_csv_columns(file); });
-  for (const PulseCsvOptions& way : ways_to_read()) {
-    const auto read = read_or_refuse([&] { return read_pulse_csv(file, way); });
+  read_or_refuse([&] { return input::pulse_csv_columns(file); });
+  for (const input::PulseCsvOptions& way : ways_to_read()) {
+    const auto read = read_or_refuse([&] { return input::read_pulse_csv(file, way); });
     if (!read) continue;
     check(read->pulse);
     for (const std::vector<double>& component : read->components) {

@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
               "what is written is read as the same");
     }
   try {
-    const double sensitivity = sensitivity_of(text).volts_per_acceleration;
+    const double sensitivity = input::sensitivity_of(text).volts_per_acceleration;
     require(sensitivity > 0 && std::isfinite(sensitivity), "a sensitivity is finite and more than 0");
   } catch (const UnitError&) {  // no sensitivity
   }

@@ -14,32 +14,33 @@ namespace {
 
 constexpr std::size_t most_channels = 3;
 
-void write_and_read(const MeasuredPulse& read) {
+void write_and_read(const input::MeasuredPulse& read) {
   const double interval = read.pulse.time[1] - read.pulse.time[0];
-  const IsoMmeTest test{
-      .name = "again",
-      .time_of_first_sample = 0,
-      .sampling_interval = interval,
-      .histories = {{computed_acceleration_code, "Again", "Acceleration", "m/s2", read.pulse.acceleration}}};
-  for (const auto& [name, text] : iso_mme_files(test)) write("written" / std::filesystem::path(name), text);
-  const MeasuredPulse again = read_iso_mme(folder() / "written", {});
+  const output::IsoMmeTest test{.name = "again",
+                                .time_of_first_sample = 0,
+                                .sampling_interval = interval,
+                                .histories = {{output::computed_acceleration_code, "Again", "Acceleration",
+                                               "m/s2", read.pulse.acceleration}}};
+  for (const auto& [name, text] : output::iso_mme_files(test))
+    write("written" / std::filesystem::path(name), text);
+  const input::MeasuredPulse again = input::read_iso_mme(folder() / "written", {});
   require(again.pulse.acceleration == read.pulse.acceleration, "what is written is read as the same");
 }
 
 }  // namespace
 
 void read_iso_mme_test(const std::filesystem::path& test) {
-  const auto channels = read_or_refuse([&] { return iso_mme_channels(test); });
+  const auto channels = read_or_refuse([&] { return input::iso_mme_channels(test); });
   if (!channels) return;
-  std::vector<IsoMmeOptions> ways{
+  std::vector<input::IsoMmeOptions> ways{
       {},
       {.resultant = true},
       {.channel = "11HEAD0000??AC?A", .acceleration_unit = "g", .resultant = true},
-      {.sensitivity = {sensitivity_of("10 mV/g")}}};
+      {.sensitivity = {input::sensitivity_of("10 mV/g")}}};
   for (std::size_t i = 0; i < std::min(channels->size(), most_channels); ++i)
     ways.push_back({.channel = std::to_string((*channels)[i].number)});
-  for (const IsoMmeOptions& way : ways) {
-    const auto read = read_or_refuse([&] { return read_iso_mme(test, way); });
+  for (const input::IsoMmeOptions& way : ways) {
+    const auto read = read_or_refuse([&] { return input::read_iso_mme(test, way); });
     if (!read) continue;
     check(read->pulse);
     for (const std::vector<double>& component : read->components) {

@@ -49,8 +49,8 @@ void require_plain_text(std::string_view text, const char* rule) {
   }
 }
 
-void require_sound(const std::vector<Fault>& faults) {
-  for (const Fault& fault : faults) {
+void require_sound(const std::vector<input::Fault>& faults) {
+  for (const input::Fault& fault : faults) {
     require(!fault.file.empty(), "a fault names its file");
     require(fault.line >= 0, "a fault has a line, or 0");
     require(!fault.rule.empty(), "a fault names a rule");
@@ -58,7 +58,7 @@ void require_sound(const std::vector<Fault>& faults) {
   }
 }
 
-void require_sound(const InputError& refusal) {
+void require_sound(const input::InputError& refusal) {
   require(!refusal.faults().empty(), "a refusal has a fault");
   require_sound(refusal.faults());
   require_plain_text(refusal.what(), "a refusal is plain text");

@@ -32,15 +32,15 @@ void require_increasing(const std::vector<double>& values, const char* rule);
 void require_plain_text(std::string_view text, const char* rule);
 
 /// Every fault names a file and a rule; the whole is fit for a terminal.
-void require_sound(const std::vector<Fault>& faults);
-void require_sound(const InputError& refusal);
+void require_sound(const std::vector<input::Fault>& faults);
+void require_sound(const input::InputError& refusal);
 
 /// What `read` returns; nothing where it refuses its files. Whatever else it throws ends the program.
 template <class Read>
 auto read_or_refuse(Read read) -> std::optional<decltype(read())> {
   try {
     return read();
-  } catch (const InputError& refusal) {
+  } catch (const input::InputError& refusal) {
     require_sound(refusal);
     return std::nullopt;
   }

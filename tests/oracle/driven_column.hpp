@@ -20,13 +20,13 @@ class DrivenColumn final : public OdeSystem {
   using Law = typename Formulas::Law;
   explicit DrivenColumn(const Law& law) : formulas_(law) {}
 
-  std::vector<double> stresses(const std::vector<StrainPiece>& pieces, const std::vector<double>& times,
-                               double scale) {
+  std::vector<double> stresses(const std::vector<laboratory::StrainPiece>& pieces,
+                               const std::vector<double>& times, double scale) {
     scale_ = scale;
     times_ = times;
     result_.clear();
     double begin = 0;
-    for (const StrainPiece& piece : pieces) {
+    for (const laboratory::StrainPiece& piece : pieces) {
       piece_ = piece;
       begin_ = begin;
       const double vertex = piece.acceleration == 0 ? 0 : -piece.rate / piece.acceleration;
@@ -100,7 +100,7 @@ class DrivenColumn final : public OdeSystem {
   }
 
   Formulas formulas_;
-  StrainPiece piece_;
+  laboratory::StrainPiece piece_;
   double begin_ = 0;
   int direction_ = 0;
   double target_ = 0, largest_ = 0, stress_ = 0, scale_ = 1;

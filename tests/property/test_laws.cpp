@@ -20,8 +20,8 @@ struct Row {
 template <class Law>
 std::vector<Row<Law>> rows() {
   std::vector<Row<Law>> result{{std::string(Law::name) + " sample", sample_law<Law>()}};
-  for (const auto& card : list_materials(material_folder)) {
-    const Material material = read_material(card);
+  for (const auto& card : input::list_materials(material_folder)) {
+    const Material material = input::read_material(card);
     if (const Law* law = std::get_if<Law>(&material.law)) result.push_back({material.name, *law});
   }
   return result;
@@ -50,7 +50,7 @@ TEST(LawTableOfCards, HasEveryCard) {
   const std::size_t in_table = rows<Elastic>().size() + rows<LinearViscoelastic>().size() +
                                rows<RigidFoam>().size() + rows<NineParameter>().size() +
                                rows<TwentyOneParameter>().size();
-  EXPECT_EQ(in_table, samples + list_materials(material_folder).size());
+  EXPECT_EQ(in_table, samples + input::list_materials(material_folder).size());
 }
 
 TYPED_TEST(LawTable, HasNoStressWithoutStrain) {

@@ -50,9 +50,10 @@ ImpactCase sample(const PadLaw& law) {
 std::vector<std::pair<std::string, Deck>> decks() {
   std::vector<std::pair<std::string, Deck>> all;
   for (const char* name : {"dashboard-20mph", "dashboard-20mph-21-parameter", "load-cell-drop"})
-    all.emplace_back(name, deck_of(read_case(source_folder / "examples" / (std::string{name} + ".toml"),
-                                             source_folder / "materials")
-                                       .impact));
+    all.emplace_back(name,
+                     deck_of(input::read_case(source_folder / "examples" / (std::string{name} + ".toml"),
+                                              source_folder / "materials")
+                                 .impact));
   all.emplace_back("elastic", deck_of(sample(sample_law<Elastic>())));
   all.emplace_back("linear-viscoelastic", deck_of(sample(sample_law<LinearViscoelastic>())));
   all.emplace_back("rigid-foam", deck_of(sample(sample_law<RigidFoam>())));

@@ -32,9 +32,9 @@ Law sample_law() {
   if constexpr (std::is_same_v<Law, RigidFoam>)
     return {.crush_stress = 2e5, .crush_strain = 0.6, .second_stress = 4e5, .second_strain = 0.8};
   if constexpr (std::is_same_v<Law, NineParameter>)
-    return std::get<Law>(read_material(material_folder / "ensolite-aac-9.toml").law);
+    return std::get<Law>(input::read_material(material_folder / "ensolite-aac-9.toml").law);
   if constexpr (std::is_same_v<Law, TwentyOneParameter>)
-    return std::get<Law>(read_material(material_folder / "ensolite-aac-21.toml").law);
+    return std::get<Law>(input::read_material(material_folder / "ensolite-aac-21.toml").law);
 }
 
 /// A head-sized sphere on 3 cm of foam.

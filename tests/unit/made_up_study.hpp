@@ -5,7 +5,7 @@
 
 namespace dashpad::test {
 
-namespace v = dashpad::validation;
+namespace v = dashpad::report1986;
 
 constexpr double made_up_radius = 2.5;
 
@@ -51,7 +51,8 @@ inline v::ValidationData made_up_data() {
   data.load_cell = {{0.1, 900}, {0.2, 9900}};
   data.plate_stiffness_lb_per_in = 5000;
   data.pad_thickness_in = 1.2;
-  std::vector<Fault> faults;  // the printed constants are the real ones: the claims ask for all of them
+  // The printed constants are the real ones: the claims ask for all of them.
+  std::vector<input::Fault> faults;
   data.printed = v::read_validation_data(DASHPAD_SOURCE_DIR "/data/validation", faults).printed;
   data.table_3_2 = {{.projectile = steel, .speed_mph = 14.6, .rebound_mph = 10.4},
                     {.projectile = aluminium, .speed_mph = 12, .rebound_mph = 6}};

@@ -46,9 +46,9 @@ inline std::string edited(std::string text, const std::string& from, const std::
   return text.replace(at, from.size(), to);
 }
 
-inline CaseFile read(const std::string& text) {
+inline input::CaseFile read(const std::string& text) {
   const test::TemporaryFolder folder;
-  return read_case(folder.write("case.toml", text), materials);
+  return input::read_case(folder.write("case.toml", text), materials);
 }
 
 }  // namespace dashpad::test

@@ -44,17 +44,17 @@ inline Files sample_test() {
           {"Channel/v1.004", channel("11CHST0000H3FOXB", "0\n1\n2\n", "kN")}};
 }
 
-inline std::string said(const std::filesystem::path& file, const IsoMmeOptions& options) {
+inline std::string said(const std::filesystem::path& file, const input::IsoMmeOptions& options) {
   try {
-    read_iso_mme(file, options);
-  } catch (const InputError& error) {
+    input::read_iso_mme(file, options);
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "";
 }
 
 /// What is said about `files` in a folder.
-inline std::string said(const Files& files, const IsoMmeOptions& options = {.channel = "1"}) {
+inline std::string said(const Files& files, const input::IsoMmeOptions& options = {.channel = "1"}) {
   const test::TemporaryFolder folder;
   write(folder.path(), files);
   return said(folder.path(), options);

@@ -20,6 +20,11 @@
 namespace dashpad {
 namespace {
 
+using injury::Assessment;
+using injury::Metric;
+using injury::quantity_of;
+using injury::Standard;
+using injury::Verdict;
 using ::testing::AllOf;
 using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
@@ -47,23 +52,23 @@ Solution half_sine(double error = 1e-4) {
   return solution;
 }
 
-Criterion criterion(Metric metric, double limit) {
-  Criterion made;
+injury::Criterion criterion(Metric metric, double limit) {
+  injury::Criterion made;
   made.metric = metric;
   made.level = 50 * g;
   made.limit = limit;
-  made.origin = {.source = "made up", .kind = SourceKind::secondary, .verified = true, .note = ""};
+  made.origin = {.source = "made up", .kind = injury::SourceKind::secondary, .verified = true, .note = ""};
   return made;
 }
 
-StandardValue verified(double value) {
-  StandardValue made;
+injury::StandardValue verified(double value) {
+  injury::StandardValue made;
   made.value = value;
-  made.origin = {.source = "made up", .kind = SourceKind::secondary, .verified = true, .note = ""};
+  made.origin = {.source = "made up", .kind = injury::SourceKind::secondary, .verified = true, .note = ""};
   return made;
 }
 
-Standard standard_with(std::vector<Criterion> criteria) {
+Standard standard_with(std::vector<injury::Criterion> criteria) {
   Standard standard;
   standard.name = "made-up";
   standard.title = "Made up";
@@ -76,7 +81,7 @@ Standard standard_with(std::vector<Criterion> criteria) {
 
 /// Of a material that says where it was fitted.
 Assessment assess(const Standard& standard, const Solution& solution) {
-  return assess(standard, test::example_case(), solution);
+  return injury::assess(standard, test::example_case(), solution);
 }
 
 /// A reservation whose text is so.
@@ -122,7 +127,7 @@ TEST(assessment, is_undecided_within_the_error) {
 
 TEST(assessment, a_strict_limit_is_not_within_itself) {
   const auto verdict = [](double limit, bool strict) {
-    Criterion of = criterion(Metric::peak_acceleration, limit * g);
+    injury::Criterion of = criterion(Metric::peak_acceleration, limit * g);
     of.strict = strict;
     return assess(standard_with({of}), half_sine(0)).verdict;
   };
@@ -136,7 +141,7 @@ TEST(assessment, a_history_too_short_for_an_error_decides_nothing_but_the_peak) 
   Solution solution = half_sine();
   solution.history.time = {0, duration / 2, duration};
   solution.history.acceleration = {0, -100 * g, 0};
-  for (const Metric metric : metrics()) {
+  for (const Metric metric : injury::metrics()) {
     const Assessment assessment = assess(standard_with({criterion(metric, 1e30)}), solution);
     const bool known = metric == Metric::peak_acceleration;
     EXPECT_EQ(assessment.verdict, known ? Verdict::pass : Verdict::undecided) << quantity_of(metric).key;
@@ -199,14 +204,14 @@ TEST(assessment, an_extrapolated_result_is_no_unqualified_pass) {
 TEST(assessment, an_unknown_range_is_no_unqualified_pass) {
   const Standard standard = standard_with({criterion(Metric::peak_acceleration, 200 * g)});
   ImpactCase impact = test::example_case();
-  EXPECT_TRUE(assess(standard, impact, half_sine()).unqualified());
+  EXPECT_TRUE(injury::assess(standard, impact, half_sine()).unqualified());
   impact.pad.material.fitted.reset();
-  const Assessment assessment = assess(standard, impact, half_sine());
+  const Assessment assessment = injury::assess(standard, impact, half_sine());
   EXPECT_EQ(to_string(assessment), "pass, with reservations");
   EXPECT_THAT(assessment.reservations,
               ElementsAre(says("UNKNOWN RANGE: the card does not say where its law was fitted")));
   impact.pad.material.name = "in line";
-  EXPECT_THAT(assess(standard, impact, half_sine()).reservations,
+  EXPECT_THAT(injury::assess(standard, impact, half_sine()).reservations,
               ElementsAre(says("UNKNOWN RANGE: the case does not say where its law was fitted")));
 }
 
@@ -229,7 +234,7 @@ TEST(assessment, a_missed_tolerance_is_no_unqualified_pass) {
 TEST(assessment, unverified_values_are_no_unqualified_pass) {
   Standard standard =
       standard_with({criterion(Metric::peak_acceleration, 200 * g), criterion(Metric::dwell_time, 1)});
-  for (Criterion& of : standard.criteria) of.origin.verified = false;
+  for (injury::Criterion& of : standard.criteria) of.origin.verified = false;
   standard.radius.origin.verified = false;
   EXPECT_THAT(assess(standard, half_sine()).reservations,
               ElementsAre(says(
@@ -241,13 +246,14 @@ TEST(assessment, a_value_that_the_case_gives_needs_no_verification) {
   Standard standard = standard_with({criterion(Metric::peak_acceleration, 200 * g)});
   standard.speed = {};
   EXPECT_TRUE(assess(standard, half_sine()).unqualified());
-  standard = with_user_values(standard, {.mass = {}, .radius = {}, .speed = 3, .drop_height = {}});
+  standard = injury::with_user_values(standard, {.mass = {}, .radius = {}, .speed = 3, .drop_height = {}});
   EXPECT_TRUE(assess(standard, half_sine()).unqualified());
 }
 
 TEST(assessment, a_replaced_value_is_no_unqualified_pass) {
-  const Standard standard = with_user_values(standard_with({criterion(Metric::peak_acceleration, 200 * g)}),
-                                             {.mass = 4, .radius = {}, .speed = {}, .drop_height = {}});
+  const Standard standard =
+      injury::with_user_values(standard_with({criterion(Metric::peak_acceleration, 200 * g)}),
+                               {.mass = 4, .radius = {}, .speed = {}, .drop_height = {}});
   EXPECT_THAT(assess(standard, half_sine()).reservations,
               ElementsAre(says("REPLACED: the mass is not that of the standard")));
 }
@@ -264,16 +270,16 @@ Solution bottomed_out() {
 
 /// No figure of it is a margin: the pad was struck through.
 TEST(assessment, a_pad_that_is_struck_through_fails_whatever_is_asked_for) {
-  for (const Metric metric : metrics()) {
+  for (const Metric metric : injury::metrics()) {
     const Assessment assessment = assess(standard_with({criterion(metric, 1e30)}), bottomed_out());
     EXPECT_EQ(assessment.verdict, Verdict::fail) << quantity_of(metric).key;
-    const CriterionResult& result = assessment.results[0];
+    const injury::CriterionResult& result = assessment.results[0];
     EXPECT_FALSE(result.value || result.margin || result.relative_margin) << quantity_of(metric).key;
     EXPECT_THAT(result.reason, HasSubstr("struck through")) << quantity_of(metric).key;
     EXPECT_THAT(assessment.reservations, ElementsAre(says(StartsWith("BOTTOMED"))))
         << quantity_of(metric).key;
   }
-  const KeyFigures figures = assess_peak(1e30, bottomed_out()).figures;
+  const injury::KeyFigures figures = assess_peak(1e30, bottomed_out()).figures;
   EXPECT_FALSE(figures.peak_acceleration.value || figures.hic15.value || figures.hic36.value);
   EXPECT_FALSE(figures.contact_end.value || figures.rebound_speed.value || figures.restitution.value);
   EXPECT_TRUE(figures.peak_strain.value && !figures.peak_strain.lower_bound);
@@ -283,7 +289,7 @@ TEST(assessment, a_pad_that_is_struck_through_fails_whatever_is_asked_for) {
 TEST(assessment, a_pad_that_bottoms_on_a_yielding_support_is_judged_by_its_figures) {
   Solution solution = half_sine();
   solution.summary.bottomed = Moment{.time = 0.004, .velocity = 1};
-  for (const Metric metric : metrics()) {
+  for (const Metric metric : injury::metrics()) {
     const Assessment mild = assess(standard_with({criterion(metric, 1e30)}), solution);
     EXPECT_EQ(to_string(mild), "pass, with reservations") << quantity_of(metric).key;
     const Assessment harsh = assess(standard_with({criterion(metric, 1e-30)}), solution);
@@ -307,7 +313,7 @@ Solution rising_flank() {
 
 /// The clip of the flank alone is below 80 g, that of the whole pulse above.
 TEST(assessment, a_pulse_without_its_falling_flank_is_judged_by_nothing_but_its_peak) {
-  for (const Metric metric : metrics()) {
+  for (const Metric metric : injury::metrics()) {
     const Assessment mild = assess(standard_with({criterion(metric, 1e30)}), rising_flank());
     EXPECT_THAT(mild.reservations, ElementsAre(says(StartsWith("PULSE CUT")))) << quantity_of(metric).key;
     const bool is_peak = metric == Metric::peak_acceleration;
@@ -333,7 +339,7 @@ TEST(assessment, an_impact_that_was_not_computed_to_its_end_cannot_pass) {
   solution.summary.release.reset();
   solution.summary.rebound_speed.reset();
   solution.summary.restitution.reset();
-  for (const Metric metric : metrics()) {
+  for (const Metric metric : injury::metrics()) {
     const Assessment below = assess(standard_with({criterion(metric, 1e30)}), solution);
     EXPECT_EQ(below.verdict, Verdict::undecided) << quantity_of(metric).key;
     EXPECT_THAT(below.results[0].reason, StartsWith("PULSE CUT: it ends while")) << quantity_of(metric).key;
@@ -349,7 +355,7 @@ TEST(assessment, an_impact_that_was_not_computed_to_its_end_cannot_pass) {
 /// Whatever the standard asks for.
 TEST(assessment, says_the_key_figures_of_the_impact) {
   const Summary summary = half_sine().summary;
-  const KeyFigures whole = assess_peak(200 * g, half_sine()).figures;
+  const injury::KeyFigures whole = assess_peak(200 * g, half_sine()).figures;
   EXPECT_EQ(whole.peak_acceleration.value, 100 * g);
   EXPECT_NEAR(whole.hic15.value.value(), 414.65, 0.05);
   EXPECT_NEAR(whole.hic36.value.value(), 414.65, 0.05);
@@ -359,7 +365,7 @@ TEST(assessment, says_the_key_figures_of_the_impact) {
   EXPECT_EQ(whole.restitution.value, summary.restitution);
   EXPECT_FALSE(whole.hic15.lower_bound || whole.peak_acceleration.lower_bound);
 
-  const KeyFigures cut = assess_peak(200 * g, rising_flank()).figures;
+  const injury::KeyFigures cut = assess_peak(200 * g, rising_flank()).figures;
   EXPECT_FALSE(cut.peak_acceleration.lower_bound || cut.peak_strain.lower_bound);
   EXPECT_TRUE(cut.hic15.lower_bound && cut.hic36.lower_bound);
   EXPECT_LT(cut.hic15.value, whole.hic15.value);
@@ -379,23 +385,24 @@ struct Written {
 
 Written write(const Standard& standard, const Solution& solution) {
   const ImpactCase given = test::example_case();
-  const ImpactCase assessed = with_impactor_of(standard, given);
-  const Assessment assessment = assess(standard, assessed, solution);
-  const AssessmentReport report{standard, given, assessed, solution, assessment};
-  return {assessment_text(report, unit_systems().front(), Detail::main), assessment_json(report)};
+  const ImpactCase assessed = injury::with_impactor_of(standard, given);
+  const Assessment assessment = injury::assess(standard, assessed, solution);
+  const output::AssessmentReport report{standard, given, assessed, solution, assessment};
+  return {output::assessment_text(report, unit_systems().front(), output::Detail::main),
+          output::assessment_json(report)};
 }
 
 TEST(assessment_text, says_what_was_replaced_and_how_large_the_margin_is) {
   Standard standard = standard_with({criterion(Metric::peak_acceleration, 80 * g)});
   standard.radius = {};
-  standard = with_user_values(standard, {.mass = {}, .radius = {}, .speed = 8, .drop_height = {}});
+  standard = injury::with_user_values(standard, {.mass = {}, .radius = {}, .speed = 8, .drop_height = {}});
   const std::string text = write(standard, half_sine()).text;
   EXPECT_THAT(text, AllOf(StartsWith("FAIL, with reservations: REPLACED\nMade up (made-up)\n"),
                           HasSubstr("5 kg, of the standard; the case has 4.5 kg"),
                           HasSubstr("8 m/s, given by you; the case has 8.9408 m/s, the standard 6 m/s"),
                           HasSubstr("Kept from the case: radius (76.2 mm), pad, support, solver.")));
   EXPECT_THAT(text, AllOf(HasSubstr("-20 g (-25.0 %)"), HasSubstr("\nReservations:\n  - REPLACED: "),
-                          HasSubstr(assessment_caveat())));
+                          HasSubstr(output::assessment_caveat())));
 }
 
 TEST(assessment_text, an_unqualified_pass_has_no_reservations) {
@@ -460,7 +467,7 @@ TEST(assessment_text, only_what_differs_was_replaced) {
 
 TEST(assessment_text, says_what_kind_of_sources_the_figures_have) {
   Standard standard = standard_with({criterion(Metric::peak_acceleration, 125 * g)});
-  standard.criteria[0].origin.kind = SourceKind::own_text;
+  standard.criteria[0].origin.kind = injury::SourceKind::own_text;
   standard.radius.origin = {};
   standard.speed = {};
   const Written written = write(standard, half_sine());
@@ -494,7 +501,7 @@ TEST(assessment_text, has_the_key_figures_of_the_impact) {
 TEST(assessment_text, fits_100_columns) {
   Standard standard =
       standard_with({criterion(Metric::clip_3ms, 80 * g), criterion(Metric::dwell_time, 4e-3)});
-  for (Criterion& of : standard.criteria) of.origin.verified = false;
+  for (injury::Criterion& of : standard.criteria) of.origin.verified = false;
   for (int word = 0; word < 100; ++word) standard.note += "word ";
   for (Solution solution : {half_sine(), rising_flank(), bottomed_out()}) {
     solution.summary.extrapolations = {"strain too large", "rate too large"};
@@ -505,7 +512,7 @@ TEST(assessment_text, fits_100_columns) {
 }
 
 TEST(assessment_text, a_strict_limit_is_marked) {
-  Criterion of = criterion(Metric::peak_acceleration, 125 * g);
+  injury::Criterion of = criterion(Metric::peak_acceleration, 125 * g);
   of.strict = true;
   const Written written = write(standard_with({of}), half_sine());
   EXPECT_THAT(written.text, HasSubstr(" < 125 g "));
@@ -537,7 +544,7 @@ TEST(assessment_json, has_the_same_for_programs) {
   EXPECT_EQ(json["criteria"][1]["unit"], "s");
   EXPECT_DOUBLE_EQ(json["criteria"][1]["level_g"].get<double>(), 50);
   EXPECT_EQ(json["result"]["status"], "released");
-  EXPECT_EQ(json["caveat"], assessment_caveat());
+  EXPECT_EQ(json["caveat"], output::assessment_caveat());
 }
 
 TEST(assessment_json, has_null_where_there_is_no_finite_value) {

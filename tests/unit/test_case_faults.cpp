@@ -19,6 +19,7 @@
 namespace dashpad {
 namespace {
 
+using input::Fault;
 using test::edited;
 using test::good_case;
 using test::in_line_material;
@@ -28,7 +29,7 @@ using test::read;
 std::vector<Fault> faults_in(const std::function<void()>& action) {
   try {
     action();
-  } catch (const InputError& error) {
+  } catch (const input::InputError& error) {
     return error.faults();
   }
   return {};
@@ -217,7 +218,7 @@ TEST(case_faults, faults_of_a_card_name_the_card) {
                    "[fitted]\nhighest_strain = 2\nlowest_rate = \"1 1/s\"\nhighest_rate = \"9 1/s\"\n");
   const auto file =
       folder.write("case.toml", edited(edited(good_case, "ensolite-aac-9", "mine"), "\"20 mph\"", "20"));
-  const auto faults = faults_in([&] { read_case(file, folder.path()); });
+  const auto faults = faults_in([&] { input::read_case(file, folder.path()); });
   expect_faults(faults, {{5, "impactor.speed", "needs a unit"},
                          {0, "source", "is missing"},
                          {4, "parameters.modulus", "must be more than 0"},
@@ -265,8 +266,8 @@ TEST(case_faults, only_regular_files_of_moderate_size_are_read) {
   if (::geteuid() != 0) rows.push_back({locked, "cannot be read"});  // root may read everything
   for (const Row& row : rows) {
     SCOPED_TRACE(row.file);
-    expect_faults(faults_in([&] { read_case(row.file, materials); }), {{0, "", row.rule}});
-    expect_faults(faults_in([&] { read_material(row.file); }), {{0, "", row.rule}});
+    expect_faults(faults_in([&] { input::read_case(row.file, materials); }), {{0, "", row.rule}});
+    expect_faults(faults_in([&] { input::read_material(row.file); }), {{0, "", row.rule}});
   }
 }
 
@@ -278,13 +279,13 @@ TEST(fault, is_one_line_whatever_the_file_holds) {
 }
 
 TEST(fault, message_holds_all_faults_but_is_not_endless) {
-  const std::string two = InputError({Fault{"a", 1, "", "", "x"}, Fault{"a", 2, "", "", "y"}}).what();
+  const std::string two = input::InputError({Fault{"a", 1, "", "", "x"}, Fault{"a", 2, "", "", "y"}}).what();
   EXPECT_EQ(two, "a:1: x\na:2: y");
-  const std::string many = InputError(std::vector<Fault>(1000, Fault{"a", 1, "", "", "x"})).what();
+  const std::string many = input::InputError(std::vector<Fault>(1000, Fault{"a", 1, "", "", "x"})).what();
   EXPECT_TRUE(many.ends_with("\nand 995 more of this kind"));
   std::vector<Fault> kinds;
   for (std::size_t i = 0; i < 1000; ++i) kinds.push_back({"a", 1, std::string(i, 'k'), "", "x"});
-  const std::string all = InputError(kinds).what();
+  const std::string all = input::InputError(kinds).what();
   EXPECT_TRUE(all.ends_with("\n..."));
   EXPECT_EQ(std::ranges::count(all, '\n'), 200);
 }

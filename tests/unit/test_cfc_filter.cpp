@@ -15,6 +15,10 @@
 namespace dashpad {
 namespace {
 
+using injury::cfc_filtered;
+using injury::Corner;
+using injury::Ends;
+
 constexpr double pi = std::numbers::pi;
 const std::vector<Corner> corners{Corner::sae_j211, Corner::iso_6487};
 const std::vector<Ends> all_ends{Ends::mirrored, Ends::held, Ends::mirrored_from_mean, Ends::negated_before};
@@ -50,7 +54,7 @@ const std::vector<Published> published{{60, Corner::sae_j211, 0.001452367474, 1.
 
 TEST(CfcCoefficients, AreThePublishedOnes) {
   for (const Published& row : published) {
-    const FilterCoefficients c = cfc_coefficients(row.channel_class, 1e-4, row.corner);
+    const injury::FilterCoefficients c = injury::cfc_coefficients(row.channel_class, 1e-4, row.corner);
     EXPECT_NEAR(c.a0, row.a0, 6e-10 * row.a0);  // ten digits are printed
     EXPECT_EQ(c.a1, 2 * c.a0);
     EXPECT_EQ(c.a2, c.a0);
@@ -61,29 +65,29 @@ TEST(CfcCoefficients, AreThePublishedOnes) {
 }
 
 TEST(CfcCoefficients, RefuseWhatTheClassCannotUse) {
-  EXPECT_THROW(cfc_coefficients(0, 1e-4, Corner::sae_j211), std::invalid_argument);
-  EXPECT_THROW(cfc_coefficients(std::nan(""), 1e-4, Corner::sae_j211), std::invalid_argument);
-  EXPECT_THROW(cfc_coefficients(INFINITY, 1e-4, Corner::sae_j211), std::invalid_argument);
-  EXPECT_THROW(cfc_coefficients(60, 0, Corner::sae_j211), std::invalid_argument);
+  EXPECT_THROW(injury::cfc_coefficients(0, 1e-4, Corner::sae_j211), std::invalid_argument);
+  EXPECT_THROW(injury::cfc_coefficients(std::nan(""), 1e-4, Corner::sae_j211), std::invalid_argument);
+  EXPECT_THROW(injury::cfc_coefficients(INFINITY, 1e-4, Corner::sae_j211), std::invalid_argument);
+  EXPECT_THROW(injury::cfc_coefficients(60, 0, Corner::sae_j211), std::invalid_argument);
   for (const Corner corner : corners) {
     const double longest = 1 / (2 * corner_frequency(1000, corner));
-    EXPECT_NO_THROW(cfc_coefficients(1000, 0.999 * longest, corner));
-    EXPECT_THROW(cfc_coefficients(1000, 1.001 * longest, corner), std::invalid_argument);
+    EXPECT_NO_THROW(injury::cfc_coefficients(1000, 0.999 * longest, corner));
+    EXPECT_THROW(injury::cfc_coefficients(1000, 1.001 * longest, corner), std::invalid_argument);
   }
 }
 
 TEST(SamplesSuffice, AtTenTimesTheClass) {
-  EXPECT_TRUE(samples_suffice(60, 1.0 / 600));
-  EXPECT_FALSE(samples_suffice(60, 1.0 / 599));
-  EXPECT_TRUE(samples_suffice(1000, 1.0 / 10'000));
-  EXPECT_FALSE(samples_suffice(1000, 1.0 / 9'990));
+  EXPECT_TRUE(injury::samples_suffice(60, 1.0 / 600));
+  EXPECT_FALSE(injury::samples_suffice(60, 1.0 / 599));
+  EXPECT_TRUE(injury::samples_suffice(1000, 1.0 / 10'000));
+  EXPECT_FALSE(injury::samples_suffice(1000, 1.0 / 9'990));
 }
 
 /// In the middle of a long vibration nothing is left of the ends: the output is the input times the gain, in
 /// the same phase.
 TEST(CfcFilter, HasTheGainOfItsDesignAndNoPhase) {
   const double interval = 5e-5;
-  for (const double channel_class : channel_frequency_classes)
+  for (const double channel_class : injury::channel_frequency_classes)
     for (const Corner corner : corners) {
       const double fd = corner_frequency(channel_class, corner);
       for (const double ratio : {0.1, 0.5, 0.8022, 1.0, 1.5, 3.0}) {
@@ -199,29 +203,30 @@ TEST(CfcFilter, RefusesUnevenSamples) {
   EXPECT_NO_THROW(cfc_filtered(pulse, 60));
   pulse.time[50] += 0.2e-7;
   EXPECT_THROW(cfc_filtered(pulse, 60), std::invalid_argument);
-  EXPECT_NO_THROW(cfc_filtered(resampled(pulse, 1e-4), 60));
+  EXPECT_NO_THROW(cfc_filtered(injury::resampled(pulse, 1e-4), 60));
   EXPECT_THROW(cfc_filtered({{0}, {1}}, 60), std::invalid_argument);
 }
 
 TEST(Resampling, IsLinearBetweenTheSamples) {
-  const Pulse even = resampled({{1, 2, 4, 4.5}, {0, 2, -2, 8}}, 0.5);
+  const Pulse even = injury::resampled({{1, 2, 4, 4.5}, {0, 2, -2, 8}}, 0.5);
   EXPECT_EQ(even.time, (std::vector<double>{1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5}));
   EXPECT_EQ(even.acceleration, (std::vector<double>{0, 1, 2, 1, 0, -1, -2, 8}));
 }
 
 TEST(Resampling, EndsAtOrBeforeTheLastSample) {
-  EXPECT_EQ(resampled({{0, 0.3}, {0, 3}}, 0.1).time.size(), 4U);  // 0.3 / 0.1 is less than 3 in doubles
-  EXPECT_EQ(resampled({{1000, 1000.01}, {0, 3}}, 1e-4).time.size(), 101U);
-  const Pulse shorter = resampled({{0, 1}, {0, 1}}, 0.4);
+  EXPECT_EQ(injury::resampled({{0, 0.3}, {0, 3}}, 0.1).time.size(),
+            4U);  // 0.3 / 0.1 is less than 3 in doubles
+  EXPECT_EQ(injury::resampled({{1000, 1000.01}, {0, 3}}, 1e-4).time.size(), 101U);
+  const Pulse shorter = injury::resampled({{0, 1}, {0, 1}}, 0.4);
   EXPECT_EQ(shorter.time, (std::vector<double>{0, 0.4, 0.8}));
-  EXPECT_EQ(resampled({{0, 1}, {0, 1}}, 1).time, (std::vector<double>{0, 1}));
+  EXPECT_EQ(injury::resampled({{0, 1}, {0, 1}}, 1).time, (std::vector<double>{0, 1}));
 }
 
 TEST(Resampling, RefusesWhatCannotBe) {
   const Pulse pulse{{0, 1}, {0, 1}};
   for (const double interval : {0.0, -1.0, std::nan(""), 1.1, 1e-8, 1e-300})
-    EXPECT_THROW(resampled(pulse, interval), std::invalid_argument) << interval;
-  EXPECT_THROW(resampled({{0}, {0}}, 0.1), std::invalid_argument);
+    EXPECT_THROW(injury::resampled(pulse, interval), std::invalid_argument) << interval;
+  EXPECT_THROW(injury::resampled({{0}, {0}}, 0.1), std::invalid_argument);
 }
 
 }  // namespace

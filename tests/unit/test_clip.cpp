@@ -15,6 +15,9 @@
 namespace dashpad {
 namespace {
 
+using injury::contiguous_clip;
+using injury::cumulative_clip;
+
 Pulse sampled(double length, int pieces, const std::function<double(double)>& a) {
   Pulse pulse;
   for (int i = 0; i <= pieces; ++i) {
@@ -95,8 +98,8 @@ TEST(Clips, AgreeWithTheSecondWayOnRandomPulses) {
     }
     for (const double duration : {1e-6, 0.3, 1.0, 2.0, 2.5, 3.0, 7.0, 20.0}) {
       const std::string where = "run " + std::to_string(run) + ", duration " + std::to_string(duration);
-      const Clip one = contiguous_clip(pulse, duration);
-      const Clip all = cumulative_clip(pulse, duration);
+      const injury::Clip one = contiguous_clip(pulse, duration);
+      const injury::Clip all = cumulative_clip(pulse, duration);
       ASSERT_NEAR(one.level, highest_level(pulse, duration, &TimeAtLevel::longest), 1e-8) << where;
       ASSERT_NEAR(all.level, highest_level(pulse, duration, &TimeAtLevel::total), 1e-8) << where;
       ASSERT_LE(one.level, all.level + 1e-10) << where;  // rounding of times on steep pieces
@@ -112,7 +115,7 @@ TEST(Clips, AgreeWithTheSecondWayOnRandomPulses) {
 /// A half-sine of 10 ms and 1 m/s2. The window ends meet samples, so that the chords do no harm.
 TEST(Clips, OfAPublishedHalfSine) {
   const Pulse pulse = sampled(0.01, 100, [](double t) { return std::sin(100 * std::numbers::pi * t); });
-  for (const Clip& clip : {contiguous_clip(pulse, 3e-3), cumulative_clip(pulse, 3e-3)}) {
+  for (const injury::Clip& clip : {contiguous_clip(pulse, 3e-3), cumulative_clip(pulse, 3e-3)}) {
     EXPECT_NEAR(clip.level, std::sin(0.35 * std::numbers::pi), 1e-14);
     EXPECT_NEAR(clip.begin, 0.0035, 1e-12);
     EXPECT_NEAR(clip.end, 0.0065, 1e-12);
@@ -150,7 +153,7 @@ TEST(Clips, SeeTheZeroBetweenTwoSamples) {
 TEST(Clips, AddTheStretchesOfTwoPeaks) {
   const Pulse pulse{{0, 1, 2, 3, 4}, {0, 10, 0, -10, 0}};
   EXPECT_NEAR(contiguous_clip(pulse, 1).level, 5, 1e-13);
-  const Clip all = cumulative_clip(pulse, 1);
+  const injury::Clip all = cumulative_clip(pulse, 1);
   EXPECT_DOUBLE_EQ(all.level, 7.5);
   EXPECT_DOUBLE_EQ(all.begin, 0.75);
   EXPECT_DOUBLE_EQ(all.end, 3.25);
@@ -182,7 +185,7 @@ TEST(Clips, OfDurationsNearTheLengthOfThePulse) {
   EXPECT_EQ(contiguous_clip(pulse, 0.01).level, 20);
   EXPECT_EQ(cumulative_clip(pulse, 0.01).level, 20);
   for (const double duration : {0.0100001, 1.0, 1e300})
-    for (const Clip& clip : {contiguous_clip(pulse, duration), cumulative_clip(pulse, duration)}) {
+    for (const injury::Clip& clip : {contiguous_clip(pulse, duration), cumulative_clip(pulse, duration)}) {
       EXPECT_EQ(clip.level, 0);
       EXPECT_EQ(clip.end, 0);
     }
@@ -197,7 +200,7 @@ TEST(Clips, ApproachThePeakAsTheDurationVanishes) {
 }
 
 TEST(Clips, OfSeveralWindowsTakeTheEarliest) {
-  const Clip clip = contiguous_clip({{0, 1, 2, 3, 4, 5, 9}, {0, 6, 0, 0, 6, 6, 6}}, 2);
+  const injury::Clip clip = contiguous_clip({{0, 1, 2, 3, 4, 5, 9}, {0, 6, 0, 0, 6, 6, 6}}, 2);
   EXPECT_DOUBLE_EQ(clip.level, 6);
   EXPECT_DOUBLE_EQ(clip.begin, 4);
   EXPECT_DOUBLE_EQ(clip.end, 6);

@@ -15,6 +15,8 @@
 namespace dashpad {
 namespace {
 
+using output::Curve;
+using output::curve;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -74,12 +76,13 @@ TEST(Curves, OverTimeAreTheHistory) {
 }
 
 TEST(Curves, HaveNamesAndNoOthers) {
-  for (const std::string& name : curve_names()) EXPECT_EQ(curve(name, Solution{}).name, name);
+  for (const std::string& name : output::curve_names()) EXPECT_EQ(curve(name, Solution{}).name, name);
   EXPECT_THROW(curve("power", Solution{}), std::invalid_argument);
 }
 
 TEST(Curves, OfNothingDoNotExist) {
-  for (const std::string& name : curve_names()) EXPECT_FALSE(curve(name, Solution{}).exists()) << name;
+  for (const std::string& name : output::curve_names())
+    EXPECT_FALSE(curve(name, Solution{}).exists()) << name;
 }
 
 TEST(Curves, OfAHistoryWithGapsAreRefused) {
@@ -106,10 +109,10 @@ TEST(Curves, PassOverWhatIsNotFinite) {
 
 TEST(Branches, MeetAtTheLargestPenetration) {
   const Solution solution = solution_of({0, 1, 3, 4, 2, 1}, {0, 10, 30, 35, 8, 0});
-  const Curve loading = loading_branch(solution.history);
+  const Curve loading = output::loading_branch(solution.history);
   EXPECT_THAT(loading.x, ElementsAre(0, 1, 3, 4));
   EXPECT_THAT(loading.y, ElementsAre(0, 10, 30, 35));
-  const Curve unloading = unloading_branch(solution);
+  const Curve unloading = output::unloading_branch(solution);
   EXPECT_THAT(unloading.x, ElementsAre(0, 1, 2, 4));
   EXPECT_THAT(unloading.y, ElementsAre(0, 0, 8, 35));
 }
@@ -118,10 +121,10 @@ TEST(Branches, TakeTheFirstForceOnTheWayInAndTheLastOnTheWayOut) {
   //                                    held        back      on           back, and on a little, out
   const Solution solution =
       solution_of({0, 1, 1, 1, 2, 1.5, 2, 3, 4, 2, 3, 1}, {0, 10, 9, 8, 20, 12, 17, 28, 40, 11, 21, 0});
-  const Curve loading = loading_branch(solution.history);
+  const Curve loading = output::loading_branch(solution.history);
   EXPECT_THAT(loading.x, ElementsAre(0, 1, 2, 3, 4));
   EXPECT_THAT(loading.y, ElementsAre(0, 10, 20, 28, 40));
-  const Curve unloading = unloading_branch(solution);
+  const Curve unloading = output::unloading_branch(solution);
   EXPECT_THAT(unloading.x, ElementsAre(0, 1, 3, 4));
   EXPECT_THAT(unloading.y, ElementsAre(0, 0, 21, 40));
 }
@@ -129,33 +132,33 @@ TEST(Branches, TakeTheFirstForceOnTheWayInAndTheLastOnTheWayOut) {
 TEST(Branches, SpreadAFallAtTheLargestPenetration) {
   // Locked, and the support goes on: up to 50, back to 25, then out.
   const Solution solution = solution_of({0, 2, 4, 4, 4, 3.9, 0}, {0, 15, 40, 50, 25, 20, 0});
-  EXPECT_THAT(loading_branch(solution.history).y, ElementsAre(0, 15, 40));
-  const Curve unloading = unloading_branch(solution);
-  EXPECT_THAT(unloading.x, ElementsAre(0, 3.9, 4 * (1 - widest_fall), 4));
+  EXPECT_THAT(output::loading_branch(solution.history).y, ElementsAre(0, 15, 40));
+  const Curve unloading = output::unloading_branch(solution);
+  EXPECT_THAT(unloading.x, ElementsAre(0, 3.9, 4 * (1 - output::widest_fall), 4));
   EXPECT_THAT(unloading.y, ElementsAre(0, 20, 25, 40));
 }
 
 TEST(Branches, SpreadAFallNoFurtherThanHalfTheWayBack) {
   const Solution solution = solution_of({0, 2, 4, 4, 3.999, 0}, {0, 15, 40, 25, 20, 0});
-  const Curve unloading = unloading_branch(solution);
+  const Curve unloading = output::unloading_branch(solution);
   ASSERT_EQ(unloading.size(), 4u);
   EXPECT_NEAR(unloading.x[2], 3.9995, 1e-12);
 }
 
 TEST(Branches, OfAFoamThatKeepsItsDentFallAtOnce) {
-  const Curve unloading = unloading_branch(solution_of({0, 2, 4}, {0, 15, 40}));
-  EXPECT_THAT(unloading.x, ElementsAre(0, 4 * (1 - widest_fall), 4));
+  const Curve unloading = output::unloading_branch(solution_of({0, 2, 4}, {0, 15, 40}));
+  EXPECT_THAT(unloading.x, ElementsAre(0, 4 * (1 - output::widest_fall), 4));
   EXPECT_THAT(unloading.y, ElementsAre(0, 0, 40));
 }
 
 TEST(Branches, OfAFoamThatComesBackWhollyHaveNoPlateauAtZero) {
-  const Curve unloading = unloading_branch(solution_of({0, 2, 4, 2, -1e-12}, {0, 15, 40, 15, 0}));
+  const Curve unloading = output::unloading_branch(solution_of({0, 2, 4, 2, -1e-12}, {0, 15, 40, 15, 0}));
   EXPECT_THAT(unloading.x, ElementsAre(0, 2, 4));
 }
 
 TEST(Branches, WithoutReleaseHaveNoWayBack) {
-  EXPECT_TRUE(loading_branch(solution_of({0, 2, 4, 3}, {0, 15, 40, 10}, false).history).exists());
-  EXPECT_THAT(unloading_branch(solution_of({0, 2, 4, 3}, {0, 15, 40, 10}, false)).x, IsEmpty());
+  EXPECT_TRUE(output::loading_branch(solution_of({0, 2, 4, 3}, {0, 15, 40, 10}, false).history).exists());
+  EXPECT_THAT(output::unloading_branch(solution_of({0, 2, 4, 3}, {0, 15, 40, 10}, false)).x, IsEmpty());
 }
 
 // ---------------------------------------------------------------- solved impacts
@@ -213,7 +216,7 @@ TEST(SolvedBranches, OfEveryKindOfEndAreFitForDecks) {
         if (crushable) impact.pad.material.law = rigid;
         if (rigid_support) impact.support = Support::rigid();
         const Solution solution = solve(impact, {});
-        for (const std::string& name : curve_names()) {
+        for (const std::string& name : output::curve_names()) {
           const Curve of = curve(name, solution);
           if (name == "unloading" && !solution.summary.release)
             EXPECT_FALSE(of.exists());
@@ -242,7 +245,7 @@ TEST(Thinning, SaysTheErrorThatItMakes) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const Curve all = random_curve(seed, 300);
     for (const std::size_t most : {2u, 3u, 10u, 150u, 299u}) {
-      const ThinnedCurve few = thinned(all, most);
+      const output::ThinnedCurve few = output::thinned(all, most);
       EXPECT_EQ(few.curve.size(), most);
       EXPECT_EQ(few.curve.x.front(), all.x.front());
       EXPECT_EQ(few.curve.x.back(), all.x.back());
@@ -257,24 +260,24 @@ TEST(Thinning, SaysTheErrorThatItMakes) {
 
 TEST(Thinning, LeavesAShortCurveAlone) {
   const Curve all = random_curve(7, 20);
-  EXPECT_EQ(thinned(all, 20).curve.y, all.y);
-  EXPECT_EQ(thinned(all, 20).error, 0);
+  EXPECT_EQ(output::thinned(all, 20).curve.y, all.y);
+  EXPECT_EQ(output::thinned(all, 20).error, 0);
 }
 
 TEST(Thinning, OfALineNeedsItsEndsOnly) {
   Curve line{"force", {"time", "s"}, {"force", "N"}, {}, {}};
   for (int i = 0; i <= 64; ++i) line.x.push_back(i), line.y.push_back(2 * i);
-  EXPECT_THAT(thinned(line, 10).curve.x, ElementsAre(0, 64));
+  EXPECT_THAT(output::thinned(line, 10).curve.x, ElementsAre(0, 64));
 }
 
 TEST(Thinning, OfASolvedImpactGetsBetterWithMorePoints) {
   const Curve all = curve("force", solve(test::example_case(), {}));
   const double peak = *std::ranges::max_element(all.y);
-  EXPECT_LT(thinned(all, 50).error, 5e-3 * peak);
-  EXPECT_LT(thinned(all, 50).error, thinned(all, 12).error);
+  EXPECT_LT(output::thinned(all, 50).error, 5e-3 * peak);
+  EXPECT_LT(output::thinned(all, 50).error, output::thinned(all, 12).error);
 }
 
-TEST(Thinning, RefusesAPoint) { EXPECT_THROW(thinned(random_curve(1, 9), 1), std::invalid_argument); }
+TEST(Thinning, RefusesAPoint) { EXPECT_THROW(output::thinned(random_curve(1, 9), 1), std::invalid_argument); }
 
 }  // namespace
 }  // namespace dashpad

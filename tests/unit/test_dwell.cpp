@@ -13,6 +13,9 @@
 namespace dashpad {
 namespace {
 
+using injury::cumulative_dwell;
+using injury::longest_dwell;
+
 TEST(Dwell, OfTwoPeaksOfEitherSign) {
   const Pulse pulse{{0, 1, 2, 4, 6}, {0, 10, 0, -10, 0}};
   EXPECT_DOUBLE_EQ(longest_dwell(pulse, 5), 2);

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 namespace {
 
 constexpr double exact = 1e-12;  // relative: a few roundings
@@ -83,4 +83,4 @@ TEST(energy, needs_a_test_of_the_projectile) {
 }
 
 }  // namespace
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

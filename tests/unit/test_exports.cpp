@@ -15,6 +15,11 @@
 namespace dashpad {
 namespace {
 
+using output::Curve;
+using output::curve_csv;
+using output::CurveFile;
+using output::ls_dyna_text;
+using output::radioss_text;
 using namespace test;
 using testing::AllOf;
 using testing::Contains;
@@ -136,21 +141,23 @@ TEST(Exports, SayWhenceTheyComeAndWhatToMind) {
 }
 
 TEST(Exports, FlagWhatIsNotToBeReliedOn) {
-  EXPECT_THAT(flags_of(test::example_summary()), IsEmpty());
+  EXPECT_THAT(output::flags_of(test::example_summary()), IsEmpty());
   Summary summary = test::example_summary();
   summary.status = Status::tolerance_not_met;
   summary.extrapolated = true;
-  EXPECT_THAT(flags_of(summary),
+  EXPECT_THAT(output::flags_of(summary),
               ElementsAre(StartsWith("TOLERANCE NOT MET: asked for 0.01 %"), StartsWith("EXTRAPOLATED: ")));
-  EXPECT_THAT(flags_of(test::bottomed_out_summary()), ElementsAre(StartsWith("BOTTOMED at 5.9307 ms")));
+  EXPECT_THAT(output::flags_of(test::bottomed_out_summary()),
+              ElementsAre(StartsWith("BOTTOMED at 5.9307 ms")));
   summary = test::example_summary();
   summary.bottomed = Moment{.time = 0.005, .velocity = 1};
   summary.extrapolations = {"one", "two"};
-  EXPECT_THAT(flags_of(summary), ElementsAre(AllOf(StartsWith("BOTTOMED at 5 ms"), HasSubstr("support")),
-                                             "EXTRAPOLATED: one", "EXTRAPOLATED: two"));
+  EXPECT_THAT(output::flags_of(summary),
+              ElementsAre(AllOf(StartsWith("BOTTOMED at 5 ms"), HasSubstr("support")), "EXTRAPOLATED: one",
+                          "EXTRAPOLATED: two"));
   summary = test::example_summary();
   summary.status = Status::time_limit;
-  EXPECT_THAT(flags_of(summary), ElementsAre(StartsWith("TIME LIMIT: ")));
+  EXPECT_THAT(output::flags_of(summary), ElementsAre(StartsWith("TIME LIMIT: ")));
 }
 
 TEST(Exports, KeepTheNumberOfACurveThatIsNotThere) {
@@ -169,7 +176,8 @@ TEST(Exports, OfASolutionSayHowItWasThinned) {
   solution.history.time = {0, 1, 2, 3};
   solution.history.force = {0, 1, 2.02, 3};
   solution.history.penetration = {0, 1, 2, 3};
-  const CurveFile file = curve_file(test::example_case(), solution, {"force", "unloading", "loading"}, 2);
+  const CurveFile file =
+      output::curve_file(test::example_case(), solution, {"force", "unloading", "loading"}, 2);
   EXPECT_EQ(file.title, "Head on a dashboard");
   EXPECT_THAT(file.origin, Contains(StartsWith("A sphere of 4.5 kg")));
   EXPECT_THAT(file.flags, Contains(StartsWith("BOTTOMED")));
@@ -177,7 +185,7 @@ TEST(Exports, OfASolutionSayHowItWasThinned) {
   EXPECT_EQ(file.curves[0].remark, "2 of 4 points, off by at most 0.67 % of the largest value");
   EXPECT_EQ(file.curves[1].remark, "not there: the impactor did not leave the pad (bottomed out)");
   EXPECT_THAT(file.curves[2].remark, HasSubstr("of this impact"));
-  EXPECT_THROW(curve_file(test::example_case(), solution, {"power"}), std::invalid_argument);
+  EXPECT_THROW(output::curve_file(test::example_case(), solution, {"power"}), std::invalid_argument);
 }
 
 // ---------------------------------------------------------------- foreign text
@@ -247,16 +255,16 @@ TEST(Exports, RefuseWhatNoDeckCanHold) {
 TEST(Exports, RefuseNumbersThatDoNotFit) {
   for (const auto text : {ls_dyna_text, radioss_text}) {
     CurveFile file = file_of({awkward_curve(), awkward_curve()});
-    for (const int id : {0, -1, highest_curve_id, std::numeric_limits<int>::max()}) {
+    for (const int id : {0, -1, output::highest_curve_id, std::numeric_limits<int>::max()}) {
       file.first_id = id;
       EXPECT_THROW(text(file), std::invalid_argument) << id;
     }
-    file.first_id = highest_curve_id - 1;
+    file.first_id = output::highest_curve_id - 1;
     EXPECT_NO_THROW(text(file));
   }
   CurveFile last = file_of({awkward_curve()});
-  last.first_id = highest_curve_id;
-  EXPECT_EQ(read_keywords(ls_dyna_text(last)).curves.front().id, highest_curve_id);
+  last.first_id = output::highest_curve_id;
+  EXPECT_EQ(read_keywords(ls_dyna_text(last)).curves.front().id, output::highest_curve_id);
 }
 
 TEST(CurveCsv, HoldsOneCurve) {

@@ -14,17 +14,17 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::EndsWith;
 
-std::vector<Fault> many(int count, const std::string& key, const std::string& rule) {
-  std::vector<Fault> faults;
+std::vector<input::Fault> many(int count, const std::string& key, const std::string& rule) {
+  std::vector<input::Fault> faults;
   for (int i = 0; i < count; ++i)
     faults.push_back({"drop.csv", i + 2, key, std::to_string(i) + "x: y", rule});
   return faults;
 }
 
-std::vector<std::string> shown(const std::vector<Fault>& faults) {
+std::vector<std::string> shown(const std::vector<input::Fault>& faults) {
   std::vector<std::string> lines;
-  for (const Fault& fault : faults) lines.push_back(to_string(fault));
-  return abridged(lines);
+  for (const input::Fault& fault : faults) lines.push_back(to_string(fault));
+  return input::abridged(lines);
 }
 
 TEST(fault, of_one_kind_five_are_shown_and_the_rest_is_counted) {
@@ -38,9 +38,9 @@ TEST(fault, of_one_kind_five_are_shown_and_the_rest_is_counted) {
 }
 
 TEST(fault, another_key_or_rule_is_another_kind) {
-  std::vector<Fault> faults = many(7, "acc", "must be a number");
-  for (const Fault& fault : many(7, "time", "must be a number")) faults.push_back(fault);
-  for (const Fault& fault : many(2, "acc", "is missing")) faults.push_back(fault);
+  std::vector<input::Fault> faults = many(7, "acc", "must be a number");
+  for (const input::Fault& fault : many(7, "time", "must be a number")) faults.push_back(fault);
+  for (const input::Fault& fault : many(2, "acc", "is missing")) faults.push_back(fault);
   const std::vector<std::string> lines = shown(faults);
   ASSERT_EQ(lines.size(), 14U);
   EXPECT_EQ(lines[5], "and 2 more of this kind");
@@ -49,7 +49,7 @@ TEST(fault, another_key_or_rule_is_another_kind) {
 }
 
 TEST(fault, numbers_in_a_rule_make_no_other_kind) {
-  std::vector<Fault> faults;
+  std::vector<input::Fault> faults;
   for (int i = 0; i < 8; ++i)
     faults.push_back(
         {"a.csv", i + 2, "", "", "has " + std::to_string(i + 3) + " fields where 2.5 are expected"});
@@ -57,7 +57,7 @@ TEST(fault, numbers_in_a_rule_make_no_other_kind) {
 }
 
 TEST(fault, an_error_shows_the_same_and_keeps_all) {
-  const InputError error(many(200, "acc", "must be a number"));
+  const input::InputError error(many(200, "acc", "must be a number"));
   EXPECT_THAT(error.what(), EndsWith("\nand 195 more of this kind"));
   EXPECT_EQ(error.faults().size(), 200U);
 }

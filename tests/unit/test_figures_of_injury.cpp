@@ -13,9 +13,11 @@
 namespace dashpad::test {
 namespace {
 
+using injury::injury_figures;
+
 Solution solved(double tolerance) {
   const ImpactCase impact =
-      read_case(source_folder / "examples/dashboard-20mph.toml", source_folder / "materials").impact;
+      input::read_case(source_folder / "examples/dashboard-20mph.toml", source_folder / "materials").impact;
   Options options;
   options.tolerance = tolerance;
   return solve(impact, options);
@@ -28,9 +30,9 @@ struct Named {
 
 /// Against the figures of a run 1,000 times as accurate.
 TEST(InjuryFigures, OfASolvedImpactAreWithinTheirErrors) {
-  const InjuryFigures exact = injury_figures(solved(1e-6));
+  const injury::InjuryFigures exact = injury_figures(solved(1e-6));
   for (const double tolerance : {1e-3, 1e-4}) {
-    const InjuryFigures now = injury_figures(solved(tolerance));
+    const injury::InjuryFigures now = injury_figures(solved(tolerance));
     for (const Named& figure :
          {Named{"peak", now.peak.magnitude, now.errors.peak, exact.peak.magnitude},
           Named{"HIC15", now.hic15.value, now.errors.hic15, exact.hic15.value},
@@ -61,7 +63,7 @@ TEST(InjuryFigures, OfAShortHistoryHaveUnknownErrors) {
   solution.history.time = {0, 0.005, 0.01};
   solution.history.acceleration = {0, -980.665, 0};
   solution.summary.errors.peak_force = 1e-3;
-  const InjuryFigures::Errors few = injury_figures(solution).errors;
+  const injury::InjuryFigures::Errors few = injury_figures(solution).errors;
   EXPECT_EQ(few.peak, 1e-3);
   for (const double error : {few.hic15, few.hic36, few.hic_unlimited, few.hic_d, few.clip_3ms,
                              few.cumulative_3ms, few.severity_index, few.velocity_change})
@@ -73,7 +75,7 @@ TEST(InjuryFigures, OfAShortHistoryHaveUnknownErrors) {
 
 TEST(InjuryFigures, OfAPulseHaveNoErrors) {
   const Pulse pulse{{0, 0.01, 0.02}, {0, 980.665, 0}};
-  const InjuryFigures figures = injury_figures(pulse);
+  const injury::InjuryFigures figures = injury_figures(pulse);
   EXPECT_EQ(figures.errors.hic36, 0);
   EXPECT_NEAR(figures.hic36.value, 2 * 246.4007, 1e-3);
   EXPECT_EQ(figures.peak.magnitude, 980.665);

@@ -19,6 +19,9 @@
 
 namespace dashpad::test {
 
+using output::FiguresPage;
+using output::SeriesStyle;
+
 namespace {
 
 using ::testing::HasSubstr;
@@ -28,20 +31,21 @@ using Json = nlohmann::json;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-FiguresPage page_of(const Plot& plot) { return {.sections = {{.figures = {{.plot = plot}}}}}; }
+FiguresPage page_of(const output::Plot& plot) { return {.sections = {{.figures = {{.plot = plot}}}}}; }
 
-FiguresPage page_with(const std::vector<Series>& series, const Axis& x = {}, const Axis& y = {}) {
-  return page_of(Plot{.panels = {{.x = x, .y = y, .series = series}}});
+FiguresPage page_with(const std::vector<output::Series>& series, const output::Axis& x = {},
+                      const output::Axis& y = {}) {
+  return page_of(output::Plot{.panels = {{.x = x, .y = y, .series = series}}});
 }
 
-Json parsed(const FiguresPage& page) { return Json::parse(figures_page_data(page)); }
+Json parsed(const FiguresPage& page) { return Json::parse(output::figures_page_data(page)); }
 
 Json panel_of(const FiguresPage& page) { return parsed(page)["sections"][0]["figures"][0]["panels"][0]; }
 
 /// What is said of a page that does not fit together; empty if it does.
 std::string fault_of(const FiguresPage& page) {
   try {
-    check(page);
+    output::check(page);
   } catch (const std::invalid_argument& fault) {
     return fault.what();
   }
@@ -54,7 +58,7 @@ TEST(figures_page_data, holds_all_texts_in_their_order) {
   page.title = "A title";
   page.summary = {"one", "two"};
   page.warnings = {"EXTRAPOLATED: far"};
-  PageSection& section = page.sections[0];
+  output::PageSection& section = page.sections[0];
   section.heading = "A heading";
   section.paragraphs = {"a paragraph"};
   section.tables = {{.caption = "A table", .columns = {"a", "b"}, .rows = {{"1", "2"}, {"3", "4"}}}};
@@ -89,7 +93,7 @@ TEST(figures_page_data, has_seven_digits_and_nulls_for_gaps) {
   const Json panel = panel_of(page_with({{.x = {0, 1.0 / 3, nan, 1, 2}, .y = {1e9 / 7, 2, 3, infinity, 4}}}));
   EXPECT_EQ(panel["series"][0]["x"], Json::parse("[0, 0.3333333, null, 2]"));
   EXPECT_EQ(panel["series"][0]["y"], Json::parse("[142857100, 2, null, 4]"));
-  EXPECT_THAT(figures_page_data(page_with({{.x = {1.0 / 3}, .y = {1}}})), HasSubstr("[0.3333333]"));
+  EXPECT_THAT(output::figures_page_data(page_with({{.x = {1.0 / 3}, .y = {1}}})), HasSubstr("[0.3333333]"));
 }
 
 TEST(figures_page_data, leaves_loops_in_their_order) {
@@ -120,14 +124,15 @@ TEST(figures_page_data, names_every_style) {
 
 TEST(figures_page_data, gives_turns_as_the_stills_do) {
   const std::vector<double> one{1};
-  Panel first{.series = {{.label = "a", .x = one, .y = one},
-                         {.label = "none", .x = {nan}, .y = one},
-                         {.label = "b", .x = one, .y = one, .turn = 1},
-                         {.label = "c", .x = one, .y = one},
-                         {.style = SeriesStyle::vertical_line, .x = one},
-                         {.style = SeriesStyle::horizontal_line, .y = one, .turn = 0}}};
-  Panel second{.series = {{.label = "c", .x = one, .y = one}, {.label = "d", .x = one, .y = one}}};
-  const Json panels = parsed(page_of(Plot{.panels = {first, second}}))["sections"][0]["figures"][0]["panels"];
+  output::Panel first{.series = {{.label = "a", .x = one, .y = one},
+                                 {.label = "none", .x = {nan}, .y = one},
+                                 {.label = "b", .x = one, .y = one, .turn = 1},
+                                 {.label = "c", .x = one, .y = one},
+                                 {.style = SeriesStyle::vertical_line, .x = one},
+                                 {.style = SeriesStyle::horizontal_line, .y = one, .turn = 0}}};
+  output::Panel second{.series = {{.label = "c", .x = one, .y = one}, {.label = "d", .x = one, .y = one}}};
+  const Json panels =
+      parsed(page_of(output::Plot{.panels = {first, second}}))["sections"][0]["figures"][0]["panels"];
   const auto turns = [](const Json& panel) {
     Json list = Json::array();
     for (const Json& series : panel["series"]) list.push_back(series["turn"]);
@@ -139,7 +144,7 @@ TEST(figures_page_data, gives_turns_as_the_stills_do) {
 }
 
 TEST(figures_page_data, leaves_a_gap_where_a_logarithmic_axis_has_no_place) {
-  const Axis logarithmic{.logarithmic = true, .low = 0.5, .high = 100};
+  const output::Axis logarithmic{.logarithmic = true, .low = 0.5, .high = 100};
   const Json panel = panel_of(page_with({{.x = {1, 2, 3}, .y = {1, 0, 2}},
                                          {.style = SeriesStyle::horizontal_line, .y = {-1, 5, 200}},
                                          {.x = {1, 2}, .y = {200, 300}}},
@@ -168,13 +173,13 @@ TEST(figures_page_data, keeps_hostile_text_inside) {
   FiguresPage page = page_with({{.label = attack, .x = {1}, .y = {1}}}, {.label = attack}, {.label = attack});
   page.title = attack;
   page.summary = page.warnings = {attack};
-  PageSection& section = page.sections[0];
+  output::PageSection& section = page.sections[0];
   section.heading = attack;
   section.paragraphs = {attack};
   section.tables = {{.caption = attack, .columns = {attack}, .rows = {{attack}}}};
-  PageFigure& figure = section.figures[0];
+  output::PageFigure& figure = section.figures[0];
   figure.name = figure.note = figure.plot.title = figure.plot.source = figure.plot.panels[0].title = attack;
-  const std::string text = figures_page_data(page);
+  const std::string text = output::figures_page_data(page);
   EXPECT_THAT(text, Not(HasSubstr("<")));
   EXPECT_THAT(text, Not(HasSubstr("\n")));
   const Json data = Json::parse(text);
@@ -197,7 +202,7 @@ TEST(figures_page, refuses_what_does_not_fit_together) {
   FiguresPage page;
   page.sections = {{.tables = {{.caption = "Peaks", .columns = {"a", "b"}, .rows = {{"1", "2"}, {"3"}}}}}};
   EXPECT_EQ(fault_of(page), "row 2 of the table \"Peaks\" has 1 cells, not 2");
-  EXPECT_THROW(figures_page(page), std::invalid_argument);
+  EXPECT_THROW(output::figures_page(page), std::invalid_argument);
 }
 
 TEST(figures_page, accepts_columns_that_a_style_does_not_use) {
@@ -208,8 +213,9 @@ TEST(figures_page, accepts_columns_that_a_style_does_not_use) {
 }
 
 TEST(figures_page, is_one_file_that_asks_for_no_other) {
-  if (!has_page()) GTEST_SKIP() << no_page;
-  const std::string text = figures_page(page_with({{.label = "</script>", .x = {1, 2}, .y = {1, 2}}}));
+  if (!output::has_page()) GTEST_SKIP() << output::no_page;
+  const std::string text =
+      output::figures_page(page_with({{.label = "</script>", .x = {1, 2}, .y = {1, 2}}}));
   // Without a matcher: it would print the whole page.
   const auto has = [&](const std::string& part) { return text.find(part) != std::string::npos; };
   EXPECT_TRUE(text.starts_with("<!DOCTYPE html>"));
@@ -225,8 +231,8 @@ TEST(figures_page, is_one_file_that_asks_for_no_other) {
 }
 
 TEST(figures_page, where_it_was_not_built_says_how_to_get_it) {
-  if (has_page()) GTEST_SKIP() << "it was built";
-  EXPECT_THROW(figures_page(FiguresPage{}), std::runtime_error);
+  if (output::has_page()) GTEST_SKIP() << "it was built";
+  EXPECT_THROW(output::figures_page(FiguresPage{}), std::runtime_error);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// The area of all outlines of a series (shoelace formula).
-double area_of(const Series& series) {
+double area_of(const output::Series& series) {
   double sum = 0;
   for (std::size_t begin = 0, end = 0; begin < series.x.size(); begin = end + 1) {
     for (end = begin; end < series.x.size() && std::isfinite(series.x[end]); ++end) {
@@ -35,10 +35,10 @@ double area_of(const Series& series) {
 }
 
 TEST(FilledMap, LevelsAreRoundAndCoverTheRange) {
-  EXPECT_THAT(round_levels(0.3, 8.9), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 9));
-  EXPECT_THAT(round_levels(-12, 31), ElementsAre(-15, -10, -5, 0, 5, 10, 15, 20, 25, 30, 35));
-  EXPECT_THAT(round_levels(2, 2), IsEmpty());
-  EXPECT_THAT(round_levels(2, std::numeric_limits<double>::infinity()), IsEmpty());
+  EXPECT_THAT(output::round_levels(0.3, 8.9), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 9));
+  EXPECT_THAT(output::round_levels(-12, 31), ElementsAre(-15, -10, -5, 0, 5, 10, 15, 20, 25, 30, 35));
+  EXPECT_THAT(output::round_levels(2, 2), IsEmpty());
+  EXPECT_THAT(output::round_levels(2, std::numeric_limits<double>::infinity()), IsEmpty());
 }
 
 /// A plane over a grid of uneven steps: the area of each class is known.
@@ -46,7 +46,7 @@ TEST(FilledMap, EachClassCoversItsPart) {
   const std::vector<double> across{0, 1, 3, 10}, up{0, 0.5, 4};
   std::vector<std::vector<double>> values;
   for (std::size_t line = 0; line < up.size(); ++line) values.push_back(across);
-  const std::vector<Series> areas = filled_areas(across, up, values, {0, 2, 7, 10}, "g");
+  const std::vector<output::Series> areas = output::filled_areas(across, up, values, {0, 2, 7, 10}, "g");
   ASSERT_EQ(areas.size(), 3U);
   EXPECT_NEAR(area_of(areas[0]), 2 * 4, 1e-12);
   EXPECT_NEAR(area_of(areas[1]), 5 * 4, 1e-12);
@@ -58,20 +58,21 @@ TEST(FilledMap, EachClassCoversItsPart) {
 
 TEST(FilledMap, ACellWithoutAValueStaysEmpty) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<Series> areas =
-      filled_areas({0, 1, 2}, {0, 1}, {{1, 1.5, none}, {1, 1.5, 2}}, {0, 5, 10}, "");
+  const std::vector<output::Series> areas =
+      output::filled_areas({0, 1, 2}, {0, 1}, {{1, 1.5, none}, {1, 1.5, 2}}, {0, 5, 10}, "");
   ASSERT_EQ(areas.size(), 1U);
   EXPECT_NEAR(area_of(areas[0]), 1, 1e-12);
   EXPECT_EQ(areas[0].label, "0 to 5");
 }
 
 TEST(FilledMap, IsDrawnInTheColourOfItsShade) {
-  EXPECT_EQ(colour_of_shade(0), "#440154");
-  EXPECT_EQ(colour_of_shade(1), "#fde725");
-  EXPECT_EQ(colour_of_shade(-3), colour_of_shade(0));
-  const Plot plot{.title = "Map",
-                  .panels = {{.series = filled_areas({0, 1}, {0, 1}, {{0, 1}, {1, 2}}, {0, 1, 2}, "g")}}};
-  const std::string script = plot_script(plot, PictureFormat::svg);
+  EXPECT_EQ(output::colour_of_shade(0), "#440154");
+  EXPECT_EQ(output::colour_of_shade(1), "#fde725");
+  EXPECT_EQ(output::colour_of_shade(-3), output::colour_of_shade(0));
+  const output::Plot plot{
+      .title = "Map",
+      .panels = {{.series = output::filled_areas({0, 1}, {0, 1}, {{0, 1}, {1, 2}}, {0, 1, 2}, "g")}}};
+  const std::string script = output::plot_script(plot, output::PictureFormat::svg);
   EXPECT_THAT(script, HasSubstr("with filledcurves closed fillcolor rgb '#440154' fillstyle solid 1"));
   EXPECT_THAT(script, HasSubstr("title '1 to 2 g'"));
 }

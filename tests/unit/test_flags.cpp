@@ -81,8 +81,8 @@ TEST(Flags, ComeWithTheMotionAfterAnImpact) {
   solution.history.velocity = {1};
   solution.summary = test::example_summary();
   const auto text = [&] {
-    return post_impact_text({.mass = 4.5, .velocity = 8}, {.mass = 9, .velocity = 0}, impact, solution,
-                            unit_systems().front());
+    return output::post_impact_text({.mass = 4.5, .velocity = 8}, {.mass = 9, .velocity = 0}, impact,
+                                    solution, unit_systems().front());
   };
   solution.summary.extrapolated = true;
   EXPECT_THAT(text(), HasSubstr("\nEXTRAPOLATED: outside the range"));

@@ -14,8 +14,11 @@
 namespace dashpad::test {
 namespace {
 
+using injury::Hic;
+using injury::hic;
+
 constexpr double g = standard_gravity;
-constexpr double forever = unlimited_window;
+constexpr double forever = injury::unlimited_window;
 
 Pulse in_g(std::vector<double> time, std::vector<double> levels) {
   for (double& level : levels) level *= g;
@@ -170,8 +173,8 @@ TEST(HeadInjuryCriterion, IsQuickForLongPulses) {
 }
 
 TEST(HeadInjuryCriterion, OfTheFreeMotionHeadform) {
-  EXPECT_DOUBLE_EQ(hic_d(0), 166.4);
-  EXPECT_DOUBLE_EQ(hic_d(1000), 920.86);
+  EXPECT_DOUBLE_EQ(injury::hic_d(0), 166.4);
+  EXPECT_DOUBLE_EQ(injury::hic_d(1000), 920.86);
 }
 
 }  // namespace

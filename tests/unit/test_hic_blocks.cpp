@@ -11,7 +11,7 @@
 
 #include "injury/hic_blocks.hpp"
 
-namespace dashpad::hic_search {
+namespace dashpad::injury::hic_search {
 namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
@@ -104,4 +104,4 @@ TEST(HicBlocks, CloseInAtOrderTwo) {
 }
 
 }  // namespace
-}  // namespace dashpad::hic_search
+}  // namespace dashpad::injury::hic_search

@@ -27,35 +27,35 @@ History one_row() {
 }
 
 TEST(HistoryCsv, HoldsPlainSiForPeopleWhoSeeSi) {
-  EXPECT_EQ(history_csv(one_row(), units_of_files(unit_system("si"))),
+  EXPECT_EQ(output::history_csv(one_row(), units_of_files(unit_system("si"))),
             "time_s,force_N,acceleration_g,velocity_m_per_s,motion_m,penetration_m,support_deflection_m,"
             "contact_radius_m,axis_strain\n"
             "0.001,4.4482216152605,-2,0.44704,0.0254,0.0127,0.0127,0.3333333333333333,0.5\n");
 }
 
 TEST(HistoryCsv, NamesTheUnitsOfOtherSystems) {
-  const std::string us = history_csv(one_row(), units_of_files(unit_system("us")));
+  const std::string us = output::history_csv(one_row(), units_of_files(unit_system("us")));
   EXPECT_THAT(us, StartsWith("time_ms,force_lbf,acceleration_g,velocity_mph,motion_in,penetration_in,"));
   EXPECT_THAT(us, HasSubstr("\n1,"));
-  EXPECT_THAT(history_csv(one_row(), units_of_files(unit_system("engineering-metric"))),
+  EXPECT_THAT(output::history_csv(one_row(), units_of_files(unit_system("engineering-metric"))),
               StartsWith("time_ms,force_kN,acceleration_g,velocity_km_per_h,motion_mm,"));
 }
 
 TEST(HistoryCsv, LeavesOutWhatIsNotFinite) {
   History history = one_row();
   history.force = {std::numeric_limits<double>::quiet_NaN()};
-  EXPECT_THAT(history_csv(history, plain_si()), HasSubstr("\n0.001,,-2,"));
+  EXPECT_THAT(output::history_csv(history, plain_si()), HasSubstr("\n0.001,,-2,"));
 }
 
 TEST(HistoryCsv, OfAnEmptyHistoryIsItsHeader) {
-  const std::string text = history_csv({}, plain_si());
+  const std::string text = output::history_csv({}, plain_si());
   EXPECT_EQ(text.find('\n'), text.size() - 1);
 }
 
 TEST(HistoryCsv, RefusesColumnsOfDifferentLength) {
   History history = one_row();
   history.velocity.clear();
-  EXPECT_THROW(history_csv(history, plain_si()), std::invalid_argument);
+  EXPECT_THROW(output::history_csv(history, plain_si()), std::invalid_argument);
 }
 
 }  // namespace

@@ -21,6 +21,8 @@
 namespace dashpad {
 namespace {
 
+using output::IsoMmeTest;
+
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -59,17 +61,17 @@ IsoMmeTest test_to_write() {
           .comment = "dashpad",
           .time_of_first_sample = -0.002,
           .sampling_interval = 1e-4,
-          .histories = {{computed_acceleration_code,
+          .histories = {{output::computed_acceleration_code,
                          "Head",
                          "Acceleration",
                          "m/s2",
                          {0, -1.0 / 3, 1e-300, -981.123456789012345, 5e-324 * 4, 1e17}},
-                        {computed_force_code, "Head", "Force", "N", {1, 2, 3, 4, 5, 0.1}}}};
+                        {output::computed_force_code, "Head", "Force", "N", {1, 2, 3, 4, 5, 0.1}}}};
 }
 
 TEST(iso_mme, what_is_written_reads_back_elsewhere) {
   const IsoMmeTest test = test_to_write();
-  const Files files = iso_mme_files(test);
+  const Files files = output::iso_mme_files(test);
   ASSERT_THAT(files, SizeIs(4));
   const SimpleChannel main = simple_reader(files.at("dashpad.mme"));
   EXPECT_EQ(main.labels.at("Title"), "A title: in two lines");
@@ -93,8 +95,8 @@ TEST(iso_mme, what_is_written_reads_back_here) {
   IsoMmeTest test = test_to_write();
   test.histories[0].values = {0, -1.0 / 3, 1e-300, -981.123456789012345, 7, 1e17};
   const test::TemporaryFolder folder;
-  write(folder.path(), iso_mme_files(test));
-  const MeasuredPulse measured = read_iso_mme(folder.path(), {});
+  write(folder.path(), output::iso_mme_files(test));
+  const input::MeasuredPulse measured = input::read_iso_mme(folder.path(), {});
   EXPECT_EQ(measured.pulse.acceleration, test.histories[0].values);
   EXPECT_EQ(measured.pulse.time.front(), -0.002);
   EXPECT_DOUBLE_EQ(measured.pulse.time.back(), -0.0015);
@@ -105,7 +107,7 @@ TEST(iso_mme, bad_tests_are_not_written) {
   const auto refused = [](auto&& change) {
     IsoMmeTest test = test_to_write();
     change(test);
-    EXPECT_THROW(iso_mme_files(test), std::invalid_argument);
+    EXPECT_THROW(output::iso_mme_files(test), std::invalid_argument);
   };
   for (const std::string name : {"", "../x", "a/b", "a b", "a.b"})
     refused([&](IsoMmeTest& test) { test.name = name; });
@@ -128,10 +130,10 @@ TEST(iso_mme, text_may_be_latin_1_with_any_line_ends) {
   files["v1.mme"] = "\xef\xbb\xbfTitle :x";
   const test::TemporaryFolder folder;
   write(folder.path(), files);
-  EXPECT_EQ(iso_mme_channels(folder.path()).front().name,
+  EXPECT_EQ(input::iso_mme_channels(folder.path()).front().name,
             "Kopf, Pr\xc3\xbc"
             "fung");
-  const MeasuredPulse measured = read_iso_mme(folder.path(), {.channel = "1"});
+  const input::MeasuredPulse measured = input::read_iso_mme(folder.path(), {.channel = "1"});
   EXPECT_THAT(measured.pulse.acceleration, ElementsAre(1, 2));
   EXPECT_EQ(measured.acceleration.front().unit, "m/s\xc2\xb2");
 }
@@ -140,12 +142,12 @@ TEST(iso_mme, remarks) {
   const test::TemporaryFolder folder;
   Files files = with_first(channel("11HEAD0000H3ACXA"));
   write(folder.path(), files);
-  EXPECT_THAT(read_iso_mme(folder.path(), {.channel = "1", .acceleration_unit = "m/s2"}).remarks,
+  EXPECT_THAT(input::read_iso_mme(folder.path(), {.channel = "1", .acceleration_unit = "m/s2"}).remarks,
               ElementsAre("11HEAD0000H3ACXA: the file says g; m/s2 was given and used"));
 }
 
 TEST(iso_mme, choices_that_are_not_clear_are_told) {
-  const auto rule = [](const IsoMmeOptions& options) { return said(sample_test(), options); };
+  const auto rule = [](const input::IsoMmeOptions& options) { return said(sample_test(), options); };
   EXPECT_THAT(rule({}), HasSubstr("several channels may be meant: 11HEAD0000H3ACXA (1), "));
   EXPECT_THAT(rule({.channel = "9"}),
               HasSubstr("--channel 9: no such channel; there are 11HEAD0000H3ACXA (1)"));

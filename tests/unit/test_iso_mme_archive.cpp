@@ -79,22 +79,23 @@ TEST(iso_mme_archive, folder_file_zip_and_tar_are_the_same) {
   for (const fs::path& file : {test, test / "v1.mme", folder.path() / "flat.zip", folder.path() / "inner.zip",
                                folder.path() / "windows.zip", folder.path() / "inner.tar.gz"}) {
     SCOPED_TRACE(file);
-    ASSERT_TRUE(is_iso_mme(file));
-    const auto channels = iso_mme_channels(file);
+    ASSERT_TRUE(input::is_iso_mme(file));
+    const auto channels = input::iso_mme_channels(file);
     ASSERT_THAT(channels, SizeIs(4));
     EXPECT_EQ(channels[3].code, "11CHST0000H3FOXB");
     EXPECT_EQ(channels[3].unit, "kN");
     EXPECT_EQ(channels[3].samples, "3");
     EXPECT_EQ(channels[3].name, "In words: 11CHST0000H3FOXB");
     for (const std::string wanted : {"1", "001", "11HEAD0000H3ACXA", "??head????h3ACX?"}) {
-      const MeasuredPulse measured = read_iso_mme(file, {.channel = wanted});
+      const input::MeasuredPulse measured = input::read_iso_mme(file, {.channel = wanted});
       EXPECT_THAT(measured.pulse.time, Pointwise(DoubleEq(), {-0.001, 0.0, 0.001}));
       EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {0.0, -3 * g, 2 * g}));
       EXPECT_EQ(measured.acceleration.front().name, "11HEAD0000H3ACXA");
       EXPECT_EQ(measured.acceleration.front().unit, "g");
     }
     for (const std::string wanted : {"", "11HEAD0000??AC?A"}) {
-      const MeasuredPulse resultant = read_iso_mme(file, {.channel = wanted, .resultant = true});
+      const input::MeasuredPulse resultant =
+          input::read_iso_mme(file, {.channel = wanted, .resultant = true});
       EXPECT_THAT(resultant.pulse.acceleration, Pointwise(DoubleEq(), {g, 5 * g, 3 * g}));
       EXPECT_THAT(resultant.acceleration, SizeIs(3));
       ASSERT_THAT(resultant.components, SizeIs(3));
@@ -136,10 +137,11 @@ TEST(iso_mme_archive, archives_that_unpack_without_end_are_refused) {
   for (const std::string ending : {"bomb.zip", "bomb.tar.gz"}) {
     const fs::path bomb = folder.path() / ending;
     pack(bomb, files);
-    EXPECT_THAT(iso_mme_channels(bomb), SizeIs(4));
-    EXPECT_THAT(read_from_archive(bomb, {name}, 1000, true).at(name), SizeIs(1000));
-    EXPECT_THROW(read_from_archive(bomb, {name}, std::size_t{1} << 22, false), InputError);
-    EXPECT_THAT(read_from_archive(bomb, {name}, std::size_t{1} << 23, false).at(name), SizeIs(1U << 23));
+    EXPECT_THAT(input::iso_mme_channels(bomb), SizeIs(4));
+    EXPECT_THAT(input::read_from_archive(bomb, {name}, 1000, true).at(name), SizeIs(1000));
+    EXPECT_THROW(input::read_from_archive(bomb, {name}, std::size_t{1} << 22, false), input::InputError);
+    EXPECT_THAT(input::read_from_archive(bomb, {name}, std::size_t{1} << 23, false).at(name),
+                SizeIs(1U << 23));
   }
   Files many = sample_test();
   for (int i = 0; i < 10'001; ++i) many["x" + std::to_string(i)] = "";

@@ -13,6 +13,7 @@
 namespace dashpad {
 namespace {
 
+using laboratory::run_material_test;
 using nlohmann::json;
 using testing::AllOf;
 using testing::ContainsRegex;
@@ -42,30 +43,30 @@ Material foam() {
 }
 
 /// A report of two places, so that every number of the files is known.
-MaterialTestReport by_hand() {
-  MaterialTestRun run;
+laboratory::MaterialTestReport by_hand() {
+  laboratory::MaterialTestRun run;
   run.rate = 2;
   run.column.time = {0, 0.25, 0.5};
   run.column.strain = {0, 0.5, 0};
   run.column.rate = {2, 2, -2};
   run.column.stress = {0, 150e3, 0};
   run.column.work = {0, 37500, 7500};
-  run.column.events = {{ColumnEvent::Kind::turned, 0.25, 0.5, 150e3, 149e3}};
+  run.column.events = {{laboratory::ColumnEvent::Kind::turned, 0.25, 0.5, 150e3, 149e3}};
   run.column.largest_strain = 0.5;
   run.column.stress_error = 1e-9;
   run.cushion = {{0.5}, {150e3}, {37500}, {0.25}, {0.5}};
   run.figures = {150e3, 0.5, 37500, 30000, 0.2, {0.5, 150e3, 37500, 0.25, 0.5}, 2e-6};
   run.unloads = true;
-  run.at_limits = {CushionPoint{0.2, 60e3, 6000, 0.1, 0.5}, std::nullopt};
-  run.update_of_1984 = UpdateOf1984{.step = 0.25,
-                                    .time = {0, 0.25, 0.5},
-                                    .strain = {0, 0.5, 0},
-                                    .stress = {0, 160e3, -1e3},
-                                    .exact = {0, 150e3, 0},
-                                    .update_at_turn = StressAtTurn{160e3, -1e3},
-                                    .exact_at_turn = StressAtTurn{150e3, 0}};
+  run.at_limits = {laboratory::CushionPoint{0.2, 60e3, 6000, 0.1, 0.5}, std::nullopt};
+  run.update_of_1984 = laboratory::UpdateOf1984{.step = 0.25,
+                                                .time = {0, 0.25, 0.5},
+                                                .strain = {0, 0.5, 0},
+                                                .stress = {0, 160e3, -1e3},
+                                                .exact = {0, 150e3, 0},
+                                                .update_at_turn = laboratory::StressAtTurn{160e3, -1e3},
+                                                .exact_at_turn = laboratory::StressAtTurn{150e3, 0}};
   run.flags = {{"EXTRAPOLATED", "EXTRAPOLATED: too fast"}};
-  MaterialTest test;
+  laboratory::MaterialTest test;
   test.rates = {2};
   test.strain = 0.5;
   test.stress_limits = {60e3, 200e3};
@@ -74,14 +75,14 @@ MaterialTestReport by_hand() {
 }
 
 TEST(MaterialTestReport, AnElasticFoamHasTheFiguresOfATriangle) {
-  MaterialTest test;
+  laboratory::MaterialTest test;
   test.strain = 0.4;
   test.rates = {5, 7};
   test.stress_limits = {30e3, 130e3};
-  const MaterialTestReport report = run_material_test(spring(), test);
+  const laboratory::MaterialTestReport report = run_material_test(spring(), test);
   ASSERT_THAT(report.runs, SizeIs(2));
   EXPECT_EQ(report.runs[1].rate, 7);
-  for (const MaterialTestRun& run : report.runs) {
+  for (const laboratory::MaterialTestRun& run : report.runs) {
     EXPECT_NEAR(run.figures.peak_stress, 120e3, 1e-6);
     EXPECT_NEAR(run.figures.energy_in, 24e3, 0.1);
     EXPECT_NEAR(run.figures.hysteresis, 0, 1e-6);
@@ -95,15 +96,15 @@ TEST(MaterialTestReport, AnElasticFoamHasTheFiguresOfATriangle) {
 }
 
 TEST(MaterialTestReport, FlagsStrainAndRateBeyondTheFit) {
-  MaterialTest test;
+  laboratory::MaterialTest test;
   test.strain = 0.6;
   test.rates = {5, 20};
-  const MaterialTestReport report = run_material_test(spring(), test);
+  const laboratory::MaterialTestReport report = run_material_test(spring(), test);
   ASSERT_THAT(report.runs[0].flags, SizeIs(1));
   EXPECT_THAT(report.runs[0].flags[0].text, StartsWith("EXTRAPOLATED: strain reaches 0.600"));
   ASSERT_THAT(report.runs[1].flags, SizeIs(2));
   EXPECT_THAT(report.runs[1].flags[1].text, HasSubstr("rate reaches 20 per second"));
-  EXPECT_THAT(material_test_text(report, unit_system("si")),
+  EXPECT_THAT(output::material_test_text(report, unit_system("si")),
               AllOf(HasSubstr("EXTRAPOLATED (at 5, 20 per second): strain"),
                     HasSubstr("EXTRAPOLATED (at 20 per second): strain rate")));
 }
@@ -111,13 +112,13 @@ TEST(MaterialTestReport, FlagsStrainAndRateBeyondTheFit) {
 /// Law 2 in closed form: on a ramp stress = E_inf rate t + (E_0 - E_inf) tau rate (1 - exp(-t/tau)); on hold
 /// the second part decays.
 TEST(MaterialTestReport, RelaxesInClosedForm) {
-  MaterialTest test;
-  test.kind = TestKind::relaxation;
+  laboratory::MaterialTest test;
+  test.kind = laboratory::TestKind::relaxation;
   test.strain = 0.2;
   test.rates = {10};
   test.hold = 0.05;
   test.steps_of_1984 = 20;
-  const MaterialTestRun run = run_material_test(foam(), test).runs[0];
+  const laboratory::MaterialTestRun run = run_material_test(foam(), test).runs[0];
   const double tau = 0.01, over = 3e5 * tau * 10 * (1 - std::exp(-0.02 / tau));
   ASSERT_TRUE(run.relaxed);
   EXPECT_NEAR(run.relaxed->at_end_of_ramp, 2e4 + over, 1e-6);
@@ -131,12 +132,12 @@ TEST(MaterialTestReport, RelaxesInClosedForm) {
 }
 
 TEST(MaterialTestReport, CreepsToTheAsymptoticModulus) {
-  MaterialTest test;
-  test.kind = TestKind::creep;
+  laboratory::MaterialTest test;
+  test.kind = laboratory::TestKind::creep;
   test.stress = 2e4;
   test.rates = {10};
   test.hold = 2;
-  const MaterialTestRun run = run_material_test(foam(), test).runs[0];
+  const laboratory::MaterialTestRun run = run_material_test(foam(), test).runs[0];
   ASSERT_TRUE(run.crept);
   EXPECT_LT(run.crept->at_end_of_loading, 0.1);
   EXPECT_NEAR(run.crept->after_hold, 0.2, 1e-7);
@@ -145,15 +146,16 @@ TEST(MaterialTestReport, CreepsToTheAsymptoticModulus) {
 }
 
 TEST(MaterialTestReport, TheUpdateOf1984StandsAtTheTimesOfTheExactStress) {
-  for (const TestKind kind : {TestKind::constant_rate, TestKind::parabolic, TestKind::cyclic}) {
-    MaterialTest test;
+  for (const laboratory::TestKind kind :
+       {laboratory::TestKind::constant_rate, laboratory::TestKind::parabolic, laboratory::TestKind::cyclic}) {
+    laboratory::MaterialTest test;
     test.kind = kind;
     test.strain = 0.4;
     test.low = 0.1;
     test.rates = {10};
     test.steps_of_1984 = 8;
-    const MaterialTestRun run = run_material_test(spring(), test).runs[0];
-    const UpdateOf1984& update = *run.update_of_1984;
+    const laboratory::MaterialTestRun run = run_material_test(spring(), test).runs[0];
+    const laboratory::UpdateOf1984& update = *run.update_of_1984;
     EXPECT_NEAR(update.step, 0.04 / 8, 1e-15) << to_string(kind);
     EXPECT_NEAR(update.strain[8], 0.4, 1e-12) << to_string(kind);
     for (std::size_t i = 0; i < update.time.size(); ++i)
@@ -164,15 +166,15 @@ TEST(MaterialTestReport, TheUpdateOf1984StandsAtTheTimesOfTheExactStress) {
 
 /// Law 2 with steps of four relaxation times: an explicit step of more than two is unstable.
 TEST(MaterialTestReport, SaysWhereTheUpdateOf1984IsUnstable) {
-  MaterialTest test;
+  laboratory::MaterialTest test;
   test.strain = 0.4;
   test.rates = {0.5};
   test.steps_of_1984 = 20;
-  const MaterialTestReport unstable = run_material_test(foam(), test);
+  const laboratory::MaterialTestReport unstable = run_material_test(foam(), test);
   ASSERT_THAT(unstable.runs[0].flags, SizeIs(1));
   EXPECT_EQ(unstable.runs[0].flags[0].name, "OUT OF BOUNDS");
   const double peak = unstable.runs[0].figures.peak_stress / 1e3;
-  const Plot plot = material_test_plot(unstable, unit_system("si"));
+  const output::Plot plot = output::material_test_plot(unstable, unit_system("si"));
   for (const double stress : plot.panels[0].series[1].y)
     EXPECT_TRUE(std::isnan(stress) || (stress >= -0.1 * peak && stress <= 1.5 * peak)) << stress;
   test.steps_of_1984 = 400;
@@ -183,15 +185,15 @@ TEST(MaterialTestReport, SaysWhereTheUpdateOf1984IsUnstable) {
 TEST(MaterialTestReport, RoundingIsNoExtrapolation) {
   Material material = foam();
   material.fitted = FittedRange{0.95, 1, 2};
-  MaterialTest test;
-  test.kind = TestKind::parabolic;
+  laboratory::MaterialTest test;
+  test.kind = laboratory::TestKind::parabolic;
   test.rates = {1};
-  const MaterialTestReport report = run_material_test(material, test);
+  const laboratory::MaterialTestReport report = run_material_test(material, test);
   for (const Flag& flag : report.runs[0].flags) EXPECT_NE(flag.name, "EXTRAPOLATED") << flag.text;
 }
 
 TEST(MaterialTestReport, TextShowsEveryTable) {
-  const std::string text = material_test_text(by_hand(), unit_system("si"));
+  const std::string text = output::material_test_text(by_hand(), unit_system("si"));
   EXPECT_THAT(text, StartsWith("A spring (spring, elastic law)\nLoaded to a strain of 0.5 at constant rate"));
   EXPECT_THAT(text, HasSubstr("\nEXTRAPOLATED (at 2 per second): too fast\n"));
   EXPECT_THAT(text, ContainsRegex("\n +2 +150.00 +0.50000 +37.500 +30.000 +20.000 +0.25000 +0.50000 +150.00 "
@@ -205,15 +207,15 @@ TEST(MaterialTestReport, TextShowsEveryTable) {
 }
 
 TEST(MaterialTestReport, TextIsSafeForATerminal) {
-  MaterialTestReport report = by_hand();
+  laboratory::MaterialTestReport report = by_hand();
   report.material.title = "A\x1b[31mfoam\n";
   report.material.source = "a\x07 test";
-  EXPECT_THAT(material_test_text(report, unit_system("us")),
+  EXPECT_THAT(output::material_test_text(report, unit_system("us")),
               AllOf(Not(HasSubstr("\x1b")), Not(HasSubstr("\x07"))));
 }
 
 TEST(MaterialTestReport, JsonHasEveryField) {
-  const json result = json::parse(material_test_json(by_hand()));
+  const json result = json::parse(output::material_test_json(by_hand()));
   EXPECT_EQ(result["test"],
             json::parse(R"({"kind": "constant-rate", "strain": 0.5, "hold_s": null, "stress_Pa": null,
                             "low_strain": null, "cycles": null, "history": null, "history_remarks": [],
@@ -255,12 +257,12 @@ TEST(MaterialTestReport, JsonHasEveryField) {
 }
 
 TEST(MaterialTestReport, JsonOfRelaxationAndCreep) {
-  MaterialTestReport report = by_hand();
-  report.test.kind = TestKind::creep;
-  report.runs[0].crept = CreptStrain{0.1, 0.2};
-  report.runs[0].relaxed = RelaxedStress{3, 2, 1};
+  laboratory::MaterialTestReport report = by_hand();
+  report.test.kind = laboratory::TestKind::creep;
+  report.runs[0].crept = laboratory::CreptStrain{0.1, 0.2};
+  report.runs[0].relaxed = laboratory::RelaxedStress{3, 2, 1};
   report.runs[0].unloads = false;
-  const json result = json::parse(material_test_json(report));
+  const json result = json::parse(output::material_test_json(report));
   EXPECT_EQ(result["test"]["hold_s"], 1);
   EXPECT_EQ(result["test"]["strain"], nullptr);
   EXPECT_EQ(result["runs"][0]["creep"],
@@ -271,49 +273,51 @@ TEST(MaterialTestReport, JsonOfRelaxationAndCreep) {
 }
 
 TEST(MaterialTestReport, CsvHasARowAPlace) {
-  EXPECT_EQ(material_test_csv(by_hand(), plain_si()),
+  EXPECT_EQ(output::material_test_csv(by_hand(), plain_si()),
             "rate_1_per_s,time_s,strain,strain_rate_1_per_s,stress_Pa,stress_1984_Pa\n"
             "2,0,0,2,0,0\n2,0.25,0.5,2,150000,160000\n2,0.5,0,-2,0,-1000\n");
-  MaterialTestReport report = by_hand();
+  laboratory::MaterialTestReport report = by_hand();
   report.test.steps_of_1984.reset();
   report.runs[0].rate.reset();
-  EXPECT_THAT(material_test_csv(report, unit_system("engineering-metric")),
+  EXPECT_THAT(output::material_test_csv(report, unit_system("engineering-metric")),
               AllOf(StartsWith("rate_1_per_s,time_ms,strain,strain_rate_1_per_s,stress_MPa\n,0,0,2,0\n"),
                     HasSubstr("\n,250,0.5,2,0.15\n")));
 }
 
 TEST(MaterialTestReport, TheStillSaysWhereItComesFrom) {
-  const Plot plot = material_test_plot(by_hand(), unit_system("si"));
+  const output::Plot plot = output::material_test_plot(by_hand(), unit_system("si"));
   EXPECT_THAT(plot.source, AllOf(HasSubstr("dashpad "), HasSubstr("spring: a test"), HasSubstr("too fast")));
   ASSERT_THAT(plot.panels, SizeIs(2));
-  const Panel& stress = plot.panels[0];
+  const output::Panel& stress = plot.panels[0];
   EXPECT_EQ(stress.y.label, "Stress (kPa)");
   ASSERT_THAT(stress.series, SizeIs(2));
   EXPECT_EQ(stress.series[0].label, "2 per second");
   EXPECT_THAT(stress.series[0].y, ElementsAre(0, DoubleEq(150), 0));
   EXPECT_EQ(stress.series[1].label, "1984, 1 steps, 2 per second");
-  EXPECT_EQ(stress.series[1].style, SeriesStyle::points);
+  EXPECT_EQ(stress.series[1].style, output::SeriesStyle::points);
   EXPECT_EQ(stress.series[1].turn, stress.series[0].turn);
   EXPECT_THAT(plot.panels[1].series[0].x, ElementsAre(DoubleEq(150)));
   EXPECT_THAT(plot.panels[1].series[0].y, ElementsAre(0.25));
 }
 
 TEST(StrainMarks, SplittingChangesNoStrain) {
-  const StrainHistory history = parabolic_test(10, 0.95);
-  const StrainHistory split = split_at(history, {0.01, 0.02, 0.095, 0.0951, 0.19});
-  EXPECT_THAT(violations(split), IsEmpty());
+  const laboratory::StrainHistory history = laboratory::parabolic_test(10, 0.95);
+  const laboratory::StrainHistory split = laboratory::split_at(history, {0.01, 0.02, 0.095, 0.0951, 0.19});
+  EXPECT_THAT(laboratory::violations(split), IsEmpty());
   EXPECT_GT(split.pieces.size(), history.pieces.size() + 2);
-  EXPECT_DOUBLE_EQ(duration_of(split), duration_of(history));
+  EXPECT_DOUBLE_EQ(laboratory::duration_of(split), laboratory::duration_of(history));
   for (double time = 0; time <= 0.19; time += 0.0007)
-    EXPECT_NEAR(strain_at(split, time), strain_at(history, time), 1e-14) << time;
-  EXPECT_NEAR(end_of_first_loading(history), 0.095, 1e-15);
+    EXPECT_NEAR(laboratory::strain_at(split, time), laboratory::strain_at(history, time), 1e-14) << time;
+  EXPECT_NEAR(laboratory::end_of_first_loading(history), 0.095, 1e-15);
 }
 
 TEST(StrainMarks, TheFirstLoadingEndsWhereTheStrainStopsToGrow) {
-  EXPECT_DOUBLE_EQ(end_of_first_loading(constant_rate_test(2, 0.5)), 0.25);
-  EXPECT_DOUBLE_EQ(end_of_first_loading(ramp_and_hold_test(2, 0.5, 3)), 0.25);
-  EXPECT_DOUBLE_EQ(end_of_first_loading(measured_test({0, 1, 2, 3, 4}, {0, 0.1, 0.4, 0.4, 0.6})), 2);
-  EXPECT_DOUBLE_EQ(end_of_first_loading(measured_test({0, 1, 2}, {0, 0, 0.4})), 2);
+  EXPECT_DOUBLE_EQ(laboratory::end_of_first_loading(laboratory::constant_rate_test(2, 0.5)), 0.25);
+  EXPECT_DOUBLE_EQ(laboratory::end_of_first_loading(laboratory::ramp_and_hold_test(2, 0.5, 3)), 0.25);
+  EXPECT_DOUBLE_EQ(
+      laboratory::end_of_first_loading(laboratory::measured_test({0, 1, 2, 3, 4}, {0, 0.1, 0.4, 0.4, 0.6})),
+      2);
+  EXPECT_DOUBLE_EQ(laboratory::end_of_first_loading(laboratory::measured_test({0, 1, 2}, {0, 0, 0.4})), 2);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include "report1986/validation/measured_tests_columns.hpp"
 #include "shared/temporary_folder.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 namespace {
 
 namespace fs = std::filesystem;
@@ -44,10 +44,10 @@ class Data {
   }
   /// The faults, without the folder.
   [[nodiscard]] std::vector<std::string> faults() const {
-    std::vector<Fault> faults;
+    std::vector<input::Fault> faults;
     read_validation_data(folder_.path(), faults);
     std::vector<std::string> texts;
-    for (Fault& fault : faults) {
+    for (input::Fault& fault : faults) {
       fault.file = fs::path(fault.file).filename().string();
       texts.push_back(to_string(fault));
     }
@@ -62,9 +62,9 @@ constexpr const char* rows = "table-3-1.csv";
 constexpr const char* groups = "table-3-1-unplaced.csv";
 
 ValidationData report() {
-  std::vector<Fault> faults;
+  std::vector<input::Fault> faults;
   ValidationData data = read_validation_data(data_folder, faults);
-  for (const Fault& fault : faults) ADD_FAILURE() << to_string(fault);
+  for (const input::Fault& fault : faults) ADD_FAILURE() << to_string(fault);
   return data;
 }
 
@@ -216,4 +216,4 @@ TEST(measured_tests, constant_that_the_study_needs) {
 }
 
 }  // namespace
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

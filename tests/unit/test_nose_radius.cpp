@@ -10,7 +10,7 @@
 #include "dashpad/report1986/validation/verdict.hpp"
 #include "sample_case.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 namespace {
 
 using Residuals = std::vector<std::optional<double>>;
@@ -98,10 +98,10 @@ TEST(NoseRadius, RadiusOfTheReportIsTheMeanOfEstimates) {
 
 /// Three tests on the plate whose strains were computed with 2.6 in.
 TEST(NoseRadius, RadiusOfComputedStrainsIsFound) {
-  std::vector<Fault> faults;
+  std::vector<input::Fault> faults;
   ValidationData data = read_validation_data(test::source / "data/validation", faults);
   ASSERT_TRUE(faults.empty());
-  const Material ensolite = read_material(test::materials / "ensolite-aac-9.toml");
+  const Material ensolite = input::read_material(test::materials / "ensolite-aac-9.toml");
   constexpr double truth = 2.6;
   for (MeasuredTest& test : data.measured.tests) {
     if (test.support != TestSupport::plate) continue;
@@ -110,9 +110,9 @@ TEST(NoseRadius, RadiusOfComputedStrainsIsFound) {
                                         {test.projectile, test.support, test.speed_mph, truth})
                                     .peak_strain;
   }
-  std::vector<validation::Setup> setups;
+  std::vector<report1986::Setup> setups;
   for (const double radius : radii_of_the_study())
-    for (const validation::Setup& setup : setups_of_tests(data.measured, radius))
+    for (const report1986::Setup& setup : setups_of_tests(data.measured, radius))
       if (setup.support == TestSupport::plate) setups.push_back(setup);
   const RadiusStudy study = study_radius(data, predict_all(data, ensolite, {Program::accurate}, setups), {});
   EXPECT_EQ(study.criteria.front().name, "strains on the plate");
@@ -123,4 +123,4 @@ TEST(NoseRadius, RadiusOfComputedStrainsIsFound) {
 }
 
 }  // namespace
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -21,8 +21,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const CaseFile& dashboard() {
-  static const CaseFile input = read_case(source / "examples/dashboard-20mph.toml", materials);
+const input::CaseFile& dashboard() {
+  static const input::CaseFile input = input::read_case(source / "examples/dashboard-20mph.toml", materials);
   return input;
 }
 
@@ -32,7 +32,8 @@ const Solution& solved() {
 }
 
 std::string data_of(const ImpactCase& impact, const Solution& solution = solved()) {
-  return page_data(impact, {}, solution, unit_systems().front(), contact_snapshots(impact, solution.history));
+  return output::page_data(impact, {}, solution, unit_systems().front(),
+                           contact_snapshots(impact, solution.history));
 }
 
 nlohmann::json parsed(const ImpactCase& impact, const Solution& solution = solved()) {
@@ -84,7 +85,8 @@ TEST(page_data, thins_a_long_history_but_keeps_its_peak_and_end) {
     column->assign(size, 1.0);
   for (std::size_t i = 0; i < size; ++i) history.time[i] = 1e-6 * static_cast<double>(i + 1);
   history.force[54'321] = 7777;
-  const auto data = nlohmann::json::parse(page_data(dashboard().impact, {}, solution, plain_si(), {}));
+  const auto data =
+      nlohmann::json::parse(output::page_data(dashboard().impact, {}, solution, plain_si(), {}));
   EXPECT_LE(data["history"]["time"].size(), 1600U);
   EXPECT_THAT(data["history"]["force"].get<std::vector<double>>(), ::testing::Contains(7777));
   EXPECT_DOUBLE_EQ(data["history"]["time"].back(), 0.1);
@@ -92,11 +94,11 @@ TEST(page_data, thins_a_long_history_but_keeps_its_peak_and_end) {
 
 TEST(page_data, has_injury_figures_of_a_whole_pulse_only) {
   const auto whole = parsed(dashboard().impact);
-  const InjuryFigures figures = injury_figures(solved());
+  const injury::InjuryFigures figures = injury::injury_figures(solved());
   EXPECT_NEAR(whole["injury"]["hic15"]["value"].get<double>(), figures.hic15.value, 1e-3);
   EXPECT_EQ(whole["systems"][0]["injury"][1]["label"], "HIC15");
 
-  const CaseFile floor = read_case(source / "examples/rigid-floor-bottoming.toml", materials);
+  const input::CaseFile floor = input::read_case(source / "examples/rigid-floor-bottoming.toml", materials);
   const auto cut_off = parsed(floor.impact, solve(floor.impact, floor.options));
   EXPECT_TRUE(cut_off["injury"].is_null());
   EXPECT_TRUE(cut_off["systems"][0]["injury"].empty());
@@ -123,8 +125,10 @@ TEST(page_data, keeps_hostile_text_inside) {
 TEST(case_toml, is_read_as_the_same_case) {
   for (const char* name :
        {"dashboard-20mph", "dashboard-20mph-21-parameter", "load-cell-drop", "rigid-floor-bottoming"}) {
-    const CaseFile input = read_case(source / "examples" / (std::string{name} + ".toml"), materials);
-    const CaseFile again = read(case_toml(input.impact, {.tolerance = 3e-6, .time_limit = 0.25}));
+    const input::CaseFile input =
+        input::read_case(source / "examples" / (std::string{name} + ".toml"), materials);
+    const input::CaseFile again =
+        read(output::case_toml(input.impact, {.tolerance = 3e-6, .time_limit = 0.25}));
     EXPECT_EQ(again.impact.title, input.impact.title);
     EXPECT_EQ(again.impact.impactor.mass, input.impact.impactor.mass);
     EXPECT_EQ(std::get<Sphere>(again.impact.impactor.nose).radius,
@@ -146,7 +150,7 @@ TEST(case_toml, no_title_breaks_it) {
   ImpactCase impact = dashboard().impact;
   const std::string title = "a \"quoted\" \\ title\n[impactor]\nmass = \"1 kg\" \x7f \xff";
   impact.title = impact.pad.material.name = impact.pad.material.source = title;
-  const CaseFile again = read(case_toml(impact, {}));
+  const input::CaseFile again = read(output::case_toml(impact, {}));
   EXPECT_EQ(again.impact.impactor.mass, impact.impactor.mass);
   EXPECT_EQ(again.impact.title, "a \"quoted\" \\ title [impactor] mass = \"1 kg\"   \xef\xbf\xbd");
 }
@@ -154,9 +158,9 @@ TEST(case_toml, no_title_breaks_it) {
 class Page : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!has_page()) GTEST_SKIP() << no_page;
-    text_ = page(dashboard().impact, dashboard().options, solved(), unit_system("us"),
-                 contact_snapshots(dashboard().impact, solved().history));
+    if (!output::has_page()) GTEST_SKIP() << output::no_page;
+    text_ = output::page(dashboard().impact, dashboard().options, solved(), unit_system("us"),
+                         contact_snapshots(dashboard().impact, solved().history));
   }
 
   /// Without a matcher: it would print the whole page.
@@ -189,8 +193,8 @@ TEST_F(Page, has_a_policy_that_allows_its_own_script_only) {
 TEST_F(Page, names_the_license_of_the_plots) { EXPECT_TRUE(has("The MIT License")); }
 
 TEST(page, where_it_was_not_built_says_how_to_get_it) {
-  if (has_page()) GTEST_SKIP() << "it was built";
-  EXPECT_THROW(page(dashboard().impact, {}, solved(), plain_si(), {}), std::runtime_error);
+  if (output::has_page()) GTEST_SKIP() << "it was built";
+  EXPECT_THROW(output::page(dashboard().impact, {}, solved(), plain_si(), {}), std::runtime_error);
 }
 
 }  // namespace

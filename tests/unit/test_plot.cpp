@@ -24,6 +24,10 @@
 namespace dashpad {
 namespace {
 
+using output::picture;
+using output::PictureFormat;
+using output::Plot;
+using output::SeriesStyle;
 using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
@@ -33,15 +37,15 @@ using ::testing::ThrowsMessage;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Series line(const std::string& label, std::vector<double> x, std::vector<double> y) {
+output::Series line(const std::string& label, std::vector<double> x, std::vector<double> y) {
   return {.label = label, .style = SeriesStyle::line, .x = std::move(x), .y = std::move(y)};
 }
 
-Plot plot_of(std::vector<Series> series) {
-  const Panel panel{.title = "Force on the sphere",
-                    .x = {.label = "Time (ms)"},
-                    .y = {.label = "Force (kN)"},
-                    .series = std::move(series)};
+Plot plot_of(std::vector<output::Series> series) {
+  const output::Panel panel{.title = "Force on the sphere",
+                            .x = {.label = "Time (ms)"},
+                            .y = {.label = "Force (kN)"},
+                            .series = std::move(series)};
   return {.title = "A dashboard", .panels = {panel}, .source = "dashpad 0.1.0"};
 }
 
@@ -67,7 +71,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 /// Number of rows that gnuplot gets.
 std::size_t row_count(const Plot& plot) {
-  const std::string script = plot_script(plot, PictureFormat::svg);
+  const std::string script = output::plot_script(plot, PictureFormat::svg);
   const auto begin = script.find("<< END\n"), end = script.find("\nEND\n");
   return static_cast<std::size_t>(std::count(script.begin() + static_cast<std::ptrdiff_t>(begin),
                                              script.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
@@ -100,11 +104,11 @@ TEST(Plot, IsTheSameEachTime) {
 }
 
 TEST(Plot, FormatFollowsTheEnding) {
-  EXPECT_EQ(picture_format("force.svg"), PictureFormat::svg);
-  EXPECT_EQ(picture_format("a.svg/force.PNG"), PictureFormat::png);
-  EXPECT_EQ(picture_format("force.time.pdf"), PictureFormat::pdf);
-  EXPECT_EQ(picture_format("force.jpg"), std::nullopt);
-  EXPECT_EQ(picture_format("svg"), std::nullopt);
+  EXPECT_EQ(output::picture_format("force.svg"), PictureFormat::svg);
+  EXPECT_EQ(output::picture_format("a.svg/force.PNG"), PictureFormat::png);
+  EXPECT_EQ(output::picture_format("force.time.pdf"), PictureFormat::pdf);
+  EXPECT_EQ(output::picture_format("force.jpg"), std::nullopt);
+  EXPECT_EQ(output::picture_format("svg"), std::nullopt);
 }
 
 // --- Foreign texts ---
@@ -140,7 +144,7 @@ TEST(Plot, RunsNothingThatATextSays) {
                                                           "\\\n!" + command}) {
     Plot plot = two_lines();
     plot.title = plot.source = text;
-    Panel& panel = plot.panels[0];
+    output::Panel& panel = plot.panels[0];
     panel.title = panel.x.label = panel.y.label = panel.series[0].label = text;
     const std::string svg = picture(plot, PictureFormat::svg);
     EXPECT_FALSE(std::filesystem::exists(trap)) << text;
@@ -166,24 +170,25 @@ TEST(Plot, IsWellFormedWithBytesThatAreNoText) {
 }
 
 TEST(PlotText, KeepsWhatIsReadable) {
-  EXPECT_EQ(readable("µ\t€\r\n\x7f𝄞"), "µ €   𝄞");
-  EXPECT_EQ(readable("a\xff\xc3"), "a��");
-  EXPECT_EQ(literal("it's"), "'it'.sprintf('%c',39).'s'");
+  EXPECT_EQ(output::readable("µ\t€\r\n\x7f𝄞"), "µ €   𝄞");
+  EXPECT_EQ(output::readable("a\xff\xc3"), "a��");
+  EXPECT_EQ(output::literal("it's"), "'it'.sprintf('%c',39).'s'");
 }
 
 TEST(PlotText, IsCutOrGoesOnInTheNextLine) {
-  EXPECT_EQ(shortened("äöü", 3), "äöü");
-  EXPECT_EQ(shortened("äöüß", 3), "äö…");
-  EXPECT_THAT(lines_of("one two three", 7), ElementsAre("one two", "three"));
-  EXPECT_THAT(lines_of("äöüäöü", 4), ElementsAre("äöüä", "öü"));
-  EXPECT_THAT(lines_of("", 4), ElementsAre());
+  EXPECT_EQ(output::shortened("äöü", 3), "äöü");
+  EXPECT_EQ(output::shortened("äöüß", 3), "äö…");
+  EXPECT_THAT(output::lines_of("one two three", 7), ElementsAre("one two", "three"));
+  EXPECT_THAT(output::lines_of("äöüäöü", 4), ElementsAre("äöüä", "öü"));
+  EXPECT_THAT(output::lines_of("", 4), ElementsAre());
 }
 
 // --- Data ---
 
 TEST(Plot, HasAGapWhereThereIsNoNumber) {
-  Series series = line("gap", {0, 1, 2, 3, 4, 5}, {0, 1, nan, 1, 2, std::numeric_limits<double>::infinity()});
-  const std::string script = plot_script(plot_of({series}), PictureFormat::svg);
+  output::Series series =
+      line("gap", {0, 1, 2, 3, 4, 5}, {0, 1, nan, 1, 2, std::numeric_limits<double>::infinity()});
+  const std::string script = output::plot_script(plot_of({series}), PictureFormat::svg);
   EXPECT_THAT(script, HasSubstr("\n0 0 0\n1 1 1\n\n3 1 1\n4 2 2\nEND\n"));
   const std::string svg = picture(plot_of({series}), PictureFormat::svg);
   EXPECT_TRUE(is_well_formed(svg));
@@ -226,7 +231,7 @@ TEST(Plot, RefusesWhatDoesNotFitTogether) {
         picture(plot_of({line("short", {1, 2}, {1})}), PictureFormat::svg);
       },
       ThrowsMessage<std::invalid_argument>(HasSubstr("\"short\" differ in length")));
-  const Series band{.label = "band", .style = SeriesStyle::band, .x = {1, 2}, .y = {1, 2}, .y2 = {1}};
+  const output::Series band{.label = "band", .style = SeriesStyle::band, .x = {1, 2}, .y = {1, 2}, .y2 = {1}};
   EXPECT_THROW(picture(plot_of({band}), PictureFormat::svg), std::invalid_argument);
   Plot plot = two_lines();
   plot.panels[0].y.low = plot.panels[0].y.high = 1;
@@ -254,7 +259,7 @@ TEST(Plot, DrawsEveryStyleOnEveryAxis) {
       variant.panels[0].x.logarithmic = x_is_logarithmic;
       variant.panels[0].y.logarithmic = y_is_logarithmic;
       const std::string svg = picture(variant, PictureFormat::svg);
-      for (const Series& series : plot.panels[0].series)
+      for (const output::Series& series : plot.panels[0].series)
         EXPECT_THAT(svg, HasSubstr(">" + series.label + "<"));
     }
   }
@@ -264,7 +269,7 @@ TEST(Plot, DrawsALineThatOnlyCrossesTheWindow) {
   Plot plot = plot_of({line("", {0, 10}, {0, 10})});
   plot.panels[0].x.low = 4;
   plot.panels[0].x.high = 6;
-  EXPECT_THAT(plot_script(plot, PictureFormat::svg), HasSubstr("\n4 4 4\n6 6 6\n"));
+  EXPECT_THAT(output::plot_script(plot, PictureFormat::svg), HasSubstr("\n4 4 4\n6 6 6\n"));
   EXPECT_NO_THROW(picture(plot, PictureFormat::svg));
 }
 
@@ -274,14 +279,14 @@ TEST(Plot, GivesOneLabelOneTurnInAllPanels) {
   std::swap(plot.panels[1].series[0], plot.panels[1].series[1]);
   const std::string svg = picture(plot, PictureFormat::svg);
   EXPECT_EQ(count(svg, "<text>first<"), 1U);
-  const std::string script = plot_script(plot, PictureFormat::svg);
+  const std::string script = output::plot_script(plot, PictureFormat::svg);
   EXPECT_EQ(count(script, "#0072B2"), 3U);  // two panels and the legend
 }
 
 TEST(Plot, TakesTurnsThatNobodyHasBeenGiven) {
   Plot plot = two_lines();
   plot.panels[0].series[1].turn = 0;
-  const std::string script = plot_script(plot, PictureFormat::svg);
+  const std::string script = output::plot_script(plot, PictureFormat::svg);
   EXPECT_THAT(script, HasSubstr("#0072B2"));
   EXPECT_THAT(script, HasSubstr("#D55E00"));
 }
@@ -290,7 +295,7 @@ TEST(Plot, TakesTurnsThatNobodyHasBeenGiven) {
 
 TEST(Plot, ThinsLinesWithoutLosingTheirExtremes) {
   constexpr int size = 1'000'000;
-  Series series = line("noise", std::vector<double>(size), std::vector<double>(size));
+  output::Series series = line("noise", std::vector<double>(size), std::vector<double>(size));
   for (int row = 0; row < size; ++row) {
     series.x[row] = row;
     series.y[row] = std::sin(1e3 * row * row);
@@ -299,14 +304,14 @@ TEST(Plot, ThinsLinesWithoutLosingTheirExtremes) {
   series.y[654321] = -88;
   const Plot plot = plot_of({series});
   EXPECT_LT(row_count(plot), 8000U);
-  const std::string script = plot_script(plot, PictureFormat::svg);
+  const std::string script = output::plot_script(plot, PictureFormat::svg);
   EXPECT_THAT(script, HasSubstr("\n123456 77 77\n"));
   EXPECT_THAT(script, HasSubstr("\n654321 -88 -88\n"));
   EXPECT_THAT(script, HasSubstr("\n999999 "));
 }
 
 TEST(Plot, ThinsManyPointsButNotFew) {
-  Series series{.label = "", .style = SeriesStyle::points};
+  output::Series series{.label = "", .style = SeriesStyle::points};
   for (int row = 0; row < 20'000; ++row) {
     series.x.push_back(row % 100);
     series.y.push_back(row % 10);
@@ -349,7 +354,7 @@ TEST_F(PlotProcess, SurvivesAProgramThatReadsNothingAndDies) {
   // More than fits between two processes, so that writing meets the closed end.
   Plot plot = two_lines();
   for (int copy = 0; copy < 500; ++copy) {
-    Series series = line("", {}, {});
+    output::Series series = line("", {}, {});
     for (int row = 0; row < 200; ++row) {
       series.x.push_back(row / 7.0);
       series.y.push_back(copy / 7.0);

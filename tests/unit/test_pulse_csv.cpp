@@ -25,16 +25,16 @@ using ::testing::Pointwise;
 
 constexpr double g = 9.80665;
 
-MeasuredPulse read(const std::string& text, const PulseCsvOptions& options = {}) {
+input::MeasuredPulse read(const std::string& text, const input::PulseCsvOptions& options = {}) {
   const test::TemporaryFolder folder;
-  return read_pulse_csv(folder.write("pulse.csv", text), options);
+  return input::read_pulse_csv(folder.write("pulse.csv", text), options);
 }
 
 /// What is said, a fault a line; "" if nothing.
-std::string said(const std::string& text, const PulseCsvOptions& options = {}) {
+std::string said(const std::string& text, const input::PulseCsvOptions& options = {}) {
   try {
     read(text, options);
-  } catch (const InputError& error) {
+  } catch (const input::InputError& error) {
     std::string lines = error.what();
     for (auto at = lines.find("/pulse.csv"); at != std::string::npos; at = lines.find("/pulse.csv")) {
       const auto begin = lines.rfind('\n', at);
@@ -46,14 +46,14 @@ std::string said(const std::string& text, const PulseCsvOptions& options = {}) {
   return "";
 }
 
-Sensitivity ten_mv_per_g() { return sensitivity_of("10 mV/g"); }
-const PulseCsvOptions in_ms_and_g{.time_unit = "ms", .acceleration_unit = "g"};
+input::Sensitivity ten_mv_per_g() { return input::sensitivity_of("10 mV/g"); }
+const input::PulseCsvOptions in_ms_and_g{.time_unit = "ms", .acceleration_unit = "g"};
 
 /// The same two samples in many styles.
 struct Style {
   std::string text;
   std::vector<std::string> remarks;
-  PulseCsvOptions options = {};
+  input::PulseCsvOptions options = {};
 };
 
 const std::vector<Style> styles{
@@ -106,7 +106,7 @@ TEST(pulse_csv, every_style_gives_the_same_pulse) {
   for (const Style& style : styles) {
     SCOPED_TRACE(style.text);
     ASSERT_NO_THROW(read(style.text, style.options)) << said(style.text, style.options);
-    const MeasuredPulse measured = read(style.text, style.options);
+    const input::MeasuredPulse measured = read(style.text, style.options);
     EXPECT_THAT(measured.pulse.time, Pointwise(DoubleEq(), {0.0, 0.002}));
     EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {g, 3 * g}));
     EXPECT_EQ(measured.remarks, style.remarks);
@@ -118,7 +118,7 @@ TEST(pulse_csv, every_style_gives_the_same_pulse) {
 }
 
 TEST(pulse_csv, says_which_columns_and_units_were_used) {
-  const MeasuredPulse measured =
+  const input::MeasuredPulse measured =
       read("note,Time (ms),Acc (g)\nx,0,1\ny,2,3\n", {.acceleration_unit = "m/s2"});
   EXPECT_EQ(measured.time.name, "Time (ms)");
   EXPECT_EQ(measured.time.number, 2);
@@ -142,7 +142,7 @@ TEST(pulse_csv, three_columns_come_to_a_resultant_each_with_its_unit) {
   const std::string text = "t_ms,ax [g],ay [m/s2],az [g]\n0,-3,0,4\n1,0,-9.80665,0\n";
   for (const std::vector<std::string>& names :
        {std::vector<std::string>{}, std::vector<std::string>{"az", "2", "ay"}}) {
-    const MeasuredPulse measured = read(text, {.acceleration = names, .resultant = true});
+    const input::MeasuredPulse measured = read(text, {.acceleration = names, .resultant = true});
     EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {5 * g, g}));
     EXPECT_EQ(measured.acceleration.size(), 3U);
     EXPECT_TRUE(measured.resultant);
@@ -166,7 +166,7 @@ TEST(pulse_csv, missing_rows_are_refused_unless_they_are_to_be_bridged) {
       said(text),
       ":6: t_ms: between lines 5 and 6 47 ms are missing, where samples are 1 ms apart; --bridge-gaps takes "
       "a straight line");
-  const MeasuredPulse bridged = read(text, {.bridge_gaps = true});
+  const input::MeasuredPulse bridged = read(text, {.bridge_gaps = true});
   EXPECT_THAT(bridged.remarks,
               ElementsAre("between lines 5 and 6 47 ms are missing; a straight line was taken"));
   EXPECT_EQ(bridged.pulse.time.size(), 7U);
@@ -196,7 +196,7 @@ TEST(pulse_csv, steps_that_grow_rounded_times_and_two_rates_are_no_gaps) {
 
 TEST(pulse_csv, lists_columns) {
   const test::TemporaryFolder folder;
-  const auto columns = pulse_csv_columns(folder.write("a.csv", "Time,Head\nms,g\n0,1\n2,3\n"));
+  const auto columns = input::pulse_csv_columns(folder.write("a.csv", "Time,Head\nms,g\n0,1\n2,3\n"));
   ASSERT_EQ(columns.size(), 2U);
   EXPECT_EQ(columns[0].name, "Time");
   EXPECT_EQ(columns[0].unit, "ms");
@@ -209,9 +209,9 @@ TEST(pulse_csv, a_table_without_times_is_read_with_an_interval) {
        {"acc [g]\n1\n3\n", "acc [g]\n1,0\n3\n", "Logger 12 34\nacc\n[g]\n1.0\n3.0\n", "a_g\r\n1\r\n3\r\n\r\n",
         "count,a_g\n7,1\n8,3\n", "time [ms];a_g\n0,7;1,0\n0,7;3,0\n", "# a_g\n1\n3\n"}) {
     SCOPED_TRACE(text);
-    const PulseCsvOptions options{.interval = 2e-3};
+    const input::PulseCsvOptions options{.interval = 2e-3};
     ASSERT_EQ(said(text, options), "");
-    const MeasuredPulse measured = read(text, options);
+    const input::MeasuredPulse measured = read(text, options);
     EXPECT_THAT(measured.pulse.time, ElementsAre(0, 2e-3));
     EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {g, 3 * g}));
     EXPECT_EQ(measured.time.number, 0);
@@ -226,8 +226,8 @@ TEST(pulse_csv, a_table_without_times_is_read_with_an_interval) {
 }
 
 TEST(pulse_csv, volts_become_an_acceleration_with_a_sensitivity) {
-  const Sensitivity half = sensitivity_of("5 mV/g");
-  for (const auto& [text, options] : std::vector<std::pair<std::string, PulseCsvOptions>>{
+  const input::Sensitivity half = input::sensitivity_of("5 mV/g");
+  for (const auto& [text, options] : std::vector<std::pair<std::string, input::PulseCsvOptions>>{
            {"t_ms,ch1 [mV]\n0,10\n2,30\n", {.sensitivity = {ten_mv_per_g()}}},
            {"t_ms,acc [V]\n0,0.01\n2,0.03\n", {.sensitivity = {ten_mv_per_g()}}},
            {"t_ms,acc [V],old_g\n0,0.01,7\n2,0.03,7\n", {.sensitivity = {ten_mv_per_g()}}},
@@ -239,7 +239,7 @@ TEST(pulse_csv, volts_become_an_acceleration_with_a_sensitivity) {
             {.resultant = true, .sensitivity = {ten_mv_per_g(), half}}}}) {
     SCOPED_TRACE(text);
     ASSERT_EQ(said(text, options), "");
-    const MeasuredPulse measured = read(text, options);
+    const input::MeasuredPulse measured = read(text, options);
     EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {g, 3 * g}));
     EXPECT_EQ(measured.acceleration.front().sensitivity, "10 mV/g");
   }
@@ -248,17 +248,17 @@ TEST(pulse_csv, volts_become_an_acceleration_with_a_sensitivity) {
 
 TEST(pulse_csv, a_sensitivity_is_a_voltage_for_an_acceleration) {
   EXPECT_DOUBLE_EQ(ten_mv_per_g().volts_per_acceleration, 10e-3 / g);
-  EXPECT_DOUBLE_EQ(sensitivity_of("0.5 V / (m/s2)").volts_per_acceleration, 0.5);
-  EXPECT_DOUBLE_EQ(sensitivity_of("1.02 mV/m/s^2").volts_per_acceleration, 1.02e-3);
+  EXPECT_DOUBLE_EQ(input::sensitivity_of("0.5 V / (m/s2)").volts_per_acceleration, 0.5);
+  EXPECT_DOUBLE_EQ(input::sensitivity_of("1.02 mV/m/s^2").volts_per_acceleration, 1.02e-3);
   for (const std::string text :
        {"10 mV", "10", "10 g/mV", "10/g", "mV/g", "-1 mV/g", "0 mV/g", "10 mV/s", "/", ""})
-    EXPECT_THROW(sensitivity_of(text), UnitError) << text;
+    EXPECT_THROW(input::sensitivity_of(text), UnitError) << text;
 }
 
 struct Bad {
   std::string text;
   std::string said;
-  PulseCsvOptions options = {};
+  input::PulseCsvOptions options = {};
 };
 
 /// Made on demand: the tests of units want to be the first to ask for any.
@@ -380,7 +380,7 @@ TEST(pulse_csv, all_faults_are_told_at_once_but_not_without_end) {
   try {
     read(text);
     FAIL();
-  } catch (const InputError& error) {
+  } catch (const input::InputError& error) {
     EXPECT_EQ(error.faults().size(), 200U);
     EXPECT_THAT(error.faults().back().rule, HasSubstr("reading stopped here"));
   }
@@ -399,9 +399,9 @@ TEST(pulse_csv, only_regular_files_of_limited_size_are_read) {
   for (const auto& [file, rule] : rows) {
     SCOPED_TRACE(file);
     try {
-      read_pulse_csv(file, {});
+      input::read_pulse_csv(file, {});
       FAIL();
-    } catch (const InputError& error) {
+    } catch (const input::InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr(rule));
     }
   }

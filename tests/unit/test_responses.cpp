@@ -57,7 +57,7 @@ TEST(responses, are_the_injury_figures) {
     ImpactCase impact = test::read(test::good_case).impact;
     impact.support = Support::linear(stiffness);
     const Solution solution = solve(impact, {.tolerance = 1e-3});
-    const InjuryFigures of = injury_figures(solution);
+    const injury::InjuryFigures of = injury::injury_figures(solution);
     const std::map<std::string, std::pair<double, double>> expected{
         {"hic15", {of.hic15.value, of.errors.hic15}},
         {"hic36", {of.hic36.value, of.errors.hic36}},
@@ -94,7 +94,7 @@ TEST(responses, keep_order_and_the_largest_error) {
 
 TEST(responses, have_no_value_where_the_impact_has_none) {
   const Solution solution =
-      solve(read_case(test::source / "examples/rigid-floor-bottoming.toml", test::materials).impact);
+      solve(input::read_case(test::source / "examples/rigid-floor-bottoming.toml", test::materials).impact);
   ASSERT_EQ(solution.summary.status, Status::bottomed_out);
   const Outcome outcome = outcome_of(solution, {"peak_force", "peak_acceleration", "rebound_speed", "release",
                                                 "hic15", "velocity_change", "peak_strain"});
@@ -110,7 +110,7 @@ TEST(responses, are_filled_afresh) {
   Outcome outcome;
   reader(dashboard(), outcome);
   const Solution bottomed =
-      solve(read_case(test::source / "examples/rigid-floor-bottoming.toml", test::materials).impact);
+      solve(input::read_case(test::source / "examples/rigid-floor-bottoming.toml", test::materials).impact);
   reader(bottomed, outcome);
   EXPECT_TRUE(std::isnan(outcome.values.at(0)));
   EXPECT_EQ(outcome.error, 0);
@@ -138,7 +138,7 @@ TEST(responses, leave_out_what_cannot_be) {
 TEST(responses, missing_by_nature_make_no_row_doubtful) {
   const std::vector<std::string> names{"peak_force", "hic15", "rebound_speed", "peak_strain"};
   const Solution bottomed =
-      solve(read_case(test::source / "examples/rigid-floor-bottoming.toml", test::materials).impact);
+      solve(input::read_case(test::source / "examples/rigid-floor-bottoming.toml", test::materials).impact);
   EXPECT_FALSE(is_doubtful(outcome_of(bottomed, names), names));
   Outcome outcome = outcome_of(dashboard(), names);
   EXPECT_FALSE(is_doubtful(outcome, names));

@@ -16,7 +16,9 @@ namespace {
 
 using nlohmann::json;
 
-json written(const Summary& summary) { return json::parse(result_json(test::example_case(), summary)); }
+json written(const Summary& summary) {
+  return json::parse(output::result_json(test::example_case(), summary));
+}
 
 TEST(ResultJson, HasTheFiguresInSI) {
   const json result = written(test::example_summary());
@@ -53,9 +55,10 @@ TEST(ResultJson, EchoesTheCase) {
 TEST(ResultJson, EchoesEachKindOfSupport) {
   ImpactCase impact = test::example_case();
   impact.support = Support::rigid();
-  EXPECT_EQ(json::parse(result_json(impact, test::example_summary()))["case"]["support"]["type"], "rigid");
+  EXPECT_EQ(json::parse(output::result_json(impact, test::example_summary()))["case"]["support"]["type"],
+            "rigid");
   impact.support = Support::through({{0.001, 100}, {0.002, 900}});
-  const json support = json::parse(result_json(impact, test::example_summary()))["case"]["support"];
+  const json support = json::parse(output::result_json(impact, test::example_summary()))["case"]["support"];
   EXPECT_EQ(support["type"], "curve");
   EXPECT_EQ(support["points"][1], (json{{"deflection_m", 0.002}, {"force_N", 900}}));
 }
@@ -99,7 +102,7 @@ TEST(ResultJson, NeverHoldsANumberThatIsNotFinite) {
 TEST(ResultJson, SurvivesTextThatIsNotUtf8) {
   ImpactCase impact = test::example_case();
   impact.title = "caf\xe9 \"quoted\"\n";
-  const json result = json::parse(result_json(impact, test::example_summary()));
+  const json result = json::parse(output::result_json(impact, test::example_summary()));
   EXPECT_EQ(result["case"]["title"], "caf\xef\xbf\xbd \"quoted\"\n");
 }
 

@@ -15,6 +15,7 @@
 namespace dashpad {
 namespace {
 
+using output::Detail;
 using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
@@ -22,23 +23,23 @@ using testing::Not;
 using testing::StartsWith;
 
 std::string shown(const Summary& summary, const char* units = "si", Detail detail = Detail::all) {
-  return result_text(test::example_case(), summary, {}, unit_system(units), detail);
+  return output::result_text(test::example_case(), summary, {}, unit_system(units), detail);
 }
 
 /// A half sine of 100 g in 10 ms, whose windows and clips are one each; with errors of a thousandth.
-InjuryFigures half_sine_figures() {
+injury::InjuryFigures half_sine_figures() {
   Pulse pulse;
   for (int i = 0; i <= 100; ++i) {
     pulse.time.push_back(1e-4 * i);
     pulse.acceleration.push_back(-100 * standard_gravity * std::sin(std::acos(-1) * i / 100));
   }
-  InjuryFigures figures = injury_figures(pulse);
+  injury::InjuryFigures figures = injury::injury_figures(pulse);
   figures.errors = {1e-3, 1e-3, 1e-3, 1e-3, 1e-3, 1e-3, 1e-3, 1e-3, 1e-3};
   return figures;
 }
 
-std::string main_text(const Summary& summary, const InjuryFigures& injury) {
-  return result_text(test::example_case(), summary, injury, unit_system("si"), Detail::main);
+std::string main_text(const Summary& summary, const injury::InjuryFigures& injury) {
+  return output::result_text(test::example_case(), summary, injury, unit_system("si"), Detail::main);
 }
 
 TEST(Numbers, HaveFiveSignificantDigits) {
@@ -78,14 +79,14 @@ TEST(SummaryText, SaysEqualWindowsAndErrorsOnce) {
 
 /// A row keeps its error where that is much larger than what is said of all.
 TEST(SummaryText, FlagsALargeError) {
-  InjuryFigures figures = half_sine_figures();
+  injury::InjuryFigures figures = half_sine_figures();
   figures.errors.hic15 = 0.02;
   EXPECT_THAT(main_text(test::example_summary(), figures),
               AllOf(ContainsRegex("  HIC15 +414.* ± 2 % "), HasSubstr("at most 0.1 % but where ±")));
 }
 
 TEST(SummaryText, DifferentWindowsHaveARowEach) {
-  InjuryFigures figures = half_sine_figures();
+  injury::InjuryFigures figures = half_sine_figures();
   figures.hic36.value *= 1.01;
   figures.cumulative_3ms.level *= 1.01;
   EXPECT_THAT(main_text(test::example_summary(), figures),
@@ -103,7 +104,8 @@ TEST(SummaryText, Fits100Columns) {
   summary.errors.peak_force = summary.errors.rebound_speed = 0.3;
   for (const UnitSystem& units : unit_systems())
     for (const Detail detail : {Detail::main, Detail::all}) {
-      std::istringstream text(result_text(test::example_case(), summary, half_sine_figures(), units, detail));
+      std::istringstream text(
+          output::result_text(test::example_case(), summary, half_sine_figures(), units, detail));
       for (std::string line; std::getline(text, line);)
         if (line.find('x') == std::string::npos || line.find("radius") != std::string::npos) {
           EXPECT_LE(width_of(line), 100U) << line;
@@ -186,21 +188,21 @@ TEST(SummaryText, ShowsNoFiguresOfARunThatNeverWas) {
 TEST(SummaryText, KeepsControlCharactersOfATitleFromTheTerminal) {
   ImpactCase impact = test::example_case();
   impact.title = "a\x1b[2Jb\nc";
-  EXPECT_THAT(result_text(impact, test::example_summary(), {}, unit_system("si"), Detail::main),
+  EXPECT_THAT(output::result_text(impact, test::example_summary(), {}, unit_system("si"), Detail::main),
               StartsWith("a [2Jb c\n"));
 }
 
 TEST(CaseText, NamesTheSupport) {
   ImpactCase impact = test::example_case();
   impact.support = Support::rigid();
-  EXPECT_THAT(case_text(impact, unit_system("si")), HasSubstr("on a rigid support."));
+  EXPECT_THAT(output::case_text(impact, unit_system("si")), HasSubstr("on a rigid support."));
   impact.support = Support::through({{0.001, 100}, {0.002, 900}});
-  EXPECT_THAT(case_text(impact, unit_system("si")),
+  EXPECT_THAT(output::case_text(impact, unit_system("si")),
               HasSubstr("a support through 2 points, the last 900 N at 2 mm."));
 }
 
 TEST(CaseText, EchoesEveryValueInSI) {
-  EXPECT_THAT(case_in_si(test::example_case(), Options{}),
+  EXPECT_THAT(output::case_in_si(test::example_case(), Options{}),
               AllOf(HasSubstr("impactor.speed = 8.9408 m/s\n"),
                     HasSubstr("pad.parameters.initial_modulus = 200000 Pa\n"),
                     HasSubstr("pad.parameters.relaxation_time = 0.0003333333333333333 s\n"),
@@ -208,7 +210,7 @@ TEST(CaseText, EchoesEveryValueInSI) {
 }
 
 TEST(MaterialText, ShowsParametersSourceAndRange) {
-  EXPECT_THAT(material_text(test::example_case().pad.material, unit_system("us")),
+  EXPECT_THAT(output::material_text(test::example_case().pad.material, unit_system("us")),
               AllOf(HasSubstr("made up for a test"), ContainsRegex("initial_modulus +E_0 +29.008 psi"),
                     HasSubstr("up to a strain of 0.9 and at strain rates from 1 to 100 1/s")));
 }

@@ -18,12 +18,12 @@ constexpr double g = standard_gravity;
 constexpr double pi = std::numbers::pi;
 
 double of_line(double a, double b, double begin = 0, double duration = 1) {
-  return severity_index({{begin, begin + duration}, {a * g, b * g}});
+  return injury::severity_index({{begin, begin + duration}, {a * g, b * g}});
 }
 
 TEST(SeverityIndex, RefusesWhatIsNoPulse) {
-  EXPECT_THROW(severity_index({{0}, {1}}), std::invalid_argument);
-  EXPECT_THROW(severity_index({{1, 0}, {1, 1}}), std::invalid_argument);
+  EXPECT_THROW(injury::severity_index({{0}, {1}}), std::invalid_argument);
+  EXPECT_THROW(injury::severity_index({{1, 0}, {1, 1}}), std::invalid_argument);
 }
 
 TEST(SeverityIndex, OfOneLine) {
@@ -55,7 +55,7 @@ TEST(SeverityIndex, OfAnyLineIsItsIntegral) {
 
 TEST(SeverityIndex, OfATriangleDoesNotDependOnItsSkew) {
   for (const double top : {0.001, 0.3, 0.5, 0.999})
-    EXPECT_NEAR(severity_index({{0, 0.01 * top, 0.01}, {0, 100 * g, 0}}), 1000 * 2.0 / 7, 1e-9);
+    EXPECT_NEAR(injury::severity_index({{0, 0.01 * top, 0.01}, {0, 100 * g, 0}}), 1000 * 2.0 / 7, 1e-9);
 }
 
 struct Shape {
@@ -79,7 +79,7 @@ class SeverityIndexOf : public testing::TestWithParam<Shape> {
       pulse.time.push_back(0.01 * i / steps);
       pulse.acceleration.push_back(-100 * g * GetParam().level(static_cast<double>(i) / steps));
     }
-    return severity_index(pulse) / (1000 * GetParam().index) - 1;
+    return injury::severity_index(pulse) / (1000 * GetParam().index) - 1;
   }
 };
 

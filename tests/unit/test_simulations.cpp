@@ -10,19 +10,19 @@
 #include "dashpad/spit1984/run.hpp"
 #include "sample_case.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 namespace {
 
-using ImpactSetup = validation::Setup;  // GoogleTest has a Setup of its own
+using ImpactSetup = Setup;  // GoogleTest has a Setup of its own
 
 class Simulations : public ::testing::Test {
  protected:
   Simulations() {
-    std::vector<Fault> faults;
+    std::vector<input::Fault> faults;
     data = read_validation_data(test::source / "data/validation", faults);
   }
   ValidationData data;
-  Material ensolite = read_material(test::materials / "ensolite-aac-9.toml");
+  Material ensolite = input::read_material(test::materials / "ensolite-aac-9.toml");
   ImpactSetup soft{Projectile::aluminium, TestSupport::load_cell, 14, 2};
 };
 
@@ -158,4 +158,4 @@ TEST_F(Simulations, ImpossibleSetupIsThrownOutOfTheThreads) {
 }
 
 }  // namespace
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -20,6 +20,9 @@
 namespace dashpad {
 namespace {
 
+using injury::Metric;
+using injury::SourceKind;
+using injury::Standard;
 using test::edited;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -30,28 +33,29 @@ constexpr double g = standard_gravity;
 constexpr double kmh = 1 / 3.6;
 
 Standard preset(const std::string& text) {
-  const StandardChoice choice = standard_choice(text);
-  return with_variants(read_standard(find_standard(choice.name, folder)), choice.variants);
+  const injury::StandardChoice choice = injury::standard_choice(text);
+  return injury::with_variants(injury::read_standard(injury::find_standard(choice.name, folder)),
+                               choice.variants);
 }
 
 std::vector<Standard> all_presets() {
   std::vector<Standard> presets;
-  for (const auto& file : list_standards(folder)) presets.push_back(read_standard(file));
+  for (const auto& file : injury::list_standards(folder)) presets.push_back(injury::read_standard(file));
   return presets;
 }
 
-std::vector<const StandardValue*> values_of(const Standard& standard) {
-  std::vector<const StandardValue*> values{&standard.mass, &standard.radius, &standard.speed};
-  for (const StandardVariant& variant : standard.variants)
+std::vector<const injury::StandardValue*> values_of(const Standard& standard) {
+  std::vector<const injury::StandardValue*> values{&standard.mass, &standard.radius, &standard.speed};
+  for (const injury::StandardVariant& variant : standard.variants)
     for (const auto* value : {&variant.mass, &variant.radius, &variant.speed})
       if (*value) values.push_back(&**value);
   return values;
 }
 
-std::vector<const Origin*> origins_of(const Standard& standard) {
-  std::vector<const Origin*> origins;
-  for (const StandardValue* value : values_of(standard)) origins.push_back(&value->origin);
-  for (const Criterion& criterion : standard.criteria) origins.push_back(&criterion.origin);
+std::vector<const injury::Origin*> origins_of(const Standard& standard) {
+  std::vector<const injury::Origin*> origins;
+  for (const injury::StandardValue* value : values_of(standard)) origins.push_back(&value->origin);
+  for (const injury::Criterion& criterion : standard.criteria) origins.push_back(&criterion.origin);
   return origins;
 }
 
@@ -63,7 +67,7 @@ TEST(standards, every_preset_names_a_source_for_every_value) {
     EXPECT_FALSE(standard.title.empty());
     EXPECT_FALSE(standard.source.empty());
     EXPECT_FALSE(standard.criteria.empty());
-    for (const Origin* origin : origins_of(standard)) EXPECT_FALSE(origin->source.empty());
+    for (const injury::Origin* origin : origins_of(standard)) EXPECT_FALSE(origin->source.empty());
   }
 }
 
@@ -83,7 +87,8 @@ TEST(standards, sources_are_told_apart) {
   EXPECT_EQ(limit("fmvss-218"), SourceKind::none);
   EXPECT_EQ(preset("fmvss-218").mass.origin.kind, SourceKind::own_text);
   EXPECT_EQ(preset("fmvss-218").radius.origin.kind, SourceKind::none);
-  const std::string text = standard_text(preset("fmvss-201-instrument-panel"), unit_systems().front());
+  const std::string text =
+      output::standard_text(preset("fmvss-201-instrument-panel"), unit_systems().front());
   EXPECT_THAT(text, AllOf(HasSubstr("\n  Own text 49 CFR 571.201 S5.1\n"),
                           HasSubstr("\n  Read     secondary: 15 NYCRR 55.2 "),
                           HasSubstr("\n      secondary: 15 NYCRR 55.2\n")));
@@ -92,7 +97,7 @@ TEST(standards, sources_are_told_apart) {
 /// A guess must never pass for something that was read.
 TEST(standards, general_knowledge_and_choices_are_no_source_and_unverified) {
   for (const Standard& standard : all_presets())
-    for (const Origin* origin : origins_of(standard)) {
+    for (const injury::Origin* origin : origins_of(standard)) {
       const bool guessed =
           origin->source.starts_with("general knowledge") || origin->source.starts_with("chosen");
       EXPECT_EQ(guessed, origin->kind == SourceKind::none) << standard.name << ": " << origin->source;
@@ -104,11 +109,11 @@ TEST(standards, unverified_values_warn) {
   for (const Standard& standard : all_presets()) {
     SCOPED_TRACE(standard.name);
     const auto origins = origins_of(standard);
-    const bool doubt = !std::ranges::all_of(origins, &Origin::verified);
-    const std::string text = standard_text(standard, unit_systems().front());
+    const bool doubt = !std::ranges::all_of(origins, &injury::Origin::verified);
+    const std::string text = output::standard_text(standard, unit_systems().front());
     EXPECT_EQ(text.find("  WARNING ") != std::string::npos, doubt);
     EXPECT_EQ(text.find("      UNVERIFIED; ") != std::string::npos, doubt);
-    EXPECT_EQ(standard_line(standard).find("unverified)") != std::string::npos, doubt);
+    EXPECT_EQ(output::standard_line(standard).find("unverified)") != std::string::npos, doubt);
     EXPECT_THAT(text, HasSubstr("no certification"));
   }
 }
@@ -116,25 +121,26 @@ TEST(standards, unverified_values_warn) {
 /// With variants in force the others say nothing about the result.
 TEST(standards, unverified_values_of_variants_not_in_force_do_not_warn) {
   Standard standard = preset("fmvss-201-instrument-panel");
-  StandardVariant doubtful{
-      .name = "doubtful", .title = "Not read", .mass = StandardValue{}, .radius = {}, .speed = {}};
+  injury::StandardVariant doubtful{
+      .name = "doubtful", .title = "Not read", .mass = injury::StandardValue{}, .radius = {}, .speed = {}};
   standard.variants.push_back(doubtful);
-  const auto text = [](const Standard& of) { return standard_text(of, unit_systems().front()); };
+  const auto text = [](const Standard& of) { return output::standard_text(of, unit_systems().front()); };
   EXPECT_THAT(text(standard), AllOf(HasSubstr("WARNING  1 value "), HasSubstr("Variant doubtful"),
                                     HasSubstr("Variant air-bag")));
-  const std::string chosen = text(with_variants(standard, {"air-bag"}));
+  const std::string chosen = text(injury::with_variants(standard, {"air-bag"}));
   EXPECT_THAT(chosen, AllOf(Not(HasSubstr("WARNING")), Not(HasSubstr("UNVERIFIED")),
                             Not(HasSubstr("Variant ")), HasSubstr("\n  Not in force: doubtful\n")));
-  EXPECT_THAT(text(with_variants(standard, {"doubtful"})), HasSubstr("WARNING  1 value "));
-  EXPECT_THAT(text(with_variants(standard, {"air-bag", "doubtful"})), Not(HasSubstr("Not in force")));
+  EXPECT_THAT(text(injury::with_variants(standard, {"doubtful"})), HasSubstr("WARNING  1 value "));
+  EXPECT_THAT(text(injury::with_variants(standard, {"air-bag", "doubtful"})), Not(HasSubstr("Not in force")));
 }
 
 TEST(standards, below_a_limit_is_strict) {
   for (const Standard& standard : all_presets())
-    for (const Criterion& criterion : standard.criteria) {
+    for (const injury::Criterion& criterion : standard.criteria) {
       const bool below = criterion.description.find("below") != std::string::npos;
       EXPECT_EQ(criterion.strict, below) << standard.name << ": " << criterion.description;
-      EXPECT_EQ(standard_text(standard, unit_systems().front()).find(": below ") != std::string::npos, below);
+      EXPECT_EQ(output::standard_text(standard, unit_systems().front()).find(": below ") != std::string::npos,
+                below);
     }
   EXPECT_TRUE(preset("en-1078").criteria[0].strict);
   EXPECT_TRUE(preset("fmvss-201u").criteria[0].strict);
@@ -142,8 +148,9 @@ TEST(standards, below_a_limit_is_strict) {
 
 TEST(standards, every_variant_can_be_chosen) {
   for (const Standard& standard : all_presets())
-    for (const StandardVariant& variant : standard.variants)
-      EXPECT_NO_THROW(with_variants(standard, {variant.name})) << standard.name << ":" << variant.name;
+    for (const injury::StandardVariant& variant : standard.variants)
+      EXPECT_NO_THROW(injury::with_variants(standard, {variant.name}))
+          << standard.name << ":" << variant.name;
 }
 
 struct Row {
@@ -198,14 +205,15 @@ TEST(standards, fmvss_218_limits_two_dwell_times) {
 }
 
 TEST(standards, metrics_are_listed_in_the_order_of_their_enumeration) {
-  for (std::size_t i = 0; i < metrics().size(); ++i)
-    EXPECT_EQ(static_cast<std::size_t>(metrics()[i]), i) << quantity_of(metrics()[i]).key;
+  for (std::size_t i = 0; i < injury::metrics().size(); ++i)
+    EXPECT_EQ(static_cast<std::size_t>(injury::metrics()[i]), i)
+        << injury::quantity_of(injury::metrics()[i]).key;
 }
 
 TEST(standards, a_choice_is_a_name_with_variants) {
   const auto expect = [](const std::string& text, const std::string& name,
                          const std::vector<std::string>& variants) {
-    const StandardChoice choice = standard_choice(text);
+    const injury::StandardChoice choice = injury::standard_choice(text);
     EXPECT_EQ(choice.name, name) << text;
     EXPECT_EQ(choice.variants, variants) << text;
   };
@@ -237,13 +245,13 @@ TEST(standards, unknown_names_and_variants_are_refused_with_those_there_are) {
   EXPECT_THAT(message_of([] { preset("fmvss-201-seat-back:any"); }), HasSubstr("it has none"));
   EXPECT_THAT(message_of([] { preset("en-1078:a:o"); }), HasSubstr("both set the mass"));
   EXPECT_THAT(message_of([] { preset("en-1078:a:a"); }), HasSubstr("both set the mass"));
-  EXPECT_THROW(list_standards(folder / "none"), InputError);
+  EXPECT_THROW(injury::list_standards(folder / "none"), input::InputError);
   EXPECT_THAT(message_of([] { preset("../standards/en-1177"); }), HasSubstr("a path must end in .toml"));
 }
 
 TEST(standards, the_impactor_takes_the_place_of_that_of_the_case) {
   const ImpactCase impact = test::read(test::good_case).impact;
-  const ImpactCase assessed = with_impactor_of(preset("en-1177"), impact);
+  const ImpactCase assessed = injury::with_impactor_of(preset("en-1177"), impact);
   EXPECT_DOUBLE_EQ(assessed.impactor.mass, 4.6);
   EXPECT_DOUBLE_EQ(std::get<Sphere>(assessed.impactor.nose).radius, 0.08);
   EXPECT_EQ(assessed.impactor.speed, impact.impactor.speed);
@@ -251,8 +259,8 @@ TEST(standards, the_impactor_takes_the_place_of_that_of_the_case) {
 }
 
 TEST(standards, what_the_user_gives_takes_the_place_of_the_standard) {
-  const Standard standard = with_user_values(preset("fmvss-201-seat-back"),
-                                             {.mass = 7, .radius = {}, .speed = {}, .drop_height = 2});
+  const Standard standard = injury::with_user_values(
+      preset("fmvss-201-seat-back"), {.mass = 7, .radius = {}, .speed = {}, .drop_height = 2});
   EXPECT_EQ(standard.mass.value, 7);
   EXPECT_EQ(standard.mass.instead, 6.8);
   EXPECT_TRUE(standard.mass.chosen_by_user);
@@ -264,8 +272,8 @@ TEST(standards, what_the_user_gives_takes_the_place_of_the_standard) {
 
 TEST(standards, a_value_that_is_the_standards_own_replaces_nothing) {
   const Standard standard =
-      with_user_values(preset("fmvss-201-seat-back"),
-                       {.mass = 6.8, .radius = 0.0825 * (1 + 1e-15), .speed = 7, .drop_height = {}});
+      injury::with_user_values(preset("fmvss-201-seat-back"),
+                               {.mass = 6.8, .radius = 0.0825 * (1 + 1e-15), .speed = 7, .drop_height = {}});
   EXPECT_FALSE(standard.mass.chosen_by_user || standard.mass.instead);
   EXPECT_FALSE(standard.radius.chosen_by_user || standard.radius.instead);
   EXPECT_TRUE(standard.speed.chosen_by_user && standard.speed.instead);
@@ -308,11 +316,11 @@ kind = "secondary"
 verified = true
 )";
 
-std::vector<Fault> faults_of(const std::string& text) {
+std::vector<input::Fault> faults_of(const std::string& text) {
   const test::TemporaryFolder temporary;
   try {
-    read_standard(temporary.write("made-up.toml", text));
-  } catch (const InputError& error) {
+    injury::read_standard(temporary.write("made-up.toml", text));
+  } catch (const input::InputError& error) {
     return error.faults();
   }
   return {};
@@ -325,8 +333,8 @@ struct Expected {
 };
 
 void expect_faults(const std::string& text, const std::vector<Expected>& expected) {
-  const std::vector<Fault> faults = faults_of(text);
-  const std::string all = faults.empty() ? "no fault" : InputError(faults).what();
+  const std::vector<input::Fault> faults = faults_of(text);
+  const std::string all = faults.empty() ? "no fault" : input::InputError(faults).what();
   ASSERT_EQ(faults.size(), expected.size()) << all;
   for (std::size_t i = 0; i < faults.size(); ++i) {
     EXPECT_EQ(faults[i].line, expected[i].line) << all;
@@ -337,14 +345,14 @@ void expect_faults(const std::string& text, const std::vector<Expected>& expecte
 
 TEST(standard_faults, a_good_preset_has_none) {
   const test::TemporaryFolder temporary;
-  const Standard standard = read_standard(temporary.write("made-up.toml", good_preset));
+  const Standard standard = injury::read_standard(temporary.write("made-up.toml", good_preset));
   EXPECT_EQ(standard.name, "made-up");
   EXPECT_DOUBLE_EQ(*standard.speed.value, std::sqrt(2 * g));
-  EXPECT_EQ(with_variants(standard, {"light"}).mass.value, 4);
+  EXPECT_EQ(injury::with_variants(standard, {"light"}).mass.value, 4);
   EXPECT_FALSE(standard.criteria[0].strict);
   for (const std::string value : {"true", "false"}) {
     const std::string text = edited(good_preset, "limit =", "strict = " + value + "\nlimit =");
-    EXPECT_EQ(read_standard(temporary.write("strict-" + value + ".toml", text)).criteria[0].strict,
+    EXPECT_EQ(injury::read_standard(temporary.write("strict-" + value + ".toml", text)).criteria[0].strict,
               value == "true");
   }
 }

@@ -62,9 +62,9 @@ TEST_F(StoredStudyTest, TheStudiesOfTheExamples) {
 }
 
 TEST_F(StoredStudyTest, EveryCard) {
-  for (const fs::path& card : list_materials(source / "materials")) {
+  for (const fs::path& card : input::list_materials(source / "materials")) {
     Study study = small_study(10);
-    study.base.pad.material = read_material(card);
+    study.base.pad.material = input::read_material(card);
     study.base.support = Support::through({{0.001, 50}, {0.003, 1000}});
     expect_same_rows(study, card.stem().string() + ".db");
   }
@@ -181,7 +181,7 @@ study::StoredRow row_of_a_thousand(std::uint64_t number) {
   return row_with(number, Status::released, {1000, 2, 0.5});
 }
 
-StudyAnswers answers_of_a_thousand(const fs::path& file, bool grid = false) {
+study::StudyAnswers answers_of_a_thousand(const fs::path& file, bool grid = false) {
   Study study = drawn_study(1000);
   if (grid) {
     study.factors = small_study(1000).factors;
@@ -195,7 +195,7 @@ StudyAnswers answers_of_a_thousand(const fs::path& file, bool grid = false) {
       rows.push_back(row_of_a_thousand(row));
     store.write_batch(batch, rows);
   }
-  return study_answers(
+  return study::study_answers(
       store,
       {.responses = {},
        .limits = {{"peak_force", 5000}, {"peak_force", 500}, {"rebound_speed", 1}, {"peak_strain", 0.9}}});
@@ -203,7 +203,7 @@ StudyAnswers answers_of_a_thousand(const fs::path& file, bool grid = false) {
 
 /// A pad that was struck through never counts as a pad with margin.
 TEST_F(StoredStudyTest, RowsThatStruckThroughAreAboveEveryLimitOnAForce) {
-  const StudyAnswers answers = answers_of_a_thousand(file("struck.db"));
+  const study::StudyAnswers answers = answers_of_a_thousand(file("struck.db"));
   const auto& of = answers.groups.at(0);
   const study::Exceedance &high = of.exceedances.at(0), &low = of.exceedances.at(1);
   EXPECT_EQ(high.exceeding, 229U);
@@ -227,8 +227,8 @@ TEST_F(StoredStudyTest, RowsThatStruckThroughHaveAColumnOfTheirOwn) {
   using ::testing::ContainsRegex;
   using ::testing::HasSubstr;
   for (const bool grid : {false, true}) {
-    const StudyAnswers answers = answers_of_a_thousand(file(grid ? "grid.db" : "drawn.db"), grid);
-    const std::string text = study_text(answers, unit_systems().front());
+    const study::StudyAnswers answers = answers_of_a_thousand(file(grid ? "grid.db" : "drawn.db"), grid);
+    const std::string text = output::study_text(answers, unit_systems().front());
     EXPECT_THAT(text, AllOf(HasSubstr("STRUCK THROUGH: in 229 of 1000 rows (22.9 %)"),
                             HasSubstr("TIME LIMIT: in 1 of 1000 rows"), HasSubstr("DOUBTFUL: 3 of 1000")));
     EXPECT_THAT(
@@ -236,10 +236,10 @@ TEST_F(StoredStudyTest, RowsThatStruckThroughHaveAColumnOfTheirOwn) {
                             "\\(4 undecided\\)"))
         << text;
     EXPECT_THAT(text, ContainsRegex("Peak force \\(N\\) +- +- +1000 .* +struck through .*229 \\(22.9 %\\)"));
-    const auto page = study_page(answers, unit_systems().front());
+    const auto page = output::study_page(answers, unit_systems().front());
     EXPECT_EQ(page.sections.at(1).tables.at(1).columns.at(4), "Struck through");
     EXPECT_EQ(page.sections.at(1).tables.at(1).rows.at(0).at(4), "229 (22.9 %)");
-    EXPECT_THAT(study_json(answers),
+    EXPECT_THAT(output::study_json(answers),
                 AllOf(HasSubstr("\"rows_struck_through\": 229"), HasSubstr("\"rows_undecided\": 4")));
   }
 }
@@ -249,8 +249,8 @@ TEST_F(StoredStudyTest, AStudyOfWholePulsesHasNoColumnForThem) {
   const Study study = small_study(64);
   Store store = Store::open_for(study, file("whole.db"));
   ASSERT_TRUE(study::run(study, store));
-  const std::string text = study_text(study_answers(store, {.responses = {}, .limits = {{"peak_force", 1}}}),
-                                      unit_systems().front());
+  const std::string text = output::study_text(
+      study::study_answers(store, {.responses = {}, .limits = {{"peak_force", 1}}}), unit_systems().front());
   EXPECT_THAT(text, ::testing::Not(::testing::HasSubstr("truck through")));
 }
 
@@ -267,7 +267,7 @@ TEST_F(StoredStudyTest, ALatinHypercubeNamesTheFactorsThatItDoesNotStratify) {
   const auto text_of = [&](const char* name) {
     Store store = Store::open_for(study, file(name));
     EXPECT_TRUE(study::run(study, store));
-    return study_text(study_answers(store, {}), unit_systems().front());
+    return output::study_text(study::study_answers(store, {}), unit_systems().front());
   };
   EXPECT_THAT(text_of("independent.db"), ::testing::Not(::testing::HasSubstr("Not stratified")));
   study.correlations = {{2, 0, 0.5}};
@@ -293,10 +293,11 @@ TEST_F(StoredStudyTest, AnUnfinishedStudyIsSummedUpWithAWarning) {
   Study study = small_study(1000);
   Store store = Store::open_for(study, file("begun.db"));
   store.write_batch(2, made_up_batch(store, 2));
-  const StudyAnswers answers = study_answers(store, {.responses = {"peak_force"}, .limits = {}});
+  const study::StudyAnswers answers =
+      study::study_answers(store, {.responses = {"peak_force"}, .limits = {}});
   EXPECT_EQ(answers.records.rows.front(), 2 * store.batch_size());
-  EXPECT_THAT(study_text(answers, unit_systems().front()), ::testing::HasSubstr("NOT COMPLETE"));
-  EXPECT_THROW(study_answers(store, {.responses = {"hic51"}, .limits = {}}), std::invalid_argument);
+  EXPECT_THAT(output::study_text(answers, unit_systems().front()), ::testing::HasSubstr("NOT COMPLETE"));
+  EXPECT_THROW(study::study_answers(store, {.responses = {"hic51"}, .limits = {}}), std::invalid_argument);
 }
 
 }  // namespace

@@ -19,15 +19,15 @@ using ::testing::SizeIs;
 
 class StrainCsvTest : public ::testing::Test {
  protected:
-  StrainTable read(const std::string& text) {
+  input::StrainTable read(const std::string& text) {
     const auto file = folder_.path() / "strains.csv";
     std::ofstream{file, std::ios::binary} << text;
-    return read_strain_csv(file);
+    return input::read_strain_csv(file);
   }
-  std::vector<Fault> faults(const std::string& text) {
+  std::vector<input::Fault> faults(const std::string& text) {
     try {
       read(text);
-    } catch (const InputError& error) {
+    } catch (const input::InputError& error) {
       return error.faults();
     }
     ADD_FAILURE() << "accepted: " << text;
@@ -48,7 +48,7 @@ TEST_F(StrainCsvTest, ReadsUnitsFromTheHeader) {
         "t_ms\tStrain %\n0\t0\n10\t50\n", "Time / ms,strain (1)\n0,0\n10,0.5\n",
         "# t_ms,strain_percent\n0,0\n10,50\n", "time,strain\n[ms],[%]\n0,0\n10,50\n",
         "\xef\xbb\xbftime_ms;strain\r\n0;0\r\n10;0,5\r\n", "strain,force [N],time_s\n0,1,0\n0.5,2,0.01\n"}) {
-    const StrainTable table = read(text);
+    const input::StrainTable table = read(text);
     EXPECT_THAT(table.time, ElementsAre(0, DoubleEq(0.01))) << text;
     EXPECT_THAT(table.strain, ElementsAre(0, DoubleEq(0.5))) << text;
     EXPECT_THAT(table.remarks, SizeIs(0)) << text;
@@ -56,13 +56,13 @@ TEST_F(StrainCsvTest, ReadsUnitsFromTheHeader) {
 }
 
 TEST_F(StrainCsvTest, BeginsAtFirstContact) {
-  const StrainTable table = read("time_s,strain\n2,0\n2.5,0.25\n");
+  const input::StrainTable table = read("time_s,strain\n2,0\n2.5,0.25\n");
   EXPECT_THAT(table.time, ElementsAre(0, 0.5));
   EXPECT_THAT(table.remarks, ElementsAre(HasSubstr("2 s, is first contact")));
 }
 
 TEST_F(StrainCsvTest, LeavesOutRowsThatRepeat) {
-  const StrainTable table = read("time_s,strain\n0,0\n0.5,0.25\n0.5,0.25\n1,0\n");
+  const input::StrainTable table = read("time_s,strain\n0,0\n0.5,0.25\n0.5,0.25\n1,0\n");
   EXPECT_THAT(table.time, ElementsAre(0, 0.5, 1));
   EXPECT_THAT(table.remarks, ElementsAre("1 row that repeats the one before was left out"));
   EXPECT_THAT(first_rule("time_s,strain\n0,0\n0.5,0.25\n0.5,0.3\n"), HasSubstr("must be later"));
@@ -82,7 +82,7 @@ TEST_F(StrainCsvTest, NeedsAHeaderThatSaysWhatIsWhat) {
 TEST_F(StrainCsvTest, NamesEveryFaultWithItsLine) {
   const auto found = faults("time_s,strain\n0,0.1\n0.1,x\n0.05,1.5\n0.04,0.2\n\n,0.3\n");
   std::vector<int> lines;
-  for (const Fault& fault : found) lines.push_back(fault.line);
+  for (const input::Fault& fault : found) lines.push_back(fault.line);
   EXPECT_THAT(lines, ElementsAre(2, 3, 4, 5, 7));
 }
 

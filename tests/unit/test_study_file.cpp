@@ -51,10 +51,10 @@ class StudyFile : public ::testing::Test {
     folder_.write("case.toml", case_);
     return read_study(folder_.write("study.toml", text), test::materials);
   }
-  std::vector<Fault> faults_in(const std::string& text) {
+  std::vector<input::Fault> faults_in(const std::string& text) {
     try {
       read(text);
-    } catch (const InputError& error) {
+    } catch (const input::InputError& error) {
       return error.faults();
     }
     return {};
@@ -62,7 +62,7 @@ class StudyFile : public ::testing::Test {
   /// One fault, with this line, key and part of the rule.
   void expect_fault(const std::string& text, int line, const std::string& key, const std::string& rule) {
     const auto faults = faults_in(text);
-    ASSERT_EQ(faults.size(), 1u) << InputError(faults).what() << text;
+    ASSERT_EQ(faults.size(), 1u) << input::InputError(faults).what() << text;
     EXPECT_EQ(faults[0].line, line) << to_string(faults[0]);
     EXPECT_EQ(faults[0].key, key) << to_string(faults[0]);
     EXPECT_NE(faults[0].rule.find(rule), std::string::npos) << to_string(faults[0]);
@@ -209,7 +209,7 @@ between = ["pad.thickness", "pad.thikness"]
 value = 2
 )");
   std::vector<std::pair<int, std::string>> found;
-  for (const Fault& fault : faults) found.emplace_back(fault.line, fault.key);
+  for (const input::Fault& fault : faults) found.emplace_back(fault.line, fault.key);
   const std::vector<std::pair<int, std::string>> expected{{2, "samples"},
                                                           {3, "sampling"},
                                                           {4, "tolerance"},
@@ -221,7 +221,7 @@ value = 2
                                                           {13, "factors.pad.thickness"},
                                                           {17, "factors.pad.thickness.colour"},
                                                           {19, "correlations[1].between[2]"}};
-  EXPECT_EQ(found, expected) << InputError(faults).what();
+  EXPECT_EQ(found, expected) << input::InputError(faults).what();
 }
 
 TEST_F(StudyFile, names_what_was_meant) {

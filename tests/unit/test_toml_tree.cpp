@@ -16,9 +16,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TomlNode read(const std::string& text) {
+input::TomlNode read(const std::string& text) {
   static const test::TemporaryFolder folder;
-  return read_toml(folder.write("a.toml", text));
+  return input::read_toml(folder.write("a.toml", text));
 }
 
 std::string repeated(const std::string& part, int times) {
@@ -31,15 +31,15 @@ std::string repeated(const std::string& part, int times) {
 std::string refusal_of(const std::string& text) {
   try {
     read(text);
-  } catch (const InputError& error) {
+  } catch (const input::InputError& error) {
     return error.what();
   }
   return "";
 }
 
-int depth_of(const TomlNode& node) {
+int depth_of(const input::TomlNode& node) {
   int deepest = 0;
-  for (const TomlNode& child : node.children) deepest = std::max(deepest, depth_of(child));
+  for (const input::TomlNode& child : node.children) deepest = std::max(deepest, depth_of(child));
   return 1 + deepest;
 }
 
@@ -47,7 +47,7 @@ TEST(toml_tree, dots_in_comments_and_strings_are_text) {
   const std::string dots(100'000, '.');
   EXPECT_EQ(read("# " + dots + "\na = 1 # " + dots).children.size(), 1U);
   for (const std::string quote : {"\"", "'", "\"\"\"", "'''"}) {
-    const TomlNode root = read(fmt::format("a = {0}{1}{0}\n\"b{1}\" = 1\n", quote, dots));
+    const input::TomlNode root = read(fmt::format("a = {0}{1}{0}\n\"b{1}\" = 1\n", quote, dots));
     ASSERT_EQ(root.children.size(), 2U);
     EXPECT_EQ(root.children[0].text, dots);
     EXPECT_EQ(root.children[1].key, "b" + dots);
@@ -116,7 +116,7 @@ TEST(toml_tree, no_text_nests_deeper_than_names_and_values_allow) {
     try {
       EXPECT_LE(depth_of(read(text)), 16 * 66) << text.substr(0, 60);
       ++read_texts;
-    } catch (const InputError&) {
+    } catch (const input::InputError&) {
       continue;
     }
   }

@@ -16,7 +16,7 @@
 #include "report1986/validation/placings.hpp"
 #include "report1986/validation/trends_least_squares.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 namespace {
 
 // --- Least squares. Quantiles of Student's t: tables, two-sided 95 %. ---
@@ -303,4 +303,4 @@ TEST(nominal_stress, no_points) {
 }
 
 }  // namespace
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -34,9 +34,9 @@ TEST(ConsistentUnits, NeedNoFactorInAnyEquation) {
 TEST(ConsistentUnits, AreTheTripleOfRadioss) {
   // Codes are a prefix and a unit (k, M, m and g, m, s); a number is in kg, m or s.
   for (const UnitSystem& u : consistent_systems()) {
-    CurveFile file;
+    output::CurveFile file;
     file.units = u;
-    const std::string text = radioss_text(file), before = "as in /BEGIN: ";
+    const std::string text = output::radioss_text(file), before = "as in /BEGIN: ";
     ASSERT_NE(text.find(before), std::string::npos);
     std::istringstream triple(text.substr(text.find(before) + before.size()));
     std::string mass, length, time;

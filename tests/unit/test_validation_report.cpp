@@ -16,27 +16,27 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const Series& series_of(const Plot& plot, const std::string& label, std::size_t panel = 0) {
+const output::Series& series_of(const output::Plot& plot, const std::string& label, std::size_t panel = 0) {
   const auto& all = plot.panels.at(panel).series;
-  const auto found = std::ranges::find(all, label, &Series::label);
+  const auto found = std::ranges::find(all, label, &output::Series::label);
   if (found == all.end()) throw std::out_of_range("no series " + label);
   return *found;
 }
 
-ValidationFigure figure(const std::string& slug) {
-  for (const ValidationFigure& figure : validation_figures(test::made_up_study()))
+report1986::ValidationFigure figure(const std::string& slug) {
+  for (const report1986::ValidationFigure& figure : report1986::validation_figures(test::made_up_study()))
     if (figure.slug == slug) return figure;
   throw std::out_of_range("no figure " + slug);
 }
 
 TEST(ValidationFigures, HaveTheirSlugsUnitsAndSource) {
-  const auto figures = validation_figures(test::made_up_study());
-  const auto slugs = validation_figure_slugs();
+  const auto figures = report1986::validation_figures(test::made_up_study());
+  const auto slugs = report1986::validation_figure_slugs();
   ASSERT_EQ(figures.size(), slugs.size());
   for (std::size_t i = 0; i < figures.size(); ++i) {
     EXPECT_EQ(figures[i].slug, slugs[i]);
     EXPECT_THAT(figures[i].plot.source, HasSubstr("Volume III (1986)")) << slugs[i];
-    for (const Panel& panel : figures[i].plot.panels) {
+    for (const output::Panel& panel : figures[i].plot.panels) {
       EXPECT_THAT(panel.x.label, HasSubstr("(")) << slugs[i];
       EXPECT_FALSE(panel.series.empty()) << slugs[i];
     }
@@ -44,15 +44,15 @@ TEST(ValidationFigures, HaveTheirSlugsUnitsAndSource) {
 }
 
 TEST(ValidationFigures, DrawCertainReadingsOnly) {
-  const ValidationFigure force = figure("figure-4-2");
+  const report1986::ValidationFigure force = figure("figure-4-2");
   EXPECT_THAT(series_of(force.plot, "measured").y, ElementsAre(500, 3000));
   EXPECT_THAT(series_of(force.plot, "measured", 1).y, ElementsAre(4000));
   EXPECT_THAT(force.note, HasSubstr("2 readings of peak force whose test the scan lost are left out"));
 }
 
 TEST(ValidationFigures, TheBandSpansTheRadiiAndTheLineIsAtOneOfThem) {
-  const Plot plot = figure("figure-4-3").plot;
-  const Series& band = series_of(plot, "accurate, over the nose radii");
+  const output::Plot plot = figure("figure-4-3").plot;
+  const output::Series& band = series_of(plot, "accurate, over the nose radii");
   EXPECT_THAT(band.x, ElementsAre(10, 15, 20));
   EXPECT_THAT(band.y, ElementsAre(6000, 9000, 12000));
   EXPECT_THAT(band.y2, ElementsAre(16000, 24000, 32000));
@@ -65,14 +65,15 @@ TEST(ValidationFigures, MarkTheReconstruction) {
 }
 
 TEST(ValidationFigures, ShowTheRatioOfEachTest) {
-  const Plot plot = figure("force-ratio").plot;
+  const output::Plot plot = figure("force-ratio").plot;
   EXPECT_THAT(series_of(plot, "accurate").x, ElementsAre(12, 18));
   EXPECT_THAT(series_of(plot, "accurate").y, ElementsAre(1.2, 0.5));
   EXPECT_THAT(series_of(plot, "report: predictions over its trend", 1).y, ElementsAre(1.4, 0.4));
 }
 
 TEST(ValidationTables, ComeBackFromMarkdown) {
-  const auto table = test::read_markdown(validation_markdown_tables(test::made_up_study()).at("verdict"));
+  const auto table =
+      test::read_markdown(report1986::validation_markdown_tables(test::made_up_study()).at("verdict"));
   ASSERT_EQ(table.size(), 3U);
   EXPECT_THAT(table[0], testing::Contains("verdict"));
   EXPECT_THAT(table[1],
@@ -89,7 +90,7 @@ TEST(ValidationTables, CellsAreComparedByTheirLastDigit) {
 }
 
 TEST(ValidationJson, HasWhatTheStudyHas) {
-  const auto json = nlohmann::json::parse(validation_json(test::made_up_study()));
+  const auto json = nlohmann::json::parse(report1986::validation_json(test::made_up_study()));
   EXPECT_EQ(json["favoured_radius_in"], 2.5);
   EXPECT_EQ(json["verdicts"][0]["passed"], false);
   EXPECT_EQ(json["verdicts"][1]["errors"][1]["test"], 24);
@@ -105,22 +106,22 @@ TEST(ValidationJson, HasWhatTheStudyHas) {
 }
 
 TEST(ValidationVerdict, NeedsEveryRule) {
-  validation::Study study = test::made_up_study();
-  EXPECT_FALSE(passes(study));  // the rebounds
+  report1986::Study study = test::made_up_study();
+  EXPECT_FALSE(report1986::passes(study));  // the rebounds
   study.rebounds[0].passed = true;
-  EXPECT_TRUE(passes(study));
+  EXPECT_TRUE(report1986::passes(study));
   study.verdicts[1].score.passed = false;
-  EXPECT_FALSE(passes(study));
-  EXPECT_THAT(validation_text(study), HasSubstr("passes 1 of 2 rules"));
+  EXPECT_FALSE(report1986::passes(study));
+  EXPECT_THAT(report1986::validation_text(study), HasSubstr("passes 1 of 2 rules"));
 }
 
 TEST(ValidationPage, BeginsWithTheVerdict) {
-  const FiguresPage page = validation_page(test::made_up_study());
+  const output::FiguresPage page = report1986::validation_page(test::made_up_study());
   EXPECT_EQ(page.sections.front().heading, "Verdict");
   EXPECT_THAT(page.warnings.front(), HasSubstr("NOT PASSED"));
   std::size_t figures = 0;
-  for (const PageSection& section : page.sections) figures += section.figures.size();
-  EXPECT_EQ(figures, validation_figure_slugs().size());
+  for (const output::PageSection& section : page.sections) figures += section.figures.size();
+  EXPECT_EQ(figures, report1986::validation_figure_slugs().size());
 }
 
 }  // namespace

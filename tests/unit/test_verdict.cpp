@@ -9,7 +9,7 @@
 
 #include "dashpad/report1986/validation/energy.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 namespace {
 
 constexpr double radius = 2;
@@ -296,4 +296,4 @@ TEST(Verdict, EachRatioOfTheFirstSlopeMustBeNearThePrintedOne) {
 }
 
 }  // namespace
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

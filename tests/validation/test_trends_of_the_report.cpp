@@ -13,16 +13,16 @@
 #include "dashpad/report1986/validation/claims.hpp"
 #include "dashpad/report1986/validation/trends.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 namespace {
 
 const std::filesystem::path source_folder = DASHPAD_SOURCE_DIR;
 
 const ValidationData& report() {
   static const ValidationData data = [] {
-    std::vector<Fault> faults;
+    std::vector<input::Fault> faults;
     ValidationData read = read_validation_data(source_folder / "data/validation", faults);
-    if (!faults.empty()) throw InputError(faults);
+    if (!faults.empty()) throw input::InputError(faults);
     return read;
   }();
   return data;
@@ -94,7 +94,7 @@ TEST(trends_of_the_report, rows_that_are_used) {
 
 /// Figure 3-5 cannot be rebuilt; the most favourable placing has a slope below one.
 TEST(trends_of_the_report, nominal_stress_in_its_most_favourable_placing) {
-  const Material ensolite = read_material(source_folder / "materials/ensolite-aac-9.toml");
+  const Material ensolite = input::read_material(source_folder / "materials/ensolite-aac-9.toml");
   const NominalStressFit fit = fit_nominal_stress(report(), ensolite);
   EXPECT_EQ(fit.points.size(), 13U);
   EXPECT_NEAR(fit.area_in2, 5.10076, 5e-5);
@@ -135,4 +135,4 @@ TEST(trends_of_the_report, claims_by_number) {
 }
 
 }  // namespace
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

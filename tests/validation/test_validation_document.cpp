@@ -19,10 +19,10 @@ const std::filesystem::path source_folder = DASHPAD_SOURCE_DIR;
 const std::filesystem::path document = source_folder / "docs/validation.md";
 
 std::map<std::string, std::string> computed_tables() {
-  std::vector<Fault> faults;
-  const auto data = validation::read_validation_data(source_folder / "data/validation", faults);
-  return validation_markdown_tables(
-      validation::run_study(data, read_material(source_folder / "materials/ensolite-aac-9.toml")));
+  std::vector<input::Fault> faults;
+  const auto data = report1986::read_validation_data(source_folder / "data/validation", faults);
+  return report1986::validation_markdown_tables(
+      report1986::run_study(data, input::read_material(source_folder / "materials/ensolite-aac-9.toml")));
 }
 
 void expect_alike(const std::string& name, const std::string& computed, const std::string& written) {

@@ -13,14 +13,14 @@
 #include "dashpad/report1986/validation/verdict.hpp"
 #include "shared/samples.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 namespace {
 
 Study study_of_the_report() {
-  std::vector<Fault> faults;
+  std::vector<input::Fault> faults;
   const ValidationData data = read_validation_data(test::source_folder / "data/validation", faults);
   EXPECT_TRUE(faults.empty());
-  return run_study(data, read_material(test::material_folder / "ensolite-aac-9.toml"));
+  return run_study(data, input::read_material(test::material_folder / "ensolite-aac-9.toml"));
 }
 
 const Verdict& verdict(const std::vector<Verdict>& verdicts, Program program, TestSupport support,
@@ -204,4 +204,4 @@ TEST(VerdictOfTheReport, IsWhatItWas) {
 }
 
 }  // namespace
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

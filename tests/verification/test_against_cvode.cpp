@@ -124,7 +124,7 @@ TEST(AgainstCvodeLettingGo, AgreesWhereColumnsHadPressedAgain) {
     compare_with_oracle(fmt::format("ordinary case {}", seed), ordinary_case(seed));
   compare_with_oracle(
       "let-go.toml",
-      read_case(source_folder / "tests/verification/cases/let-go.toml", material_folder).impact);
+      input::read_case(source_folder / "tests/verification/cases/let-go.toml", material_folder).impact);
 }
 
 }  // namespace

@@ -10,6 +10,9 @@
 namespace dashpad::test {
 namespace {
 
+using laboratory::ColumnTest;
+using laboratory::drive;
+
 double peak(const ColumnTest& test) { return *std::max_element(test.stress.begin(), test.stress.end()); }
 
 /// Of every row, as a fraction of the peak, from what `exact(row)` gives.
@@ -22,24 +25,25 @@ double largest_difference(const ColumnTest& test, Exact&& exact) {
 
 struct Named {
   std::string name;
-  StrainHistory history;
+  laboratory::StrainHistory history;
 };
 
 std::vector<Named> histories() {
   std::vector<Named> all;
   for (const double rate : {0.1, 1.0, 100.0}) {
     const std::string at = fmt::format(" at {}/s", rate);
-    all.push_back({"ramp and hold" + at, ramp_and_hold_test(rate, 0.7, 2 / rate)});
-    all.push_back({"low cycles" + at, cyclic_test(rate, 0.8, 0.1, 2)});
-    all.push_back({"high cycles" + at, cyclic_test(rate, 0.8, 0.7, 3)});
+    all.push_back({"ramp and hold" + at, laboratory::ramp_and_hold_test(rate, 0.7, 2 / rate)});
+    all.push_back({"low cycles" + at, laboratory::cyclic_test(rate, 0.8, 0.1, 2)});
+    all.push_back({"high cycles" + at, laboratory::cyclic_test(rate, 0.8, 0.7, 3)});
     for (const double strain : {0.05, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95}) {
-      all.push_back({fmt::format("constant{} to {}", at, strain), constant_rate_test(rate, strain)});
-      all.push_back({fmt::format("parabolic{} to {}", at, strain), parabolic_test(rate, strain)});
+      all.push_back(
+          {fmt::format("constant{} to {}", at, strain), laboratory::constant_rate_test(rate, strain)});
+      all.push_back({fmt::format("parabolic{} to {}", at, strain), laboratory::parabolic_test(rate, strain)});
     }
   }
-  all.push_back({"measured", measured_test({1, 1.01, 1.015, 1.03, 1.035, 1.05, 1.06, 1.08},
-                                           {0, 0.3, 0.35, 0.35, 0.7, 0.65, 0.9, 0.2})});
-  StrainHistory waves{{{0.02, 0, 60, -3000}, {0.02, 0.6, -10, 1000}, {0.01, 0.6, 10, -4000}}};
+  all.push_back({"measured", laboratory::measured_test({1, 1.01, 1.015, 1.03, 1.035, 1.05, 1.06, 1.08},
+                                                       {0, 0.3, 0.35, 0.35, 0.7, 0.65, 0.9, 0.2})});
+  laboratory::StrainHistory waves{{{0.02, 0, 60, -3000}, {0.02, 0.6, -10, 1000}, {0.01, 0.6, 10, -4000}}};
   all.push_back({"waves", waves});
   return all;
 }
@@ -79,8 +83,8 @@ TEST(ColumnLaboratory, ElasticFollowsTheStrain) {
 
 TEST(ColumnLaboratory, RigidFoamCrushesOnceOnly) {
   const auto law = sample_law<RigidFoam>();
-  const StrainHistory history = cyclic_test(10, 0.7, 0.1, 1);
-  StrainHistory further = history;
+  const laboratory::StrainHistory history = laboratory::cyclic_test(10, 0.7, 0.1, 1);
+  laboratory::StrainHistory further = history;
   further.pieces.push_back({0.065, 0.1, 10, 0});
   further.pieces.push_back({0.01, 0.75, 0, 0});
   const ColumnTest test = drive(law, further, 100);
@@ -94,12 +98,12 @@ TEST(ColumnLaboratory, RigidFoamCrushesOnceOnly) {
   EXPECT_EQ(test.time[1], 0);
   EXPECT_EQ(test.stress[1], 2e5);
   ASSERT_EQ(test.events.size(), 4u);
-  EXPECT_EQ(test.events[0].kind, ColumnEvent::Kind::turned);
+  EXPECT_EQ(test.events[0].kind, laboratory::ColumnEvent::Kind::turned);
   EXPECT_NEAR(test.events[0].stress_before, 3e5, 1e-6);
   EXPECT_EQ(test.events[0].stress_after, 0);
-  EXPECT_EQ(test.events[1].kind, ColumnEvent::Kind::contact_lost);
-  EXPECT_EQ(test.events[2].kind, ColumnEvent::Kind::reloaded);
-  EXPECT_EQ(test.events[3].kind, ColumnEvent::Kind::contact_taken_up);
+  EXPECT_EQ(test.events[1].kind, laboratory::ColumnEvent::Kind::contact_lost);
+  EXPECT_EQ(test.events[2].kind, laboratory::ColumnEvent::Kind::reloaded);
+  EXPECT_EQ(test.events[3].kind, laboratory::ColumnEvent::Kind::contact_taken_up);
   EXPECT_NEAR(test.events[3].strain, 0.7, 1e-12);
   EXPECT_NEAR(test.events[3].stress_after, 3e5, 1e-6);
   // 2e5 up to 0.6, then a slope of 1e6 up to 0.75.
@@ -108,7 +112,7 @@ TEST(ColumnLaboratory, RigidFoamCrushesOnceOnly) {
 
 TEST(ColumnLaboratory, LinearSolidRelaxesInClosedForm) {
   const auto law = sample_law<LinearViscoelastic>();
-  const ColumnTest test = drive(law, ramp_and_hold_test(50, 0.6, 0.03));
+  const ColumnTest test = drive(law, laboratory::ramp_and_hold_test(50, 0.6, 0.03));
   const double loaded = 0.6 / 50, viscous = 280e3 * 5e-3 * 50;
   const auto exact = [&](std::size_t i) {
     const double t = test.time[i], up = std::min(t, loaded);
@@ -122,7 +126,7 @@ TEST(ColumnLaboratory, NineParameterLawIsItsEnvelopeAtOneRate) {
   const auto law = sample_law<NineParameter>();
   for (const double rate : {1.0, 100.0})
     for (const double strain : {0.1, 0.6, 0.95}) {
-      const ColumnTest test = drive(law, constant_rate_test(rate, strain));
+      const ColumnTest test = drive(law, laboratory::constant_rate_test(rate, strain));
       const double D = std::pow(9.76e-6 * rate, 0.0987);
       const double B = law.asymptotic_modulus + law.rate_modulus * std::pow(rate, 0.166);
       const auto exact = [&](std::size_t i) {
@@ -133,7 +137,7 @@ TEST(ColumnLaboratory, NineParameterLawIsItsEnvelopeAtOneRate) {
       };
       EXPECT_LT(largest_difference(test, exact), 1e-12);
       ASSERT_EQ(test.events.size(), 2u);
-      EXPECT_EQ(test.events[1].kind, ColumnEvent::Kind::contact_lost);
+      EXPECT_EQ(test.events[1].kind, laboratory::ColumnEvent::Kind::contact_lost);
       expect_relative(test.events[1].strain, strain * D, 1e-12, "residual strain");
     }
 }
@@ -143,7 +147,7 @@ TEST(ColumnLaboratory, FollowsTheEnvelopeWhereRelaxationIsFast) {
   for (const double tau : {1e-5, 1e-7, 1e-9, 1e-11}) {
     NineParameter law = sample_law<NineParameter>();
     law.relaxation_time = tau;
-    const ColumnTest test = drive(law, parabolic_test(1, 0.9), 50);
+    const ColumnTest test = drive(law, laboratory::parabolic_test(1, 0.9), 50);
     for (std::size_t i = 1; i < 25; ++i) {
       const double e = test.strain[i];
       const double B = law.asymptotic_modulus + law.rate_modulus * std::pow(test.rate[i], 0.166);
@@ -155,7 +159,7 @@ TEST(ColumnLaboratory, FollowsTheEnvelopeWhereRelaxationIsFast) {
 
 TEST(ColumnLaboratory, NineParameterLawRelaxesInClosedForm) {
   const auto law = sample_law<NineParameter>();
-  const ColumnTest test = drive(law, ramp_and_hold_test(10, 0.6, 0.05));
+  const ColumnTest test = drive(law, laboratory::ramp_and_hold_test(10, 0.6, 0.05));
   const double A = std::pow(0.6, 0.675) / std::pow(0.4, 1.09);
   for (std::size_t i = 0; i < test.size(); ++i)
     if (test.time[i] >= 0.06) {
@@ -171,7 +175,8 @@ TYPED_TEST_SUITE(Laboratory, Laws);
 
 TYPED_TEST(Laboratory, GivesTheSameStressAtAnyPlaces) {
   const auto law = sample_law<TypeParam>();
-  for (const StrainHistory& history : {parabolic_test(30, 0.9), cyclic_test(30, 0.9, 0.3, 2)}) {
+  for (const laboratory::StrainHistory& history :
+       {laboratory::parabolic_test(30, 0.9), laboratory::cyclic_test(30, 0.9, 0.3, 2)}) {
     const ColumnTest few = drive(law, history, 2);
     const ColumnTest many = drive(law, history, 60);
     ASSERT_EQ(few.events.size(), many.events.size());
@@ -188,7 +193,7 @@ TYPED_TEST(Laboratory, GivesTheSameStressAtAnyPlaces) {
 }
 
 TYPED_TEST(Laboratory, HoldsAColumnAtStrainZero) {
-  StrainHistory history{{{0.1, 0, 0, 0}, {0.01, 0, 50, 0}, {0.01, 0.5, -50, 0}, {0.1, 0, 0, 0}}};
+  laboratory::StrainHistory history{{{0.1, 0, 0, 0}, {0.01, 0, 50, 0}, {0.01, 0.5, -50, 0}, {0.1, 0, 0, 0}}};
   const ColumnTest test = drive(sample_law<TypeParam>(), history, 20);
   EXPECT_EQ(test.stress.front(), 0);
   EXPECT_EQ(test.stress[20], 0);
@@ -200,8 +205,8 @@ TYPED_TEST(Laboratory, HoldsAColumnAtStrainZero) {
 
 TEST(Creep, OfTheLinearSolidIsAClosedForm) {
   const auto law = sample_law<LinearViscoelastic>();
-  const CreepTest asked{5e4, 100, 0.1};
-  const auto test = creep(law, asked);
+  const laboratory::CreepTest asked{5e4, 100, 0.1};
+  const auto test = laboratory::creep(law, asked);
   ASSERT_TRUE(test);
   std::size_t loaded = 200;
   EXPECT_NEAR(test->stress[loaded], 5e4, 1e-8 * 5e4);
@@ -218,17 +223,17 @@ TEST(Creep, OfTheLinearSolidIsAClosedForm) {
 }
 
 TEST(Creep, OfElasticPadAndRigidFoamIsAtOnce) {
-  const auto elastic = creep(sample_law<Elastic>(), {6e4, 10, 1});
+  const auto elastic = laboratory::creep(sample_law<Elastic>(), {6e4, 10, 1});
   ASSERT_TRUE(elastic);
   EXPECT_NEAR(elastic->strain.back(), 0.2, 1e-14);
   EXPECT_EQ(elastic->strain.back(), elastic->strain[200]);
-  const auto plateau = creep(sample_law<RigidFoam>(), {1e5, 10, 1});
+  const auto plateau = laboratory::creep(sample_law<RigidFoam>(), {1e5, 10, 1});
   ASSERT_TRUE(plateau);
   EXPECT_EQ(plateau->largest_strain, 0);
-  const auto crushed = creep(sample_law<RigidFoam>(), {3e5, 10, 1});
+  const auto crushed = laboratory::creep(sample_law<RigidFoam>(), {3e5, 10, 1});
   ASSERT_TRUE(crushed);
   EXPECT_NEAR(crushed->strain.back(), 0.7, 1e-13);
-  EXPECT_FALSE(creep(sample_law<Elastic>(), {3e5, 10, 1}));
+  EXPECT_FALSE(laboratory::creep(sample_law<Elastic>(), {3e5, 10, 1}));
 }
 
 /// The independent formulas, with the rate by bisection, in CVODE.
@@ -265,7 +270,7 @@ template <class Formulas>
 void expect_creep_as_cvode(double rate, double strain_below) {
   const auto law = sample_law<typename Formulas::Law>();
   for (const double stress : {2e4, 1e5, 4e5}) {
-    const auto test = creep(law, {stress, rate, 10}, 30);
+    const auto test = laboratory::creep(law, {stress, rate, 10}, 30);
     ASSERT_TRUE(test);
     EXPECT_NEAR(test->stress[30], stress, 1e-9 * stress);
     CreepOde<Formulas> ode(law, stress);
@@ -291,13 +296,13 @@ TEST(Creep, AgreesWithCvode) {
 
 TEST(Creep, TendsToTheLastingStress) {
   const auto law = sample_law<NineParameter>();
-  const auto test = creep(law, {1e5, 10, 1e7}, 20);
+  const auto test = laboratory::creep(law, {1e5, 10, 1e7}, 20);
   ASSERT_TRUE(test);
   const double e = test->strain.back();
   expect_relative(law.asymptotic_modulus * std::pow(e, 0.675) / std::pow(1 - e, 1.09), 1e5, 0.1, "lasting");
   NineParameter still = law;
   still.rate_modulus = 0;
-  const auto settled = creep(still, {1e5, 10, 1e7}, 20);
+  const auto settled = laboratory::creep(still, {1e5, 10, 1e7}, 20);
   ASSERT_TRUE(settled);
   const double end = settled->strain.back();
   expect_relative(law.asymptotic_modulus * std::pow(end, 0.675) / std::pow(1 - end, 1.09), 1e5, 1e-11,

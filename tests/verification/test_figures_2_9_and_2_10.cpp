@@ -21,7 +21,7 @@ struct Analysis {
   std::vector<double> strain;
   std::vector<double> spit;   ///< 1984, psi, at the ends of the steps
   std::vector<double> exact;  ///< psi, at the same times
-  CushionFigures figures;
+  laboratory::CushionFigures figures;
 };
 
 PadLaw nine() { return sample_law<NineParameter>(); }
@@ -37,9 +37,9 @@ Analysis analyse(const PadLaw& law, bool parabolic, double rate) {
   const double up = largest_strain / rate;
   const auto deck = spit1984::deck_of(impact_on(law, Support::linear(1e5)));
   result.spit = spit1984::column_stresses(deck.pad, deck.pad_parameters, result.strain, up / steps);
-  const StrainHistory history =
-      parabolic ? parabolic_test(rate, largest_strain) : constant_rate_test(rate, largest_strain);
-  const ColumnTest test = drive(law, history);
+  const laboratory::StrainHistory history = parabolic ? laboratory::parabolic_test(rate, largest_strain)
+                                                      : laboratory::constant_rate_test(rate, largest_strain);
+  const laboratory::ColumnTest test = laboratory::drive(law, history);
   for (int k = 0; k <= 2 * steps; ++k) {
     std::size_t nearest = 0;
     for (std::size_t i = 0; i < test.size(); ++i)
@@ -48,7 +48,7 @@ Analysis analyse(const PadLaw& law, bool parabolic, double rate) {
     EXPECT_NEAR(test.time[nearest], k * up / steps, 1e-9 * up);
     result.exact.push_back(test.stress[nearest] / psi);
   }
-  result.figures = cushion_figures(test);
+  result.figures = laboratory::cushion_figures(test);
   return result;
 }
 
@@ -63,7 +63,8 @@ TEST(ConstantRate, FirstUnloadingStepOvershootsIntoTensionInsteadOfRising) {
     EXPECT_GT(fast.spit[steps], 0);
     EXPECT_LT(fast.spit[steps + 1], 0);
     for (const double rate : {1.0, 100.0}) {
-      const ColumnTest test = drive(law, constant_rate_test(rate, largest_strain), 100000);
+      const laboratory::ColumnTest test =
+          laboratory::drive(law, laboratory::constant_rate_test(rate, largest_strain), 100000);
       const double jump = std::abs(test.stress[100001] - test.stress[100000]);
       EXPECT_LT(jump, 1e-3 * test.stress[100000]) << "one place of 100,000 later";
       EXPECT_FALSE(has_artefact(analyse(law, false, rate).exact));

@@ -181,9 +181,9 @@ TEST(BruteForceHic, AgreesForRandomPulses) {
     const BruteForce search(pulse);
     const double duration = pulse.time.back() - pulse.time.front();
     std::uniform_real_distribution<double> logarithm(-2, 0.1);
-    for (const double longest : {duration * std::pow(10, logarithm(random)), unlimited_window}) {
+    for (const double longest : {duration * std::pow(10, logarithm(random)), injury::unlimited_window}) {
       const auto expected = static_cast<double>(search.best(std::min<Real>(longest, duration)));
-      const Hic found = hic(pulse, longest);
+      const injury::Hic found = injury::hic(pulse, longest);
       ASSERT_NEAR(found.value, expected, 1e-9 * expected) << "pulse " << i << ", window " << longest;
       worst = std::max(worst, std::abs(found.value / expected - 1));
       // The window is one of that value.

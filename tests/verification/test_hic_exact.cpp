@@ -16,6 +16,8 @@
 namespace dashpad::test {
 namespace {
 
+using injury::hic;
+
 constexpr double g = standard_gravity;
 constexpr double pi = std::numbers::pi;
 
@@ -90,7 +92,7 @@ TEST_P(CurvedPulses, ConvergeAtOrderTwo) {
 }
 
 TEST_P(CurvedPulses, HaveTheirWindowInTheMiddle) {
-  const Hic found = hic(sampled(GetParam(), 100, 0.01, 9999), unlimited_window);
+  const injury::Hic found = hic(sampled(GetParam(), 100, 0.01, 9999), injury::unlimited_window);
   EXPECT_NEAR(found.begin + found.end, 0.01, 1e-8);
   EXPECT_NEAR(found.end - found.begin, 0.01 * best_window(GetParam()), 1e-8);
 }
@@ -155,7 +157,7 @@ TEST(ExactHic, OfTheSineOfAltair) {
     pulse.time.push_back(1e-4 * i);
     pulse.acceleration.push_back(std::sin(20 * pi * pulse.time.back()) * g);
   }
-  const Hic found = hic(pulse, 0.03);
+  const injury::Hic found = hic(pulse, 0.03);
   EXPECT_NEAR(found.value, 0.02048, 5e-6);
   EXPECT_NEAR(found.begin, 0.01, 1e-9);
   EXPECT_NEAR(found.end, 0.04, 1e-9);
@@ -172,7 +174,7 @@ TEST(ExactHic, OfASlowSineOfEitherSign) {
       pulse.time.push_back(4.0 * i / 9999);
       pulse.acceleration.push_back(sign * 10 * std::sin(pulse.time.back()) * g);
     }
-    const Hic found = hic(pulse, w);
+    const injury::Hic found = hic(pulse, w);
     EXPECT_NEAR(found.value, expected, 1e-6);
     EXPECT_NEAR((found.begin + found.end) / 2, pi / 2, 1e-3);
     EXPECT_NEAR(found.end - found.begin, w, 1e-15);

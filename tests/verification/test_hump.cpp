@@ -14,6 +14,8 @@
 namespace dashpad {
 namespace {
 
+using injury::hump_of;
+
 class Humps {
  public:
   /// Rises and falls by random steps, steep and flat ones; from and to 0, or from and to any level.
@@ -85,21 +87,22 @@ TEST(Hump, has_the_hic_and_clips_of_the_search_over_all_pulses) {
     const Pulse longer = with_rest(pulse);
     ASSERT_FALSE(hump_of(longer));
     const double length = pulse.time.back() - pulse.time.front();
-    for (const double window : {unlimited_window, length * humps.number(0.01, 1), 15e-3}) {
-      const Hic got = hic(pulse, window), expected = hic(longer, window);
+    for (const double window : {injury::unlimited_window, length * humps.number(0.01, 1), 15e-3}) {
+      const injury::Hic got = injury::hic(pulse, window), expected = injury::hic(longer, window);
       ASSERT_NEAR(got.value, expected.value, 1e-11 * expected.value) << i << " window " << window;
-      ASSERT_EQ(hic(turned(pulse), window).value, got.value);
+      ASSERT_EQ(injury::hic(turned(pulse), window).value, got.value);
       ASSERT_LE(got.end - got.begin, window * (1 + 1e-12));
     }
     // The search forgives rounding of the times: 8 units, on slopes up to 1e7.
     const double duration = length * humps.number(0.001, 0.999);
-    const Clip contiguous = contiguous_clip(pulse, duration), cumulative = cumulative_clip(pulse, duration);
-    ASSERT_NEAR(contiguous.level, contiguous_clip(longer, duration).level, 1e-8) << i;
-    ASSERT_NEAR(contiguous.begin, contiguous_clip(longer, duration).begin, 1e-9) << i;
-    ASSERT_NEAR(contiguous.end, contiguous_clip(longer, duration).end, 1e-9) << i;
-    ASSERT_NEAR(cumulative.level, cumulative_clip(longer, duration).level, 1e-8) << i;
-    ASSERT_NEAR(cumulative.begin, cumulative_clip(longer, duration).begin, 1e-9) << i;
-    ASSERT_NEAR(cumulative.end, cumulative_clip(longer, duration).end, 1e-9) << i;
+    const injury::Clip contiguous = injury::contiguous_clip(pulse, duration),
+                       cumulative = injury::cumulative_clip(pulse, duration);
+    ASSERT_NEAR(contiguous.level, injury::contiguous_clip(longer, duration).level, 1e-8) << i;
+    ASSERT_NEAR(contiguous.begin, injury::contiguous_clip(longer, duration).begin, 1e-9) << i;
+    ASSERT_NEAR(contiguous.end, injury::contiguous_clip(longer, duration).end, 1e-9) << i;
+    ASSERT_NEAR(cumulative.level, injury::cumulative_clip(longer, duration).level, 1e-8) << i;
+    ASSERT_NEAR(cumulative.begin, injury::cumulative_clip(longer, duration).begin, 1e-9) << i;
+    ASSERT_NEAR(cumulative.end, injury::cumulative_clip(longer, duration).end, 1e-9) << i;
   }
   EXPECT_GT(compared, 5000);
 }
@@ -122,10 +125,11 @@ TEST(Hump, has_the_hic_of_its_best_window) {
     const Pulse pulse = humps.next(false);
     if (!hump_of(pulse)) continue;
     const double begin = pulse.time.front(), length = pulse.time.back() - begin;
-    const double window = i % 2 == 0 ? unlimited_window : length * humps.number(0.05, 0.95);
-    const Hic found = hic(pulse, window);
+    const double window = i % 2 == 0 ? injury::unlimited_window : length * humps.number(0.05, 0.95);
+    const injury::Hic found = injury::hic(pulse, window);
     const auto value = [&](double from, double to) {
-      return hic_search::criterion(to - from, (velocity_at(pulse, to) - velocity_at(pulse, from)) / 9.80665);
+      return injury::hic_search::criterion(to - from,
+                                           (velocity_at(pulse, to) - velocity_at(pulse, from)) / 9.80665);
     };
     EXPECT_NEAR(value(found.begin, found.end), found.value, 1e-9 * found.value) << i;
     constexpr int steps = 60;

@@ -13,7 +13,7 @@
 
 #include "dashpad/impact/pulse.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 /// The corner of the design, wd: the two published forms differ by 0.28 %.
 enum class Corner {
@@ -68,4 +68,4 @@ Pulse cfc_filtered(const Pulse& pulse, double channel_frequency_class, Corner co
 /// at most 50 million samples, std::invalid_argument otherwise.
 Pulse resampled(const Pulse& pulse, double interval);
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

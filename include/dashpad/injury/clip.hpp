@@ -4,7 +4,7 @@
 
 #include "dashpad/impact/pulse.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 struct Clip {
   double level = 0;  ///< m/s2, >= 0
@@ -23,4 +23,4 @@ Clip contiguous_clip(const Pulse& pulse, double duration);
 /// The highest level that |a| meets or exceeds for `duration` in all, its stretches added.
 Clip cumulative_clip(const Pulse& pulse, double duration);
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

@@ -3,7 +3,7 @@
 
 #include "dashpad/impact/pulse.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 // Both throw std::invalid_argument for a pulse that check() refuses or a level that is negative. Above means
 // above: a plateau at the level does not count, and a touch of the level from above divides a stretch.
@@ -14,4 +14,4 @@ double cumulative_dwell(const Pulse& pulse, double level);
 /// The longest of them, s.
 double longest_dwell(const Pulse& pulse, double level);
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

@@ -11,7 +11,7 @@
 #include "dashpad/injury/peak.hpp"
 #include "dashpad/quantities/result_quantity.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 struct InjuryFigures {
   Peak peak;
@@ -53,4 +53,4 @@ InjuryFigures injury_figures(const Solution& solution);
 /// pad.
 std::optional<InjuryFigures> whole_pulse_figures(const Solution& solution);
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

@@ -12,7 +12,7 @@
 
 #include "dashpad/impact/pulse.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 struct Hic {
   double value = 0;  ///< HIC, in its customary unit g^2.5 s
@@ -31,4 +31,4 @@ Hic hic(const Pulse& pulse, double longest_window);
 /// HIC(d) = 0.75446 HIC36 + 166.4, of the free-motion headform (FMVSS 201U).
 double hic_d(double hic36);
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

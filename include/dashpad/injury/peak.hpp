@@ -3,7 +3,7 @@
 
 #include "dashpad/impact/pulse.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 // Both throw std::invalid_argument for a pulse that check() refuses.
 
@@ -17,4 +17,4 @@ Peak peak(const Pulse& pulse);
 /// Magnitude of the integral of a over the whole pulse, m/s: how a sensor is mounted does not change it.
 double velocity_change(const Pulse& pulse);
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

@@ -4,9 +4,9 @@
 
 #include "dashpad/impact/pulse.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 /// In g^2.5 s. Throws std::invalid_argument for a pulse that check() refuses.
 double severity_index(const Pulse& pulse);
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

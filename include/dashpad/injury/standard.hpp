@@ -12,7 +12,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/quantities/result_quantity.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 /// What a source is beside the text of the law or standard that binds.
 enum class SourceKind {
@@ -173,4 +173,4 @@ std::string to_string(const Assessment& assessment);
 /// Throws std::invalid_argument for a standard without criteria and a solution without a history.
 Assessment assess(const Standard& standard, const ImpactCase& impact, const Solution& solution);
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

@@ -7,7 +7,7 @@
 
 #include "dashpad/injury/standard.hpp"
 
-namespace dashpad {
+namespace dashpad::injury {
 
 /// Reads and checks one preset. Throws InputError with every fault in it.
 Standard read_standard(const std::filesystem::path& file);
@@ -27,4 +27,4 @@ StandardChoice standard_choice(const std::string& text);
 /// InputError that names the presets there are.
 std::filesystem::path find_standard(const std::string& name, const std::filesystem::path& folder);
 
-}  // namespace dashpad
+}  // namespace dashpad::injury

@@ -9,7 +9,7 @@
 #include "dashpad/input/input_file.hpp"
 #include "dashpad/model/pad/material.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 struct CaseFile {
   ImpactCase impact;
@@ -28,4 +28,4 @@ Material read_material(const std::filesystem::path& file);
 /// cannot be read.
 std::vector<std::filesystem::path> list_materials(const std::filesystem::path& folder);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

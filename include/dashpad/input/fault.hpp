@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace dashpad {
+namespace dashpad::input {
 
 /// One fault: where it stands, what stands there, and the rule that it breaks.
 struct Fault {
@@ -38,4 +38,4 @@ class InputError : public std::runtime_error {
 /// Throws InputError with one fault: of the whole file, unless a line is named.
 [[noreturn]] void refuse_file(const std::filesystem::path& file, const std::string& rule, int line = 0);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <string>
 
-namespace dashpad {
+namespace dashpad::input {
 
 struct InputFile {
   std::string kind;  ///< with its article: "the case file", "the material card"
   std::filesystem::path file;
 };
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -28,7 +28,7 @@
 #include "dashpad/laboratory/strain_history.hpp"
 #include "dashpad/model/pad/law.hpp"
 
-namespace dashpad {
+namespace dashpad::laboratory {
 
 /// What happened on the way. The strain's course and the contact are told apart: a reloading after contact
 /// was lost is `reloaded` and `contact_taken_up`, at the same time but for law 3.
@@ -82,4 +82,4 @@ struct CreepTest {
 /// that are not as above.
 std::optional<ColumnTest> creep(const PadLaw& law, const CreepTest& test, int places = 200);
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

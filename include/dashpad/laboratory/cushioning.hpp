@@ -18,7 +18,7 @@
 
 #include "dashpad/laboratory/column_test.hpp"
 
-namespace dashpad {
+namespace dashpad::laboratory {
 
 /// One entry a place of output of the first loading at which the strain, > 0, has grown; holds are left out.
 struct CushionCurve {
@@ -60,4 +60,4 @@ CushionFigures cushion_figures(const ColumnTest& test);
 /// the first place to 2e-5 and 1e-2 (measured, tests/unit/test_cushioning.cpp).
 std::optional<CushionPoint> at_stress_limit(const CushionCurve& curve, double limit);
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

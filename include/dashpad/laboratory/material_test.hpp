@@ -12,7 +12,7 @@
 #include "dashpad/laboratory/strain_history.hpp"
 #include "dashpad/model/pad/material.hpp"
 
-namespace dashpad {
+namespace dashpad::laboratory {
 
 enum class TestKind {
   constant_rate,  ///< up and down at constant rate (report, Eq. 29)
@@ -104,4 +104,4 @@ struct MaterialTestReport {
 /// stress that the law does not reach, and for more than 100,000 steps of 1984.
 MaterialTestReport run_material_test(const Material& material, const MaterialTest& test);
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

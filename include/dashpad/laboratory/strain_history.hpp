@@ -8,7 +8,7 @@
 
 #include "dashpad/model/pad/law.hpp"
 
-namespace dashpad {
+namespace dashpad::laboratory {
 
 /// strain(t) = strain + rate t + acceleration t^2 / 2, for t from 0 to the piece's duration.
 struct StrainPiece {
@@ -52,4 +52,4 @@ StrainHistory measured_test(const std::vector<double>& times, const std::vector<
 /// which is rounding. Keys are such as `pieces[3].strain`.
 std::vector<Violation> violations(const StrainHistory& history);
 
-}  // namespace dashpad
+}  // namespace dashpad::laboratory

@@ -9,25 +9,25 @@
 #include "dashpad/output/text/result.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// What every assessment says about itself: a computation, no certification.
 const std::string& assessment_caveat();
 
 /// A standard in one line: name, title, and how many of its values are unverified.
-std::string standard_line(const Standard& standard);
+std::string standard_line(const injury::Standard& standard);
 
 /// A standard in full: impactor, criteria and variants, each value with source and state of verification.
-std::string standard_text(const Standard& standard, const UnitSystem& units);
+std::string standard_text(const injury::Standard& standard, const UnitSystem& units);
 
 /// All that belongs to an assessment. `given` is the case as the file has it, `assessed` with the impactor of
 /// the standard.
 struct AssessmentReport {
-  const Standard& standard;
+  const injury::Standard& standard;
   const ImpactCase& given;
   const ImpactCase& assessed;
   const Solution& solution;
-  const Assessment& assessment;
+  const injury::Assessment& assessment;
 };
 
 /// The verdict, a row a criterion with its margin, the reservations, what was replaced and what was kept.
@@ -37,4 +37,4 @@ std::string assessment_text(const AssessmentReport& report, const UnitSystem& un
 /// The same in SI, with the summary of the impact as `dashpad run --json` writes it under "result".
 std::string assessment_json(const AssessmentReport& report);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

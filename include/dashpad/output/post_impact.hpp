@@ -8,7 +8,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// `impact` is the case as solved: with the reduced mass M1 M2 / (M1 + M2) and the speed of approach V1 - V2,
 /// with which the relative motion of two free bodies is that of one body against a wall.
@@ -17,4 +17,4 @@ std::string post_impact_text(const Body& first, const Body& second, const Impact
 std::string post_impact_json(const Body& first, const Body& second, const ImpactCase& impact,
                              const Solution& solution);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -8,19 +8,19 @@
 #include "dashpad/output/text/result.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// What to beware of and what was repaired, the figures, and what was done to the pulse.
-std::string pulse_text(const PulseReport& report, const UnitSystem& units, Detail detail);
+std::string pulse_text(const injury::PulseReport& report, const UnitSystem& units, Detail detail);
 
 /// The same in SI, accelerations in g.
-std::string pulse_json(const PulseReport& report);
+std::string pulse_json(const injury::PulseReport& report);
 
 /// Time and acceleration of the pulse that the figures are of: "time_s,acceleration_g".
-std::string pulse_csv(const PulseReport& report, const UnitSystem& units);
+std::string pulse_csv(const injury::PulseReport& report, const UnitSystem& units);
 
 /// The pulse, before and after the filter, with the windows of HIC15 and HIC36 and the level of the 3 ms
 /// clip.
-Plot pulse_plot(const PulseReport& report, const UnitSystem& units);
+Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -8,22 +8,22 @@
 #include "dashpad/quantities/unit_system.hpp"
 #include "dashpad/study/questions.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// For the terminal.
-std::string study_text(const StudyAnswers& answers, const UnitSystem& units);
+std::string study_text(const study::StudyAnswers& answers, const UnitSystem& units);
 
 /// Everything, in SI; a figure that is absent or not finite is null.
-std::string study_json(const StudyAnswers& answers);
+std::string study_json(const study::StudyAnswers& answers);
 
 /// The page, for figures_page().
-FiguresPage study_page(const StudyAnswers& answers, const UnitSystem& units);
+FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& units);
 
 /// The most telling figure: cushion curves, else curves over a grid, else distributions.
-Plot study_plot(const StudyAnswers& answers, const UnitSystem& units);
+Plot study_plot(const study::StudyAnswers& answers, const UnitSystem& units);
 
 /// A factor's value with its unit; for a material (unit "") its name.
 std::string shown_factor(const std::string& unit, double value, const Material& material,
                          const UnitSystem& units);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -12,7 +12,7 @@
 #include "dashpad/output/plot/plot.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
-namespace dashpad {
+namespace dashpad::report1986 {
 
 /// One way to compute the impact. SI; compression positive, speeds as magnitudes.
 struct ComparedRun {
@@ -57,6 +57,6 @@ std::string comparison_text(const Comparison& comparison, const ImpactCase& impa
 std::string comparison_json(const Comparison& comparison);
 
 /// Force over time and penetration over time. Unfinished runs are drawn as far as they stay in sight.
-Plot comparison_plot(const Comparison& comparison, const ImpactCase& impact, const UnitSystem& units);
+output::Plot comparison_plot(const Comparison& comparison, const ImpactCase& impact, const UnitSystem& units);
 
-}  // namespace dashpad
+}  // namespace dashpad::report1986

@@ -11,37 +11,37 @@
 #include "dashpad/output/plot/plot.hpp"
 #include "dashpad/report1986/validation/verdict.hpp"
 
-namespace dashpad {
+namespace dashpad::report1986 {
 
 /// A figure of the report drawn again, or one of ours.
 struct ValidationFigure {
   std::string name = {};  ///< "Figure 3-4"
   std::string slug = {};  ///< for a file's name: "figure-3-4"
-  Plot plot = {};
+  output::Plot plot = {};
   std::string note = {};  ///< what is left out, and what to beware of
 };
 
 /// Figures 3-3 to 3-9 and 4-1 to 4-5 of the report, then the nose radius and the ratio of the forces.
 /// Readings whose test is lost are not drawn; the notes say how many there are.
-std::vector<ValidationFigure> validation_figures(const validation::Study& study);
+std::vector<ValidationFigure> validation_figures(const Study& study);
 
 /// The slugs of these figures, in their order, known before there is a study.
 std::vector<std::string> validation_figure_slugs();
 
 /// Verdict, anomaly and nose radius for the terminal.
-std::string validation_text(const validation::Study& study);
+std::string validation_text(const Study& study);
 
 /// Everything: constants, claims, errors test by test, all predictions. Keys name the units.
-std::string validation_json(const validation::Study& study);
+std::string validation_json(const Study& study);
 
 /// The page of the study, for figures_page().
-FiguresPage validation_page(const validation::Study& study);
+output::FiguresPage validation_page(const Study& study);
 
 /// Tables in Markdown by name, as docs/validation.md holds them between "<!-- begin NAME -->" and
 /// "<!-- end NAME -->".
-std::map<std::string, std::string> validation_markdown_tables(const validation::Study& study);
+std::map<std::string, std::string> validation_markdown_tables(const Study& study);
 
 /// Whether the accurate solver passes the rules of each support and quantity (docs/decisions/0007).
-bool passes(const validation::Study& study);
+bool passes(const Study& study);
 
-}  // namespace dashpad
+}  // namespace dashpad::report1986

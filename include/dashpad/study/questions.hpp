@@ -8,7 +8,7 @@
 #include "dashpad/study/answers.hpp"
 #include "dashpad/study/cushion_curves.hpp"
 
-namespace dashpad {
+namespace dashpad::study {
 
 /// The probability of more than this is asked for.
 struct StudyLimit {
@@ -22,25 +22,25 @@ struct StudyQuestions {
 };
 
 struct StudyAnswers {
-  study::Study study;
+  Study study;
   std::string program;     ///< that computed the rows
   std::uint64_t rows = 0;  ///< of the whole study
-  study::Records records;
+  Records records;
   std::vector<std::size_t> responses;  ///< asked for: numbers in Study::responses
   std::vector<StudyLimit> limits;
 
   /// Of one combination of levels.
   struct OfGroup {
-    study::Group group;
-    std::vector<study::Distribution> distributions;                ///< of each response asked for
-    std::vector<study::Exceedance> exceedances;                    ///< of each limit
-    std::vector<std::optional<study::Sensitivity>> sensitivities;  ///< of each response asked for
+    Group group;
+    std::vector<Distribution> distributions;                ///< of each response asked for
+    std::vector<Exceedance> exceedances;                    ///< of each limit
+    std::vector<std::optional<Sensitivity>> sensitivities;  ///< of each response asked for
   };
   std::vector<OfGroup> groups;
-  std::optional<study::CushionCurves> cushion_curves;
+  std::optional<CushionCurves> cushion_curves;
 };
 
 /// Throws std::invalid_argument for names that the study does not keep.
-StudyAnswers study_answers(const study::Store& store, const StudyQuestions& questions);
+StudyAnswers study_answers(const Store& store, const StudyQuestions& questions);
 
-}  // namespace dashpad
+}  // namespace dashpad::study

@@ -20,7 +20,7 @@
 #include "input/measurement/measurement_text.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 namespace {
 
@@ -167,4 +167,4 @@ MmeMembers read_from_archive(const std::filesystem::path& archive, const std::ve
   return members;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -7,7 +7,7 @@
 
 #include "dashpad/input/fault.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 namespace {
 
@@ -107,4 +107,4 @@ std::vector<IsoMmeChannel> chosen_channels(const std::filesystem::path& file, co
   return found;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -8,7 +8,7 @@
 
 #include "dashpad/input/iso_mme/iso_mme.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 /// "3" and "003" are 3; a code is no number, even one of digits only.
 std::optional<int> channel_number(const std::string& text);
@@ -19,4 +19,4 @@ std::vector<IsoMmeChannel> chosen_channels(const std::filesystem::path& file,
                                            const std::vector<IsoMmeChannel>& all,
                                            const IsoMmeOptions& options);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -13,7 +13,7 @@
 #include "input/iso_mme/members.hpp"
 #include "input/measurement/measurement_text.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 namespace {
 
@@ -91,4 +91,4 @@ MmeMembers read_from_folder(const std::filesystem::path& folder, const std::vect
   return members;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -12,7 +12,7 @@
 #include "input/iso_mme/text.hpp"
 #include "input/measurement/column_units.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 namespace {
 
@@ -190,4 +190,4 @@ MeasuredPulse read_iso_mme(const std::filesystem::path& file, const IsoMmeOption
   return result;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace dashpad {
+namespace dashpad::input {
 
 /// Names are relative to the folder or archive, with / between folder and file.
 using MmeMembers = std::map<std::string, std::string>;
@@ -30,4 +30,4 @@ std::vector<std::string> names_in_archive(const std::filesystem::path& archive);
 MmeMembers read_from_archive(const std::filesystem::path& archive, const std::vector<std::string>& names,
                              std::size_t most, bool cut);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -8,7 +8,7 @@
 
 #include "input/measurement/measurement_text.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 namespace fs = std::filesystem;
 
@@ -125,4 +125,4 @@ MmeTestFiles find_mme_test(const fs::path& file) {
   return test;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

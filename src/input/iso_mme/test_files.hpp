@@ -9,7 +9,7 @@
 #include "dashpad/input/input_file.hpp"
 #include "input/iso_mme/members.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 struct MmeTestFiles {
   std::filesystem::path source;  ///< folder or archive
@@ -31,4 +31,4 @@ struct MmeTestFiles {
 /// `file` is a folder, a .mme file, or an archive with one test in it. Throws InputError.
 MmeTestFiles find_mme_test(const std::filesystem::path& file);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

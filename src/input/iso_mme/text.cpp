@@ -6,7 +6,7 @@
 
 #include "input/text_file.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 namespace {
 
@@ -82,4 +82,4 @@ MmeChannelText read_mme_channel(std::string_view text, MeasurementFaults& faults
   return channel;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -7,7 +7,7 @@
 
 #include "input/measurement/measurement_text.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 struct MmeLabel {
   std::string name;
@@ -39,4 +39,4 @@ struct MmeChannelText {
 /// A whole channel file. Its number of samples must be the one that it claims.
 MmeChannelText read_mme_channel(std::string_view text, MeasurementFaults& faults);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -12,7 +12,7 @@
 #include "quantities/unit_factor.hpp"
 #include "quantities/unit_text.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 namespace {
 
@@ -208,4 +208,4 @@ std::optional<std::string> overruled_unit(const MeasuredColumn& column, const st
   return fmt::format("{}: the file says {}; {} was given and used", column.name, unit_of_file, column.unit);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

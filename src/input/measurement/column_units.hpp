@@ -10,7 +10,7 @@
 #include "dashpad/input/measurement/measured_pulse.hpp"
 #include "dashpad/input/measurement/sensitivity.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 enum class ColumnKind { time, acceleration };
 
@@ -45,4 +45,4 @@ std::optional<Sensitivity> sensitivity_at(const std::vector<Sensitivity>& given,
 /// A sentence for the user where a given unit overrules that of the file.
 std::optional<std::string> overruled_unit(const MeasuredColumn& column, const std::string& unit_of_file);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -9,7 +9,7 @@
 #include "input/measurement/column_units.hpp"
 #include "input/measurement/csv_rows.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 namespace {
 
@@ -289,4 +289,4 @@ void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsv
   if (header.is_latin1) remarks.emplace_back("the header is not UTF-8; it was read as Latin-1");
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -8,7 +8,7 @@
 #include "dashpad/input/measurement/pulse_csv.hpp"
 #include "input/measurement/measurement_text.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 struct CsvHeader {
   struct Row {
@@ -40,4 +40,4 @@ CsvColumns name_columns(const CsvHeader& header);
 void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsvOptions& options,
                     MeasurementFaults& faults, std::vector<std::string>& remarks);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

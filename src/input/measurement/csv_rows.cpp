@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace dashpad {
+namespace dashpad::input {
 
 namespace {
 
@@ -165,4 +165,4 @@ ReadNumber read_csv_number(std::string_view field, char separator) {
   return field.find(',') == std::string_view::npos ? number : read_number(field, ',');
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

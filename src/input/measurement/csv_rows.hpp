@@ -8,7 +8,7 @@
 
 #include "input/measurement/measurement_text.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 /// One row. The views live until the next row is read.
 struct CsvRow {
@@ -62,4 +62,4 @@ bool is_one_column(std::string_view text);
 /// A number with a decimal point or, where no comma separates, with a decimal comma.
 ReadNumber read_csv_number(std::string_view field, char separator);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

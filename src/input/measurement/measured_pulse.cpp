@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace dashpad {
+namespace dashpad::input {
 
 std::vector<double> resultant_of(const std::vector<std::vector<double>>& components) {
   std::vector<double> length(components.empty() ? 0 : components.front().size());
@@ -11,4 +11,4 @@ std::vector<double> resultant_of(const std::vector<std::vector<double>>& compone
   return length;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

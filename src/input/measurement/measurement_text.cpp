@@ -14,7 +14,7 @@
 
 #include "input/text_file.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 namespace {
 
@@ -208,4 +208,4 @@ std::string rule_for(NumberKind kind) {
   return "";
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -9,7 +9,7 @@
 
 #include "dashpad/input/fault.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 inline constexpr std::size_t largest_measurement = std::size_t{1} << 30;  // bytes
 inline constexpr std::size_t most_samples = 50'000'000;
@@ -76,4 +76,4 @@ ReadNumber read_number(std::string_view text, char decimal = '.');
 /// The rule for a field that holds no number.
 std::string rule_for(NumberKind kind);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -11,7 +11,7 @@
 #include "input/measurement/csv_rows.hpp"
 #include "input/measurement/pulse_gaps.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 namespace {
 
@@ -283,4 +283,4 @@ std::vector<MeasuredColumn> pulse_csv_columns(const std::filesystem::path& file)
   return table.columns.all;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dashpad {
+namespace dashpad::input {
 
 namespace {
 
@@ -53,4 +53,4 @@ PulseGaps find_gaps(const std::vector<double>& times) {
   return gaps;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

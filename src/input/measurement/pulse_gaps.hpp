@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace dashpad {
+namespace dashpad::input {
 
 struct PulseGap {
   std::size_t after = 0;  ///< index of the sample before the gap
@@ -23,4 +23,4 @@ struct PulseGaps {
 /// 14 times their median, but one after the other. Fewer than three steps tell nothing.
 PulseGaps find_gaps(const std::vector<double>& times);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

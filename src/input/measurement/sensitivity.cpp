@@ -4,7 +4,7 @@
 #include "input/measurement/column_units.hpp"
 #include "input/measurement/measurement_text.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 Sensitivity sensitivity_of(const std::string& text) {
   const auto slash = text.find('/');
@@ -19,4 +19,4 @@ Sensitivity sensitivity_of(const std::string& text) {
   return {text, sensitivity};
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -5,7 +5,7 @@
 #include <span>
 #include <stdexcept>
 
-namespace dashpad {
+namespace dashpad::input {
 
 namespace {
 
@@ -114,4 +114,4 @@ MeasuredPulse zeroed(MeasuredPulse measured, const SensorOffset& offset) {
   return measured;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

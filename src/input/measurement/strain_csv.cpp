@@ -10,7 +10,7 @@
 #include "input/measurement/csv_columns.hpp"
 #include "input/measurement/csv_rows.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 namespace {
 
@@ -193,4 +193,4 @@ StrainTable read_strain_csv(const std::filesystem::path& file) {
   return std::move(reader.table);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -11,7 +11,7 @@
 
 #include "dashpad/quantities/result_quantity.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::string history_csv(const History& history, const UnitSystem& units) {
   return fmt::to_string(text);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

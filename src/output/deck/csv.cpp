@@ -7,7 +7,7 @@
 
 #include "output/deck/deck_text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -34,4 +34,4 @@ std::string curve_csv(const CurveFile& file) {
   return fmt::to_string(text);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

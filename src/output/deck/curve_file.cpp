@@ -8,7 +8,7 @@
 #include "dashpad/output/text/case.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -89,4 +89,4 @@ CurveFile curve_file(const ImpactCase& impact, const Solution& solution,
   return file;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

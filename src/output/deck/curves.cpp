@@ -5,7 +5,7 @@
 #include <queue>
 #include <stdexcept>
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -172,4 +172,4 @@ ThinnedCurve thinned(const Curve& curve, std::size_t most_points) {
   return result;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

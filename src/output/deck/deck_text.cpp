@@ -9,7 +9,7 @@
 
 #include "dashpad/version.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 std::string plain_ascii(std::string_view text) {
   std::string plain;
@@ -119,4 +119,4 @@ int checked_first_id(const CurveFile& file) {
   return file.first_id;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -7,7 +7,7 @@
 
 #include "dashpad/output/deck/exports.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// Printable ASCII in one line: line breaks and other control characters become blanks, any other character
 /// that is not ASCII becomes one "?". So does "&", with which LS-DYNA calls a parameter.
@@ -37,4 +37,4 @@ std::string caption(const Curve& curve);
 /// The number of the first curve. Throws std::invalid_argument if one of the file's numbers is out of range.
 int checked_first_id(const CurveFile& file);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

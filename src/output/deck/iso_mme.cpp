@@ -12,7 +12,7 @@
 #include "dashpad/output/deck/iso_mme_test.hpp"
 #include "dashpad/version.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -41,7 +41,7 @@ IsoMmeHistory history_of(const Curve& curve, bool in_g) {
   const CurveChannel* channel = channel_of(curve.name);
   if (channel == nullptr) throw std::invalid_argument("ISO-MME: " + curve.name + " is not over time");
   IsoMmeHistory history{channel->code, channel->name, channel->dimension, curve.ordinate.si_unit,
-                        resampled({curve.x, curve.y}, iso_mme_interval).acceleration};
+                        injury::resampled({curve.x, curve.y}, iso_mme_interval).acceleration};
   if (in_g && curve.name == "acceleration") {
     history.unit = "g";
     for (double& value : history.values) value /= standard_gravity;
@@ -66,4 +66,4 @@ std::string iso_mme_zip(const CurveFile& file) {
   return zip_of(iso_mme_files(test));
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -10,7 +10,7 @@
 #include "dashpad/output/deck/iso_mme_test.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -133,4 +133,4 @@ std::map<std::string, std::string> iso_mme_files(const IsoMmeTest& test) {
   return files;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -4,7 +4,7 @@
 
 #include "output/deck/deck_text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -37,4 +37,4 @@ std::string ls_dyna_text(const CurveFile& file) {
   return text + "*END\n";
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -11,7 +11,7 @@
 #include "dashpad/quantities/quantity.hpp"
 #include "output/deck/deck_text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -57,4 +57,4 @@ std::string radioss_text(const CurveFile& file) {
   return text;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

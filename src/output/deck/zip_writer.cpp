@@ -8,7 +8,7 @@
 
 #include "dashpad/output/deck/iso_mme_test.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -49,4 +49,4 @@ std::string zip_of(const std::map<std::string, std::string>& files) {
   return bytes;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

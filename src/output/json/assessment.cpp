@@ -5,19 +5,19 @@
 #include "dashpad/output/json/result.hpp"
 #include "quantities/json_values.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
-std::string taken_from(const StandardValue& value) {
+std::string taken_from(const injury::StandardValue& value) {
   if (value.chosen_by_user) return "user";
   return value.value ? "standard" : "case";
 }
 
-Json input(const StandardValue& value, double used, double of_case) {
+Json input(const injury::StandardValue& value, double used, double of_case) {
   return {{"value", number(used)},
           {"from", taken_from(value)},
-          {"replaced", differ(used, of_case)},
+          {"replaced", injury::differ(used, of_case)},
           {"case_value", number(of_case)},
           {"standard_value", number(value.chosen_by_user ? value.instead : value.value)},
           {"drop_height_m", number(value.drop_height)},
@@ -28,7 +28,7 @@ Json input(const StandardValue& value, double used, double of_case) {
 }
 
 Json impactor(const AssessmentReport& report) {
-  const Standard& standard = report.standard;
+  const injury::Standard& standard = report.standard;
   const Impactor& used = report.assessed.impactor;
   const Impactor& of_case = report.given.impactor;
   return {{"mass_kg", input(standard.mass, used.mass, of_case.mass)},
@@ -36,13 +36,14 @@ Json impactor(const AssessmentReport& report) {
           {"speed_m_per_s", input(standard.speed, used.speed, of_case.speed)}};
 }
 
-Json criterion(const CriterionResult& result) {
-  const Criterion& of = result.criterion;
-  const ResultQuantity& quantity = quantity_of(of.metric);
+Json criterion(const injury::CriterionResult& result) {
+  const injury::Criterion& of = result.criterion;
+  const ResultQuantity& quantity = injury::quantity_of(of.metric);
   const ScaledUnit unit = scaled_unit(quantity.si_unit, plain_si());
   const auto shown = [&](double value) { return number(unit.scale * value); };
   Json entry{{"metric", quantity.key}};
-  entry["level_g"] = of.metric == Metric::dwell_time ? number(of.level / standard_gravity) : Json(nullptr);
+  entry["level_g"] =
+      of.metric == injury::Metric::dwell_time ? number(of.level / standard_gravity) : Json(nullptr);
   entry["description"] = of.description;
   entry["unit"] = unit.unit;
   entry["value"] = result.value ? shown(*result.value) : Json(nullptr);
@@ -62,9 +63,9 @@ Json criterion(const CriterionResult& result) {
   return entry;
 }
 
-Json key_figures(const KeyFigures& of) {
+Json key_figures(const injury::KeyFigures& of) {
   Json all;
-  const auto add = [&](const char* key, const Figure& figure) {
+  const auto add = [&](const char* key, const injury::Figure& figure) {
     const ResultQuantity& quantity = result_quantity(key);
     const double scale = scaled_unit(quantity.si_unit, plain_si()).scale;
     all[key_with_unit(quantity)] = {{"value", figure.value ? number(scale * *figure.value) : Json(nullptr)},
@@ -89,9 +90,10 @@ Json texts(const std::vector<Flag>& reservations) {
 }  // namespace
 
 std::string assessment_json(const AssessmentReport& report) {
-  const Standard& standard = report.standard;
+  const injury::Standard& standard = report.standard;
   Json criteria = Json::array();
-  for (const CriterionResult& result : report.assessment.results) criteria.push_back(criterion(result));
+  for (const injury::CriterionResult& result : report.assessment.results)
+    criteria.push_back(criterion(result));
   Json json;
   json["verdict"] = to_string(report.assessment.verdict);
   json["unqualified"] = report.assessment.unqualified();
@@ -108,8 +110,8 @@ std::string assessment_json(const AssessmentReport& report) {
   json["criteria"] = criteria;
   json["figures"] = key_figures(report.assessment.figures);
   json["result"] = Json::parse(
-      result_json(report.assessed, report.solution.summary, whole_pulse_figures(report.solution)));
+      result_json(report.assessed, report.solution.summary, injury::whole_pulse_figures(report.solution)));
   return json_text(json);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

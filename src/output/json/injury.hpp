@@ -4,13 +4,13 @@
 #include "dashpad/injury/figures.hpp"
 #include "quantities/json_values.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// {"hic15": {"value": 1661.2, "begin_s": 5.8e-3, "end_s": 2.0e-2, "error": 1.6e-3}, "clip_3ms": {"value_g":
 /// ...}, ...}. A measured pulse is taken as it is: without errors.
-inline Json injury_json(const InjuryFigures& figures, bool with_errors) {
+inline Json injury_json(const injury::InjuryFigures& figures, bool with_errors) {
   Json all = Json::object();
-  for (const InjuryValue& of : injury_values(figures)) {
+  for (const injury::InjuryValue& of : injury::injury_values(figures)) {
     const ScaledUnit unit = scaled_unit(of.quantity->si_unit, plain_si());
     Json& entry = all[of.quantity->key];
     entry[name_with_unit("value", unit.unit)] = number(unit.scale * of.value);
@@ -22,4 +22,4 @@ inline Json injury_json(const InjuryFigures& figures, bool with_errors) {
   return all;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

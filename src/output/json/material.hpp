@@ -7,7 +7,7 @@
 #include "model/parameter_values.hpp"
 #include "quantities/json_values.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 inline Json fitted_json(const std::optional<FittedRange>& range) {
   if (!range) return nullptr;
@@ -25,4 +25,4 @@ inline Json material_json(const Material& of) {
           {"law", name_of(of.law)}, {"parameters", parameters}, {"fitted", fitted_json(of.fitted)}};
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -4,17 +4,17 @@
 #include "output/json/material.hpp"
 #include "quantities/json_values.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
 /// Null for what the kind of test has no use for.
-Json request_json(const MaterialTest& of) {
-  const bool cyclic = of.kind == TestKind::cyclic, creep = of.kind == TestKind::creep,
-             measured = of.kind == TestKind::history;
+Json request_json(const laboratory::MaterialTest& of) {
+  const bool cyclic = of.kind == laboratory::TestKind::cyclic, creep = of.kind == laboratory::TestKind::creep,
+             measured = of.kind == laboratory::TestKind::history;
   return {{"kind", to_string(of.kind)},
           {"strain", number_if(!creep && !measured, of.strain)},
-          {"hold_s", number_if(creep || of.kind == TestKind::relaxation, of.hold)},
+          {"hold_s", number_if(creep || of.kind == laboratory::TestKind::relaxation, of.hold)},
           {"stress_Pa", number_if(creep, of.stress)},
           {"low_strain", number_if(cyclic, of.low)},
           {"cycles", cyclic ? Json(of.cycles) : Json(nullptr)},
@@ -24,7 +24,7 @@ Json request_json(const MaterialTest& of) {
           {"steps_of_1984", of.steps_of_1984 ? Json(*of.steps_of_1984) : Json(nullptr)}};
 }
 
-Json point(const CushionPoint& of) {
+Json point(const laboratory::CushionPoint& of) {
   return {{"strain", number(of.strain)},
           {"stress_Pa", number(of.stress)},
           {"energy_J_per_m3", number(of.energy)},
@@ -32,8 +32,8 @@ Json point(const CushionPoint& of) {
           {"ideality", number(of.ideality)}};
 }
 
-Json figures(const MaterialTestRun& run) {
-  const CushionFigures& of = run.figures;
+Json figures(const laboratory::MaterialTestRun& run) {
+  const laboratory::CushionFigures& of = run.figures;
   return {{"peak_stress_Pa", number(of.peak_stress)},
           {"peak_stress_strain", number(of.strain_at_peak)},
           {"energy_in_J_per_m3", number(of.energy_in)},
@@ -42,7 +42,7 @@ Json figures(const MaterialTestRun& run) {
           {"best_efficiency", point(of.best_efficiency)}};
 }
 
-Json limits(const MaterialTestReport& report, const MaterialTestRun& run) {
+Json limits(const laboratory::MaterialTestReport& report, const laboratory::MaterialTestRun& run) {
   Json array = Json::array();
   for (std::size_t i = 0; i < run.at_limits.size(); ++i)
     array.push_back({{"limit_Pa", number(report.test.stress_limits[i])},
@@ -50,27 +50,27 @@ Json limits(const MaterialTestReport& report, const MaterialTestRun& run) {
   return array;
 }
 
-Json relaxation(const std::optional<RelaxedStress>& of) {
+Json relaxation(const std::optional<laboratory::RelaxedStress>& of) {
   if (!of) return nullptr;
   return {{"end_of_ramp_Pa", number(of->at_end_of_ramp)},
           {"after_tenth_of_hold_Pa", number(of->after_tenth)},
           {"after_hold_Pa", number(of->after_hold)}};
 }
 
-Json creep_json(const std::optional<CreptStrain>& of) {
+Json creep_json(const std::optional<laboratory::CreptStrain>& of) {
   if (!of) return nullptr;
   return {{"end_of_loading_strain", number(of->at_end_of_loading)},
           {"after_hold_strain", number(of->after_hold)}};
 }
 
-Json turn(const std::optional<StressAtTurn>& of) {
+Json turn(const std::optional<laboratory::StressAtTurn>& of) {
   if (!of) return nullptr;
   return {{"last_loading_Pa", number(of->last_loading)},
           {"next_Pa", number(of->next)},
           {"jump_Pa", number(of->jump())}};
 }
 
-Json update(const std::optional<UpdateOf1984>& of) {
+Json update(const std::optional<laboratory::UpdateOf1984>& of) {
   if (!of) return nullptr;
   return {{"step_s", number(of->step)},
           {"stress_discontinuity", turn(of->update_at_turn)},
@@ -81,19 +81,19 @@ Json update(const std::optional<UpdateOf1984>& of) {
           {"exact_stress_Pa", numbers(of->exact)}};
 }
 
-const char* name_of(ColumnEvent::Kind kind) {
+const char* name_of(laboratory::ColumnEvent::Kind kind) {
   switch (kind) {
-    case ColumnEvent::Kind::turned: return "turned";
-    case ColumnEvent::Kind::reloaded: return "reloaded";
-    case ColumnEvent::Kind::contact_lost: return "contact lost";
-    case ColumnEvent::Kind::contact_taken_up: return "contact taken up";
+    case laboratory::ColumnEvent::Kind::turned: return "turned";
+    case laboratory::ColumnEvent::Kind::reloaded: return "reloaded";
+    case laboratory::ColumnEvent::Kind::contact_lost: return "contact lost";
+    case laboratory::ColumnEvent::Kind::contact_taken_up: return "contact taken up";
   }
   return "";
 }
 
-Json events(const ColumnTest& of) {
+Json events(const laboratory::ColumnTest& of) {
   Json array = Json::array();
-  for (const ColumnEvent& event : of.events)
+  for (const laboratory::ColumnEvent& event : of.events)
     array.push_back({{"event", name_of(event.kind)},
                      {"time_s", number(event.time)},
                      {"strain", number(event.strain)},
@@ -102,15 +102,15 @@ Json events(const ColumnTest& of) {
   return array;
 }
 
-Json flags_json(const MaterialTestRun& run) {
+Json flags_json(const laboratory::MaterialTestRun& run) {
   Json array = Json::array();
   for (const Flag& flag : run.flags) array.push_back({{"name", flag.name}, {"text", flag.text}});
   return array;
 }
 
-Json run_json(const MaterialTestReport& report, const MaterialTestRun& run) {
-  const ColumnTest& column = run.column;
-  const CushionCurve& cushion = run.cushion;
+Json run_json(const laboratory::MaterialTestReport& report, const laboratory::MaterialTestRun& run) {
+  const laboratory::ColumnTest& column = run.column;
+  const laboratory::CushionCurve& cushion = run.cushion;
   return {{"rate_per_s", number(run.rate)},
           {"figures", figures(run)},
           {"stress_limits", limits(report, run)},
@@ -138,13 +138,13 @@ Json run_json(const MaterialTestReport& report, const MaterialTestRun& run) {
 
 }  // namespace
 
-std::string material_test_json(const MaterialTestReport& report) {
+std::string material_test_json(const laboratory::MaterialTestReport& report) {
   Json runs = Json::array();
-  for (const MaterialTestRun& run : report.runs) runs.push_back(run_json(report, run));
+  for (const laboratory::MaterialTestRun& run : report.runs) runs.push_back(run_json(report, run));
   return json_text({{"test", request_json(report.test)},
                     {"material", material_json(report.material)},
                     {"runs", runs},
                     {"program", program_json()}});
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

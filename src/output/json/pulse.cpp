@@ -10,28 +10,28 @@
 #include "output/json/injury.hpp"
 #include "quantities/json_values.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
 Json in_g(double acceleration) { return number(acceleration / standard_gravity); }
 
-Json figures(const PulseReport& report) {
+Json figures(const injury::PulseReport& report) {
   Json all = injury_json(report.figures, false);
   all["hic_windows"] = Json::array();
-  for (const WindowedHic& of : report.windows)
+  for (const injury::WindowedHic& of : report.windows)
     all["hic_windows"].push_back({{"value", number(of.hic.value)},
                                   {"begin_s", number(of.hic.begin)},
                                   {"end_s", number(of.hic.end)},
                                   {"longest_window_s", number(of.longest_window)}});
   Json& dwells = all[result_quantity("dwell_time").key] = Json::array();
-  for (const DwellTime& of : report.dwells)
+  for (const injury::DwellTime& of : report.dwells)
     dwells.push_back(
         {{"level_g", in_g(of.level)}, {"value_s", number(of.cumulative)}, {"longest_s", number(of.longest)}});
   return all;
 }
 
-Json column(const MeasuredColumn& of) {
+Json column(const input::MeasuredColumn& of) {
   return {{"name", of.name},
           {"number", of.number > 0 ? Json(of.number) : Json(nullptr)},
           {"unit", of.unit},
@@ -40,7 +40,7 @@ Json column(const MeasuredColumn& of) {
           {"sensitivity", of.sensitivity.empty() ? Json(nullptr) : Json(of.sensitivity)}};
 }
 
-Json filter(const PulseReport& report) {
+Json filter(const injury::PulseReport& report) {
   if (!report.filter) return nullptr;
   return {{"channel_frequency_class", report.filter->channel_frequency_class},
           {"corner", to_string(report.filter->corner)},
@@ -53,9 +53,9 @@ Json in_g(const std::vector<double>& accelerations) {
   return each;
 }
 
-Json offset(const PulseReport& report) {
+Json offset(const injury::PulseReport& report) {
   if (!report.offset) return nullptr;
-  const OffsetEffect& of = *report.offset;
+  const injury::OffsetEffect& of = *report.offset;
   return {{"begin_s", number(of.offset.begin)},
           {"end_s", number(of.offset.end)},
           {"interval", of.given ? "given" : "found"},
@@ -67,23 +67,23 @@ Json offset(const PulseReport& report) {
           {"hic15_without", number(of.hic15_without)}};
 }
 
-Json impact(const PulseReport& report) {
+Json impact(const injury::PulseReport& report) {
   if (!report.impact) return nullptr;
   return {{"speed_m_per_s", number(report.impact->speed)},
           {"drop_height_m", number(report.impact->drop_height)},
-          {"restitution", number(restitution(report))}};
+          {"restitution", number(injury::restitution(report))}};
 }
 
-Json flags(const PulseReport& report) {
+Json flags(const injury::PulseReport& report) {
   Json all = Json::array();
   for (const Flag& flag : report.flags) all.push_back({{"name", flag.name}, {"text", flag.text}});
   return all;
 }
 
-Json source(const PulseReport& report) {
-  const MeasuredPulse& of = report.measured;
+Json source(const injury::PulseReport& report) {
+  const input::MeasuredPulse& of = report.measured;
   Json accelerations = Json::array();
-  for (const MeasuredColumn& each : of.acceleration) accelerations.push_back(column(each));
+  for (const input::MeasuredColumn& each : of.acceleration) accelerations.push_back(column(each));
   return {{"file", report.file},
           {"format", of.format},
           {"time", column(of.time)},
@@ -97,7 +97,7 @@ Json source(const PulseReport& report) {
 
 }  // namespace
 
-std::string pulse_json(const PulseReport& report) {
+std::string pulse_json(const injury::PulseReport& report) {
   Json result;
   result["figures"] = figures(report);
   result["impact"] = impact(report);
@@ -112,7 +112,7 @@ std::string pulse_json(const PulseReport& report) {
   return json_text(result);
 }
 
-std::string pulse_csv(const PulseReport& report, const UnitSystem& units) {
+std::string pulse_csv(const injury::PulseReport& report, const UnitSystem& units) {
   const ResultQuantity &time = result_quantity("time"), &acceleration = result_quantity("acceleration");
   const double time_factor = scaled_unit(time.si_unit, units).scale;
   fmt::memory_buffer text;
@@ -124,4 +124,4 @@ std::string pulse_csv(const PulseReport& report, const UnitSystem& units) {
   return fmt::to_string(text);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -7,7 +7,7 @@
 #include "quantities/json_values.hpp"
 #include "quantities/summary_values.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -81,7 +81,7 @@ Json echo(const ImpactCase& impact) {
 }  // namespace
 
 std::string result_json(const ImpactCase& impact, const Summary& summary,
-                        const std::optional<InjuryFigures>& injury) {
+                        const std::optional<injury::InjuryFigures>& injury) {
   Json result, errors;
   result["status"] = to_string(summary.status);
   add_figures(result, errors, summary);
@@ -96,4 +96,4 @@ std::string result_json(const ImpactCase& impact, const Summary& summary,
   return json_text(result);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -4,7 +4,7 @@
 #include "output/text/study_words.hpp"
 #include "quantities/json_values.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -34,7 +34,7 @@ Json distribution_json(const std::string& response, const study::Distribution& o
           {"quantiles", quantiles}};
 }
 
-Json exceedance_json(const StudyLimit& limit, const study::Exceedance& of) {
+Json exceedance_json(const study::StudyLimit& limit, const study::Exceedance& of) {
   const auto [scale, unit] = scaled_unit(si_unit_of(limit.response), plain_si());
   return {{"response", limit.response},
           {"unit", unit},
@@ -55,7 +55,7 @@ Json sensitivity_json(const std::string& response, const study::Sensitivity& of)
   return {{"response", response}, {"draws", of.draws}, {"draws_left_out", of.left_out}, {"indices", indices}};
 }
 
-Json levels_json(const StudyAnswers& answers, const study::Group& group) {
+Json levels_json(const study::StudyAnswers& answers, const study::Group& group) {
   const std::vector<std::size_t> factors = level_factors(answers.study);
   Json levels = Json::array();
   for (std::size_t i = 0; i < group.levels.size(); ++i) {
@@ -68,7 +68,7 @@ Json levels_json(const StudyAnswers& answers, const study::Group& group) {
   return levels;
 }
 
-Json group_json(const StudyAnswers& answers, const StudyAnswers::OfGroup& of) {
+Json group_json(const study::StudyAnswers& answers, const study::StudyAnswers::OfGroup& of) {
   Json distributions = Json::array(), exceedances = Json::array(), sensitivities = Json::array();
   for (std::size_t i = 0; i < of.distributions.size(); ++i) {
     const std::string& response = answers.study.responses[answers.responses[i]];
@@ -102,9 +102,9 @@ Json cushion_json(const study::CushionCurves& curves) {
 
 }  // namespace
 
-std::string study_json(const StudyAnswers& answers) {
+std::string study_json(const study::StudyAnswers& answers) {
   Json groups = Json::array();
-  for (const StudyAnswers::OfGroup& of : answers.groups) groups.push_back(group_json(answers, of));
+  for (const study::StudyAnswers::OfGroup& of : answers.groups) groups.push_back(group_json(answers, of));
   Json json = {{"program", program_json()},
                {"title", answers.study.title},
                {"computed_by", answers.program},
@@ -122,4 +122,4 @@ std::string study_json(const StudyAnswers& answers) {
   return json_text(json);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -5,7 +5,7 @@
 
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -104,4 +104,4 @@ Json page_snapshots(const std::vector<ContactSnapshot>& snapshots) {
   return list;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -9,7 +9,7 @@
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// The history, thinned to what a plot can show, and in it the energies (J).
 nlohmann::ordered_json page_history(const ImpactCase& impact, const History& history);
@@ -20,4 +20,4 @@ nlohmann::ordered_json page_snapshots(const std::vector<ContactSnapshot>& snapsh
 /// Seven digits: more than a plot shows. Null if not finite.
 nlohmann::ordered_json rounded(double value);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

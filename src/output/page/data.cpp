@@ -14,7 +14,7 @@
 #include "output/text/case_toml.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -40,7 +40,7 @@ Json rows_json(const std::vector<ResultRow>& rows) {
   return all;
 }
 
-Json injury_marks(const InjuryFigures& of) {
+Json injury_marks(const injury::InjuryFigures& of) {
   const auto mark = [](double value, double begin, double end) {
     return Json{{"value", rounded(value)}, {"begin", rounded(begin)}, {"end", rounded(end)}};
   };
@@ -51,7 +51,7 @@ Json injury_marks(const InjuryFigures& of) {
 
 /// All that depends on the units: the factors, and texts with figures in them.
 Json system(const UnitSystem& units, const ImpactCase& impact, const Solution& solution,
-            const std::optional<InjuryFigures>& injury) {
+            const std::optional<injury::InjuryFigures>& injury) {
   Json factors = Json::object();
   for (const char* unit : plotted_units)
     factors[unit] = {{"unit", shown_unit(unit_for(units, unit))}, {"factor", value_in(units, 1, unit)}};
@@ -80,7 +80,7 @@ Json titles() {
 
 std::string page_data(const ImpactCase& impact, const Options& options, const Solution& solution,
                       const UnitSystem& shown, const std::vector<ContactSnapshot>& snapshots) {
-  const std::optional<InjuryFigures> injury = whole_pulse_figures(solution);
+  const std::optional<injury::InjuryFigures> injury = injury::whole_pulse_figures(solution);
   Json systems = Json::array();
   for (const UnitSystem& units : unit_systems()) systems.push_back(system(units, impact, solution, injury));
   Json data;
@@ -103,4 +103,4 @@ std::string page_data(const ImpactCase& impact, const Options& options, const So
   return text;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

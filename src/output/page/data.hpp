@@ -9,11 +9,11 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// JSON in one line without a "<", so that no text of a user ends the element that holds it, or begins
 /// another. Columns are in SI, to seven digits.
 std::string page_data(const ImpactCase& impact, const Options& options, const Solution& solution,
                       const UnitSystem& shown, const std::vector<ContactSnapshot>& snapshots);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

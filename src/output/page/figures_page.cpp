@@ -7,7 +7,7 @@
 #include "output/page/figures_page_data.hpp"
 #include "output/page/page_template.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 std::string figures_page(const FiguresPage& page) {
   check(page);
@@ -18,4 +18,4 @@ std::string figures_page(const FiguresPage& page) {
   return text;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -8,7 +8,7 @@
 #include "output/plot/check.hpp"
 #include "output/plot/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -31,4 +31,4 @@ void check(const FiguresPage& page) {
   }
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

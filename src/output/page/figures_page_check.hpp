@@ -3,10 +3,10 @@
 
 #include "dashpad/output/page/figures_page.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// Throws std::invalid_argument if columns of a series or rows of a table differ in length, or if an axis
 /// cannot have its limits.
 void check(const FiguresPage& page);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

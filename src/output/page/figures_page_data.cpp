@@ -10,7 +10,7 @@
 #include "output/page/figures_page_series.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::string figures_page_data(const FiguresPage& page) {
   return text;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

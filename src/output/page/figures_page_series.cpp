@@ -10,7 +10,7 @@
 #include "output/plot/rows.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -128,4 +128,4 @@ Json panels_json(const Plot& plot) {
   return list;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

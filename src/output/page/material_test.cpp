@@ -6,9 +6,9 @@
 #include "output/text/material_test_words.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
-std::string material_test_page(const MaterialTestReport& report, const UnitSystem& units) {
+std::string material_test_page(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
   const std::string source = source_words(report);
   const auto figure = [&](std::vector<Panel> panels, std::string note) {
     PageFigure of;
@@ -40,4 +40,4 @@ std::string material_test_page(const MaterialTestReport& report, const UnitSyste
   return figures_page(page);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -5,7 +5,7 @@
 #include "output/page/data.hpp"
 #include "output/page/page_template.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 bool has_page() { return !page_before_data.empty(); }
 
@@ -18,4 +18,4 @@ std::string page(const ImpactCase& impact, const Options& options, const Solutio
   return text;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace dashpad {
+namespace dashpad::output {
 
 extern const std::string_view page_before_data;
 extern const std::string_view page_after_data;
@@ -11,4 +11,4 @@ extern const std::string_view page_after_data;
 extern const std::string_view figures_page_before_data;
 extern const std::string_view figures_page_after_data;
 
-}  // namespace dashpad
+}  // namespace dashpad::output

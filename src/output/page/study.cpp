@@ -9,7 +9,7 @@
 #include "output/text/study_tables.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -35,7 +35,7 @@ Plot together(std::vector<PageFigure> figures, const std::string& title) {
 
 }  // namespace
 
-FiguresPage study_page(const StudyAnswers& answers, const UnitSystem& units) {
+FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& units) {
   const bool drawn = answers.groups.front().group.drawn;
   FiguresPage page{
       .title = answers.study.title.empty() ? "Study" : one_line(answers.study.title),
@@ -63,7 +63,7 @@ FiguresPage study_page(const StudyAnswers& answers, const UnitSystem& units) {
   return page;
 }
 
-Plot study_plot(const StudyAnswers& answers, const UnitSystem& units) {
+Plot study_plot(const study::StudyAnswers& answers, const UnitSystem& units) {
   const std::string title = answers.study.title.empty() ? "Study" : one_line(answers.study.title);
   // One map alone: its legend would be lost among those of others.
   std::vector<PageFigure> maps = map_figures(answers, units);
@@ -75,4 +75,4 @@ Plot study_plot(const StudyAnswers& answers, const UnitSystem& units) {
   return {};
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

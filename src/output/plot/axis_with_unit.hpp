@@ -9,7 +9,7 @@
 #include "dashpad/quantities/unit_system.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 inline Axis axis_with_unit(const char* meaning, const char* si_unit, const UnitSystem& units) {
   Axis axis;
@@ -31,4 +31,4 @@ inline std::vector<double> values_in(const UnitSystem& units, std::vector<double
   return values;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -7,7 +7,7 @@
 #include "output/plot/rows.hpp"
 #include "output/plot/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -38,4 +38,4 @@ void check(const Panel& panel) {
   for (const Series& series : panel.series) check(series);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

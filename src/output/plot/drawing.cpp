@@ -6,7 +6,7 @@
 
 #include "output/plot/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -105,4 +105,4 @@ PlotDrawing drawing_of(const Plot& plot) {
   return result;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

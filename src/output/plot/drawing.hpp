@@ -8,7 +8,7 @@
 #include "output/plot/legend.hpp"
 #include "output/plot/rows.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// A series with what its panel shows of it.
 struct SeriesDrawing {
@@ -33,4 +33,4 @@ struct PlotDrawing {
 /// Throws std::invalid_argument if no panel has data.
 PlotDrawing drawing_of(const Plot& plot);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -8,7 +8,7 @@
 
 #include "output/text/study_words.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -134,4 +134,4 @@ std::vector<Series> filled_areas(const std::vector<double>& across, const std::v
   return list;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

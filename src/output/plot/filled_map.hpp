@@ -6,7 +6,7 @@
 
 #include "dashpad/output/plot/plot.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// Round values from `least` to `greatest`, both ends covered: steps of 1, 2 or 5 times a power of ten, about
 /// nine. Empty where there is no range.
@@ -21,4 +21,4 @@ std::vector<Series> filled_areas(const std::vector<double>& across, const std::v
                                  const std::vector<std::vector<double>>& values,
                                  const std::vector<double>& levels, const std::string& unit);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -21,7 +21,7 @@
 
 #include "output/plot/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -222,4 +222,4 @@ std::string gnuplot_output(const std::string& program, std::string_view script) 
   return output;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -9,7 +9,7 @@
 #include "output/plot/text.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -121,4 +121,4 @@ int Legend::columns() const {
 
 int Legend::rows() const { return (static_cast<int>(entries.size()) + columns() - 1) / columns(); }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

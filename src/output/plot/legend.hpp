@@ -9,7 +9,7 @@
 
 #include "dashpad/output/plot/plot.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// Hands out the turns that nobody has been given, in the order in which it is asked.
 class Turns {
@@ -56,4 +56,4 @@ struct Legend {
   [[nodiscard]] int rows() const;
 };
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -10,7 +10,7 @@
 #include "output/text/material_test_words.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -22,7 +22,7 @@ Axis plain_axis(const char* meaning) {
 
 using Values = std::vector<double>;
 
-Series curve(const MaterialTestReport& report, std::size_t run, Values x, Values y) {
+Series curve(const laboratory::MaterialTestReport& report, std::size_t run, Values x, Values y) {
   Series series;
   series.label = rate_words(report.runs[run]);
   series.style = SeriesStyle::line;
@@ -34,37 +34,39 @@ Series curve(const MaterialTestReport& report, std::size_t run, Values x, Values
 
 /// One curve a run; x and y are taken of the run by functions.
 template <class X, class Y>
-void add_curves(Panel& panel, const MaterialTestReport& report, X x_of, Y y_of) {
+void add_curves(Panel& panel, const laboratory::MaterialTestReport& report, X x_of, Y y_of) {
   for (std::size_t i = 0; i < report.runs.size(); ++i)
     panel.series.push_back(curve(report, i, x_of(report.runs[i]), y_of(report.runs[i])));
 }
 
 /// The points of the update of 1984, in the colour of the exact curve.
 template <class X>
-void add_points_of_1984(Panel& panel, const MaterialTestReport& report, const UnitSystem& units, X x_of) {
+void add_points_of_1984(Panel& panel, const laboratory::MaterialTestReport& report, const UnitSystem& units,
+                        X x_of) {
   if (!report.test.steps_of_1984) return;
   for (std::size_t i = 0; i < report.runs.size(); ++i) {
-    const UpdateOf1984& update = *report.runs[i].update_of_1984;
+    const laboratory::UpdateOf1984& update = *report.runs[i].update_of_1984;
     Series points = curve(report, i, x_of(update), values_in(units, update.stress, "Pa"));
     points.label = fmt::format("1984, {} steps, {}", *report.test.steps_of_1984, points.label);
     points.style = SeriesStyle::points;
     const double peak = value_in(units, report.runs[i].figures.peak_stress, "Pa");
     for (double& stress : points.y)
-      if (stress < lowest_drawn * peak || stress > highest_drawn * peak) stress = NAN;
+      if (stress < laboratory::lowest_drawn * peak || stress > laboratory::highest_drawn * peak) stress = NAN;
     panel.series.push_back(std::move(points));
   }
 }
 
-Axis time_axis(const MaterialTestReport& report, const UnitSystem& units) {
+Axis time_axis(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
   Axis of = axis_with_unit("Time", "s", units);
   Values ends;
-  for (const MaterialTestRun& run : report.runs) ends.push_back(run.column.time.back());
+  for (const laboratory::MaterialTestRun& run : report.runs) ends.push_back(run.column.time.back());
   const auto [shortest, longest] = std::ranges::minmax(ends);
-  const bool held = report.test.kind == TestKind::relaxation || report.test.kind == TestKind::creep;
+  const bool held =
+      report.test.kind == laboratory::TestKind::relaxation || report.test.kind == laboratory::TestKind::creep;
   if (!held && longest < 5 * shortest) return of;
   of.logarithmic = true;
   double first = shortest;
-  for (const MaterialTestRun& run : report.runs) {
+  for (const laboratory::MaterialTestRun& run : report.runs) {
     const auto moving = held ? run.column.time.back() - report.test.hold : run.column.time.back();
     first = std::min(first, moving);
   }
@@ -72,36 +74,36 @@ Axis time_axis(const MaterialTestReport& report, const UnitSystem& units) {
   return of;
 }
 
-Values time_of(const MaterialTestRun& run, const UnitSystem& units) {
+Values time_of(const laboratory::MaterialTestRun& run, const UnitSystem& units) {
   return values_in(units, run.column.time, "s");
 }
-Values stress_of(const MaterialTestRun& run, const UnitSystem& units) {
+Values stress_of(const laboratory::MaterialTestRun& run, const UnitSystem& units) {
   return values_in(units, run.column.stress, "Pa");
 }
 
 }  // namespace
 
-Panel stress_over_strain(const MaterialTestReport& report, const UnitSystem& units) {
+Panel stress_over_strain(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
   Panel panel{"Stress over strain", plain_axis("Strain"), axis_with_unit("Stress", "Pa", units), {}};
   panel.x.low = 0;
   add_curves(
       panel, report, [](const auto& run) { return run.column.strain; },
       [&](const auto& run) { return stress_of(run, units); });
-  add_points_of_1984(panel, report, units, [](const UpdateOf1984& of) { return of.strain; });
+  add_points_of_1984(panel, report, units, [](const laboratory::UpdateOf1984& of) { return of.strain; });
   return panel;
 }
 
-Panel stress_over_time(const MaterialTestReport& report, const UnitSystem& units) {
+Panel stress_over_time(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
   Panel panel{"Stress over time", time_axis(report, units), axis_with_unit("Stress", "Pa", units), {}};
   add_curves(
       panel, report, [&](const auto& run) { return time_of(run, units); },
       [&](const auto& run) { return stress_of(run, units); });
   add_points_of_1984(panel, report, units,
-                     [&](const UpdateOf1984& of) { return values_in(units, of.time, "s"); });
+                     [&](const laboratory::UpdateOf1984& of) { return values_in(units, of.time, "s"); });
   return panel;
 }
 
-Panel strain_over_time(const MaterialTestReport& report, const UnitSystem& units) {
+Panel strain_over_time(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
   Panel panel{"Strain over time", time_axis(report, units), plain_axis("Strain"), {}};
   panel.y.low = 0;
   add_curves(
@@ -110,7 +112,7 @@ Panel strain_over_time(const MaterialTestReport& report, const UnitSystem& units
   return panel;
 }
 
-Panel energy_over_strain(const MaterialTestReport& report, const UnitSystem& units) {
+Panel energy_over_strain(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
   Panel panel{"Energy absorbed per volume, first loading", plain_axis("Strain"), plain_axis(""), {}};
   panel.y.label = fmt::format("Energy ({})", energy_density_unit(units));
   panel.x.low = panel.y.low = 0;
@@ -120,7 +122,7 @@ Panel energy_over_strain(const MaterialTestReport& report, const UnitSystem& uni
   return panel;
 }
 
-Panel efficiency_over_strain(const MaterialTestReport& report) {
+Panel efficiency_over_strain(const laboratory::MaterialTestReport& report) {
   Panel panel{"Efficiency over strain", plain_axis("Strain"), plain_axis("Efficiency"), {}};
   panel.x.low = panel.y.low = 0;
   add_curves(
@@ -129,7 +131,7 @@ Panel efficiency_over_strain(const MaterialTestReport& report) {
   return panel;
 }
 
-Panel ideality_over_strain(const MaterialTestReport& report) {
+Panel ideality_over_strain(const laboratory::MaterialTestReport& report) {
   Panel panel{"Ideality over strain", plain_axis("Strain"), plain_axis("Ideality"), {}};
   panel.x.low = panel.y.low = 0;
   add_curves(
@@ -138,7 +140,7 @@ Panel ideality_over_strain(const MaterialTestReport& report) {
   return panel;
 }
 
-Panel efficiency_over_stress(const MaterialTestReport& report, const UnitSystem& units) {
+Panel efficiency_over_stress(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
   Panel panel{"Efficiency over stress, first loading",
               axis_with_unit("Stress", "Pa", units),
               plain_axis("Efficiency"),
@@ -146,7 +148,7 @@ Panel efficiency_over_stress(const MaterialTestReport& report, const UnitSystem&
   panel.y.low = 0;
   panel.x.logarithmic = true;
   double most = 0;
-  for (const MaterialTestRun& run : report.runs) most = std::max(most, run.figures.peak_stress);
+  for (const laboratory::MaterialTestRun& run : report.runs) most = std::max(most, run.figures.peak_stress);
   panel.x.low = value_in(units, 1e-3 * most, "Pa");
   add_curves(
       panel, report, [&](const auto& run) { return values_in(units, run.cushion.stress, "Pa"); },
@@ -161,21 +163,21 @@ Panel efficiency_over_stress(const MaterialTestReport& report, const UnitSystem&
   return panel;
 }
 
-std::string source_words(const MaterialTestReport& report) {
+std::string source_words(const laboratory::MaterialTestReport& report) {
   const Material& material = report.material;
   return fmt::format("dashpad {}; {}: {}", version(), one_line(material.name),
                      material.source.empty() ? "source not stated" : one_line(material.source));
 }
 
-Plot material_test_plot(const MaterialTestReport& report, const UnitSystem& units) {
+Plot material_test_plot(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
   std::string small_print = test_words(report.test, units) + " " + source_words(report);
   for (const std::string& flag : flag_words(report)) small_print += "; " + flag;
   Panel first = stress_over_strain(report, units);
-  if (report.test.kind == TestKind::relaxation) first = stress_over_time(report, units);
-  if (report.test.kind == TestKind::creep) first = strain_over_time(report, units);
+  if (report.test.kind == laboratory::TestKind::relaxation) first = stress_over_time(report, units);
+  if (report.test.kind == laboratory::TestKind::creep) first = strain_over_time(report, units);
   return {material_words(report.material),
           {std::move(first), efficiency_over_stress(report, units)},
           small_print};
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

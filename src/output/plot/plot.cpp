@@ -9,7 +9,7 @@
 #include "output/plot/script.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -38,4 +38,4 @@ std::string picture(const Plot& plot, PictureFormat format, const std::string& p
   return format == PictureFormat::svg ? with_plain_texts(std::move(bytes)) : bytes;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -9,7 +9,7 @@
 #include "output/text/pulse_words.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -26,14 +26,15 @@ Series line(const std::string& label, const Pulse& pulse, std::size_t turn, cons
 }
 
 /// 1 or -1: on which side of zero the pulse has its peak.
-double side_of_peak(const PulseReport& report) {
+double side_of_peak(const injury::PulseReport& report) {
   for (std::size_t i = 0; i < report.pulse.time.size(); ++i)
     if (report.pulse.time[i] >= report.figures.peak.time) return report.pulse.acceleration[i] < 0 ? -1 : 1;
   return 1;
 }
 
 /// The window of a HIC as a rectangle as high as the mean acceleration in it.
-Series window(const char* key, const Hic& hic, double side, std::size_t turn, const UnitSystem& units) {
+Series window(const char* key, const injury::Hic& hic, double side, std::size_t turn,
+              const UnitSystem& units) {
   const double begin = value_in(units, hic.begin, "s"), end = value_in(units, hic.end, "s");
   const double duration = hic.end - hic.begin;
   const double mean = duration > 0 ? side * std::pow(hic.value / duration, 0.4) : 0;
@@ -47,9 +48,9 @@ Series window(const char* key, const Hic& hic, double side, std::size_t turn, co
 
 }  // namespace
 
-Plot pulse_plot(const PulseReport& report, const UnitSystem& units) {
+Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units) {
   const double side = side_of_peak(report);
-  const InjuryFigures& figures = report.figures;
+  const injury::InjuryFigures& figures = report.figures;
   Panel panel{.title = {}, .x = axis_of("time", units), .y = axis_of("acceleration", units), .series = {}};
   if (figures.hic36.begin != figures.hic15.begin || figures.hic36.end != figures.hic15.end)
     panel.series.push_back(window("hic36", figures.hic36, side, turn_of_hic36, units));
@@ -72,4 +73,4 @@ Plot pulse_plot(const PulseReport& report, const UnitSystem& units) {
                                 report.filter ? filter_words(*report.filter) : "none")};
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

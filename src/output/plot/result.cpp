@@ -8,7 +8,7 @@
 #include "output/plot/axis_with_unit.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -22,7 +22,7 @@ Series line(std::string label, std::vector<double> x, std::vector<double> y) {
 }
 
 /// Deceleration, the window of HIC15 and the 3 ms clip.
-Panel acceleration_panel(const History& history, const std::optional<InjuryFigures>& injury,
+Panel acceleration_panel(const History& history, const std::optional<injury::InjuryFigures>& injury,
                          const UnitSystem& units) {
   Panel panel{
       result_quantity("deceleration").title, axis_of("time", units), axis_of("deceleration", units), {}};
@@ -69,7 +69,7 @@ Panel loop_panel(const History& history, const UnitSystem& units) {
 }  // namespace
 
 Plot result_plot(const ImpactCase& impact, const Solution& solution,
-                 const std::optional<InjuryFigures>& injury, const UnitSystem& units) {
+                 const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units) {
   std::string source = fmt::format("dashpad {}", version());
   for (const Flag& flag : flags(solution.summary)) source += "; " + one_line(flag.text);
   return {impact.title.empty() ? "Impact" : impact.title,
@@ -77,4 +77,4 @@ Plot result_plot(const ImpactCase& impact, const Solution& solution,
           source};
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

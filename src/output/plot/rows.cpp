@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -148,4 +148,4 @@ PlotRun thinned_points(const PlotRun& run, const Axis& x, const Span& x_span, co
   return kept;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

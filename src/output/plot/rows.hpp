@@ -6,7 +6,7 @@
 
 #include "dashpad/output/plot/plot.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 struct PlotRow {
   double x = 0;
@@ -42,4 +42,4 @@ PlotRun thinned_line(const PlotRun& run, const Axis& x, const Span& span);
 PlotRun thinned_points(const PlotRun& run, const Axis& x, const Span& x_span, const Axis& y,
                        const Span& y_span);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

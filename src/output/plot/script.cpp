@@ -12,7 +12,7 @@
 #include "output/plot/drawing.hpp"
 #include "output/plot/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -206,4 +206,4 @@ std::string plot_script(const Plot& plot, PictureFormat format) {
   return script.text();
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

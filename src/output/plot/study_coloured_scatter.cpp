@@ -9,7 +9,7 @@
 #include "output/plot/study_figures.hpp"
 #include "output/text/study_words.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -38,7 +38,8 @@ double correlation(const std::vector<std::size_t>& places, const std::vector<dou
 }
 
 /// The two sampled factors that the response follows most; fewer where there are fewer.
-std::vector<std::size_t> leading_factors(const StudyAnswers& answers, const std::vector<double>& response) {
+std::vector<std::size_t> leading_factors(const study::StudyAnswers& answers,
+                                         const std::vector<double>& response) {
   const std::vector<std::size_t>& places = answers.groups.front().group.places;
   std::vector<std::pair<double, std::size_t>> order;
   for (const std::size_t factor : sampled_factors(answers.study))
@@ -74,7 +75,7 @@ std::vector<Series> classes(const Rows& rows, const std::vector<double>& levels,
   return list;
 }
 
-Rows rows_of(const StudyAnswers& answers, const std::vector<std::size_t>& factors,
+Rows rows_of(const study::StudyAnswers& answers, const std::vector<std::size_t>& factors,
              const std::vector<double>& response, double scale, const UnitSystem& units) {
   const std::vector<std::size_t>& places = answers.groups.front().group.places;
   const double x = shown_as(answers.study.factors[factors[0]].unit, units).scale,
@@ -92,7 +93,8 @@ Rows rows_of(const StudyAnswers& answers, const std::vector<std::size_t>& factor
 
 }  // namespace
 
-std::vector<PageFigure> coloured_scatter_figures(const StudyAnswers& answers, const UnitSystem& units) {
+std::vector<PageFigure> coloured_scatter_figures(const study::StudyAnswers& answers,
+                                                 const UnitSystem& units) {
   std::vector<PageFigure> figures;
   for (const std::size_t response : answers.responses) {
     const std::vector<double>& values = answers.records.responses[response];
@@ -121,4 +123,4 @@ std::vector<PageFigure> coloured_scatter_figures(const StudyAnswers& answers, co
   return figures;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

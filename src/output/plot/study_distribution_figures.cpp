@@ -10,7 +10,7 @@
 #include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -33,7 +33,7 @@ Series distribution_function(std::vector<double> values, double scale) {
   return series;
 }
 
-Panel distribution_panel(const StudyAnswers& answers, std::size_t i, const UnitSystem& units) {
+Panel distribution_panel(const study::StudyAnswers& answers, std::size_t i, const UnitSystem& units) {
   const std::string name = response_name(answers, i), unit = si_unit_of(name);
   const ScaledUnit shown = shown_as(unit, units);
   Panel panel{.title = title_of(name),
@@ -47,14 +47,14 @@ Panel distribution_panel(const StudyAnswers& answers, std::size_t i, const UnitS
     panel.series.back().label = group_label(answers, of, units);
     panel.series.back().turn = group;
   }
-  for (const StudyLimit& limit : answers.limits)
+  for (const study::StudyLimit& limit : answers.limits)
     if (limit.response == name)
       panel.series.push_back(
           {.label = "limit", .style = SeriesStyle::vertical_line, .x = {shown.scale * limit.value}});
   return panel;
 }
 
-Panel scatter_panel(const StudyAnswers& answers, std::size_t factor, std::size_t response,
+Panel scatter_panel(const study::StudyAnswers& answers, std::size_t factor, std::size_t response,
                     const UnitSystem& units) {
   const study::Factor& of = answers.study.factors[factor];
   const std::string& name = answers.study.responses[response];
@@ -109,12 +109,12 @@ Panel index_panel(const std::string& response, const study::Sensitivity& of) {
 
 }  // namespace
 
-std::string study_source(const StudyAnswers& answers) {
+std::string study_source(const study::StudyAnswers& answers) {
   return fmt::format("dashpad {}; {} rows; {}", version(), answers.records.rows.size(),
                      one_line(answers.study.title));
 }
 
-std::vector<PageFigure> distribution_figures(const StudyAnswers& answers, const UnitSystem& units) {
+std::vector<PageFigure> distribution_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   std::vector<PageFigure> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
     figures.push_back({.plot = {.title = "Distribution of " + response_name(answers, i),
@@ -126,7 +126,7 @@ std::vector<PageFigure> distribution_figures(const StudyAnswers& answers, const 
   return figures;
 }
 
-std::vector<PageFigure> scatter_figures(const StudyAnswers& answers, const UnitSystem& units) {
+std::vector<PageFigure> scatter_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   std::vector<PageFigure> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     Plot plot{.title = response_name(answers, i) + " over each factor",
@@ -142,7 +142,7 @@ std::vector<PageFigure> scatter_figures(const StudyAnswers& answers, const UnitS
   return figures;
 }
 
-std::vector<PageFigure> index_figures(const StudyAnswers& answers) {
+std::vector<PageFigure> index_figures(const study::StudyAnswers& answers) {
   std::vector<PageFigure> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::optional<study::Sensitivity>& of = answers.groups.front().sensitivities[i];
@@ -155,4 +155,4 @@ std::vector<PageFigure> index_figures(const StudyAnswers& answers) {
   return figures;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

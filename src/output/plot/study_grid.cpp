@@ -8,7 +8,7 @@
 
 #include "output/text/study_words.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -18,13 +18,13 @@ struct Cell {
   double value = 0;
 };
 
-std::vector<Cell> cells_of(const StudyAnswers& answers, std::size_t response) {
+std::vector<Cell> cells_of(const study::StudyAnswers& answers, std::size_t response) {
   std::vector<Cell> cells;
   const std::vector<std::size_t> factors = level_factors(answers.study);
   if (answers.groups.front().group.drawn) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     constexpr std::size_t median = 3;
-    for (const StudyAnswers::OfGroup& of : answers.groups) {
+    for (const study::StudyAnswers::OfGroup& of : answers.groups) {
       const double value = of.distributions[response].quantiles[median].value.value;
       cells.push_back({of.group.levels, std::isfinite(value) ? value : none});
     }
@@ -54,7 +54,7 @@ std::size_t place_in(const std::vector<double>& levels, double value) {
 
 }  // namespace
 
-std::optional<GridPlane> grid_plane(const StudyAnswers& answers, std::size_t response,
+std::optional<GridPlane> grid_plane(const study::StudyAnswers& answers, std::size_t response,
                                     const UnitSystem& units) {
   const std::vector<std::size_t> factors = level_factors(answers.study);
   // Places in `factors`: numbers before materials, many levels before few.
@@ -99,4 +99,4 @@ std::optional<GridPlane> grid_plane(const StudyAnswers& answers, std::size_t res
   return plane;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -6,7 +6,7 @@
 
 #include "dashpad/study/questions.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// Two factors of a grid and a response over them; other factors at their middle level. Levels increase.
 struct GridPlane {
@@ -20,7 +20,7 @@ struct GridPlane {
 };
 
 /// Absent where no number has two levels or more. `response` counts in StudyAnswers::responses.
-std::optional<GridPlane> grid_plane(const StudyAnswers& answers, std::size_t response,
+std::optional<GridPlane> grid_plane(const study::StudyAnswers& answers, std::size_t response,
                                     const UnitSystem& units);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

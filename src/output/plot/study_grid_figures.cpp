@@ -10,7 +10,7 @@
 #include "output/plot/study_grid.hpp"
 #include "output/text/study_words.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -29,7 +29,7 @@ std::string note_of(const GridPlane& plane) {
   return note;
 }
 
-Plot curves(const StudyAnswers& answers, const GridPlane& plane, std::size_t response,
+Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::size_t response,
             const UnitSystem& units) {
   const std::string name = response_name(answers, response);
   const study::Factor& across = answers.study.factors[plane.across];
@@ -50,7 +50,7 @@ Plot curves(const StudyAnswers& answers, const GridPlane& plane, std::size_t res
          .y = scaled(plane.values[line], shown_as(si_unit_of(name), units).scale),
          .turn = i});
   }
-  for (const StudyLimit& limit : answers.limits)
+  for (const study::StudyLimit& limit : answers.limits)
     if (limit.response == name)
       panel.series.push_back({.label = "limit",
                               .style = SeriesStyle::horizontal_line,
@@ -60,7 +60,7 @@ Plot curves(const StudyAnswers& answers, const GridPlane& plane, std::size_t res
           .source = study_source(answers)};
 }
 
-Plot map_of(const StudyAnswers& answers, const GridPlane& plane, std::size_t response,
+Plot map_of(const study::StudyAnswers& answers, const GridPlane& plane, std::size_t response,
             const UnitSystem& units) {
   const std::string name = response_name(answers, response);
   const study::Factor &across = answers.study.factors[plane.across],
@@ -113,7 +113,7 @@ Panel cushion_panel(const study::CushionCurves::Drop& drop, const UnitSystem& un
 
 }  // namespace
 
-std::vector<PageFigure> curve_figures(const StudyAnswers& answers, const UnitSystem& units) {
+std::vector<PageFigure> curve_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   std::vector<PageFigure> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
     if (const std::optional<GridPlane> plane = grid_plane(answers, i, units))
@@ -121,7 +121,7 @@ std::vector<PageFigure> curve_figures(const StudyAnswers& answers, const UnitSys
   return figures;
 }
 
-std::vector<PageFigure> map_figures(const StudyAnswers& answers, const UnitSystem& units) {
+std::vector<PageFigure> map_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   std::vector<PageFigure> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::optional<GridPlane> plane = grid_plane(answers, i, units);
@@ -136,7 +136,7 @@ std::vector<PageFigure> map_figures(const StudyAnswers& answers, const UnitSyste
   return figures;
 }
 
-std::vector<PageFigure> cushion_figures(const StudyAnswers& answers, const UnitSystem& units) {
+std::vector<PageFigure> cushion_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   if (!answers.cushion_curves) return {};
   const std::string nose = words_of(answers.study.base.impactor.nose);
   Plot plot{.title = "Cushion curves of a " + nose, .panels = {}, .source = study_source(answers)};
@@ -149,4 +149,4 @@ std::vector<PageFigure> cushion_figures(const StudyAnswers& answers, const UnitS
            "largest penetration. Do not mix them with a maker's curves."}};
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -6,7 +6,7 @@
 
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -102,4 +102,4 @@ std::string literal(std::string_view text) {
   return result + "'";
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

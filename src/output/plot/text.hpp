@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// Valid UTF-8 in one line: control characters become spaces, bytes that are not UTF-8 "�".
 std::string readable(std::string_view text);
@@ -20,4 +20,4 @@ std::vector<std::string> lines_of(std::string_view text, std::size_t length);
 /// `text`, readable, as an expression of gnuplot's language in which no character has a meaning.
 std::string literal(std::string_view text);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

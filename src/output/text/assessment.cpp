@@ -9,17 +9,17 @@
 #include "dashpad/output/text/case.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
 struct NamedValue {
   const char* name;
   const char* si_unit;
-  const StandardValue* value;
+  const injury::StandardValue* value;
 };
 
-std::array<NamedValue, 3> values_of(const Standard& standard) {
+std::array<NamedValue, 3> values_of(const injury::Standard& standard) {
   return {
       {{"mass", "kg", &standard.mass}, {"radius", "m", &standard.radius}, {"speed", "m/s", &standard.speed}}};
 }
@@ -34,7 +34,7 @@ std::string value_text(const NamedValue& entry, const UnitSystem& units) {
 
 // --- A standard in full ---
 
-std::string origin_text(const Origin& origin) {
+std::string origin_text(const injury::Origin& origin) {
   std::string text = wrapped(fmt::format("      {}{}: {}", origin.verified ? "" : "UNVERIFIED; ",
                                          to_string(origin.kind), one_line(origin.source)),
                              8) +
@@ -48,15 +48,16 @@ std::string entry_text(const NamedValue& entry, const UnitSystem& units) {
          origin_text(entry.value->origin);
 }
 
-std::string criterion_text(const Criterion& criterion, const UnitSystem& units) {
-  return wrapped(fmt::format("    {}: {} {}; {}", title_of(criterion), criterion.strict ? "below" : "at most",
-                             brief_quantity(criterion.limit, quantity_of(criterion.metric).si_unit, units),
-                             one_line(criterion.description)),
+std::string criterion_text(const injury::Criterion& criterion, const UnitSystem& units) {
+  return wrapped(fmt::format(
+                     "    {}: {} {}; {}", injury::title_of(criterion), criterion.strict ? "below" : "at most",
+                     brief_quantity(criterion.limit, injury::quantity_of(criterion.metric).si_unit, units),
+                     one_line(criterion.description)),
                  6) +
          "\n" + origin_text(criterion.origin);
 }
 
-std::string variant_text(const StandardVariant& variant, const UnitSystem& units) {
+std::string variant_text(const injury::StandardVariant& variant, const UnitSystem& units) {
   std::string text = fmt::format("\n  Variant {}: {}\n", variant.name, one_line(variant.title));
   if (variant.mass) text += entry_text({"mass", "kg", &*variant.mass}, units);
   if (variant.radius) text += entry_text({"radius", "m", &*variant.radius}, units);
@@ -64,31 +65,33 @@ std::string variant_text(const StandardVariant& variant, const UnitSystem& units
   return text;
 }
 
-std::string variants_text(const Standard& standard, const UnitSystem& units) {
+std::string variants_text(const injury::Standard& standard, const UnitSystem& units) {
   std::string text;
-  for (const StandardVariant& variant : standard.variants) text += variant_text(variant, units);
+  for (const injury::StandardVariant& variant : standard.variants) text += variant_text(variant, units);
   return text;
 }
 
 /// Those that are in force are part of the impactor; of the others the names are enough.
-std::string other_variants_text(const Standard& standard) {
+std::string other_variants_text(const injury::Standard& standard) {
   std::string names;
-  for (const StandardVariant& variant : standard.variants)
+  for (const injury::StandardVariant& variant : standard.variants)
     if (std::ranges::find(standard.chosen, variant.name) == standard.chosen.end())
       names += (names.empty() ? "" : ", ") + one_line(variant.name);
   return names.empty() ? "" : "\n  Not in force: " + names + "\n";
 }
 
-bool is_unverified(const std::optional<StandardValue>& value) { return value && !value->origin.verified; }
+bool is_unverified(const std::optional<injury::StandardValue>& value) {
+  return value && !value->origin.verified;
+}
 
 /// Of the values in force. Where no variant was chosen all may still be.
-std::size_t count_unverified(const Standard& standard) {
+std::size_t count_unverified(const injury::Standard& standard) {
   const auto bad_value = [](const NamedValue& entry) { return !entry.value->origin.verified; };
-  const auto bad_limit = [](const Criterion& criterion) { return !criterion.origin.verified; };
+  const auto bad_limit = [](const injury::Criterion& criterion) { return !criterion.origin.verified; };
   auto count = static_cast<std::size_t>(std::ranges::count_if(values_of(standard), bad_value) +
                                         std::ranges::count_if(standard.criteria, bad_limit));
   if (!standard.chosen.empty()) return count;
-  for (const StandardVariant& variant : standard.variants)
+  for (const injury::StandardVariant& variant : standard.variants)
     count += static_cast<std::size_t>(is_unverified(variant.mass)) +
              static_cast<std::size_t>(is_unverified(variant.radius)) +
              static_cast<std::size_t>(is_unverified(variant.speed));
@@ -99,7 +102,7 @@ std::string values_counted(std::size_t count) {
   return fmt::format("{} value{}", count, count == 1 ? "" : "s");
 }
 
-std::string full_name(const Standard& standard) {
+std::string full_name(const injury::Standard& standard) {
   std::string name = standard.name;
   for (const std::string& variant : standard.chosen) name += ":" + variant;
   return one_line(name);
@@ -107,7 +110,7 @@ std::string full_name(const Standard& standard) {
 
 // --- An assessment ---
 
-std::string giver(const StandardValue& value) {
+std::string giver(const injury::StandardValue& value) {
   return value.chosen_by_user ? "given by you" : "of the standard";
 }
 
@@ -130,7 +133,7 @@ std::string replaced_text(const AssessmentReport& report, const UnitSystem& unit
     const std::string in_case = std::isnan(before) ? "a " + words_of(report.given.impactor.nose)
                                                    : brief_quantity(before, entry.si_unit, units);
     const std::optional<double>& value = entry.value->value;
-    if (!value || !differ(*value, before)) {
+    if (!value || !injury::differ(*value, before)) {
       kept += fmt::format("{} ({}{}), ", entry.name, in_case, of_standard(entry, units));
       continue;
     }
@@ -143,19 +146,20 @@ std::string replaced_text(const AssessmentReport& report, const UnitSystem& unit
 }
 
 /// The figures in force that have sources of one kind; what the user gives or the case has is none of them.
-std::vector<std::string> figures_from(SourceKind kind, const Standard& standard) {
+std::vector<std::string> figures_from(injury::SourceKind kind, const injury::Standard& standard) {
   std::vector<std::string> names;
   for (const NamedValue& entry : values_of(standard))
     if (entry.value->value && !entry.value->chosen_by_user && entry.value->origin.kind == kind)
       names.emplace_back(entry.name);
-  for (const Criterion& criterion : standard.criteria)
-    if (criterion.origin.kind == kind) names.push_back(limit_of(criterion));
+  for (const injury::Criterion& criterion : standard.criteria)
+    if (criterion.origin.kind == kind) names.push_back(injury::limit_of(criterion));
   return names;
 }
 
-std::string sources_text(const Standard& standard) {
+std::string sources_text(const injury::Standard& standard) {
   std::vector<std::string> kinds;
-  for (const SourceKind kind : {SourceKind::own_text, SourceKind::secondary, SourceKind::none})
+  for (const injury::SourceKind kind :
+       {injury::SourceKind::own_text, injury::SourceKind::secondary, injury::SourceKind::none})
     if (const auto names = figures_from(kind, standard); !names.empty())
       kinds.push_back(fmt::format("{} ({})", to_string(kind), fmt::join(names, ", ")));
   return wrapped(fmt::format("Sources of the standard's figures: {}. dashpad standards {} names them.",
@@ -165,28 +169,28 @@ std::string sources_text(const Standard& standard) {
 }
 
 /// The sign is there always: a margin of a failed criterion is negative. Of a lower bound it can only shrink.
-std::string margin_text(const CriterionResult& result, const UnitSystem& units, int digits) {
+std::string margin_text(const injury::CriterionResult& result, const UnitSystem& units, int digits) {
   if (!result.margin) return "none";
   const std::string margin =
-      brief_quantity(*result.margin, quantity_of(result.criterion.metric).si_unit, units, digits);
+      brief_quantity(*result.margin, injury::quantity_of(result.criterion.metric).si_unit, units, digits);
   return fmt::format("{}{} ({:+.1f} %)", result.lower_bound ? "≤ " : "",
                      margin.starts_with('-') ? margin : "+" + margin, 100 * *result.relative_margin);
 }
 
 /// Only where it may decide, or is asked for.
-std::string error_text(const CriterionResult& result, const UnitSystem& units, Detail detail) {
-  if (!result.value || (detail == Detail::main && result.verdict != Verdict::undecided)) return "";
+std::string error_text(const injury::CriterionResult& result, const UnitSystem& units, Detail detail) {
+  if (!result.value || (detail == Detail::main && result.verdict != injury::Verdict::undecided)) return "";
   if (!std::isfinite(result.error)) return "± unknown";
-  const ScaledUnit unit = shown_as(quantity_of(result.criterion.metric).si_unit, units);
+  const ScaledUnit unit = shown_as(injury::quantity_of(result.criterion.metric).si_unit, units);
   return fmt::format("± {:.2g} {}", unit.scale * result.error, unit.unit);
 }
 
-std::string row(const CriterionResult& result, const UnitSystem& units, Detail detail) {
+std::string row(const injury::CriterionResult& result, const UnitSystem& units, Detail detail) {
   const int digits = digits_of(detail);
-  const std::string unit = quantity_of(result.criterion.metric).si_unit;
+  const std::string unit = injury::quantity_of(result.criterion.metric).si_unit;
   const std::string value = result.value ? brief_quantity(*result.value, unit, units, digits) : "none";
   std::string line =
-      fmt::format("  {:<24}{:>12} {:<12}{:>10}  {:<23}{}\n", title_of(result.criterion),
+      fmt::format("  {:<24}{:>12} {:<12}{:>10}  {:<23}{}\n", injury::title_of(result.criterion),
                   (result.lower_bound ? "≥ " : "") + value, error_text(result, units, detail),
                   (result.criterion.strict ? "< " : "") + brief_quantity(result.criterion.limit, unit, units),
                   margin_text(result, units, digits), to_string(result.verdict));
@@ -195,8 +199,8 @@ std::string row(const CriterionResult& result, const UnitSystem& units, Detail d
 }
 
 /// A line of two figures: "  Peak acceleration        108.7 g     Peak strain             0.8".
-std::string figures_text(const KeyFigures& of, const UnitSystem& units, int digits) {
-  const auto cell = [&](const char* key, const Figure& figure) {
+std::string figures_text(const injury::KeyFigures& of, const UnitSystem& units, int digits) {
+  const auto cell = [&](const char* key, const injury::Figure& figure) {
     const ResultQuantity& quantity = result_quantity(key);
     return fmt::format("{:<19}{:>12}", quantity.title,
                        figure.value ? (figure.lower_bound ? "≥ " : "") +
@@ -219,7 +223,7 @@ std::string upper_case(std::string text) {
 
 /// The answer, with the names of what stands beside it.
 std::string verdict_text(const AssessmentReport& report, const UnitSystem& units) {
-  const Assessment& assessment = report.assessment;
+  const injury::Assessment& assessment = report.assessment;
   std::vector<std::string> names;
   for (const Flag& reservation : assessment.reservations)
     if (std::ranges::find(names, reservation.name) == names.end()) names.push_back(reservation.name);
@@ -233,7 +237,7 @@ std::string verdict_text(const AssessmentReport& report, const UnitSystem& units
   return text;
 }
 
-std::string reservations_text(const Assessment& assessment) {
+std::string reservations_text(const injury::Assessment& assessment) {
   std::string text;
   for (const Flag& reservation : assessment.reservations)
     text += wrapped("  - " + one_line(reservation.text), 4) + "\n";
@@ -248,13 +252,13 @@ const std::string& assessment_caveat() {
   return caveat;
 }
 
-std::string standard_line(const Standard& standard) {
+std::string standard_line(const injury::Standard& standard) {
   const std::size_t unverified = count_unverified(standard);
   return fmt::format("  {:<28}{}{}\n", one_line(standard.name), one_line(standard.title),
                      unverified > 0 ? fmt::format(" ({} unverified)", values_counted(unverified)) : "");
 }
 
-std::string standard_text(const Standard& standard, const UnitSystem& units) {
+std::string standard_text(const injury::Standard& standard, const UnitSystem& units) {
   const auto line = [](const std::string& label, const std::string& of) {
     return wrapped(fmt::format("  {:<9}{}", label, one_line(of)), 11) + "\n";
   };
@@ -268,18 +272,18 @@ std::string standard_text(const Standard& standard, const UnitSystem& units) {
   text += "\n  Impactor\n";
   for (const NamedValue& entry : values_of(standard)) text += entry_text(entry, units);
   text += "\n  Criteria\n";
-  for (const Criterion& criterion : standard.criteria) text += criterion_text(criterion, units);
+  for (const injury::Criterion& criterion : standard.criteria) text += criterion_text(criterion, units);
   text += standard.chosen.empty() ? variants_text(standard, units) : other_variants_text(standard);
   return text + "\n" + assessment_caveat() + "\n";
 }
 
 std::string assessment_text(const AssessmentReport& report, const UnitSystem& units, Detail detail) {
-  const Standard& standard = report.standard;
+  const injury::Standard& standard = report.standard;
   std::string text = verdict_text(report, units);
   text += wrapped(fmt::format("{} ({})", one_line(standard.title), full_name(standard)), 2) + "\n\n";
   text += fmt::format("  {:<24}{:>12} {:<12}{:>10}  {}\n", "Criterion", "value",
                       detail == Detail::all ? "error" : "", "limit", "margin");
-  for (const CriterionResult& result : report.assessment.results) text += row(result, units, detail);
+  for (const injury::CriterionResult& result : report.assessment.results) text += row(result, units, detail);
   text += "\nThe impact:\n" + figures_text(report.assessment.figures, units, digits_of(detail)) + "\n";
   text += reservations_text(report.assessment) + wrapped_lines(case_text(report.assessed, units));
   text += replaced_text(report, units) + sources_text(standard);
@@ -287,4 +291,4 @@ std::string assessment_text(const AssessmentReport& report, const UnitSystem& un
   return text + "\n" + assessment_caveat() + "\n";
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -5,7 +5,7 @@
 #include "model/parameter_values.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -103,4 +103,4 @@ std::string material_text(const Material& material, const UnitSystem& units) {
   return text;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

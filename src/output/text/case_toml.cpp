@@ -6,7 +6,7 @@
 #include "model/parameter_values.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::string case_toml(const ImpactCase& impact, const Options& options) {
   return text.starts_with('\n') ? text.substr(1) : text;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -10,7 +10,7 @@
 #include "output/text/table.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -63,7 +63,7 @@ std::string laid_out(const PageTable& table) {
 
 }  // namespace
 
-std::string material_test_text(const MaterialTestReport& report, const UnitSystem& units) {
+std::string material_test_text(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
   std::string text = material_words(report.material) + "\n" + test_words(report.test, units) + "\n";
   const std::vector<std::string> flags = flag_words(report);
   if (!flags.empty()) text += "\n";
@@ -77,4 +77,4 @@ std::string material_test_text(const MaterialTestReport& report, const UnitSyste
                             source.empty() ? "not stated" : one_line(source), version());
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

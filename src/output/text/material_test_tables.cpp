@@ -7,7 +7,7 @@
 #include "output/text/material_test_words.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -30,7 +30,9 @@ struct Cells {
   }
 };
 
-std::string rate_cell(const MaterialTestRun& run) { return run.rate ? brief(*run.rate) : "measured"; }
+std::string rate_cell(const laboratory::MaterialTestRun& run) {
+  return run.rate ? brief(*run.rate) : "measured";
+}
 
 /// Rounding may leave a little less than nothing: no "-0.000".
 std::string percent(double fraction) {
@@ -38,15 +40,15 @@ std::string percent(double fraction) {
   return text == "-0.000" ? "0.000" : text;
 }
 
-PageTable figures_table(const MaterialTestReport& report, const Cells& cells) {
+PageTable figures_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
   PageTable table{
       .caption = "Figures",
       .columns = {"Rate (1/s)", cells.in_stress("Peak stress"), "at strain", cells.in_energy("Energy in"),
                   cells.in_energy("Energy returned"), "Hysteresis (%)", "Best efficiency", "at strain",
                   cells.in_stress("at stress"), "Ideality there"},
       .rows = {}};
-  for (const MaterialTestRun& run : report.runs) {
-    const CushionFigures& of = run.figures;
+  for (const laboratory::MaterialTestRun& run : report.runs) {
+    const laboratory::CushionFigures& of = run.figures;
     table.rows.push_back({rate_cell(run), cells.stress(of.peak_stress), significant(of.strain_at_peak),
                           cells.stress(of.energy_in), run.unloads ? cells.stress(of.energy_returned) : "-",
                           run.unloads ? percent(of.hysteresis) : "-",
@@ -56,12 +58,12 @@ PageTable figures_table(const MaterialTestReport& report, const Cells& cells) {
   return table;
 }
 
-PageTable limits_table(const MaterialTestReport& report, const Cells& cells) {
+PageTable limits_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
   PageTable table{.caption = "Cushioning at a stress limit",
                   .columns = {"Rate (1/s)", cells.in_stress("Limit"), "reached at strain",
                               cells.in_energy("Energy"), "Efficiency", "Ideality"},
                   .rows = {}};
-  for (const MaterialTestRun& run : report.runs)
+  for (const laboratory::MaterialTestRun& run : report.runs)
     for (std::size_t i = 0; i < run.at_limits.size(); ++i) {
       Row row{rate_cell(run), cells.stress(report.test.stress_limits[i])};
       if (const auto& at = run.at_limits[i])
@@ -74,7 +76,7 @@ PageTable limits_table(const MaterialTestReport& report, const Cells& cells) {
   return table;
 }
 
-PageTable relaxation_table(const MaterialTestReport& report, const Cells& cells) {
+PageTable relaxation_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
   const auto after = [&](double time) {
     return cells.in_stress("Stress after " + brief_quantity(time, "s", cells.units));
   };
@@ -82,36 +84,36 @@ PageTable relaxation_table(const MaterialTestReport& report, const Cells& cells)
                   .columns = {"Rate (1/s)", cells.in_stress("Stress at the end of the ramp"),
                               after(0.1 * report.test.hold), after(report.test.hold), "left (%)"},
                   .rows = {}};
-  for (const MaterialTestRun& run : report.runs) {
-    const RelaxedStress& of = *run.relaxed;
+  for (const laboratory::MaterialTestRun& run : report.runs) {
+    const laboratory::RelaxedStress& of = *run.relaxed;
     table.rows.push_back({rate_cell(run), cells.stress(of.at_end_of_ramp), cells.stress(of.after_tenth),
                           cells.stress(of.after_hold), percent(of.after_hold / of.at_end_of_ramp)});
   }
   return table;
 }
 
-PageTable creep_table(const MaterialTestReport& report, const Cells& cells) {
+PageTable creep_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
   PageTable table{.caption = "Creep",
                   .columns = {"Rate (1/s)", "Strain at the end of loading",
                               "Strain after " + brief_quantity(report.test.hold, "s", cells.units), "crept"},
                   .rows = {}};
-  for (const MaterialTestRun& run : report.runs)
+  for (const laboratory::MaterialTestRun& run : report.runs)
     table.rows.push_back({rate_cell(run), significant(run.crept->at_end_of_loading),
                           significant(run.crept->after_hold),
                           significant(run.crept->after_hold - run.crept->at_end_of_loading)});
   return table;
 }
 
-PageTable table_of_1984(const MaterialTestReport& report, const Cells& cells) {
+PageTable table_of_1984(const laboratory::MaterialTestReport& report, const Cells& cells) {
   PageTable table{
       .caption = fmt::format("The update of 1984, {} steps to the first loading", *report.test.steps_of_1984),
       .columns = {"Rate (1/s)", fmt::format("Step ({})", shown_unit(cells.units.time)), "Stress",
                   cells.in_stress("last of loading"), cells.in_stress("one step later"),
                   cells.in_stress("Jump"), "Jump (%)"},
       .rows = {}};
-  for (const MaterialTestRun& run : report.runs) {
-    const UpdateOf1984& of = *run.update_of_1984;
-    const auto add = [&](const char* name, const std::optional<StressAtTurn>& turn) {
+  for (const laboratory::MaterialTestRun& run : report.runs) {
+    const laboratory::UpdateOf1984& of = *run.update_of_1984;
+    const auto add = [&](const char* name, const std::optional<laboratory::StressAtTurn>& turn) {
       Row row{rate_cell(run), cells.time(of.step), name};
       if (turn)
         row.insert(
@@ -128,26 +130,26 @@ PageTable table_of_1984(const MaterialTestReport& report, const Cells& cells) {
   return table;
 }
 
-const char* words_for(ColumnEvent::Kind kind) {
+const char* words_for(laboratory::ColumnEvent::Kind kind) {
   switch (kind) {
-    case ColumnEvent::Kind::turned: return "unloading begins";
-    case ColumnEvent::Kind::reloaded: return "loading begins again";
-    case ColumnEvent::Kind::contact_lost: return "contact lost";
-    case ColumnEvent::Kind::contact_taken_up: return "contact taken up";
+    case laboratory::ColumnEvent::Kind::turned: return "unloading begins";
+    case laboratory::ColumnEvent::Kind::reloaded: return "loading begins again";
+    case laboratory::ColumnEvent::Kind::contact_lost: return "contact lost";
+    case laboratory::ColumnEvent::Kind::contact_taken_up: return "contact taken up";
   }
   return "";
 }
 
-PageTable events_table(const MaterialTestReport& report, const Cells& cells) {
+PageTable events_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
   PageTable table{
       .caption = "Events",
       .columns = {"Rate (1/s)", "Event", "at strain", fmt::format("Time ({})", shown_unit(cells.units.time)),
                   cells.in_stress("Stress before"), cells.in_stress("Stress after")},
       .rows = {}};
-  for (const MaterialTestRun& run : report.runs) {
+  for (const laboratory::MaterialTestRun& run : report.runs) {
     const auto& events = run.column.events;
     for (std::size_t i = 0; i < events.size() && i < most_events; ++i) {
-      const ColumnEvent& event = events[i];
+      const laboratory::ColumnEvent& event = events[i];
       table.rows.push_back({rate_cell(run), words_for(event.kind), significant(event.strain),
                             cells.time(event.time), cells.stress(event.stress_before),
                             cells.stress(event.stress_after)});
@@ -168,16 +170,16 @@ std::string energy_density_unit(const UnitSystem& units) {
   return "J/m³";
 }
 
-std::vector<PageTable> tables_of(const MaterialTestReport& report, const UnitSystem& units) {
+std::vector<PageTable> tables_of(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
   const Cells cells{units};
   std::vector<PageTable> tables{figures_table(report, cells)};
   if (!report.test.stress_limits.empty()) tables.push_back(limits_table(report, cells));
-  if (report.test.kind == TestKind::relaxation) tables.push_back(relaxation_table(report, cells));
-  if (report.test.kind == TestKind::creep) tables.push_back(creep_table(report, cells));
+  if (report.test.kind == laboratory::TestKind::relaxation) tables.push_back(relaxation_table(report, cells));
+  if (report.test.kind == laboratory::TestKind::creep) tables.push_back(creep_table(report, cells));
   if (report.test.steps_of_1984) tables.push_back(table_of_1984(report, cells));
   if (PageTable events = events_table(report, cells); !events.rows.empty())
     tables.push_back(std::move(events));
   return tables;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -6,46 +6,46 @@
 
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 std::string material_words(const Material& material) {
   return fmt::format("{} ({}, {} law)", one_line(material.title.empty() ? material.name : material.title),
                      one_line(material.name), name_of(material.law));
 }
 
-std::string test_words(const MaterialTest& test, const UnitSystem& units) {
+std::string test_words(const laboratory::MaterialTest& test, const UnitSystem& units) {
   const std::string strain = brief(test.strain), hold = brief_quantity(test.hold, "s", units);
   switch (test.kind) {
-    case TestKind::constant_rate:
+    case laboratory::TestKind::constant_rate:
       return fmt::format("Loaded to a strain of {} at constant rate, and unloaded to zero at the same rate.",
                          strain);
-    case TestKind::parabolic:
+    case laboratory::TestKind::parabolic:
       return fmt::format(
           "Loaded to a strain of {} and unloaded to zero on a parabola; the rate is the mean rate of "
           "loading.",
           strain);
-    case TestKind::relaxation:
+    case laboratory::TestKind::relaxation:
       return fmt::format("Loaded to a strain of {} at constant rate, and held there for {}.", strain, hold);
-    case TestKind::creep:
+    case laboratory::TestKind::creep:
       return fmt::format("Loaded to a stress of {} at constant strain rate, and held at that stress for {}.",
                          brief_quantity(test.stress, "Pa", units), hold);
-    case TestKind::cyclic:
+    case laboratory::TestKind::cyclic:
       return fmt::format("Loaded to a strain of {} and unloaded to {} at constant rate, {} {}.", strain,
                          brief(test.low), test.cycles, test.cycles == 1 ? "time" : "times");
-    case TestKind::history:
+    case laboratory::TestKind::history:
       return fmt::format("Driven through the strain history of {}, straight between its {} points.",
                          one_line(test.history_name), test.times.size());
   }
   return "";
 }
 
-std::string rate_words(const MaterialTestRun& run) {
+std::string rate_words(const laboratory::MaterialTestRun& run) {
   return run.rate ? brief(*run.rate) + " per second" : "measured";
 }
 
-std::vector<std::string> flag_words(const MaterialTestReport& report) {
+std::vector<std::string> flag_words(const laboratory::MaterialTestReport& report) {
   std::vector<std::pair<Flag, std::string>> all;
-  for (const MaterialTestRun& run : report.runs)
+  for (const laboratory::MaterialTestRun& run : report.runs)
     for (const Flag& flag : run.flags) {
       const auto same = std::ranges::find(all, flag.text, [](const auto& entry) { return entry.first.text; });
       if (same == all.end())
@@ -61,9 +61,9 @@ std::vector<std::string> flag_words(const MaterialTestReport& report) {
   return lines;
 }
 
-std::vector<std::string> notes_on(const MaterialTestReport& report) {
+std::vector<std::string> notes_on(const laboratory::MaterialTestReport& report) {
   double stress_error = 0, energy_error = 0;
-  for (const MaterialTestRun& run : report.runs) {
+  for (const laboratory::MaterialTestRun& run : report.runs) {
     stress_error = std::max(stress_error, run.column.stress_error);
     energy_error = std::max(energy_error, run.figures.energy_error);
   }
@@ -84,4 +84,4 @@ std::vector<std::string> notes_on(const MaterialTestReport& report) {
   return notes;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -8,27 +8,27 @@
 #include "dashpad/output/page/figures_page.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// The material's title with its name and law.
 std::string material_words(const Material& material);
 
 /// What was done, in a sentence.
-std::string test_words(const MaterialTest& test, const UnitSystem& units);
+std::string test_words(const laboratory::MaterialTest& test, const UnitSystem& units);
 
 /// "100 per second", or "measured".
-std::string rate_words(const MaterialTestRun& run);
+std::string rate_words(const laboratory::MaterialTestRun& run);
 
 /// The flags of all runs, each with the rates for which it is raised.
-std::vector<std::string> flag_words(const MaterialTestReport& report);
+std::vector<std::string> flag_words(const laboratory::MaterialTestReport& report);
 
 /// Sentences on how the numbers came about and how exact they are.
-std::vector<std::string> notes_on(const MaterialTestReport& report);
+std::vector<std::string> notes_on(const laboratory::MaterialTestReport& report);
 
 /// The unit of an energy per volume: "kJ/m³" goes with kPa.
 std::string energy_density_unit(const UnitSystem& units);
 
 /// Figures, then what the test has besides: stress limits, relaxation, creep, the update of 1984, events.
-std::vector<PageTable> tables_of(const MaterialTestReport& report, const UnitSystem& units);
+std::vector<PageTable> tables_of(const laboratory::MaterialTestReport& report, const UnitSystem& units);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -11,7 +11,7 @@
 #include "quantities/json_values.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -101,4 +101,4 @@ std::string post_impact_json(const Body& first, const Body& second, const Impact
   return json_text(result);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

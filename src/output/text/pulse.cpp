@@ -11,7 +11,7 @@
 #include "output/text/pulse_words.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -21,7 +21,7 @@ std::string stretch_of(double begin, double end, const UnitSystem& units) {
   return stretch(begin, end, units, source_digits);
 }
 
-std::string origin(const MeasuredColumn& column, const std::string& si_unit) {
+std::string origin(const input::MeasuredColumn& column, const std::string& si_unit) {
   const std::string from = column.unit_origin == "given"    ? "as given"
                            : column.unit_origin == "header" ? "from the file"
                                                             : "by the format";
@@ -31,23 +31,23 @@ std::string origin(const MeasuredColumn& column, const std::string& si_unit) {
   return text;
 }
 
-std::string offset_line(const PulseReport& report, const UnitSystem& units) {
+std::string offset_line(const injury::PulseReport& report, const UnitSystem& units) {
   if (!report.offset) return "";
   const auto& [offset, given, taken_off, with, without] = *report.offset;
   const std::string interval =
       fmt::format("the mean of {} samples {}", offset.samples, stretch_of(offset.begin, offset.end, units));
-  const std::string scatter = "scatter " + each_in_g(offset.scatter, report.figures.peak.magnitude);
-  const std::string mean = each_in_g(offset.mean, report.figures.peak.magnitude);
+  const std::string scatter = "scatter " + injury::each_in_g(offset.scatter, report.figures.peak.magnitude);
+  const std::string mean = injury::each_in_g(offset.mean, report.figures.peak.magnitude);
   if (!taken_off) return fmt::format("  quiet part    {}, {}; {}\n", mean, interval, scatter);
   return fmt::format("  zeroed        {} taken off, {}; {}; {}\n", mean, interval, scatter,
-                     change_of_hic15(*report.offset));
+                     injury::change_of_hic15(*report.offset));
 }
 
-std::string source(const PulseReport& report, const UnitSystem& units) {
-  const MeasuredPulse& measured = report.measured;
+std::string source(const injury::PulseReport& report, const UnitSystem& units) {
+  const input::MeasuredPulse& measured = report.measured;
   const Pulse& pulse = measured.pulse;
   std::string text = fmt::format("  time          {}\n", origin(measured.time, "s"));
-  for (const MeasuredColumn& column : measured.acceleration)
+  for (const input::MeasuredColumn& column : measured.acceleration)
     text += fmt::format("  acceleration  {}\n", origin(column, "m/s2"));
   if (measured.resultant)
     text += fmt::format("  resultant of {} directions{}\n", measured.acceleration.size(),
@@ -62,7 +62,7 @@ std::string source(const PulseReport& report, const UnitSystem& units) {
 }
 
 /// What the figures leave in doubt.
-std::string reservations(const PulseReport& report) {
+std::string reservations(const injury::PulseReport& report) {
   std::string text;
   for (const Flag& flag : report.flags) text += flag.text + "\n";
   for (const std::string& remark : report.measured.remarks) text += "REMARK: " + one_line(remark) + "\n";
@@ -70,7 +70,8 @@ std::string reservations(const PulseReport& report) {
 }
 
 /// Restitution, HIC with windows of one's own and dwell times. Without `all` no level that is not reached.
-std::vector<ResultRow> further_rows(const PulseReport& report, const UnitSystem& units, Detail detail) {
+std::vector<ResultRow> further_rows(const injury::PulseReport& report, const UnitSystem& units,
+                                    Detail detail) {
   const int digits = digits_of(detail);
   std::vector<ResultRow> rows;
   const auto add = [&](const char* key, const std::string& label, double value, const std::string& remark) {
@@ -78,28 +79,29 @@ std::vector<ResultRow> further_rows(const PulseReport& report, const UnitSystem&
     rows.push_back({key, label, significant(unit.scale * value, digits), unit.unit, {}, remark});
   };
   if (report.impact)
-    add("restitution", result_quantity("restitution").title, *restitution(report),
+    add("restitution", result_quantity("restitution").title, *injury::restitution(report),
         "of an impact at " + brief_quantity(report.impact->speed, "m/s", units));
-  for (const WindowedHic& of : report.windows)
+  for (const injury::WindowedHic& of : report.windows)
     add("hic_unlimited", "HIC of " + brief(1e3 * of.longest_window) + " ms", of.hic.value,
         stretch(of.hic.begin, of.hic.end, units, digits));
-  for (const DwellTime& of : report.dwells)
+  for (const injury::DwellTime& of : report.dwells)
     if (of.cumulative > 0 || detail == Detail::all)
       add("dwell_time",
-          title_of(
-              Criterion{.metric = Metric::dwell_time, .level = of.level, .description = {}, .origin = {}}),
+          injury::title_of(injury::Criterion{
+              .metric = injury::Metric::dwell_time, .level = of.level, .description = {}, .origin = {}}),
           of.cumulative, "in all; longest " + brief_quantity(of.longest, "s", units, digits));
   return rows;
 }
 
 }  // namespace
 
-std::string filter_words(const PulseFilter& filter) {
+std::string filter_words(const injury::PulseFilter& filter) {
   return fmt::format("CFC{}, corner of {}, ends {}", filter.channel_frequency_class,
-                     filter.corner == Corner::sae_j211 ? "SAE J211" : "ISO 6487", to_string(filter.ends));
+                     filter.corner == injury::Corner::sae_j211 ? "SAE J211" : "ISO 6487",
+                     to_string(filter.ends));
 }
 
-std::string pulse_text(const PulseReport& report, const UnitSystem& units, Detail detail) {
+std::string pulse_text(const injury::PulseReport& report, const UnitSystem& units, Detail detail) {
   std::string text = fmt::format("{} ({})\n", one_line(report.file), report.measured.format);
   text += wrapped_lines(reservations(report)) + "\n";
   std::vector<ResultRow> rows = pulse_rows(report.figures, units, detail);
@@ -112,4 +114,4 @@ std::string pulse_text(const PulseReport& report, const UnitSystem& units, Detai
                     version());
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -5,9 +5,9 @@
 #include "dashpad/injury/pulse_report.hpp"
 #include "injury/pulse_words.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// "CFC1000, corner of SAE J211, ends mirrored".
-std::string filter_words(const PulseFilter& filter);
+std::string filter_words(const injury::PulseFilter& filter);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

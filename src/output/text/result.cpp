@@ -11,7 +11,7 @@
 #include "output/result_rows.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -31,7 +31,8 @@ double take_errors(std::vector<ResultRow>& rows, double tolerance) {
 }
 
 std::vector<ResultRow> main_rows_of(const ImpactCase& impact, const Summary& summary,
-                                    const std::optional<InjuryFigures>& injury, const UnitSystem& units) {
+                                    const std::optional<injury::InjuryFigures>& injury,
+                                    const UnitSystem& units) {
   std::vector<ResultRow> rows = summary_rows(impact, summary, units, Detail::main);
   if (!injury) return rows;
   std::vector<ResultRow> all = pulse_rows(*injury, units, Detail::main);
@@ -42,7 +43,7 @@ std::vector<ResultRow> main_rows_of(const ImpactCase& impact, const Summary& sum
 }
 
 std::string main_text(const ImpactCase& impact, const Summary& summary,
-                      const std::optional<InjuryFigures>& injury, const UnitSystem& units) {
+                      const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units) {
   std::vector<ResultRow> rows = main_rows_of(impact, summary, injury, units);
   const double error = take_errors(rows, summary.tolerance);
   const bool some_left =
@@ -62,7 +63,7 @@ std::string main_text(const ImpactCase& impact, const Summary& summary,
 }
 
 std::string full_text(const ImpactCase& impact, const Summary& summary,
-                      const std::optional<InjuryFigures>& injury, const UnitSystem& units) {
+                      const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units) {
   std::string text;
   for (const ResultRow& row : summary_rows(impact, summary, units, Detail::all)) text += laid_out(row);
   if (injury) text += "\nThe pulse:\n";
@@ -76,7 +77,8 @@ std::string full_text(const ImpactCase& impact, const Summary& summary,
 }  // namespace
 
 std::string result_text(const ImpactCase& impact, const Summary& summary,
-                        const std::optional<InjuryFigures>& injury, const UnitSystem& units, Detail detail) {
+                        const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units,
+                        Detail detail) {
   std::string text = impact.title.empty() ? "" : wrapped(one_line(impact.title), 2) + "\n";
   text += outcome(summary) + "\n";
   for (const std::string& warning : warnings(summary, units)) text += wrapped(warning, 2) + "\n";
@@ -84,4 +86,4 @@ std::string result_text(const ImpactCase& impact, const Summary& summary,
   return text + "\n" + (detail == Detail::all ? full_text : main_text)(impact, summary, injury, units);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -7,9 +7,9 @@
 #include "output/text/table.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
-std::string study_text(const StudyAnswers& answers, const UnitSystem& units) {
+std::string study_text(const study::StudyAnswers& answers, const UnitSystem& units) {
   std::string text = answers.study.title.empty() ? "Study" : one_line(answers.study.title);
   text += fmt::format("\n{} rows, computed by Dashpad {}\n\n", answers.records.rows.size(),
                       one_line(answers.program));
@@ -21,4 +21,4 @@ std::string study_text(const StudyAnswers& answers, const UnitSystem& units) {
   return text + "\n" + interval_note(answers) + "\n";
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

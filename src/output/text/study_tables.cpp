@@ -9,7 +9,7 @@
 #include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -31,8 +31,8 @@ std::string share_above(const study::Exceedance& of) {
                      four_digits(100 * of.probability.high));
 }
 
-void add_distributions(PageTable& table, const StudyAnswers& answers, const StudyAnswers::OfGroup& of,
-                       const UnitSystem& units) {
+void add_distributions(PageTable& table, const study::StudyAnswers& answers,
+                       const study::StudyAnswers::OfGroup& of, const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::string name = response_name(answers, i);
     const study::Distribution& distribution = of.distributions[i];
@@ -55,10 +55,10 @@ void add_distributions(PageTable& table, const StudyAnswers& answers, const Stud
   }
 }
 
-void add_exceedances(PageTable& table, const StudyAnswers& answers, const StudyAnswers::OfGroup& of,
-                     const UnitSystem& units) {
+void add_exceedances(PageTable& table, const study::StudyAnswers& answers,
+                     const study::StudyAnswers::OfGroup& of, const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.limits.size(); ++i) {
-    const StudyLimit& limit = answers.limits[i];
+    const study::StudyLimit& limit = answers.limits[i];
     const study::Exceedance& exceedance = of.exceedances[i];
     const ScaledUnit shown = shown_as(si_unit_of(limit.response), units);
     Row row{title_of(limit.response),
@@ -74,7 +74,7 @@ void add_exceedances(PageTable& table, const StudyAnswers& answers, const StudyA
   }
 }
 
-void add_indices(PageTable& table, const StudyAnswers& answers, const StudyAnswers::OfGroup& of,
+void add_indices(PageTable& table, const study::StudyAnswers& answers, const study::StudyAnswers::OfGroup& of,
                  const UnitSystem& /*none of them has a unit*/) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     if (!of.sensitivities[i]) continue;
@@ -86,19 +86,21 @@ void add_indices(PageTable& table, const StudyAnswers& answers, const StudyAnswe
 }
 
 /// The columns, and where rows struck through a column for them before the last.
-Row with_struck_through(const StudyAnswers& answers, Row columns) {
+Row with_struck_through(const study::StudyAnswers& answers, Row columns) {
   if (answers.records.struck_through > 0) columns.insert(columns.end() - 1, "Struck through");
   return columns;
 }
 
-using AddRows = void (*)(PageTable&, const StudyAnswers&, const StudyAnswers::OfGroup&, const UnitSystem&);
+using AddRows = void (*)(PageTable&, const study::StudyAnswers&, const study::StudyAnswers::OfGroup&,
+                         const UnitSystem&);
 
 /// The rows of all combinations of levels in one table; where there are several, the first column names them.
-PageTable over_groups(PageTable table, const StudyAnswers& answers, const UnitSystem& units, AddRows add) {
+PageTable over_groups(PageTable table, const study::StudyAnswers& answers, const UnitSystem& units,
+                      AddRows add) {
   const bool named = answers.groups.size() > 1;
   if (named) table.columns.insert(table.columns.begin(), "At");
   for (std::size_t i = 0; i < answers.groups.size() && i < most_groups_shown; ++i) {
-    const StudyAnswers::OfGroup& of = answers.groups[i];
+    const study::StudyAnswers::OfGroup& of = answers.groups[i];
     const std::size_t begin = table.rows.size();
     add(table, answers, of, units);
     for (std::size_t row = begin; named && row < table.rows.size(); ++row)
@@ -107,7 +109,7 @@ PageTable over_groups(PageTable table, const StudyAnswers& answers, const UnitSy
   return table;
 }
 
-std::string spread_text(const StudyAnswers& answers, std::size_t factor, const UnitSystem& units) {
+std::string spread_text(const study::StudyAnswers& answers, std::size_t factor, const UnitSystem& units) {
   using namespace study;
   const auto text = [&](double value) { return level_text(answers.study, factor, value, units); };
   const Spread& spread = answers.study.factors[factor].spread;
@@ -133,7 +135,7 @@ std::string spread_text(const StudyAnswers& answers, std::size_t factor, const U
 
 }  // namespace
 
-std::vector<PageTable> study_tables(const StudyAnswers& answers, const UnitSystem& units) {
+std::vector<PageTable> study_tables(const study::StudyAnswers& answers, const UnitSystem& units) {
   const bool drawn = answers.groups.front().group.drawn;
   std::vector<PageTable> tables{over_groups(
       {.caption = "Distribution",
@@ -154,7 +156,7 @@ std::vector<PageTable> study_tables(const StudyAnswers& answers, const UnitSyste
   return tables;
 }
 
-PageTable factor_table(const StudyAnswers& answers, const UnitSystem& units) {
+PageTable factor_table(const study::StudyAnswers& answers, const UnitSystem& units) {
   PageTable table{.caption = "Factors", .columns = {"Factor", "Varies"}, .rows = {}};
   for (std::size_t i = 0; i < answers.study.factors.size(); ++i) {
     const study::Factor& factor = answers.study.factors[i];
@@ -166,7 +168,7 @@ PageTable factor_table(const StudyAnswers& answers, const UnitSystem& units) {
   return table;
 }
 
-std::vector<std::string> study_warnings(const StudyAnswers& answers) {
+std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
   std::vector<std::string> texts;
   const study::Records& records = answers.records;
   const std::size_t rows = records.rows.size();
@@ -222,7 +224,7 @@ std::string unstratified_factors(const study::Study& study) {
 
 }  // namespace
 
-std::string interval_note(const StudyAnswers& answers) {
+std::string interval_note(const study::StudyAnswers& answers) {
   if (!answers.groups.front().group.drawn)
     return "Figures are over the levels as they are, each row counting the same. A grid has no "
            "probabilities, so "
@@ -244,4 +246,4 @@ std::string interval_note(const StudyAnswers& answers) {
   return note;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

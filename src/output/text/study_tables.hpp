@@ -6,21 +6,21 @@
 #include "dashpad/output/page/figures_page.hpp"
 #include "dashpad/study/questions.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// More combinations of levels are only in the JSON.
 inline constexpr std::size_t most_groups_shown = 24;
 
 /// Distributions and, where asked for, exceedances and indices, over all combinations of levels.
-std::vector<PageTable> study_tables(const StudyAnswers& answers, const UnitSystem& units);
+std::vector<PageTable> study_tables(const study::StudyAnswers& answers, const UnitSystem& units);
 
 /// What was studied: factors and how they vary.
-PageTable factor_table(const StudyAnswers& answers, const UnitSystem& units);
+PageTable factor_table(const study::StudyAnswers& answers, const UnitSystem& units);
 
 /// What to beware of, a sentence each; its first words in capitals.
-std::vector<std::string> study_warnings(const StudyAnswers& answers);
+std::vector<std::string> study_warnings(const study::StudyAnswers& answers);
 
 /// What the intervals mean.
-std::string interval_note(const StudyAnswers& answers);
+std::string interval_note(const study::StudyAnswers& answers);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

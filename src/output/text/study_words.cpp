@@ -7,7 +7,7 @@
 
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 std::string four_digits(double value) {
   if (!std::isfinite(value)) return "-";
@@ -36,7 +36,7 @@ std::string share_with_interval(const study::Estimate& share) {
 
 std::string percent_with_interval(const study::Estimate& estimate) { return with_interval(estimate, 100); }
 
-const std::string& response_name(const StudyAnswers& answers, std::size_t i) {
+const std::string& response_name(const study::StudyAnswers& answers, std::size_t i) {
   return answers.study.responses[answers.responses[i]];
 }
 
@@ -77,7 +77,8 @@ std::string level_text(const study::Study& study, std::size_t factor, double val
   return four_digits(shown.scale * value) + (shown.unit.empty() ? "" : " " + shown.unit);
 }
 
-std::string group_label(const StudyAnswers& answers, const study::Group& group, const UnitSystem& units) {
+std::string group_label(const study::StudyAnswers& answers, const study::Group& group,
+                        const UnitSystem& units) {
   const std::vector<std::size_t> factors = level_factors(answers.study);
   std::string text;
   for (std::size_t i = 0; i < group.levels.size(); ++i)
@@ -93,4 +94,4 @@ std::string shown_factor(const std::string& unit, double value, const Material& 
   return brief(shown.scale * value) + (shown.unit.empty() ? "" : " " + shown.unit);
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -7,7 +7,7 @@
 #include "dashpad/study/questions.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// More lines than this tell nothing.
 inline constexpr std::size_t most_lines_drawn = 8;
@@ -25,7 +25,7 @@ std::string share_with_interval(const study::Estimate& share);
 std::string percent_with_interval(const study::Estimate& estimate);
 
 /// The response that is the i-th with answers.
-const std::string& response_name(const StudyAnswers& answers, std::size_t i);
+const std::string& response_name(const study::StudyAnswers& answers, std::size_t i);
 /// "Peak force" of the response peak_force; a factor has no other name than its key.
 std::string title_of(const std::string& name);
 std::string si_unit_of(const std::string& response);
@@ -37,8 +37,9 @@ std::vector<std::size_t> level_factors(const study::Study& study);
 std::vector<std::size_t> sampled_factors(const study::Study& study);
 
 /// "impactor.speed = 5 m/s, pad.thickness = 30 mm"; "" without levels.
-std::string group_label(const StudyAnswers& answers, const study::Group& group, const UnitSystem& units);
+std::string group_label(const study::StudyAnswers& answers, const study::Group& group,
+                        const UnitSystem& units);
 /// "5 m/s", or the name of a material.
 std::string level_text(const study::Study& study, std::size_t factor, double value, const UnitSystem& units);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -4,7 +4,7 @@
 
 #include "quantities/text.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::string plain_text(const PageTable& table) {
   return text;
 }
 
-}  // namespace dashpad
+}  // namespace dashpad::output

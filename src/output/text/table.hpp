@@ -7,7 +7,7 @@
 
 #include "dashpad/output/page/figures_page.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// For the document of the validation.
 std::string markdown(const PageTable& table);
@@ -18,4 +18,4 @@ std::string plain_text(const PageTable& table);
 /// Characters of the longest cell of each column; the rows have as many cells as the first.
 std::vector<std::size_t> column_widths(const std::vector<std::vector<std::string>>& rows);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -9,7 +9,7 @@
 #include "dashpad/report1986/validation/energy.hpp"
 #include "report1986/validation/measured_tests_columns.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -205,4 +205,4 @@ std::vector<ReportClaim> check_claims(const ValidationData& data) {
   return claims.take();
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -97,4 +97,4 @@ double weight_of(const ValidationData& data, Projectile projectile) {
   return test->weight_lb;
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

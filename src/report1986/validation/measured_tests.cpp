@@ -10,14 +10,14 @@
 #include "report1986/validation/measured_tests_table.hpp"
 #include "report1986/validation/measured_tests_words.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
 namespace fs = std::filesystem;
 
 /// The points of both supports, checked: deflections and forces go up; the plate is one point.
-void read_supports(const fs::path& file, ValidationData& data, std::vector<Fault>& faults) {
+void read_supports(const fs::path& file, ValidationData& data, std::vector<input::Fault>& faults) {
   CsvTable table(file, {"support", "deflection_in", "force_lb"}, faults);
   bool has_plate = false;
   for (const CsvRecord& record : table.records()) {
@@ -42,7 +42,7 @@ void read_supports(const fs::path& file, ValidationData& data, std::vector<Fault
   if (!table.records().empty() && !has_plate) table.fault("has no point of the plate");
 }
 
-void read_constants(const fs::path& file, ValidationData& data, std::vector<Fault>& faults) {
+void read_constants(const fs::path& file, ValidationData& data, std::vector<input::Fault>& faults) {
   CsvTable table(file, {"name", "value", "unit", "where"}, faults);
   for (const CsvRecord& record : table.records()) {
     PrintedConstant constant{table.text(record, "name"), table.number(record, "value"),
@@ -57,7 +57,7 @@ void read_constants(const fs::path& file, ValidationData& data, std::vector<Faul
       table.fault("has no constant " + std::string(name));
 }
 
-void read_table_3_2(const fs::path& file, ValidationData& data, std::vector<Fault>& faults) {
+void read_table_3_2(const fs::path& file, ValidationData& data, std::vector<input::Fault>& faults) {
   CsvTable table(file,
                  {"projectile", "speed_mph", "energy_in_lb", "peak_force_lb", "rebound_energy_in_lb",
                   "support_energy_in_lb", "speed_ratio", "rebound_mph"},
@@ -83,7 +83,7 @@ double ValidationData::constant(const std::string& name) const {
   return found->value;
 }
 
-ValidationData read_validation_data(const fs::path& folder, std::vector<Fault>& faults) {
+ValidationData read_validation_data(const fs::path& folder, std::vector<input::Fault>& faults) {
   ValidationData data;
   const std::size_t before = faults.size();
   const auto table = [&](const char* name) {
@@ -107,4 +107,4 @@ const char* to_string(TestSupport support) {
   return support == TestSupport::load_cell ? "load cell" : "flexible plate";
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 const MeasuredColumn& measured_column(const std::string& name) {
   const auto* const found = std::ranges::find(measured_columns, name, &MeasuredColumn::name);
@@ -20,4 +20,4 @@ std::vector<const MeasuredTest*> free_tests(const MeasuredTests& measured, const
   return tests;
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -7,7 +7,7 @@
 
 #include "dashpad/report1986/validation/measured_tests.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 struct MeasuredColumn {
   const char* name;
@@ -30,4 +30,4 @@ const MeasuredColumn& measured_column(const std::string& name);
 /// The tests of the group's range that have no reading of their own in its column, by number.
 std::vector<const MeasuredTest*> free_tests(const MeasuredTests& measured, const UnplacedReadings& group);
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

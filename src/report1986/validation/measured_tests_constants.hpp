@@ -1,7 +1,7 @@
 #pragma once
 /// The printed constants that the study compares with.
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 inline constexpr const char* constants_of_the_study[] = {
     "pad_thickness_in",
@@ -47,4 +47,4 @@ inline constexpr const char* constants_of_the_study[] = {
     "force_ratio_steel_high_speed",
 };
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -10,24 +10,24 @@
 #include "input/spelling.hpp"
 #include "input/text_file.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
 constexpr double at_fault = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest_whole = 9999;
-std::vector<std::string> texts_of(const CsvRow& row) {
+std::vector<std::string> texts_of(const input::CsvRow& row) {
   std::vector<std::string> texts;
-  for (const std::string_view field : row.fields) texts.emplace_back(without_blanks(field));
+  for (const std::string_view field : row.fields) texts.emplace_back(input::without_blanks(field));
   return texts;
 }
 
 }  // namespace
 
 std::string why_no_reading(const std::string& text, bool is_fraction, double& value) {
-  const ReadNumber number = read_number(text);
-  if (number.kind == NumberKind::empty) return "is missing";
-  if (number.kind != NumberKind::number) return rule_for(number.kind);
+  const input::ReadNumber number = input::read_number(text);
+  if (number.kind == input::NumberKind::empty) return "is missing";
+  if (number.kind != input::NumberKind::number) return input::rule_for(number.kind);
   if (number.value <= 0) return "must be more than 0";
   if (is_fraction && number.value >= 1) return "must be less than 1";
   value = number.value;
@@ -35,21 +35,21 @@ std::string why_no_reading(const std::string& text, bool is_fraction, double& va
 }
 
 CsvTable::CsvTable(const std::filesystem::path& file, std::vector<std::string> columns,
-                   std::vector<Fault>& faults)
+                   std::vector<input::Fault>& faults)
     : file_(file.string()), columns_(std::move(columns)), faults_(&faults) {
   try {
-    read(read_text_file(file));
-  } catch (const InputError& error) {
+    read(input::read_text_file(file));
+  } catch (const input::InputError& error) {
     faults.insert(faults.end(), error.faults().begin(), error.faults().end());
   }
 }
 
 void CsvTable::read(const std::string& text) {
-  CsvRows rows(without_mark(text), ',');
-  CsvRow row;
+  input::CsvRows rows(input::without_mark(text), ',');
+  input::CsvRow row;
   if (!rows.next(row) || texts_of(row) != columns_)
-    throw InputError(
-        {{file_, static_cast<int>(row.line), "", "", "must name these columns first: " + listing(columns_)}});
+    throw input::InputError({{file_, static_cast<int>(row.line), "", "",
+                              "must name these columns first: " + input::listing(columns_)}});
   while (rows.next(row)) {
     const int line = static_cast<int>(row.line);
     if (!row.fault.empty())
@@ -115,8 +115,9 @@ std::optional<std::size_t> CsvTable::choice(const CsvRecord& record, const std::
                                             const std::vector<std::string>& words) {
   const auto found = std::ranges::find(words, field(record, column));
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  fault(record, column, "must be one of " + listing(words) + did_you_mean(field(record, column), words));
+  fault(record, column,
+        "must be one of " + input::listing(words) + input::did_you_mean(field(record, column), words));
   return std::nullopt;
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -8,7 +8,7 @@
 
 #include "dashpad/input/fault.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 struct CsvRecord {
   int line = 0;
@@ -20,7 +20,8 @@ struct CsvRecord {
 class CsvTable {
  public:
   /// The file must name these columns, in this order. `faults` must outlive the table.
-  CsvTable(const std::filesystem::path& file, std::vector<std::string> columns, std::vector<Fault>& faults);
+  CsvTable(const std::filesystem::path& file, std::vector<std::string> columns,
+           std::vector<input::Fault>& faults);
 
   [[nodiscard]] const std::vector<CsvRecord>& records() const { return records_; }
 
@@ -50,7 +51,7 @@ class CsvTable {
 
   std::string file_;
   std::vector<std::string> columns_;
-  std::vector<Fault>* faults_;
+  std::vector<input::Fault>* faults_;
   std::vector<CsvRecord> records_;
 };
 
@@ -58,4 +59,4 @@ class CsvTable {
 /// `value`.
 std::string why_no_reading(const std::string& text, bool is_fraction, double& value);
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

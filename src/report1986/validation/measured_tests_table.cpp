@@ -13,7 +13,7 @@
 #include "report1986/validation/measured_tests_csv.hpp"
 #include "report1986/validation/measured_tests_words.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -105,7 +105,8 @@ std::string broken_rule(const UnplacedReadings& group, const MeasuredTests& meas
 
 }  // namespace
 
-std::vector<MeasuredTest> read_certain_rows(const std::filesystem::path& file, std::vector<Fault>& faults) {
+std::vector<MeasuredTest> read_certain_rows(const std::filesystem::path& file,
+                                            std::vector<input::Fault>& faults) {
   CsvTable table(file, columns_of_tests(), faults);
   std::vector<MeasuredTest> tests;
   for (const CsvRecord& record : table.records()) {
@@ -118,7 +119,7 @@ std::vector<MeasuredTest> read_certain_rows(const std::filesystem::path& file, s
 
 std::vector<UnplacedReadings> read_unplaced(const std::filesystem::path& file,
                                             const std::vector<MeasuredTest>& tests,
-                                            std::vector<Fault>& faults) {
+                                            std::vector<input::Fault>& faults) {
   std::vector<std::string> names;
   for (const MeasuredColumn& column : measured_columns) names.emplace_back(column.name);
 
@@ -139,4 +140,4 @@ std::vector<UnplacedReadings> read_unplaced(const std::filesystem::path& file,
   return measured.unplaced;
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -4,7 +4,7 @@
 #include "dashpad/report1986/validation/measured_tests.hpp"
 #include "report1986/validation/measured_tests_csv.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 inline Projectile read_projectile(CsvTable& table, const CsvRecord& record) {
   return table.choice(record, "projectile", {"aluminium", "steel"}) == 1 ? Projectile::steel
@@ -16,4 +16,4 @@ inline TestSupport read_support(CsvTable& table, const CsvRecord& record) {
                                                                       : TestSupport::load_cell;
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -12,7 +12,7 @@
 #include "report1986/validation/placings.hpp"
 #include "report1986/validation/trends_least_squares.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -136,4 +136,4 @@ NominalStressFit fit_nominal_stress(const ValidationData& data, const Material& 
   return fit;
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

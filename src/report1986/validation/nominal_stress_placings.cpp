@@ -6,7 +6,7 @@
 #include "input/special_numbers.hpp"
 #include "report1986/validation/measured_tests_columns.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -81,7 +81,7 @@ NominalStressPlacings::NominalStressPlacings(const MeasuredTests& measured,
 std::map<std::size_t, LeastSum> NominalStressPlacings::least(
     const std::function<double(double)>& cost) const {
   struct Best {
-    double sum = infinite;
+    double sum = input::infinite;
     const Step* step = nullptr;
   };
   const std::size_t counts = steps_.size() + 1;  // numbers of points: 0 to that of the tests
@@ -102,7 +102,7 @@ std::map<std::size_t, LeastSum> NominalStressPlacings::least(
 
   std::map<std::size_t, LeastSum> found;
   for (std::size_t points = 0; states_.back() > 0 && points < counts; ++points) {
-    if (best.back()[points].sum == infinite) continue;
+    if (best.back()[points].sum == input::infinite) continue;
     LeastSum& least = found[points];
     least.sum = best.back()[points].sum;
     std::size_t state = 0;
@@ -118,4 +118,4 @@ std::map<std::size_t, LeastSum> NominalStressPlacings::least(
   return found;
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -10,7 +10,7 @@
 
 #include "dashpad/report1986/validation/trends.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 /// The least sum over the points of a placing.
 struct LeastSum {
@@ -40,4 +40,4 @@ class NominalStressPlacings {
   std::vector<std::size_t> states_;       ///< how many there are before each test, and after the last
 };
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

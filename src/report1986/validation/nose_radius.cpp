@@ -9,7 +9,7 @@
 #include "dashpad/report1986/validation/verdict.hpp"
 #include "report1986/validation/placings.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -210,4 +210,4 @@ RadiusStudy study_radius(const ValidationData& data, const Material& ensolite, c
                       predict_for_radius(data, ensolite, progress));
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -7,7 +7,7 @@
 
 #include "dashpad/report1986/validation/nose_radius.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -103,4 +103,4 @@ RadiusCriterion radius_criterion(
   return criterion;
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -5,7 +5,7 @@
 #include "dashpad/report1986/validation/verdict.hpp"
 #include "report1986/validation/placings.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::vector<PlacedScore> placed_scores(const MeasuredTests& measured_tests,
   return scores;
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -4,7 +4,7 @@
 
 #include "report1986/validation/measured_tests_columns.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -73,4 +73,4 @@ void for_each_placing(const MeasuredTests& measured, const std::string& column, 
   Search{measured_column(column).reading, groups, visit, measured.tests}.place(0, 0, 0);
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

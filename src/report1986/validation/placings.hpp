@@ -8,7 +8,7 @@
 
 #include "dashpad/report1986/validation/measured_tests.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 /// How many ways there are to choose `readings` of `rows`; 0 where there are more readings than rows. As a
 /// double, since it may be large.
@@ -25,4 +25,4 @@ inline constexpr double most_placings = 1e6;
 void for_each_placing(const MeasuredTests& measured, const std::string& column,
                       const std::function<void(const std::vector<MeasuredTest>&)>& visit);
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -6,7 +6,7 @@
 
 #include "dashpad/report1986/validation/simulations.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -92,4 +92,4 @@ std::vector<Prediction> predict_all(const ValidationData& data, const Material& 
   return predictions;
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -10,7 +10,7 @@
 #include "dashpad/report1986/validation/energy.hpp"
 #include "dashpad/spit1984/run.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -147,4 +147,4 @@ const Prediction* find(const std::vector<Prediction>& predictions, Program progr
   return found == predictions.end() ? nullptr : &*found;
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

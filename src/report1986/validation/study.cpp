@@ -2,7 +2,7 @@
 
 #include "dashpad/report1986/validation/verdict.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -145,4 +145,4 @@ Study run_study(const ValidationData& data, const Material& ensolite, const Prog
   return study;
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

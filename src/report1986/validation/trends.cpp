@@ -11,7 +11,7 @@
 #include "report1986/validation/placings.hpp"
 #include "report1986/validation/trends_least_squares.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -226,4 +226,4 @@ std::vector<FittedConstant> fit_trends(const ValidationData& data) {
   return constants;
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

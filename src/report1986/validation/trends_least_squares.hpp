@@ -6,7 +6,7 @@
 
 #include "dashpad/report1986/validation/trends.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 struct Point {
   double x = 0, y = 0;
@@ -36,4 +36,4 @@ struct LineFit {
 };
 LineFit fit_line(const std::vector<Point>& points);
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -5,7 +5,7 @@
 
 #include "dashpad/report1986/validation/energy.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 namespace {
 
@@ -132,4 +132,4 @@ Admissible admissible_rebounds(const ValidationData& data, const std::vector<Pre
   return result;
 }
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -9,7 +9,7 @@
 #include "dashpad/input/measurement/measured_pulse.hpp"
 #include "dashpad/input/measurement/sensitivity.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 /// Whether to read `file` as ISO-MME: a folder, a name that ends in .mme, or a zip or tar archive.
 bool is_iso_mme(const std::filesystem::path& file);
@@ -39,4 +39,4 @@ struct IsoMmeOptions {
 /// and 50 million samples a channel.
 MeasuredPulse read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

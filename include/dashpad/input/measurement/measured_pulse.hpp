@@ -7,7 +7,7 @@
 #include "dashpad/impact/pulse.hpp"
 #include "dashpad/input/input_file.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 /// A column of a table or a channel of a test, and its unit.
 struct MeasuredColumn {
@@ -36,4 +36,4 @@ struct MeasuredPulse {
 /// sqrt(x^2 + y^2 + z^2) at each time.
 std::vector<double> resultant_of(const std::vector<std::vector<double>>& components);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -9,7 +9,7 @@
 #include "dashpad/input/measurement/measured_pulse.hpp"
 #include "dashpad/input/measurement/sensitivity.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 /// What the file itself may not say. A column is named by its header, with or without its unit, or by its
 /// number from 1.
@@ -37,4 +37,4 @@ MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOp
 /// The columns with the units that the header gives; without header, numbers only. Throws InputError.
 std::vector<MeasuredColumn> pulse_csv_columns(const std::filesystem::path& file);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace dashpad {
+namespace dashpad::input {
 
 struct Sensitivity {
   std::string text = {};              ///< as written: "10 mV/g"
@@ -14,4 +14,4 @@ struct Sensitivity {
 /// g is standard gravity. Throws UnitError.
 Sensitivity sensitivity_of(const std::string& text);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -7,7 +7,7 @@
 
 #include "dashpad/input/measurement/measured_pulse.hpp"
 
-namespace dashpad {
+namespace dashpad::input {
 
 struct SensorOffset {
   double begin = 0, end = 0;         ///< s, of the first and the last sample that it is the mean of
@@ -30,4 +30,4 @@ std::optional<SensorOffset> offset_before_impact(const MeasuredPulse& measured);
 /// With the mean taken off each direction; a resultant is that of the directions afterwards.
 MeasuredPulse zeroed(MeasuredPulse measured, const SensorOffset& offset);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace dashpad {
+namespace dashpad::input {
 
 struct StrainTable {
   std::vector<double> time = {};          ///< s, increasing
@@ -19,4 +19,4 @@ struct StrainTable {
 /// faults, each with its line, or the first 200.
 StrainTable read_strain_csv(const std::filesystem::path& file);
 
-}  // namespace dashpad
+}  // namespace dashpad::input

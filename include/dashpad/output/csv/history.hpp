@@ -6,7 +6,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// CSV text: a header row, then a row a time step. Columns: time, force, acceleration (in g), velocity,
 /// motion, penetration, support_deflection, contact_radius, axis_strain; the header adds the unit:
@@ -15,4 +15,4 @@ namespace dashpad {
 /// line ends, which are '\n'.
 std::string history_csv(const History& history, const UnitSystem& units);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -7,7 +7,7 @@
 
 #include "dashpad/impact/solution.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 struct CurveAxis {
   std::string meaning;  ///< "time"
@@ -63,4 +63,4 @@ struct ThinnedCurve {
 /// off.
 ThinnedCurve thinned(const Curve& curve, std::size_t most_points);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

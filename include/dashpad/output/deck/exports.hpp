@@ -13,7 +13,7 @@
 #include "dashpad/output/deck/curves.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 struct FileCurve {
   Curve curve;         ///< SI
@@ -65,4 +65,4 @@ bool is_over_time(const std::string& curve_name);
 // Each throws std::invalid_argument for curves whose x does not increase strictly or whose numbers are not
 // finite, for numbers of curves beyond 1 to highest_curve_id, and the last for more or less than one curve.
 
-}  // namespace dashpad
+}  // namespace dashpad::output

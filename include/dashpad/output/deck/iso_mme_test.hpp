@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// The codes of a computed impact on a head form. Test object 1, no seat (0), the whole head, no dummy (00),
 /// along the impact (X). Filter class 0, unfiltered: P would say that a filter of the measuring chain has
@@ -42,4 +42,4 @@ std::map<std::string, std::string> iso_mme_files(const IsoMmeTest& test);
 /// std::runtime_error with libarchive's reason.
 std::string zip_of(const std::map<std::string, std::string>& files);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

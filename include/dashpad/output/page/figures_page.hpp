@@ -7,7 +7,7 @@
 
 #include "dashpad/output/plot/plot.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// Cells as they are shown. `caption` may be empty.
 struct PageTable {
@@ -43,4 +43,4 @@ struct FiguresPage {
 /// std::invalid_argument for rows or columns that do not fit together.
 std::string figures_page(const FiguresPage& page);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -9,7 +9,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// Whether this library was built with the page (DASHPAD_BUILD_PAGE).
 bool has_page();
@@ -24,4 +24,4 @@ inline constexpr const char* no_page =
 std::string page(const ImpactCase& impact, const Options& options, const Solution& solution,
                  const UnitSystem& shown, const std::vector<ContactSnapshot>& snapshots);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

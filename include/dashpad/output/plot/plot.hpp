@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace dashpad {
+namespace dashpad::output {
 
 enum class SeriesStyle {
   line,             ///< in the colour and with the dashes of its turn: told apart in grey, too
@@ -70,4 +70,4 @@ std::optional<PictureFormat> picture_format(const std::filesystem::path& file);
 /// columns or limits do not fit together; std::runtime_error if gnuplot is missing or fails.
 std::string picture(const Plot& plot, PictureFormat format, const std::string& program = "gnuplot");
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -9,11 +9,11 @@
 #include "dashpad/output/plot/plot.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// Acceleration over time with the window of HIC15 and the 3 ms clip, and force over motion and penetration;
 /// the flags of the result in the small print.
 Plot result_plot(const ImpactCase& impact, const Solution& solution,
-                 const std::optional<InjuryFigures>& injury, const UnitSystem& units);
+                 const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

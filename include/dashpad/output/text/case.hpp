@@ -7,7 +7,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// What strikes what, in two lines, below the title if there is one.
 std::string case_text(const ImpactCase& impact, const UnitSystem& units);
@@ -21,4 +21,4 @@ std::string material_line(const Material& material);
 /// A material: title, source, law, parameters with symbol, value, unit and meaning, and the fitted range.
 std::string material_text(const Material& material, const UnitSystem& units);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

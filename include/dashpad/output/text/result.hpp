@@ -9,7 +9,7 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
-namespace dashpad {
+namespace dashpad::output {
 
 /// How much of a result people see.
 enum class Detail {
@@ -22,6 +22,7 @@ constexpr int digits_of(Detail detail) { return detail == Detail::all ? 5 : 4; }
 /// How it ended, what to beware of, the figures, and what they rest on: case, errors. At most 100 columns
 /// wide, as far as the words allow. `injury` is absent where the pulse is not whole.
 std::string result_text(const ImpactCase& impact, const Summary& summary,
-                        const std::optional<InjuryFigures>& injury, const UnitSystem& units, Detail detail);
+                        const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units,
+                        Detail detail);
 
-}  // namespace dashpad
+}  // namespace dashpad::output

@@ -7,7 +7,7 @@
 
 #include "dashpad/report1986/validation/measured_tests.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 /// A number that the report states, in its unit.
 struct ReportClaim {
@@ -24,4 +24,4 @@ struct ReportClaim {
 /// All of them, in the order of the report. Those of the model's runs are not among them.
 std::vector<ReportClaim> check_claims(const ValidationData& data);
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -6,7 +6,7 @@
 
 #include "dashpad/report1986/validation/measured_tests.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 inline constexpr double inch_per_s_of_mph = 17.64;  ///< the report's; 17.6 would be exact
 inline constexpr double gravity_in_per_s2 = 386.4;  ///< the report's; standard gravity is 386.09
@@ -46,4 +46,4 @@ double curve_b_speed_mph(const ValidationData& data, Projectile projectile, doub
 
 double weight_of(const ValidationData& data, Projectile projectile);  ///< lb
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -12,7 +12,7 @@
 #include "dashpad/input/fault.hpp"
 #include "dashpad/input/input_file.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 enum class Projectile { aluminium, steel };
 enum class TestSupport { load_cell, plate };
@@ -81,7 +81,7 @@ struct ValidationData {
   double pad_thickness_in = 0;
   std::vector<PrintedConstant> printed;
   std::vector<ExpectationExample> table_3_2;
-  std::vector<InputFile> files;  ///< that it was read from, sound or not
+  std::vector<input::InputFile> files;  ///< that it was read from, sound or not
 
   /// The value of a printed constant. Throws std::out_of_range that names it where it is not there.
   [[nodiscard]] double constant(const std::string& name) const;
@@ -90,9 +90,9 @@ struct ValidationData {
 /// Reads the files of a folder: table-3-1.csv, table-3-1-unplaced.csv, table-3-2.csv, printed-constants.csv,
 /// supports.csv. All faults of all files in `faults`, with file, line, column, value and rule; the data are
 /// of use only where there are none.
-ValidationData read_validation_data(const std::filesystem::path& folder, std::vector<Fault>& faults);
+ValidationData read_validation_data(const std::filesystem::path& folder, std::vector<input::Fault>& faults);
 
 const char* to_string(Projectile projectile);
 const char* to_string(TestSupport support);  ///< "load cell", "flexible plate"
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -9,7 +9,7 @@
 #include "dashpad/report1986/validation/simulations.hpp"
 #include "dashpad/report1986/validation/trends.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 inline constexpr double least_radius_in = 1.5;
 inline constexpr double greatest_radius_in = 4;
@@ -67,4 +67,4 @@ RadiusStudy study_radius(const ValidationData& data, const std::vector<Predictio
 /// The same, with the predictions that it needs.
 RadiusStudy study_radius(const ValidationData& data, const Material& ensolite, const Progress& progress = {});
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

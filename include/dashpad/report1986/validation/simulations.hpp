@@ -9,7 +9,7 @@
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/report1986/validation/measured_tests.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 enum class Program {
   printed_1984,          ///< as printed, its defects included, pdp10 arithmetic, steps of 0.1 ms
@@ -65,4 +65,4 @@ std::vector<Prediction> predict_all(const ValidationData& data, const Material& 
 /// The prediction of a program for a setup; null where it is not there.
 const Prediction* find(const std::vector<Prediction>& predictions, Program program, const Setup& setup);
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

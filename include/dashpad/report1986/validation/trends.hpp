@@ -7,7 +7,7 @@
 #include "dashpad/model/pad/material.hpp"
 #include "dashpad/report1986/validation/measured_tests.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 /// A 95 % interval (Student's t) or a span.
 struct Interval {
@@ -72,4 +72,4 @@ struct NominalStressFit {
 };
 NominalStressFit fit_nominal_stress(const ValidationData& data, const Material& ensolite);
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986

@@ -11,7 +11,7 @@
 #include "dashpad/report1986/validation/simulations.hpp"
 #include "dashpad/report1986/validation/trends.hpp"
 
-namespace dashpad::validation {
+namespace dashpad::report1986 {
 
 enum class Quantity { peak_force, time_to_peak, rebound_speed, peak_strain };
 inline constexpr Quantity quantities[] = {Quantity::peak_force, Quantity::time_to_peak,
@@ -174,4 +174,4 @@ std::vector<Setup> setups_of_curves(double radius_in);
 /// `progress` is told of each stage on its own.
 Study run_study(const ValidationData& data, const Material& ensolite, const Progress& progress = {});
 
-}  // namespace dashpad::validation
+}  // namespace dashpad::report1986
