@@ -54,7 +54,8 @@ class March {
       if (now_.time > before) record(track);
       if (next.event != Event::none && phase_ != Phase::over) track.begin_stretch();
       control_.learn(phase_, now_, predictor_);
-      step = std::min(control_.next(phase_, motion_, predictor_), options_.time_limit - now_.time);
+      step = std::min(control_.next(phase_, motion_, predictor_, just_turned()),
+                      options_.time_limit - now_.time);
     }
     return read_figures(track);
   }

@@ -91,6 +91,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   const auto relative = [&](double x, double x_before, double x_run) {
     return error(x, x_before, x_run, std::abs(x));
   };
+  const double last_rebound_error = rebound_error_;
   errors_ = {};
   // On a rigid support a bottomed pad has no peak force; what matters is when and how fast it bottoms.
   const bool ended_in_lock = now.ending == Ending::bottomed_out;
@@ -114,7 +115,10 @@ void Refinement::judge(const Figures& run, const Figures& before) {
     return std::max(relative(m->time, m_before->time, m_run->time), of_speed(*m, *m_before, *m_run));
   };
   // The time of release is ill-posed (theory.md, Eq. 27); the speed then is not.
-  if (now.release) errors_.rebound_speed = of_speed(*now.release, *before.release, *run.release);
+  if (now.release) {
+    rebound_error_ = of_speed(*now.release, *before.release, *run.release);
+    errors_.rebound_speed = std::max(rebound_error_, numerics.fastest_fall_of_error * last_rebound_error);
+  }
   errors_.contact_end = moment(now.contact_end, before.contact_end, run.contact_end);
   errors_.weight = moment(now.weight, before.weight, run.weight);
   errors_.bottomed = moment(now.bottomed, before.bottomed, run.bottomed);
@@ -129,8 +133,9 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   // itself, down to a twentieth of the impact energy.
   worst = std::max(worst, errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)));
   const double allowed = runs_ > 2 ? tolerance_ : tolerance_ / 2;
+  const bool enough = runs_ > 2 || tolerance_ >= numerics.least_error_of_two_runs;
   // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.
-  settled_ = worst <= allowed && residual <= allowed && is_finite(now) &&
+  settled_ = enough && worst <= allowed && residual <= allowed && is_finite(now) &&
              errors_.time_of_peak_force <= numerics.loosest_time_of_peak;
   for (double* of : all(errors_)) *of = std::max(*of, std::min(numerics.safety_factor * *of, tolerance_));
 }

@@ -5,10 +5,10 @@
 ///
 ///   x_k* = x_k + (x_k - x_(k-1)) / 3,     error estimate of x_k*:  max(|x_k* - x_(k-1)*|, |x_k* - x_k|)
 ///
-/// with the first run's figures as they are for x_1*; two runs will do only where they agree to half of the
-/// tolerance. The second term, the last correction itself, keeps a chance agreement of two extrapolations
-/// from passing for accuracy. What is below the tolerance is then taken three times, but for no more than the
-/// tolerance. It is an estimate, on the safe side where the order is 2, and no bound.
+/// with the first run's figures as they are for x_1*; two runs will do only for coarse tolerances, where they
+/// agree to half of it. The second term, the last correction itself, keeps a chance agreement of two
+/// extrapolations from passing for accuracy. What is below the tolerance is then taken three times, but for
+/// no more than the tolerance. It is an estimate, on the safe side where the order is 2, and no bound.
 
 #include <array>
 #include <cstddef>
@@ -44,6 +44,7 @@ class Refinement {
   Figures last_run_;
   Figures extrapolated_;
   ErrorEstimates errors_;
+  double rebound_error_ = 0;  ///< of the last comparison alone
 };
 
 }  // namespace dashpad

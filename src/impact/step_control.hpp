@@ -65,15 +65,20 @@ class StepControl {
   void learn_force(double force) { largest_force_ = std::max(largest_force_, force); }
 
   /// The next step: grown from the last by no more than a half, and shorter where something is approached.
+  /// `just_turned`: the loading has ended at this moment.
   template <class Contact>
-  [[nodiscard]] double next(Phase phase, const Motion<Contact>& motion, const Predictor& predictor) const {
+  [[nodiscard]] double next(Phase phase, const Motion<Contact>& motion, const Predictor& predictor,
+                            bool just_turned) const {
     const State& now = motion.now();
     double step = usual_;
+    if (phase == Phase::loading && support_.is_rigid()) step = std::min(step, turning_limit(now, predictor));
     if (phase == Phase::unloading) {
       step = std::min(step, end_of_unloading_limit(now, predictor));
       if (motion.force_rate() < 0) step = std::min(step, release_limit(now, motion.force_rate(), step));
     }
-    return std::min(numerics.growth * std::max(motion.last_step(), resolution_ * usual_), step);
+    // On a rigid support the pad turns at rate zero, about which the force has a power of the time.
+    const double last = just_turned && support_.is_rigid() ? 0 : motion.last_step();
+    return std::min(numerics.growth * std::max(last, resolution_ * usual_), step);
   }
 
  private:
@@ -93,6 +98,11 @@ class StepControl {
     const double share = std::min(numerics.most_closing, numerics.closing * resolution_);
     const double least = numerics.least_closing * resolution_ * resolution_ * thickness_;
     return (share * (lock_ - state.penetration) + least) / std::abs(pad_rate);
+  }
+  [[nodiscard]] double turning_limit(const State& now, const Predictor& predictor) const {
+    const double left = predictor.time_to_turning(now);
+    if (!(left > 0)) return std::numeric_limits<double>::infinity();
+    return std::max(numerics.towards_turning * left, resolution_ * usual_);
   }
   /// Where the unloading may end any moment, the pad's rate changes with the square root of the time left.
   [[nodiscard]] double end_of_unloading_limit(const State& now, const Predictor& predictor) const {

@@ -19,10 +19,6 @@ InjuryFigures::Errors all_unknown() {
   return {unknown, unknown, unknown, unknown, unknown, unknown, unknown, unknown, unknown};
 }
 
-double deviation(double value, double coarser) {
-  return value == 0 ? std::abs(coarser) : std::abs(coarser / value - 1);
-}
-
 }  // namespace
 
 InjuryFigures injury_figures(const Pulse& pulse) {
@@ -61,11 +57,8 @@ std::array<InjuryValue, 9> injury_values(const InjuryFigures& of) {
 
 Pulse pulse_of(const History& history) { return {history.time, history.acceleration}; }
 
-/// A chord differs from the curve by the square of the step: with half the samples the deviation is four
-/// times as large, and a third of the difference is what the full history misses. All of the difference is
-/// taken, for steps are uneven and the force has kinks. The solver's own error enters as the force's, to the
-/// power that it has in the figure. A history too short for a comparison leaves the errors unknown, but for
-/// the peak, which is the solver's.
+/// What the chords leave and, to the power that it has in the figure, the solver's own error of the force. A
+/// history too short for a comparison leaves the errors unknown, but for the peak, which is the solver's.
 InjuryFigures injury_figures(const Solution& solution) {
   const Pulse pulse = pulse_of(solution.history);
   InjuryFigures figures = injury_figures(pulse);
@@ -81,7 +74,7 @@ InjuryFigures injury_figures(const Solution& solution) {
   }
   const InjuryFigures coarser = injury_figures(thinned(pulse));
   const auto error = [force](double value, double coarse, double power) {
-    return deviation(value, coarse) + power * force;
+    return chord_error(value, coarse) + power * force;
   };
   figures.errors.peak = force;
   figures.errors.hic15 = error(figures.hic15.value, coarser.hic15.value, 2.5);

@@ -53,14 +53,14 @@ double PulseFigures::Sampled::hic(double longest_window) {
   return injury::hic_of(*hump, curve, *scale, longest_window).value;
 }
 
-/// The difference from every second sample, and the error of the force to the power that it has in the
+/// What the chords leave, and the error of the force to the power that it has in the
 /// figure.
 template <class Figure>
 EstimatedValue PulseFigures::with_error(Figure figure, double power) {
   const double value = figure(fine_);
   if (!has_coarse_) return {value, std::numeric_limits<double>::infinity()};
   const double coarse = figure(coarse_);
-  return {value, (value == 0 ? std::abs(coarse) : std::abs(coarse / value - 1)) + power * force_error_};
+  return {value, injury::chord_error(value, coarse) + power * force_error_};
 }
 
 /// A window longer than the pulse is none: HIC15 of a short pulse is its HIC36, and computed once.

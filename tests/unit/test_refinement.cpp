@@ -64,6 +64,18 @@ TEST(refinement, takes_at_least_two_runs) {
   EXPECT_LE(refinement.errors().peak_force, 1e-11) << "rounding is all there is";
 }
 
+TEST(refinement, does_not_trust_two_runs_beyond_their_reach) {
+  Refinement refinement(impactor, 1e-3);
+  EXPECT_EQ(settles(refinement, [](int) { return 0.0; }), 3);
+}
+
+TEST(refinement, does_not_believe_that_the_rebound_is_suddenly_exact) {
+  Refinement refinement(impactor, 1e-4);
+  for (const double error : {0.0128, 0.0032, 0.0032, 0.0032}) refinement.add(figures_with(error));
+  EXPECT_LE(refinement.errors().peak_force, 1e-4);
+  EXPECT_GT(refinement.errors().rebound_speed, 1e-4);
+}
+
 TEST(refinement, knows_nothing_after_one_run) {
   Refinement refinement(impactor, 1e-2);
   refinement.add(figures_with(0));

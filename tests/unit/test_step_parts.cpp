@@ -205,9 +205,37 @@ TEST(StepControl, GrowsByHalf) {
   const double usual = control.usual();
   motion.start(2, 0);
   motion.accept({}, 0.3 * usual, true);
-  EXPECT_NEAR(control.next(Phase::loading, motion, predictor), 0.45 * usual, 1e-15);
+  EXPECT_NEAR(control.next(Phase::loading, motion, predictor, false), 0.45 * usual, 1e-15);
   motion.accept({}, usual, true);
-  EXPECT_NEAR(control.next(Phase::loading, motion, predictor), usual, 1e-15);
+  EXPECT_NEAR(control.next(Phase::loading, motion, predictor, false), usual, 1e-15);
+}
+
+/// The impactor comes to rest in the time that is left, and goes back from there by a short step.
+TEST(StepControl, ShrinksAboutTheTurningPointOnARigidSupport) {
+  const auto steps_on = [](const Support& support) {
+    StepControl control = control_on(support);
+    Motion<CurveContact> motion(mass, support);
+    Predictor predictor;
+    predictor.start(2, 1e5);
+    control.learn(Phase::loading, {}, predictor);
+    const double usual = control.usual();
+    State before, now;
+    before.drive = 2, now.drive = 1;
+    Trial trial;
+    trial.step = 0.2 * usual;
+    trial.pad = {1e-4, 0, trial.step, 10};
+    trial.pad_stiffness = 1e5;
+    trial.end = now;
+    predictor.learn(Phase::loading, before, trial, Event::none);
+    motion.start(2, 0);
+    motion.accept(now, usual, true);
+    return std::array{control.next(Phase::loading, motion, predictor, false) / usual,
+                      control.next(Phase::unloading, motion, predictor, true) / usual};
+  };
+  const auto [towards, back] = steps_on(rigid);
+  EXPECT_NEAR(towards, numerics.towards_turning * 0.2, 1e-9) << "as long as the last step took, by the drive";
+  EXPECT_NEAR(back, numerics.growth * resolution, 1e-9);
+  EXPECT_EQ(steps_on(spring)[0], 1) << "a pad that turns at a rate of its own has no such place";
 }
 
 TEST(StepControl, ShrinksTowardsTheRelease) {
@@ -223,7 +251,7 @@ TEST(StepControl, ShrinksTowardsTheRelease) {
   motion.accept(now, 1e-3, true);
   now.force = 5;
   motion.accept(now, 1e-4, true);
-  EXPECT_NEAR(control.next(Phase::unloading, motion, predictor), 0.7 * 1e-4, 1e-12)
+  EXPECT_NEAR(control.next(Phase::unloading, motion, predictor, false), 0.7 * 1e-4, 1e-12)
       << "seven tenths of the force";
 }
 

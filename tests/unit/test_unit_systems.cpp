@@ -41,9 +41,9 @@ TEST(ConsistentUnits, AreTheTripleOfRadioss) {
     std::istringstream triple(text.substr(text.find(before) + before.size()));
     std::string mass, length, time;
     triple >> mass >> length >> time;
-    const auto value = [](const std::string& text, const char* si_unit) {
-      return std::isdigit(static_cast<unsigned char>(text[0])) ? std::stod(text)
-                                                               : to_si("1 " + text, si_unit);
+    const auto value = [](const std::string& unit, const char* si_unit) {
+      return std::isdigit(static_cast<unsigned char>(unit[0])) ? std::stod(unit)
+                                                               : to_si("1 " + unit, si_unit);
     };
     EXPECT_NEAR(value(mass, "kg") / to_si("1 " + u.mass, "kg"), 1, 1e-14);
     EXPECT_EQ(value(length, "m"), to_si("1 " + u.length, "m"));

@@ -27,6 +27,17 @@
 
 namespace dashpad {
 
+/// Spacing of the stations, in the resolution rho of a run (theory.md, section 4). None of these is physics:
+/// with a finer resolution the integral tends to the same value whatever they are.
+struct StationSpacing {
+  double even = 0.8;    ///< of the contact that is expected, between two stations
+  double first = 0.2;   ///< of that, from the axis to the first station off it (no rho)
+  double of_gap = 8;    ///< of the gap above a station: the stress at the axis grows over the gap
+  double of_depth = 3;  ///< of the depth of a station: those near the axis are touched first
+  double graded = 4;    ///< gaps from the axis within which stations are added as the gap closes (no rho)
+};
+inline constexpr StationSpacing station_spacing;
+
 template <IsViscous Law>
 class ColumnField {
  public:
@@ -254,13 +265,14 @@ class ColumnField {
   /// is expected to grow, closer towards the axis, which is touched first and carries the steepest stress
   /// when the gap closes.
   void lay_columns(double expected, double end) {
-    const double widest = 0.8 * resolution_ * std::min(expected, end);
+    const double widest = station_spacing.even * resolution_ * std::min(expected, end);
+    const double of_gap = station_spacing.of_gap * resolution_;
     const double gap = thickness_ - penetration_;
     columns_.append(0, nose_.rate(0));
-    for (double depth = std::min(0.2 * widest, 8 * resolution_ * gap);
+    for (double depth = std::min(station_spacing.first * widest, of_gap * gap);
          depth < end * (1 - 1e-9) && columns_.size() < ColumnStorage::most;
-         depth += std::min({std::max(widest, resolution_ * (depth - expected)),
-                            8 * resolution_ * (gap + depth), 3 * resolution_ * depth}))
+         depth += std::min({std::max(widest, resolution_ * (depth - expected)), of_gap * (gap + depth),
+                            station_spacing.of_depth * resolution_ * depth}))
       columns_.append(depth, nose_.rate(depth));
     columns_.fill_spare();
   }
@@ -268,9 +280,10 @@ class ColumnField {
   /// Near the axis the stress varies over the gap: cells there are split as the gap closes.
   void grade_axis() {
     const double gap = thickness_ - penetration_;
-    const double widest = 8 * resolution_;
+    const double widest = station_spacing.of_gap * resolution_;
     const double* depth = columns_.depth();
-    for (std::size_t j = 0; j + 1 < live_ && depth[j] <= 4 * gap && columns_.size() < ColumnStorage::most;
+    for (std::size_t j = 0;
+         j + 1 < live_ && depth[j] <= station_spacing.graded * gap && columns_.size() < ColumnStorage::most;
          ++j)
       while (depth[j + 1] - depth[j] > widest * (gap + depth[j]) && columns_.size() < ColumnStorage::most)
         insert_after(j, std::sqrt((gap + depth[j]) * (gap + depth[j + 1])) - gap);
