@@ -1,5 +1,6 @@
 #pragma once
-/// The phase that follows an event: the only place with a rule about branches (theory.md, section 4).
+/// The phase that follows an event (theory.md, section 4). With `is_driven` and `has_unloading_step` of
+/// impact/events.hpp, which tell how far a branch goes, all there is of rules about branches.
 ///
 /// The rate that satisfies equilibrium has up to three values; the drive (Eq. 26) says which of them the
 /// limit of a vanishing dashpot takes.

@@ -65,15 +65,8 @@ void add_point(ContactSnapshot& snapshot, double radius, double strain, double s
 template <class Law>
 void look_at(const ColumnField<Law>& field, double penetration, const Sections& nose, double thickness,
              ContactSnapshot& snapshot) {
-  std::size_t pressing = field.strained_columns();
-  while (pressing > 0 && field.column(pressing - 1).stress <= 0) --pressing;
+  const auto [pressing, edge] = field.stressed();
   if (pressing == 0) return;
-  double edge = std::min(penetration, nose.depth);
-  if (pressing < field.strained_columns()) {
-    const auto inner = field.column(pressing - 1);
-    const auto outer = field.column(pressing);
-    edge = inner.depth + (outer.depth - inner.depth) * inner.stress / (inner.stress - outer.stress);
-  }
   const double spacing = nose.radius(edge) / most_points;
   // Below a flat tip all is as on the axis.
   if (nose.tip > 0) add_point(snapshot, 0, field.column(0).strain, field.column(0).stress);

@@ -159,7 +159,7 @@ class Equilibrium {
                                                 allowed_residual(std::max(now().motion, end.motion));
   }
 
-  /// With the drive at its end (Eq. 26).
+  /// The trial with its drive (Eq. 26) at the end of the step, m/s.
   Trial finished(Trial trial) {
     const double rate = contact_.force_rate_when_held(trial.pad);
     trial.end.drive = trial.end.velocity - support_.compliance(trial.end.force) * rate;
@@ -178,7 +178,7 @@ class Equilibrium {
   }
 
  private:
-  static constexpr bool closed_form = HasEnergy<Contact>;
+  static constexpr bool memoryless = HasEnergy<Contact>;
 
   [[nodiscard]] const State& now() const { return motion_.now(); }
   /// Of the advance: after an event the pad is taken as a spring.
@@ -232,7 +232,7 @@ class Equilibrium {
       State& end = trial.end;
       // Without force the pad stays without it on the way to the root: the step passes the release.
       if (may_let_go && end.force <= 0 && left >= 0) return true;
-      if constexpr (closed_form) return is_rounding(left, scale);
+      if constexpr (memoryless) return is_rounding(left, scale);
       const double flexibility =
           of_.support_.compliance(end.force) + of_.motion_.inertial_compliance(trial.step);
       const double missing = -left / (1 + trial.pad_stiffness * flexibility);

@@ -92,7 +92,7 @@ struct FirstEvent {
   [[nodiscard]] Event event() const { return kind == nullptr ? Event::none : kind->event; }
 };
 
-/// `sight.corner` is not used. A trial without a solution has no other event than what is in its way.
+/// `sight.corner` is overwritten. A trial without a solution has no other event than what is in its way.
 inline FirstEvent first_event(Sight sight, const Support& support) {
   FirstEvent first;
   const auto look = [&](const EventKind& kind, double corner) {

@@ -35,9 +35,10 @@ double work_of(const Parabola& f, const Parabola& y, double from, double to) {
 
 template <class Visit>
 void for_each_stretch(const Track& track, Visit&& visit) {
-  for (std::size_t k = 0; k < track.phase_starts.size(); ++k) {
-    const std::size_t first = track.phase_starts[k];
-    const std::size_t last = k + 1 < track.phase_starts.size() ? track.phase_starts[k + 1] : track.size() - 1;
+  for (std::size_t k = 0; k < track.stretch_starts.size(); ++k) {
+    const std::size_t first = track.stretch_starts[k];
+    const std::size_t last =
+        k + 1 < track.stretch_starts.size() ? track.stretch_starts[k + 1] : track.size() - 1;
     if (last > first) visit(first, last);
   }
 }
@@ -131,17 +132,18 @@ void read_weight(const Track& track, double mass, Figures& figures) {
   std::size_t i = 1;
   while (i < h.size() && !(h.velocity[i] < 0 && h.force[i] < weight)) ++i;
   if (i == h.size()) {
-    figures.weight = figures.release;
+    figures.force_below_weight = figures.release;
     return;
   }
   if (h.force[i - 1] <= weight) {
     // Light from the start of the rebound.
     const double v = h.velocity[i - 1];
     const double share = v > 0 ? v / (v - h.velocity[i]) : 0;
-    figures.weight = Moment{h.time[i - 1] + share * (h.time[i] - h.time[i - 1]), std::min(v, 0.0)};
+    figures.force_below_weight =
+        Moment{h.time[i - 1] + share * (h.time[i] - h.time[i - 1]), std::min(v, 0.0)};
     return;
   }
-  figures.weight = where_force_falls_below(weight, track, i - 1, mass);
+  figures.force_below_weight = where_force_falls_below(weight, track, i - 1, mass);
 }
 
 void read_contact_end(const Track& track, double mass, Figures& figures) {

@@ -18,7 +18,7 @@ struct Figures {
   double peak_motion = 0;
   double peak_penetration = 0;
   double peak_pad_rate = 0;  ///< |dY/dt|, m/s
-  std::optional<Moment> weight;
+  std::optional<Moment> force_below_weight;
   std::optional<Moment> contact_end;
   std::optional<Moment> release;
   std::optional<Moment> bottomed;

@@ -39,7 +39,7 @@ std::string gain(const Summary& summary) {
 bool pulse_is_whole(const Summary& summary) { return summary.contact_end.has_value(); }
 
 bool gained_energy(const Summary& summary) {
-  const double of_ledger = std::abs(summary.energy.residual / summary.energy.initial);
+  const double of_ledger = std::abs(summary.energy.residual / summary.energy.impact);
   return energy_gained(summary) > summary.errors.energy_absorbed + of_ledger + rounding;
 }
 

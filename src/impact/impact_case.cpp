@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <string_view>
+
 namespace dashpad {
 namespace {
 
@@ -27,12 +30,18 @@ void check(std::vector<Violation>& broken, std::string key, double value, const 
   if (!range.contains(value)) broken.push_back({std::move(key), value, range.rule()});
 }
 
-/// All numbers of a nose are lengths so far.
+/// Lengths of a nose are in the range of lengths, its other numbers within the bounds of its own table.
 void check_nose(std::vector<Violation>& broken, const Nose& nose) {
   std::visit(
       [&]<class Shape>(const Shape& shape) {
-        for (const Parameter<Shape>& parameter : Shape::parameters)
-          check(broken, std::string("impactor.") + parameter.key, shape.*parameter.member, lengths);
+        for (const Parameter<Shape>& parameter : Shape::parameters) {
+          const std::string key = std::string("impactor.") + parameter.key;
+          const double value = shape.*parameter.member;
+          if (std::string_view(parameter.unit) == "m")
+            check(broken, key, value, lengths);
+          else if (const auto rule = broken_rule(value, parameter.bounds, parameter.unit))
+            broken.push_back({key, value, *rule});
+        }
       },
       nose);
 }

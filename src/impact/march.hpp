@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
@@ -61,7 +62,7 @@ class March {
   }
 
  private:
-  static constexpr bool closed_form = HasEnergy<Contact>;
+  static constexpr bool memoryless = HasEnergy<Contact>;
 
   /// A step that ends at the first event in it, or one that meets none.
   struct Stretch {
@@ -154,12 +155,12 @@ class March {
 
   /// The release of a moving pad with memory: Eq. 27 along the motion without force.
   [[nodiscard]] bool is_lost_contact(Event event) const {
-    return !closed_form && event == Event::release && phase_ != Phase::held;
+    return !memoryless && event == Event::release && phase_ != Phase::held;
   }
 
   /// The corner of the support at a moving pad with memory: the force is known.
   [[nodiscard]] bool is_corner(Event event) const {
-    return !closed_form && event == Event::corner && phase_ != Phase::held;
+    return !memoryless && event == Event::corner && phase_ != Phase::held;
   }
 
   /// A trial that ends where an event is looked for, and its indicator: positive before the event.
@@ -207,8 +208,8 @@ class March {
       return value_of(found);
     };
     const bool turning = kind.event == Event::turning;
-    const double share = turning && !closed_form ? numerics.turning_precision * resolution_
-                                                 : numerics.event_precision * resolution_ * resolution_;
+    const double share = turning && !memoryless ? numerics.turning_precision * resolution_
+                                                : numerics.event_precision * resolution_ * resolution_;
     EventSearch search;
     search.step = beyond.step;
     search.precision = std::max(share * beyond.step, numerics.rounding * (now_.time + beyond.step));
@@ -284,7 +285,7 @@ class March {
     h.penetration.push_back(now_.penetration);
     h.support_deflection.push_back(now_.motion - now_.penetration);
     h.contact_radius.push_back(contact_.contact_radius());
-    h.largest_strain.push_back(now_.penetration / thickness_);
+    h.axis_strain.push_back(now_.penetration / thickness_);
   }
 
   Figures read_figures(const Track& track) {
@@ -295,7 +296,7 @@ class March {
     read_peaks(track, figures_);
     read_weight(track, impactor_.mass, figures_);
     read_contact_end(track, impactor_.mass, figures_);
-    if constexpr (closed_form)
+    if constexpr (memoryless)
       figures_.pad_work = contact_.energy(now_.penetration);
     else
       figures_.pad_work = work_on_pad(track);

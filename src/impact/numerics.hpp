@@ -104,12 +104,12 @@ struct Numerics {
   /// Resolution of the first run: some thirty steps and a dozen stations.
   double first_resolution = 0.2;
   int most_runs = 9;
-  /// Two runs may agree by chance: below the tolerance no error is said to be smaller than this many times
-  /// what the runs show.
+  /// Safety factor of the error estimates: an estimate below the tolerance is multiplied by it, but not
+  /// beyond the tolerance, since two runs may agree by chance.
   double safety_factor = 3;
   /// Below this tolerance two runs are too few, however well they agree: the first has some thirty steps and
   /// a dozen stations, and of 4,500 plausible cases three agreed by chance (the worst was 5e-3 off).
-  double least_error_of_two_runs = 2e-3;
+  double least_tolerance_of_two_runs = 2e-3;
   /// The error of the rebound speed is at least this share of the one before. At second order it falls to an
   /// eighth; to less, by chance: the place of the events in their steps is left in it.
   double fastest_fall_of_error = 0.25;

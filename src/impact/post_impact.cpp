@@ -69,7 +69,7 @@ EnergySplit energy_split(const ImpactCase& impact, const Solution& solution) {
   const History& history = solution.history;
   const EnergyLedger& end = solution.summary.energy;
   EnergySplit split;
-  split.impact = end.initial;
+  split.impact = end.impact;
   split.rebound = end.kinetic;
   split.support_at_end = end.support;
   split.pad = end.pad;

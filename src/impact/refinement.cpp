@@ -28,7 +28,7 @@ void for_each_number(Visit&& visit, Run&... runs) {
     visit(moments->time...);
     visit(moments->velocity...);
   };
-  moment(runs.weight...);
+  moment(runs.force_below_weight...);
   moment(runs.contact_end...);
   moment(runs.release...);
   moment(runs.bottomed...);
@@ -41,14 +41,13 @@ bool is_finite(const Figures& run) {
 }
 
 std::array<double*, 9> all(ErrorEstimates& e) {
-  return {&e.peak_force,       &e.time_of_peak_force, &e.peak_motion,
-          &e.peak_penetration, &e.rebound_speed,      &e.contact_end,
-          &e.weight,           &e.bottomed,           &e.energy_absorbed};
+  return {&e.peak_force,  &e.time_of_peak_force, &e.peak_motion, &e.peak_penetration, &e.rebound_speed,
+          &e.contact_end, &e.force_below_weight, &e.bottomed,    &e.energy_absorbed};
 }
 
 /// Ended alike and passed the same events.
 bool same_kind(const Figures& a, const Figures& b) {
-  return a.ending == b.ending && a.weight.has_value() == b.weight.has_value() &&
+  return a.ending == b.ending && a.force_below_weight.has_value() == b.force_below_weight.has_value() &&
          a.contact_end.has_value() == b.contact_end.has_value() &&
          a.bottomed.has_value() == b.bottomed.has_value() && a.reloadings == b.reloadings;
 }
@@ -120,9 +119,11 @@ void Refinement::judge(const Figures& run, const Figures& before) {
     errors_.rebound_speed = std::max(rebound_error_, numerics.fastest_fall_of_error * last_rebound_error);
   }
   errors_.contact_end = moment(now.contact_end, before.contact_end, run.contact_end);
-  errors_.weight = moment(now.weight, before.weight, run.weight);
+  errors_.force_below_weight =
+      moment(now.force_below_weight, before.force_below_weight, run.force_below_weight);
   errors_.bottomed = moment(now.bottomed, before.bottomed, run.bottomed);
-  worst = std::max({worst, errors_.rebound_speed, errors_.contact_end, errors_.weight, errors_.bottomed});
+  worst = std::max(
+      {worst, errors_.rebound_speed, errors_.contact_end, errors_.force_below_weight, errors_.bottomed});
   const auto absorbed = [&](const Figures& f) {
     const double v = f.final_velocity / speed_;
     return 1 - v * v - f.support_energy / energy_;
@@ -133,7 +134,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   // itself, down to a twentieth of the impact energy.
   worst = std::max(worst, errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)));
   const double allowed = runs_ > 2 ? tolerance_ : tolerance_ / 2;
-  const bool enough = runs_ > 2 || tolerance_ >= numerics.least_error_of_two_runs;
+  const bool enough = runs_ > 2 || tolerance_ >= numerics.least_tolerance_of_two_runs;
   // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.
   settled_ = enough && worst <= allowed && residual <= allowed && is_finite(now) &&
              errors_.time_of_peak_force <= numerics.loosest_time_of_peak;

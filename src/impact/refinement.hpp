@@ -10,9 +10,6 @@
 /// extrapolations from passing for accuracy. What is below the tolerance is then taken three times, but for
 /// no more than the tolerance. It is an estimate, on the safe side where the order is 2, and no bound.
 
-#include <array>
-#include <cstddef>
-
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "impact/figures.hpp"

@@ -6,13 +6,13 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 
 namespace dashpad {
 
 struct RootSearch {
   double low = 0;                 ///< the root is sought above; may be minus infinity
   double high = 0;                ///< and below
-  bool low_is_negative = false;   ///< whether f(low) <= 0 is known beforehand
   bool high_is_positive = false;  ///< whether f(high) >= 0 is
   double guess = 0;
   double slope = 1;       ///< estimate of df/dx at the guess, > 0
@@ -24,9 +24,24 @@ enum class RootPlace { inside, at_or_below_low, at_or_above_high };
 
 struct Root {
   double x = 0;
-  double slope = 1;  ///< last secant slope
   RootPlace place = RootPlace::inside;
 };
+
+/// The root inside [s.low, s.high], at whose ends f has these values, by TOMS 748. The last call of f is at
+/// the returned x.
+template <class F>
+double bracketed_root(F&& f, const RootSearch& s, double f_low, double f_high) {
+  double low = s.low;
+  double high = s.high;
+  if (f_low < 0 && f_high > 0) {
+    std::uintmax_t most = 200;
+    const auto close = [&s](double a, double b) { return std::abs(b - a) <= s.resolution; };
+    std::tie(low, high) = boost::math::tools::toms748_solve(f, low, high, f_low, f_high, close, most);
+  }
+  const double x = low + (high - low) / 2;
+  f(x);
+  return x;
+}
 
 /// f increasing on [low, high] (where it is not, some root is found). `near(value)` says whether f = value is
 /// near enough to zero; it is asked after every call of f but those of TOMS 748. The last call of f is at the
@@ -34,7 +49,8 @@ struct Root {
 template <class F, class Near>
 Root find_root(F&& f, Near&& near, RootSearch s) {
   constexpr int most_secants = 10;
-  Root root{std::clamp(s.guess, s.low, s.high), s.slope, RootPlace::inside};
+  Root root{std::clamp(s.guess, s.low, s.high), RootPlace::inside};
+  double slope = s.slope;
   double f_low = 0;
   double f_high = 0;
   bool have_low = false;
@@ -50,11 +66,11 @@ Root find_root(F&& f, Near&& near, RootSearch s) {
   double x = root.x;
   double value = f(x);
   for (int i = 0; i < most_secants; ++i) {
-    if (i > 0 && x != before) root.slope = (value - f_before) / (x - before);
+    if (i > 0 && x != before) slope = (value - f_before) / (x - before);
     if (near(value)) return root.x = x, root;
     note(x, value);
     before = x, f_before = value;
-    double next = root.slope > 0 ? x - value / root.slope : (value > 0 ? s.low : s.high);
+    double next = slope > 0 ? x - value / slope : (value > 0 ? s.low : s.high);
     if (!std::isfinite(s.low) && !(next < s.high && next > s.high - 4 * s.stride)) {
       next = s.high - s.stride;
       s.stride *= 2;
@@ -67,7 +83,7 @@ Root find_root(F&& f, Near&& near, RootSearch s) {
         next = std::isfinite(s.low) ? s.low + (s.high - s.low) / 2 : s.high - s.stride;
       }
     } else if (next <= s.low) {
-      next = !have_low && !s.low_is_negative ? s.low : s.low + (s.high - s.low) / 2;
+      next = !have_low ? s.low : s.low + (s.high - s.low) / 2;
     }
     if (s.high - s.low <= s.resolution) break;
     const bool at_high = next == s.high;
@@ -78,18 +94,15 @@ Root find_root(F&& f, Near&& near, RootSearch s) {
     if (at_low && value >= 0) return root.x = x, root.place = RootPlace::at_or_below_low, root;
   }
   if (near(value)) return root.x = x, root;
-  // Not settled: make the bracket sure, then close it. (note() sets have_low, which cppcheck does not see.)
+  // Not settled: make the bracket sure, then close it.
+  while (!have_low && !std::isfinite(s.low)) {
+    const double trial = s.high - s.stride;
+    s.stride *= 2;
+    note(trial, f(trial));
+  }
   if (!have_low) {
-    while (!std::isfinite(s.low)) {
-      const double trial = s.high - s.stride;
-      s.stride *= 2;
-      note(trial, f(trial));
-      if (have_low) break;  // cppcheck-suppress oppositeInnerCondition
-    }
-    if (!have_low) {  // cppcheck-suppress identicalInnerCondition
-      f_low = f(s.low);
-      if (f_low >= 0) return root.x = s.low, root.place = RootPlace::at_or_below_low, root;
-    }
+    f_low = f(s.low);
+    if (f_low >= 0) return root.x = s.low, root.place = RootPlace::at_or_below_low, root;
   }
   if (!have_high) {
     f_high = f(s.high);
@@ -98,15 +111,7 @@ Root find_root(F&& f, Near&& near, RootSearch s) {
       return root.x = s.high, root;
     }
   }
-  if (f_low < 0 && f_high > 0) {
-    std::uintmax_t most = 200;
-    const auto close = [&s](double a, double b) { return std::abs(b - a) <= s.resolution; };
-    const auto [a, b] = boost::math::tools::toms748_solve(f, s.low, s.high, f_low, f_high, close, most);
-    s.low = a;
-    s.high = b;
-  }
-  root.x = s.low + (s.high - s.low) / 2;
-  f(root.x);
+  root.x = bracketed_root(f, s, f_low, f_high);
   return root;
 }
 

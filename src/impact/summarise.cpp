@@ -30,11 +30,11 @@ Status status_of(const Refinement& refinement) {
 
 EnergyLedger ledger_of(const Impactor& impactor, const Figures& figures) {
   EnergyLedger energy;
-  energy.initial = impactor.mass * impactor.speed * impactor.speed / 2;
+  energy.impact = impactor.mass * impactor.speed * impactor.speed / 2;
   energy.kinetic = impactor.mass * figures.final_velocity * figures.final_velocity / 2;
   energy.support = figures.support_energy;
   energy.pad = figures.pad_work;
-  energy.residual = energy.initial - energy.kinetic - energy.support - energy.pad;
+  energy.residual = energy.impact - energy.kinetic - energy.support - energy.pad;
   return energy;
 }
 
@@ -65,7 +65,7 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement) {
   s.peak_penetration = figures.bottomed ? impact.pad.thickness : figures.peak_penetration;
   s.peak_strain = s.peak_penetration / impact.pad.thickness;
   s.peak_strain_rate = figures.peak_pad_rate / impact.pad.thickness;
-  s.weight = figures.weight;
+  s.force_below_weight = figures.force_below_weight;
   s.contact_end = figures.contact_end;
   s.release = figures.release;
   s.bottomed = figures.bottomed;
@@ -74,7 +74,7 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement) {
     s.restitution = *s.rebound_speed / impactor.speed;
   }
   s.energy = ledger_of(impactor, figures);
-  s.energy_absorbed_fraction = 1 - (s.energy.kinetic + s.energy.support) / s.energy.initial;
+  s.energy_absorbed_fraction = 1 - (s.energy.kinetic + s.energy.support) / s.energy.impact;
   s.extrapolations = extrapolations(impact, s);
   s.extrapolated = !s.extrapolations.empty();
   s.errors = refinement.errors();

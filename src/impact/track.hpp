@@ -11,28 +11,28 @@ namespace dashpad {
 
 struct Track {
   History history;
-  std::vector<std::size_t> phase_starts;  ///< entries at which a smooth stretch begins; the first is 0
+  std::vector<std::size_t> stretch_starts;  ///< entries at which a smooth stretch begins; the first is 0
 
   void reserve(std::size_t entries) {
     for (auto* column : columns()) column->reserve(entries);
-    phase_starts.reserve(entries);
+    stretch_starts.reserve(entries);
   }
   void clear() {
     for (auto* column : columns()) column->clear();
-    phase_starts.assign(1, 0);
+    stretch_starts.assign(1, 0);
   }
   /// The last entry is where a smooth stretch ends and the next begins.
   void begin_stretch() {
-    if (phase_starts.back() != size() - 1) phase_starts.push_back(size() - 1);
+    if (stretch_starts.back() != size() - 1) stretch_starts.push_back(size() - 1);
   }
   [[nodiscard]] std::size_t size() const { return history.time.size(); }
 
  private:
   std::array<std::vector<double>*, 9> columns() {
     History& h = history;
-    return {&h.time,          &h.force,       &h.acceleration,       &h.velocity,
-            &h.motion,        &h.penetration, &h.support_deflection, &h.contact_radius,
-            &h.largest_strain};
+    return {&h.time,       &h.force,       &h.acceleration,       &h.velocity,
+            &h.motion,     &h.penetration, &h.support_deflection, &h.contact_radius,
+            &h.axis_strain};
   }
 };
 

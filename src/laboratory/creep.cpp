@@ -55,7 +55,7 @@ double root(F&& f, double low, double high) {
 }
 
 /// How a law that has been loaded to its stress goes on under it.
-template <IsViscous Law>
+template <HasMemory Law>
 class Creep {
  public:
   Creep(const Law& law, double stress) : law_(law), power_(law.exponents()), stress_(stress) {}
@@ -105,7 +105,7 @@ struct HoldPlace {
 };
 
 /// The strain at times after the loading; fewer where it passes 0.999.
-template <IsViscous Law>
+template <HasMemory Law>
 std::vector<HoldPlace> crept(const Law& law, double stress, double loaded_at, double strain,
                              const std::vector<double>& times, double accuracy) {
   namespace odeint = boost::numeric::odeint;
@@ -146,7 +146,7 @@ std::vector<HoldPlace> crept(const LinearViscoelastic& law, double stress, doubl
 }
 
 /// The loading, as far as the strain where the stress is reached; absent where it is not.
-template <IsViscous Law>
+template <HasMemory Law>
 std::optional<double> strain_at(const Law& law, const CreepTest& test) {
   const ViscousStress<Law> column(law);
   const auto missing = [&](double strain) {
@@ -160,7 +160,7 @@ std::optional<double> strain_at(const Law& law, const CreepTest& test) {
   return std::exp(root(of_logarithm, -700, std::log(farthest_strain)));
 }
 
-template <IsViscous Law>
+template <HasMemory Law>
 std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int places) {
   const std::optional<double> strain = strain_at(law, test);
   if (!strain) return std::nullopt;

@@ -19,7 +19,7 @@ struct Contact {
   bool lost = false;      ///< at `to`
 };
 
-template <IsViscous Law>
+template <HasMemory Law>
 class ViscousColumn {
  public:
   explicit ViscousColumn(const Law& law) : law_(law) {}

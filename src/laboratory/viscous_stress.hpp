@@ -22,7 +22,7 @@
 namespace dashpad::laboratory {
 
 /// H over the part of a stretch between two times from its start.
-template <IsViscous Law>
+template <HasMemory Law>
 Estimate relaxation(const Law& law, const Stretch&, double from, double to) {
   return {(to - from) * law.relaxation_rate(0), 0};
 }
@@ -44,7 +44,7 @@ inline Estimate relaxation(const TwentyOneParameter& law, const Stretch& stretch
   return integral_from_singularity(in_power, std::pow(early, a), std::pow(late, a));
 }
 
-template <IsViscous Law>
+template <HasMemory Law>
 class ViscousStress {
  public:
   explicit ViscousStress(const Law& law) : law_(law), power_(law.exponents()) {}

@@ -41,9 +41,9 @@ std::string remark_on(const std::string& key, const ImpactCase& impact, const Su
     return "restitution " + significant(*summary.restitution, digits);
   if (key == "contact_end") return fmt::format("force below {} of its peak", percentage(contact_end_share));
   if (key == "force_below_weight")
-    return "rebounding at " + brief_quantity(-summary.weight->velocity, "m/s", units, digits);
+    return "rebounding at " + brief_quantity(-summary.force_below_weight->velocity, "m/s", units, digits);
   if (key == "energy_absorbed_fraction")
-    return fmt::format("of the {} of the impact", brief_quantity(summary.energy.initial, "J", units, digits));
+    return fmt::format("of the {} of the impact", brief_quantity(summary.energy.impact, "J", units, digits));
   return "";
 }
 
@@ -192,7 +192,7 @@ std::string numbers_text(const Summary& summary) {
   return fmt::format("Solved {}: {} steps, {}, {} runs, {}; energy residual {} (dashpad {})",
                      tolerance_text(summary), summary.steps, stations, summary.runs,
                      duration(summary.wall_time),
-                     percentage(std::abs(summary.energy.residual / summary.energy.initial)), version());
+                     percentage(std::abs(summary.energy.residual / summary.energy.impact)), version());
 }
 
 std::string shown_error(double error) { return error < 1e-6 ? "< 0.0001 %" : percentage(error); }

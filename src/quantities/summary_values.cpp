@@ -42,12 +42,13 @@ std::span<const SummaryQuantity> summary_quantities() {
     figure("restitution", [](const Summary& of) { return present(of.restitution, of.errors.rebound_speed); });
     moment("contact_end", [](const Summary& of) { return present(of.contact_end, of.errors.contact_end); });
     moment("release", [](const Summary& of) { return present(of.release); });
-    moment("force_below_weight", [](const Summary& of) { return present(of.weight, of.errors.weight); });
+    moment("force_below_weight",
+           [](const Summary& of) { return present(of.force_below_weight, of.errors.force_below_weight); });
     moment("bottomed", [](const Summary& of) { return present(of.bottomed, of.errors.bottomed); });
     figure("energy_absorbed_fraction",
            [](const Summary& of) { return present(of.energy_absorbed_fraction, of.errors.energy_absorbed); });
     figure("energy_residual_fraction",
-           [](const Summary& of) { return present(of.energy.residual / of.energy.initial, 0); });
+           [](const Summary& of) { return present(of.energy.residual / of.energy.impact, 0); });
     return list;
   }();
   return all;

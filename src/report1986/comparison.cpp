@@ -34,9 +34,9 @@ ComparedRun accurate(std::string name, const ImpactCase& impact, const Options& 
   run.time_of_peak_force = summary.time_of_peak_force;
   run.peak_penetration = summary.peak_penetration;
   run.peak_motion = summary.peak_motion;
-  if (run.finished && summary.weight) {
-    run.end_time = summary.weight->time;
-    run.end_speed = -summary.weight->velocity;
+  if (run.finished && summary.force_below_weight) {
+    run.end_time = summary.force_below_weight->time;
+    run.end_speed = -summary.force_below_weight->velocity;
   }
   run.time = std::move(solution.history.time);
   run.force = std::move(solution.history.force);

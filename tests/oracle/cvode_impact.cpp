@@ -71,8 +71,8 @@ Differences compare(const Summary& summary, const CvodeImpact& oracle) {
   }
   result.peak_motion = relative(summary.peak_motion, oracle.peak_motion);
   result.peak_penetration = relative(summary.peak_penetration, oracle.peak_penetration);
-  result.weight_time = relative(time_of(summary.weight), time_of(oracle.weight));
-  result.weight_velocity = relative(velocity_of(summary.weight), velocity_of(oracle.weight));
+  result.weight_time = relative(time_of(summary.force_below_weight), time_of(oracle.weight));
+  result.weight_velocity = relative(velocity_of(summary.force_below_weight), velocity_of(oracle.weight));
   result.contact_end_time = relative(time_of(summary.contact_end), time_of(oracle.contact_end));
   result.contact_end_velocity = relative(velocity_of(summary.contact_end), velocity_of(oracle.contact_end));
   result.release_time = relative(time_of(summary.release), time_of(oracle.release));

@@ -59,7 +59,7 @@ std::string text_of(const Summary& s) {
   line("peak_strain", number(s.peak_strain));
   line("peak_strain_rate", number(s.peak_strain_rate));
   line("peak_acceleration", number(s.peak_acceleration));
-  line("weight", words(s.weight));
+  line("weight", words(s.force_below_weight));
   line("contact_end", words(s.contact_end));
   line("bottomed", words(s.bottomed));
   line("rebound_speed", number(s.rebound_speed));

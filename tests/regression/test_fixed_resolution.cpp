@@ -73,7 +73,7 @@ Line line_of(const ImpactCase& impact, const Run& run) {
   line.path =
       fmt::format("{} {} {}{} reloadings={} stretches={} entries={}", name_of(impact.pad.material.law),
                   support_of(impact), ending_of(f), f.bottomed ? " bottomed" : "", f.reloadings,
-                  run.track.phase_starts.size(), run.track.size());
+                  run.track.stretch_starts.size(), run.track.size());
   line.numbers = {{"peak_force", f.peak_force},
                   {"time_of_peak_force", f.time_of_peak_force},
                   {"peak_motion", f.peak_motion},
@@ -89,7 +89,7 @@ Line line_of(const ImpactCase& impact, const Run& run) {
     line.numbers.emplace_back(name + "_time", moment->time);
     line.numbers.emplace_back(name + "_velocity", moment->velocity);
   };
-  add("weight", f.weight);
+  add("weight", f.force_below_weight);
   add("contact_end", f.contact_end);
   add("release", f.release);
   add("bottomed", f.bottomed);

@@ -69,7 +69,7 @@ double envelope_at(const Law& law, double strain, double rate, double largest_st
 }
 
 /// exp(-H) over a step that a column is in contact for all of.
-template <IsViscous Law>
+template <HasMemory Law>
 double decay_over(const Law& law, double time_from, double time_to, double strain_from, double strain_to) {
   const PowerShape power(law.exponents());
   return scalar::Formulas<Law>{law, power, {}, law.time_part(time_from, time_to)}.decay(strain_from,

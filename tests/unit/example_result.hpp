@@ -31,20 +31,20 @@ inline Summary example_summary() {
   summary.peak_strain = 0.8;
   summary.peak_strain_rate = 312.3;
   summary.peak_acceleration = 130 * standard_gravity;
-  summary.weight = Moment{.time = 0.0241, .velocity = -8.6025};
+  summary.force_below_weight = Moment{.time = 0.0241, .velocity = -8.6025};
   summary.contact_end = Moment{.time = 0.0242, .velocity = -8.6030};
   summary.release = Moment{.time = 0.0243, .velocity = -8.6031};
   summary.rebound_speed = 8.6031;
   summary.restitution = 0.96223;
   summary.energy_absorbed_fraction = 0.0741472;
-  summary.energy = {.initial = 180, .kinetic = 166, .support = 0, .pad = 13.991, .residual = 0.009};
+  summary.energy = {.impact = 180, .kinetic = 166, .support = 0, .pad = 13.991, .residual = 0.009};
   summary.errors = {.peak_force = 3e-5,
                     .time_of_peak_force = 2e-5,
                     .peak_motion = 1e-6,
                     .peak_penetration = 3e-6,
                     .rebound_speed = 1e-5,
                     .contact_end = 4e-5,
-                    .weight = 5e-5,
+                    .force_below_weight = 5e-5,
                     .bottomed = 0,
                     .energy_absorbed = 2e-5};
   summary.steps = 240;
@@ -62,7 +62,7 @@ inline Summary bottomed_out_summary() {
   summary.peak_force.reset();
   summary.time_of_peak_force.reset();
   summary.peak_acceleration.reset();
-  summary.weight.reset();
+  summary.force_below_weight.reset();
   summary.contact_end.reset();
   summary.release.reset();
   summary.rebound_speed.reset();

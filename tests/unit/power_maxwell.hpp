@@ -32,7 +32,7 @@ struct PowerMaxwell {
   [[nodiscard]] double relaxation_rate(double) const { return 1 / relaxation_time; }
   [[nodiscard]] double edge_ratio(RatePart) const { return modulus; }
 };
-static_assert(IsViscous<PowerMaxwell>);
+static_assert(HasMemory<PowerMaxwell>);
 
 }  // namespace dashpad
 #endif

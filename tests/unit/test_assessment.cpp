@@ -303,7 +303,7 @@ Solution rising_flank() {
   Solution solution = half_sine();
   solution.history.time.resize(501);
   solution.history.acceleration.resize(501);
-  solution.summary.weight.reset();
+  solution.summary.force_below_weight.reset();
   solution.summary.contact_end.reset();
   solution.summary.rebound_speed = 0;
   solution.summary.restitution = 0;

@@ -62,7 +62,7 @@ TEST(Curves, OverTimeAreTheHistory) {
                       .penetration = {0, 2, 3},
                       .support_deflection = {0, 0.5, 1},
                       .contact_radius = {0, 1, 1},
-                      .largest_strain = {0, 0.2, 0.3}};
+                      .axis_strain = {0, 0.2, 0.3}};
   const Curve force = curve("force", solution);
   EXPECT_EQ(force.abscissa.meaning, "time");
   EXPECT_EQ(force.abscissa.si_unit, "s");

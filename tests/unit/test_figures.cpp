@@ -55,7 +55,7 @@ TEST(figures, reads_the_end_of_contact_at_a_thousandth_of_the_peak) {
   figures.ending = Ending::released;
   figures.peak_force = 100;
   Track track = track_of(times, force, nothing, velocity);
-  track.phase_starts.push_back(200);  // a kink
+  track.stretch_starts.push_back(200);  // a kink
   read_contact_end(track, mass, figures);
   const double end = std::sqrt(1 - (0.1 - 1e-3) / 100);
   ASSERT_TRUE(figures.contact_end);
@@ -82,7 +82,7 @@ TEST(figures, does_not_look_beyond_the_ends_of_a_stretch) {
   // A cusp at 0.5, where a new stretch begins: the peak is the entry itself.
   const Path force = [](double t) { return t < 0.5 ? t * t : 0.25 - 2 * (t - 0.5); };
   Track track = track_of({0, 0.2, 0.4, 0.5, 0.6, 0.8}, force, nothing, nothing);
-  track.phase_starts.push_back(3);
+  track.stretch_starts.push_back(3);
   Figures figures;
   read_peaks(track, figures);
   EXPECT_EQ(figures.peak_force, 0.25);
@@ -134,7 +134,7 @@ TEST(figures, takes_the_work_of_each_stretch_on_its_own) {
   Track track = track_of(
       {0, 0.5, 1, 1.1, 1.5, 2}, [](double t) { return t < 1 ? 2 - t : 5 * t - 4; },
       [](double t) { return t; }, nothing);
-  track.phase_starts.push_back(2);
+  track.stretch_starts.push_back(2);
   EXPECT_NEAR(work_on_pad(track), 1.5 + 3.5, 1e-14);
 }
 

@@ -53,7 +53,7 @@ TEST(Flags, SayThatAPulseWithoutItsFallingFlankIsCut) {
 
 TEST(Flags, SayThatEnergyWasGainedWhereItIsMoreThanTheErrors) {
   Summary summary = test::example_summary();
-  const double error = summary.errors.energy_absorbed + summary.energy.residual / summary.energy.initial;
+  const double error = summary.errors.energy_absorbed + summary.energy.residual / summary.energy.impact;
   summary.energy_absorbed_fraction = -0.9 * error;
   EXPECT_THAT(names(summary), ElementsAre());
   summary.energy_absorbed_fraction = -1.1 * error;

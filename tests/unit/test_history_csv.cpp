@@ -23,7 +23,7 @@ History one_row() {
           .penetration = {0.0127},
           .support_deflection = {0.0127},
           .contact_radius = {1.0 / 3},
-          .largest_strain = {0.5}};
+          .axis_strain = {0.5}};
 }
 
 TEST(HistoryCsv, HoldsPlainSiForPeopleWhoSeeSi) {

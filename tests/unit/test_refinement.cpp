@@ -28,7 +28,7 @@ Figures figures_with(double error) {
   f.peak_motion = off(0.05, 0.5);
   f.peak_penetration = off(0.02, 0.3);
   f.peak_pad_rate = off(3, 0.1);
-  f.weight = Moment{off(0.02, 1), off(-1.9, 0.4)};
+  f.force_below_weight = Moment{off(0.02, 1), off(-1.9, 0.4)};
   f.contact_end = Moment{off(0.0205, -1), off(-1.99, 0.6)};
   f.release = Moment{off(0.021, -1), off(-rebound, 0.7)};
   f.final_velocity = f.release->velocity;
@@ -155,7 +155,7 @@ TEST(refinement, does_not_settle_on_what_is_no_number) {
       [](Figures& f) { f.peak_motion = no_number; },
       [](Figures& f) { f.peak_penetration = no_number; },
       [](Figures& f) { f.peak_pad_rate = no_number; },
-      [](Figures& f) { f.weight->velocity = no_number; },
+      [](Figures& f) { f.force_below_weight->velocity = no_number; },
       [](Figures& f) { f.contact_end->time = no_number; },
       [](Figures& f) { f.contact_end->velocity = no_number; },
       [](Figures& f) { f.release->velocity = no_number; },

@@ -35,8 +35,8 @@ void expect_agreement(const Summary& summary, const oracle::CvodeImpact& other, 
   small(d.peak_penetration, limits.figure, "peak penetration");
   if (other.weight) {  // not where the force stays below the weight throughout
     const double speed = std::abs(other.release.value().velocity);
-    ASSERT_TRUE(summary.weight);
-    EXPECT_NEAR(summary.weight->velocity, other.weight->velocity, 2 * limits.figure * speed)
+    ASSERT_TRUE(summary.force_below_weight);
+    EXPECT_NEAR(summary.force_below_weight->velocity, other.weight->velocity, 2 * limits.figure * speed)
         << "weight velocity";
     small(d.weight_time, limits.release_time, "weight time");
   }

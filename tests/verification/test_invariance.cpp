@@ -71,7 +71,7 @@ ErrorEstimates sum_of(const ErrorEstimates& a, const ErrorEstimates& b) {
           .peak_penetration = sum(&E::peak_penetration),
           .rebound_speed = sum(&E::rebound_speed),
           .contact_end = sum(&E::contact_end),
-          .weight = sum(&E::weight),
+          .force_below_weight = sum(&E::force_below_weight),
           .bottomed = sum(&E::bottomed),
           .energy_absorbed = sum(&E::energy_absorbed)};
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Strain and stress under the sphere at chosen moments of a solved impact.
+/// Strain and stress under the nose at chosen moments of a solved impact.
 ///
 /// The solver keeps no columns. They are computed again: the penetration of the history is led through the
 /// pad's law, on stations of its own. The trapezoidal integral of the stress as it is returned differs from

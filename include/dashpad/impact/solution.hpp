@@ -48,15 +48,15 @@ struct ErrorEstimates {
   double peak_penetration = 0;
   /// Relative to the rebound speed, or to 1e-3 of the impact speed where that is more.
   double rebound_speed = 0;
-  double contact_end = 0;      ///< of time and velocity at the end of contact, the larger
-  double weight = 0;           ///< of time and velocity when the force falls below the weight, the larger
-  double bottomed = 0;         ///< of time and velocity at bottoming, the larger
-  double energy_absorbed = 0;  ///< of the absorbed fraction, relative to the impact energy
+  double contact_end = 0;         ///< of time and velocity at the end of contact, the larger
+  double force_below_weight = 0;  ///< of time and velocity when the force falls below the weight, the larger
+  double bottomed = 0;            ///< of time and velocity at bottoming, the larger
+  double energy_absorbed = 0;     ///< of the absorbed fraction, relative to the impact energy
 };
 
-/// Energies at the end of the run, J. initial = kinetic + support + pad + residual.
+/// Energies at the end of the run, J. impact = kinetic + support + pad + residual.
 struct EnergyLedger {
-  double initial = 0;
+  double impact = 0;
   double kinetic = 0;
   double support = 0;   ///< stored in the support
   double pad = 0;       ///< work done on the pad: what it stores and what it has lost
@@ -74,7 +74,7 @@ struct Summary {
   double peak_strain_rate = 0;               ///< 1/s, magnitude
   std::optional<double> peak_acceleration;   ///< m/s2, magnitude
   /// Force below the impactor's weight on rebound (the report's end of the impact).
-  std::optional<Moment> weight;
+  std::optional<Moment> force_below_weight;
   /// End of contact: the force falls below contact_end_share of its peak for the last time. Absent where
   /// contact is not lost: at the time limit, after bottoming out, with a rigid foam that stops the impactor
   /// on a rigid support.
@@ -91,9 +91,11 @@ struct Summary {
   bool extrapolated = false;
   std::vector<std::string> extrapolations;  ///< why, in words
   ErrorEstimates errors;
-  std::size_t steps = 0;     ///< of the finest run
-  std::size_t stations = 0;  ///< of the finest run; 0 for laws without memory, whose force is a closed form
-  int runs = 0;              ///< resolutions compared
+  std::size_t steps = 0;  ///< of the finest run
+  /// Of the finest run; 0 where the force was a closed form throughout (laws without memory; law 4 if never
+  /// unloaded).
+  std::size_t stations = 0;
+  int runs = 0;  ///< resolutions compared
   double tolerance = 0;
   double wall_time = 0;  ///< s
 
@@ -113,7 +115,7 @@ struct History {
   std::vector<double> penetration;         ///< m
   std::vector<double> support_deflection;  ///< m
   std::vector<double> contact_radius;      ///< m, outer edge of the stressed area
-  std::vector<double> largest_strain;      ///< on the axis
+  std::vector<double> axis_strain;         ///< on the axis
   [[nodiscard]] std::size_t size() const { return time.size(); }
 };
 

@@ -3,6 +3,9 @@
 /// admissible range, meaning.
 
 #include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
 
 namespace dashpad {
 
@@ -37,5 +40,16 @@ struct Parameter {
   Bounds bounds;
   const char* meaning;
 };
+
+/// A value that breaks a rule: which one, what it is (SI), and the rule in words.
+struct Violation {
+  std::string key;
+  double value = 0;
+  std::string rule;
+};
+
+/// The rule that a value breaks, if any: its bounds, or a magnitude that can be measured in any unit, beyond
+/// which products overflow.
+std::optional<std::string> broken_rule(double value, const Bounds& bounds, std::string_view unit);
 
 }  // namespace dashpad

@@ -3,12 +3,11 @@
 ///
 ///   strain(s) = (Y - s) / L                                                        (theory.md, Eq. 5)
 ///   F = a0 max(stress(0), 0) + int max(stress(s), 0) a'(s) ds, over s in [0, min(Y, d)]   (theory.md, Eq. 6)
-///   int = 2 pi L int max(g, 0) dw,  g = stress / A a'/(2 pi),  dw = A d(strain)           (theory.md, Eq.
-///   20)
+///   int = 2 pi L int max(g, 0) dw,  g = stress a' / (2 pi A),  dw = A d(strain)      (theory.md, Eq. 20)
 ///
 /// s is the depth at which the nose's surface meets a column; a(s) is the area of the nose's section, a0 that
-/// of its flat tip (theory.md, Eq. 3): the column is touched when Y passes s. g is
-/// smooth in w at the contact edge and at full compression alike; it is taken as linear between stations.
+/// of its flat tip (theory.md, Eq. 3): the column is touched when Y passes s. g is smooth in w at the contact
+/// edge and at full compression alike; it is taken as linear between stations.
 /// Stations lie closer towards the axis, and are added there as the gap L - Y closes.
 
 #include <algorithm>
@@ -17,6 +16,8 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "dashpad/model/nose/sections.hpp"
 #include "dashpad/model/pad/law.hpp"
@@ -38,7 +39,7 @@ struct StationSpacing {
 };
 inline constexpr StationSpacing station_spacing;
 
-template <IsViscous Law>
+template <HasMemory Law>
 class ColumnField {
  public:
   /// All storage is taken here: later calls do not allocate.
@@ -90,7 +91,6 @@ class ColumnField {
   void start(double resolution, double expected = std::numeric_limits<double>::infinity()) {
     clear(resolution);
     lay_columns(expected, std::min(thickness_, nose_.depth));
-    for (std::size_t j = 0; j < columns_.size(); ++j) set_at_rest(columns_.now, j);
   }
   /// No columns yet: they are laid when the pad is unloaded.
   void clear(double resolution) {
@@ -165,18 +165,25 @@ class ColumnField {
     if (penetration_ == largest_penetration_) grade_axis();
   }
 
-  /// Outer radius of the stressed area, m.
-  [[nodiscard]] double contact_radius() const {
-    double depth = std::min(penetration_, nose_.depth);
+  /// What presses in the accepted state: the columns from the axis outwards, and the depth at which the
+  /// stress vanishes beyond the last of them, m.
+  struct Stressed {
+    std::size_t columns = 0;
+    double depth = 0;
+  };
+  [[nodiscard]] Stressed stressed() const {
     const double* stress = columns_.now.stress;
     std::size_t j = live_;
     while (j > 0 && stress[j - 1] <= 0) --j;
-    if (j == 0) return 0;
-    if (j < live_) {
-      const double inner = columns_.depth()[j - 1];
-      depth = inner + (columns_.depth()[j] - inner) * stress[j - 1] / (stress[j - 1] - stress[j]);
-    }
-    return nose_.radius(depth);
+    if (j == 0) return {};
+    if (j == live_) return {j, std::min(penetration_, nose_.depth)};
+    const double inner = columns_.depth()[j - 1];
+    return {j, inner + (columns_.depth()[j] - inner) * stress[j - 1] / (stress[j - 1] - stress[j])};
+  }
+  /// Outer radius of the stressed area, m.
+  [[nodiscard]] double contact_radius() const {
+    const Stressed part = stressed();
+    return part.columns == 0 ? 0 : nose_.radius(part.depth);
   }
 
  private:
@@ -212,10 +219,7 @@ class ColumnField {
   }
   /// Integral of max(g, 0) over a cell in which g is linear.
   static double positive_part(double g, double h, double width) {
-    if (g >= 0 && h >= 0) return (g + h) / 2 * width;
-    if (g <= 0 && h <= 0) return 0;
-    const double top = std::max(g, h);
-    return top * top / (top - std::min(g, h)) / 2 * width;
+    return scalar::positive_mean(g, h) * width;
   }
 
   /// Eq. 20 over the first `live` columns and on to the contact edge, where g is `edge`.
@@ -261,9 +265,8 @@ class ColumnField {
                     1.5 * top * (std::min(outer_depth, nose_.depth) - columns_.depth()[a]) / thickness_);
   }
 
-  /// Columns from the axis on to the depth `end`, their state still to be set: evenly as far as the contact
-  /// is expected to grow, closer towards the axis, which is touched first and carries the steepest stress
-  /// when the gap closes.
+  /// Columns at rest from the axis to the depth `end`: evenly as far as the contact is expected to grow,
+  /// closer towards the axis, which is touched first and carries the steepest stress when the gap closes.
   void lay_columns(double expected, double end) {
     const double widest = station_spacing.even * resolution_ * std::min(expected, end);
     const double of_gap = station_spacing.of_gap * resolution_;

@@ -10,8 +10,10 @@ namespace dashpad {
 
 /// Where the state of the columns is; `part` is the law's strain part, number by number.
 struct Columns {
+  static constexpr std::size_t most_parts = 3;
+
   double* stress = nullptr;
-  std::array<double*, 3> part{};
+  std::array<double*, most_parts> part{};
   double* shape = nullptr;    ///< A
   double* measure = nullptr;  ///< w
   double* ratio = nullptr;    ///< g, stress over A times a'/(2 pi); of the columns under strain only

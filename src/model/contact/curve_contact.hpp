@@ -1,9 +1,9 @@
 #pragma once
 /// A nose on a pad without memory: contact force and work are closed forms of the penetration.
 ///
-///   F(Y) = S0 a0(Y) + sum over k of (dE_k / L) a1(Y - e_k L)                     (theory.md, Eq. 18)
+///   F(Y) = S0 a(Y) + sum over k of (dE_k / L) a1(Y - e_k L)                      (theory.md, Eq. 18)
 ///
-/// a0 is the area of the nose's section (theory.md, Eq. 3), a1 its integral from 0, a2 that of a1.
+/// a is the area of the nose's section (theory.md, Eq. 3), a1 its integral from 0, a2 that of a1.
 ///
 /// Penetration in m, positive; force in N, compression positive.
 
@@ -28,7 +28,7 @@ class CurveContact {
 
   void start(double, double) { penetration_ = 0; }
 
-  /// The foam does not yield below it.
+  /// Force at which the uncrushed foam begins to yield, N.
   [[nodiscard]] double first_force() const { return curve_.initial_stress * nose_.tip; }
 
   /// The times do not matter: the law has no memory.

@@ -6,7 +6,6 @@
 ///
 /// All columns share the relaxation, so their integral obeys the law of one column, A replaced by K.
 
-#include <algorithm>
 #include <numbers>
 #include <vector>
 

@@ -10,6 +10,7 @@ void step_columns(const Law& law, const PowerShape& power, const typename Law::R
   using R = Register<N>;
   const Formulas<Law> formulas{law, power, rate, time};
   constexpr std::size_t parts = Formulas<Law>::parts;
+  static_assert(parts <= Columns::most_parts, "columns keep no more numbers of a law's strain part");
   const N per_thickness(1 / step.thickness);
   const N least(least_strain);
   const bool loading = step.after > step.before;
@@ -77,20 +78,10 @@ void replay_columns(const PowerShape& power, const LoadingStep* first, const Loa
 template <class N>
 double sum_cells(const Columns& columns, std::size_t cells) {
   using R = Register<N>;
-  const N zero(0.0);
   N sum(0.0);
   for (std::size_t j = 0; j < cells; j += R::size()) {
-    const N g = R::load(columns.ratio + j);
-    const N h = R::load(columns.ratio + j + 1);
+    const N mean = positive_mean(R::load(columns.ratio + j), R::load(columns.ratio + j + 1));
     const N width = R::load(columns.measure + j) - R::load(columns.measure + j + 1);
-    const N top = max(g, h);
-    const N bottom = min(g, h);
-    N mean = 0.5 * (g + h);
-    const auto pressing = zero <= bottom;
-    if (!all(pressing)) {
-      const N part = 0.5 * (top * top / (top - bottom));
-      mean = select(pressing, mean, select(zero < top, part, zero));
-    }
     sum = sum + R::first(cells - j, mean * width);
   }
   return R::sum(sum);

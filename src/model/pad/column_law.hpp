@@ -3,7 +3,6 @@
 ///
 /// Stresses in Pa, compression positive; rates in 1/s; times in s since first contact.
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -17,7 +16,7 @@ namespace scalar {
 }  // namespace scalar
 
 /// G(e), given the largest strain e* that the column has seen.
-template <IsViscous Law>
+template <HasMemory Law>
 double envelope(const Law& law, const PowerShape& power, Strain strain, const typename Law::RatePart& rate,
                 double largest) {
   using Formulas = scalar::Formulas<Law>;
@@ -34,7 +33,7 @@ double envelope(const Law& law, const PowerShape& power, Strain strain, const ty
 }
 
 /// dG/de with the rate and the largest strain held. Strain > 0.
-template <IsViscous Law>
+template <HasMemory Law>
 double envelope_slope(const Law& law, const PowerShape& power, Strain strain,
                       const typename Law::RatePart& rate, double largest) {
   using scalar::Dual;
@@ -46,7 +45,7 @@ double envelope_slope(const Law& law, const PowerShape& power, Strain strain,
 }
 
 /// h.
-template <IsViscous Law>
+template <HasMemory Law>
 double relaxation_rate(const Law& law, const PowerShape& power, double time, double strain) {
   const scalar::Formulas<Law> at{law, power, {}, {}};
   return law.relaxation_rate(time) * relaxation_of(at, strain);

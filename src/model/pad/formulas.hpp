@@ -2,12 +2,12 @@
 /// register.
 ///
 /// This is text: code with vectors must be compiled once for every instruction set, each time in a namespace
-/// of its own. Whoever includes it has opened a namespace in which N has + - * /, exp, log, max and choose
-/// (model/pad/scalar.hpp, model/pad/lanes.hpp). The laws' own formulas stand at the end of each law's header,
-/// where DASHPAD_FORMULAS calls for them: which powers of the strain a column keeps (strain_part), G from
-/// them (envelope), and exp(-H) over a step (decay); and where they are not the usual ones (measure_of and
-/// relaxation_of below), the measure w (measure) and by what h at strain zero is multiplied (relaxation).
-/// Stresses in Pa.
+/// of its own. Whoever includes it has opened a namespace in which N has + - * /, exp, log, max, min, select
+/// and choose (model/pad/scalar.hpp, model/pad/lanes.hpp). The laws' own formulas stand at the end of each
+/// law's header, where DASHPAD_FORMULAS calls for them: which powers of the strain a column keeps
+/// (strain_part), G from them (envelope), and exp(-H) over a step (decay); and where they are not the usual
+/// ones (measure_of and relaxation_of below), the measure w (measure) and by what h at strain zero is
+/// multiplied (relaxation). Stresses in Pa.
 ///
 /// A strain must be more than 0, if by as little as least_strain.
 
@@ -73,6 +73,18 @@ DASHPAD_FORMULA N unloaded(N loading, const RatePart& rate, N strain, N largest)
   if (!rate.unloading) return loading;
   const double ratio = rate.residual_ratio;
   return loading * (1 / (1 - ratio) * ((strain - ratio * largest) / strain));
+}
+
+/// Mean of the positive part of what is linear between g and h.
+template <class N>
+DASHPAD_FORMULA N positive_mean(N g, N h) {
+  const N zero(0.0);
+  const N top = max(g, h);
+  const N bottom = min(g, h);
+  const N mean = 0.5 * (g + h);
+  const auto pressing = zero <= bottom;
+  if (all(pressing)) return mean;
+  return select(pressing, mean, select(zero < top, 0.5 * (top * top / (top - bottom)), zero));
 }
 
 template <class Law>

@@ -1,42 +1,17 @@
 #include "dashpad/model/pad/law.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
+#include <optional>
+#include <utility>
 
 namespace dashpad {
 namespace {
-
-/// Far beyond anything that can be measured, in any unit; keeps products of parameters from overflowing.
-constexpr double largest_magnitude = 1e15;
-
-std::string describe(const Bounds& bounds, std::string_view unit) {
-  const std::string suffix = unit == "1" ? "" : fmt::format(" {}", unit);
-  std::string rule = "must be a finite number";
-  if (std::isfinite(bounds.lowest))
-    rule = fmt::format("must be {}{}{}", bounds.lowest_admitted ? "at least " : "more than ", bounds.lowest,
-                       suffix);
-  if (std::isfinite(bounds.highest))
-    rule += fmt::format(" and {}{}{}", bounds.highest_admitted ? "at most " : "less than ", bounds.highest,
-                        suffix);
-  return rule;
-}
-
-bool is_out_of_scale(double value) {
-  const double magnitude = std::abs(value);
-  return magnitude > largest_magnitude || (magnitude > 0 && magnitude < 1 / largest_magnitude);
-}
 
 template <class Law>
 void check_bounds(const Law& law, std::vector<Violation>& broken) {
   for (const auto& parameter : Law::parameters) {
     const double value = law.*parameter.member;
-    if (!parameter.bounds.contain(value))
-      broken.push_back({parameter.key, value, describe(parameter.bounds, parameter.unit)});
-    else if (is_out_of_scale(value))
-      broken.push_back({parameter.key, value,
-                        fmt::format("must have a magnitude between {} and {} in {}", 1 / largest_magnitude,
-                                    largest_magnitude, parameter.unit)});
+    if (std::optional<std::string> rule = broken_rule(value, parameter.bounds, parameter.unit))
+      broken.push_back({parameter.key, value, std::move(*rule)});
   }
 }
 

@@ -42,7 +42,7 @@ std::string history_csv(const History& history, const UnitSystem& units) {
       column("penetration", history.penetration, units),
       column("support_deflection", history.support_deflection, units),
       column("contact_radius", history.contact_radius, units),
-      column("axis_strain", history.largest_strain, units),
+      column("axis_strain", history.axis_strain, units),
   };
   fmt::memory_buffer text;
   const auto end_field = [&](const Column& of) { text.push_back(&of == &columns.back() ? '\n' : ','); };

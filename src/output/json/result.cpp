@@ -31,7 +31,7 @@ void add_figures(Json& result, Json& errors, const Summary& summary) {
 
 Json energy(const EnergyLedger& ledger) {
   const auto key = [](const char* of) { return key_with_unit(result_quantity(of)); };
-  return {{key("impact_energy"), number(ledger.initial)},
+  return {{key("impact_energy"), number(ledger.impact)},
           {key("kinetic_energy"), number(ledger.kinetic)},
           {key("support_energy"), number(ledger.support)},
           {key("pad_energy"), number(ledger.pad)},

@@ -90,7 +90,7 @@ std::string page_data(const ImpactCase& impact, const Options& options, const So
   data["outcome"] = outcome(solution.summary);
   data["numbers"] = numbers_text(solution.summary);
   data["energy_residual_fraction"] =
-      rounded(std::abs(solution.summary.energy.residual / solution.summary.energy.initial));
+      rounded(std::abs(solution.summary.energy.residual / solution.summary.energy.impact));
   data["program"] = {{"version", version()}, {"commit", build_facts().git_commit}};
   data["case"] = case_toml(impact, options);
   data["titles"] = titles();

@@ -57,7 +57,7 @@ std::string main_text(const ImpactCase& impact, const Summary& summary,
          wrapped(fmt::format("Solver's error at most {}{}, energy residual {}; "
                              "--all has every figure with its error.",
                              shown_error(error), some_left ? " but where ± says more" : "",
-                             percentage(std::abs(summary.energy.residual / summary.energy.initial))),
+                             percentage(std::abs(summary.energy.residual / summary.energy.impact))),
                  2) +
          "\n";
 }

@@ -29,7 +29,8 @@ void solve_it(const ImpactCase& impact, Prediction& prediction) {
   const Summary summary = solve(impact).summary;
   if (summary.peak_force) prediction.peak_force_lb = *summary.peak_force / to_si("1 lbf", "N");
   if (summary.time_of_peak_force) prediction.time_to_peak_ms = 1e3 * *summary.time_of_peak_force;
-  if (summary.weight) prediction.rebound_mph = -summary.weight->velocity / to_si("1 mph", "m/s");
+  if (summary.force_below_weight)
+    prediction.rebound_mph = -summary.force_below_weight->velocity / to_si("1 mph", "m/s");
   prediction.peak_strain = summary.peak_strain;
   prediction.bottomed = summary.bottomed.has_value();
   prediction.error = summary.errors.peak_force;

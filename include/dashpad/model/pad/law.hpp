@@ -24,6 +24,7 @@
 #include "dashpad/model/pad/nine_parameter.hpp"
 #include "dashpad/model/pad/rigid_foam.hpp"
 #include "dashpad/model/pad/twenty_one_parameter.hpp"
+#include "dashpad/model/parameter.hpp"
 
 namespace dashpad {
 
@@ -47,7 +48,7 @@ concept IsMemoryless = IsPadLaw<L> && L::memoryless && requires(const L law) {
 /// A law with memory: the stress of a column depends on its history. Stresses in Pa, rates in 1/s, times in s
 /// since first contact.
 template <class L>
-concept IsViscous =
+concept HasMemory =
     IsPadLaw<L> && !L::memoryless && requires(const L law, double x, typename L::RatePart rate) {
   { law.exponents() } -> std::same_as<PowerExponents>;
   { law.rate_part(x) } -> std::same_as<typename L::RatePart>;
@@ -63,7 +64,7 @@ concept IsViscous =
 template <template <class> class Of, class... Laws>
 auto tuple_with_memory(const std::variant<Laws...>*) {
   return std::tuple_cat([]<class Law>(const Law*) {
-    if constexpr (IsViscous<Law>)
+    if constexpr (HasMemory<Law>)
       return std::tuple<Of<Law>>();
     else
       return std::tuple<>();
@@ -71,13 +72,6 @@ auto tuple_with_memory(const std::variant<Laws...>*) {
 }
 template <template <class> class Of>
 using WithMemory = decltype(tuple_with_memory<Of>(static_cast<const PadLaw*>(nullptr)));
-
-/// A value that breaks a rule: which one, what it is (SI), and the rule in words.
-struct Violation {
-  std::string key;
-  double value = 0;
-  std::string rule;
-};
 
 /// All rules that the law's parameters break: each parameter's bounds, and rules between parameters.
 std::vector<Violation> violations(const PadLaw& law);

@@ -13,7 +13,7 @@ namespace dashpad {
 /// The strains and strain rates for which a law was fitted to tests. Outside it a result is extrapolated.
 struct FittedRange {
   double highest_strain = 1;  ///< (0, 1]
-  double lowest_rate = 0;     ///< 1/s: of the largest rate that an impact reaches
+  double lowest_rate = 0;     ///< lowest peak strain rate of an impact for which the fit holds, 1/s
   double highest_rate = 0;    ///< 1/s
 };
 
