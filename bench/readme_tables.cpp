@@ -14,7 +14,7 @@ std::string line_of(const std::vector<std::string>& cells) {
 
 }  // namespace
 
-std::string markdown(const output::PageTable& table) {
+std::string markdown(const output::Table& table) {
   std::string text = table.caption.empty() ? "" : table.caption + ":\n\n";
   text += line_of(table.columns) + "|---|";
   for (std::size_t i = 1; i < table.columns.size(); ++i) text += "---:|";

@@ -8,7 +8,7 @@
 
 namespace dashpad::bench {
 
-std::string markdown(const output::PageTable& table);
+std::string markdown(const output::Table& table);
 
 /// The text with what stands between the marks replaced. Throws std::runtime_error for a name that `blocks`
 /// lacks, for one of `blocks` that the text lacks, and for a mark without an end.

@@ -52,11 +52,11 @@ Scaling scaling_of(const Costs& costs, const Key& key) {
   return {speed_up, speed_up / std::get<int>(key), one.cpu / all.cpu};
 }
 
-output::PageTable scaling_table(const Costs& costs) {
-  output::PageTable table{.caption = "",
-                          .columns = {"law", "workers", "rows a second", "speed-up", "efficiency, wall time",
-                                      "efficiency, CPU time", "CPU time a row"},
-                          .rows = {}};
+output::Table scaling_table(const Costs& costs) {
+  output::Table table{.caption = "",
+                      .columns = {"law", "workers", "rows a second", "speed-up", "efficiency, wall time",
+                                  "efficiency, CPU time", "CPU time a row"},
+                      .rows = {}};
   for (const auto& [key, cost] : costs) {
     const auto& [study, launcher, workers, samples] = key;
     const Scaling scaling = scaling_of(costs, key);
@@ -71,11 +71,10 @@ output::PageTable scaling_table(const Costs& costs) {
   return table;
 }
 
-output::PageTable samples_table(const Costs& costs) {
-  output::PageTable table{
-      .caption = "",
-      .columns = {"law", "samples", "wall time", "CPU time a row", "peak memory", "store"},
-      .rows = {}};
+output::Table samples_table(const Costs& costs) {
+  output::Table table{.caption = "",
+                      .columns = {"law", "samples", "wall time", "CPU time a row", "peak memory", "store"},
+                      .rows = {}};
   for (const auto& [key, cost] : costs) {
     const auto& [study, launcher, workers, samples] = key;
     table.rows.push_back({law_of(study), fmt::format("{:.0f}", samples), fmt::format("{:.2f} s", cost.wall),
@@ -100,7 +99,7 @@ void add(output::Panel& panel, const std::string& label, std::size_t turn, doubl
       {.label = label, .style = output::SeriesStyle::points, .x = {x}, .y = {y}, .turn = turn});
 }
 
-output::PageFigure scaling_figure(const RawResults& results, const Costs& costs) {
+output::CaptionedPlot scaling_figure(const RawResults& results, const Costs& costs) {
   double most = 1;
   for (const auto& [key, cost] : costs) most = std::max<double>(most, std::get<int>(key));
   output::Panel speed_up{.title = "Speed-up",
@@ -136,7 +135,7 @@ output::PageFigure scaling_figure(const RawResults& results, const Costs& costs)
           "programs on the machine."};
 }
 
-output::PageFigure samples_figure(const RawResults& results, const Costs& costs) {
+output::CaptionedPlot samples_figure(const RawResults& results, const Costs& costs) {
   const output::Axis samples_axis{.label = "Samples", .logarithmic = true, .low = 50, .high = 2e6};
   output::Panel wall{.title = "Wall time, all cores",
                      .x = samples_axis,

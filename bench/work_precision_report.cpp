@@ -93,7 +93,7 @@ output::Panel panel_of(const RawResults& results, const CaseText& of, Measure me
   return panel;
 }
 
-output::PageFigure figure_of(const RawResults& results, const CaseText& of) {
+output::CaptionedPlot figure_of(const RawResults& results, const CaseText& of) {
   return {
       .name = of.id,
       .plot = {.title = fmt::format("Work and precision: {}", of.title),
@@ -107,9 +107,9 @@ output::PageFigure figure_of(const RawResults& results, const CaseText& of) {
           "five speeds."};
 }
 
-output::PageTable precision_table(const RawResults& results, const CaseText& of) {
+output::Table precision_table(const RawResults& results, const CaseText& of) {
   constexpr std::array wanted{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
-  output::PageTable table{
+  output::Table table{
       .caption = fmt::format("{}: {}. Fastest setting with at most this true error", of.id, of.title),
       .columns = {"solver"},
       .rows = {}};
@@ -134,8 +134,8 @@ std::string ratio(const std::vector<WorkPoint>& cvode, const WorkPoint& point) {
                      other.time / point.time);
 }
 
-output::PageTable goal_table(const RawResults& results) {
-  output::PageTable table{
+output::Table goal_table(const RawResults& results) {
+  output::Table table{
       .caption = "Fastest setting with a true error of at most 1e-3 in peak force and rebound speed",
       .columns = {"case", "goal", "with estimate", "error", "CVODE takes", "one run", "error", "CVODE takes"},
       .rows = {}};

@@ -58,6 +58,11 @@ PostImpact post_impact(Body first, Body second, double absorbed_fraction, double
   return after;
 }
 
+PostImpact post_impact(Body first, Body second, const Solution& solution) {
+  return post_impact(first, second, std::clamp(solution.summary.energy_absorbed_fraction, 0.0, 1.0),
+                     solution.summary.errors.energy_absorbed);
+}
+
 ImpactCase relative_motion(ImpactCase impact, const Body& first, const Body& second) {
   impact.impactor.mass =
       std::isinf(second.mass) ? first.mass : first.mass * (second.mass / (first.mass + second.mass));

@@ -8,8 +8,8 @@
 
 namespace dashpad::report1986 {
 
-output::PageTable claims_table(const Study& study) {
-  output::PageTable table{.columns = {"where", "statement", "printed", "computed", "agrees", "remark"}};
+output::Table claims_table(const Study& study) {
+  output::Table table{.columns = {"where", "statement", "printed", "computed", "agrees", "remark"}};
   for (const ReportClaim& claim : check_claims(study.data)) {
     const std::string unit = claim.unit == "1" ? "" : " " + shown_unit(claim.unit);
     table.rows.push_back({claim.where, claim.claim, brief(claim.printed) + unit,

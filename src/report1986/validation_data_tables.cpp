@@ -36,10 +36,10 @@ std::string column_words(const std::string& column) {
 
 }  // namespace
 
-output::PageTable constants_table(const Study& study) {
-  output::PageTable table{.columns = {"constant", "printed", "fitted again", "95 % interval",
-                                      "printed within it", "tests", "over all placings",
-                                      "printed within them", "95 % intervals over all placings"}};
+output::Table constants_table(const Study& study) {
+  output::Table table{.columns = {"constant", "printed", "fitted again", "95 % interval", "printed within it",
+                                  "tests", "over all placings", "printed within them",
+                                  "95 % intervals over all placings"}};
   for (const FittedConstant& constant : study.constants) {
     const bool has_placings = constant.placings > 1;
     table.rows.push_back({constant.title, with_unit(brief(constant.printed), constant.unit),
@@ -53,8 +53,8 @@ output::PageTable constants_table(const Study& study) {
   return table;
 }
 
-output::PageTable radius_table(const Study& study) {
-  output::PageTable table{
+output::Table radius_table(const Study& study) {
+  output::Table table{
       .columns = {"criterion", "readings", "favoured radius (in)", "95 % range (in)", "remark"}};
   for (const RadiusCriterion& criterion : study.radius.criteria) {
     const char* bound = !criterion.at_an_end                                                 ? ""
@@ -70,8 +70,8 @@ output::PageTable radius_table(const Study& study) {
   return table;
 }
 
-output::PageTable unplaced_table(const Study& study) {
-  output::PageTable table{.columns = {"column", "tests", "readings, in their order"}};
+output::Table unplaced_table(const Study& study) {
+  output::Table table{.columns = {"column", "tests", "readings, in their order"}};
   for (const UnplacedReadings& group : study.data.measured.unplaced) {
     std::string readings;
     for (const double reading : group.readings) readings += (readings.empty() ? "" : ", ") + brief(reading);

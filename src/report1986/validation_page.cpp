@@ -13,15 +13,15 @@ namespace dashpad::report1986 {
 
 namespace {
 
-output::PageTable captioned(std::string caption, output::PageTable table) {
+output::Table captioned(std::string caption, output::Table table) {
   table.caption = std::move(caption);
   return table;
 }
 
 /// The figures of these slugs.
-std::vector<output::PageFigure> chosen(const std::vector<ValidationFigure>& figures,
-                                       const std::vector<std::string>& slugs) {
-  std::vector<output::PageFigure> result;
+std::vector<output::CaptionedPlot> chosen(const std::vector<ValidationFigure>& figures,
+                                          const std::vector<std::string>& slugs) {
+  std::vector<output::CaptionedPlot> result;
   for (const ValidationFigure& figure : figures)
     if (std::ranges::find(slugs, figure.slug) != slugs.end())
       result.push_back({figure.name, figure.plot, figure.note});

@@ -9,32 +9,32 @@
 namespace dashpad::report1986 {
 
 /// Each program on each support for each quantity that was measured.
-output::PageTable verdict_table(const Study& study);
+output::Table verdict_table(const Study& study);
 /// The same at the radius that the report simulated with.
-output::PageTable reports_radius_table(const Study& study);
+output::Table reports_radius_table(const Study& study);
 /// On the load cell for each projectile alone.
-output::PageTable by_projectile_table(const Study& study);
+output::Table by_projectile_table(const Study& study);
 /// Readings whose tests are lost, in all placings.
-output::PageTable placed_table(const Study& study);
+output::Table placed_table(const Study& study);
 /// The second rule of the rebound speed.
-output::PageTable rebound_table(const Study& study);
+output::Table rebound_table(const Study& study);
 /// The accurate solver at each radius: biases, and whether they pass.
-output::PageTable score_over_radius_table(const Study& study);
+output::Table score_over_radius_table(const Study& study);
 /// Test by test: measured, the accurate solver at both radii and the program of 1984 at the report's.
-output::PageTable error_table(const Study& study, Quantity quantity);
-output::PageTable anomaly_table(const Study& study, const AnomalyVerdict& anomaly);
+output::Table error_table(const Study& study, Quantity quantity);
+output::Table anomaly_table(const Study& study, const AnomalyVerdict& anomaly);
 /// The three conditions and the conclusion.
-output::PageTable anomaly_rules_table(const AnomalyVerdict& anomaly);
+output::Table anomaly_rules_table(const AnomalyVerdict& anomaly);
 
-output::PageTable constants_table(const Study& study);
-output::PageTable claims_table(const Study& study);
-output::PageTable radius_table(const Study& study);
+output::Table constants_table(const Study& study);
+output::Table claims_table(const Study& study);
+output::Table radius_table(const Study& study);
 /// Readings whose test is lost.
-output::PageTable unplaced_table(const Study& study);
+output::Table unplaced_table(const Study& study);
 
 struct NamedTable {
   std::string name;  ///< of its block in docs/validation.md
-  output::PageTable table;
+  output::Table table;
 };
 /// All of them, for the document.
 std::vector<NamedTable> validation_tables(const Study& study);

@@ -11,8 +11,8 @@ namespace dashpad::report1986 {
 namespace {
 
 /// The columns that fit a terminal.
-output::PageTable narrow(const output::PageTable& table, const std::vector<std::size_t>& columns) {
-  output::PageTable result;
+output::Table narrow(const output::Table& table, const std::vector<std::size_t>& columns) {
+  output::Table result;
   for (const std::size_t column : columns) result.columns.push_back(table.columns[column]);
   for (const auto& row : table.rows) {
     result.rows.emplace_back();

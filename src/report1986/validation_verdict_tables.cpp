@@ -70,10 +70,9 @@ std::vector<ErrorColumn> error_columns(const Study& study) {
           {Program::printed_1984, of_the_report, study.at_the_reports_radius}};
 }
 
-output::PageTable table_of(const std::vector<Verdict>& verdicts) {
-  output::PageTable table{.columns = {"program", "support", "projectile", "quantity", "tests", "bias",
-                                      "scatter", "bias over radii", "scatter over radii", "radii that pass",
-                                      "verdict"}};
+output::Table table_of(const std::vector<Verdict>& verdicts) {
+  output::Table table{.columns = {"program", "support", "projectile", "quantity", "tests", "bias", "scatter",
+                                  "bias over radii", "scatter over radii", "radii that pass", "verdict"}};
   for (const Verdict& verdict : verdicts) {
     if (!is_judged(verdict)) continue;
     const Score& score = verdict.score;
@@ -117,15 +116,15 @@ bool passes(const Study& study) {
   return accurate.all > 0 && accurate.passed == accurate.all;
 }
 
-output::PageTable verdict_table(const Study& study) { return table_of(study.verdicts); }
+output::Table verdict_table(const Study& study) { return table_of(study.verdicts); }
 
-output::PageTable reports_radius_table(const Study& study) { return table_of(study.at_the_reports_radius); }
+output::Table reports_radius_table(const Study& study) { return table_of(study.at_the_reports_radius); }
 
-output::PageTable by_projectile_table(const Study& study) { return table_of(study.by_projectile); }
+output::Table by_projectile_table(const Study& study) { return table_of(study.by_projectile); }
 
-output::PageTable placed_table(const Study& study) {
-  output::PageTable table{.columns = {"program", "quantity", "tests", "readings", "placings", "mean bias",
-                                      "bias over placings", "placings that would pass"}};
+output::Table placed_table(const Study& study) {
+  output::Table table{.columns = {"program", "quantity", "tests", "readings", "placings", "mean bias",
+                                  "bias over placings", "placings that would pass"}};
   for (const PlacedScore& placed : study.placed) {
     const UnplacedReadings& group = placed.group;
     const auto shown = [&](double bias) { return bias_text(bias, placed.quantity); };
@@ -141,8 +140,8 @@ output::PageTable placed_table(const Study& study) {
   return table;
 }
 
-output::PageTable rebound_table(const Study& study) {
-  output::PageTable table{
+output::Table rebound_table(const Study& study) {
+  output::Table table{
       .columns = {"program", "tests", "admissible", "too low", "too high", "without prediction", "verdict"}};
   for (const Admissible& rebound : study.rebounds)
     table.rows.push_back({to_string(rebound.program), fmt::format("{}", rebound.tests),
@@ -152,8 +151,8 @@ output::PageTable rebound_table(const Study& study) {
   return table;
 }
 
-output::PageTable error_table(const Study& study, Quantity quantity) {
-  output::PageTable table{.columns = {"test", "projectile", "support", "speed (mph)", "measured"}};
+output::Table error_table(const Study& study, Quantity quantity) {
+  output::Table table{.columns = {"test", "projectile", "support", "speed (mph)", "measured"}};
   for (const ErrorColumn& column : error_columns(study)) {
     table.columns.push_back(fmt::format("{}, {:.2f} in", to_string(column.program), column.radius_in));
     table.columns.emplace_back("error");
@@ -172,8 +171,8 @@ output::PageTable error_table(const Study& study, Quantity quantity) {
   return table;
 }
 
-output::PageTable score_over_radius_table(const Study& study) {
-  output::PageTable table{.columns = {"nose radius (in)"}};
+output::Table score_over_radius_table(const Study& study) {
+  output::Table table{.columns = {"nose radius (in)"}};
   struct Column {
     TestSupport support;
     Quantity quantity;
@@ -197,10 +196,10 @@ output::PageTable score_over_radius_table(const Study& study) {
   return table;
 }
 
-output::PageTable anomaly_table(const Study& study, const AnomalyVerdict& anomaly) {
-  output::PageTable table{.columns = {"program", "tests", "slope", "95 % interval", "slope, aluminium",
-                                      "95 % interval", "aluminium, 10 mph", "aluminium, 20 mph",
-                                      "steel, 10 mph", "steel, 15 mph"}};
+output::Table anomaly_table(const Study& study, const AnomalyVerdict& anomaly) {
+  output::Table table{.columns = {"program", "tests", "slope", "95 % interval", "slope, aluminium",
+                                  "95 % interval", "aluminium, 10 mph", "aluminium, 20 mph", "steel, 10 mph",
+                                  "steel, 15 mph"}};
   std::vector<std::string> printed{"report", "-", "-", "-", "-", "-"};
   for (const char* name : {"force_ratio_aluminium_low_speed", "force_ratio_aluminium_high_speed",
                            "force_ratio_steel_low_speed", "force_ratio_steel_high_speed"})
@@ -227,7 +226,7 @@ const char* words(Explanation explanation) {
   return "";
 }
 
-output::PageTable anomaly_rules_table(const AnomalyVerdict& anomaly) {
+output::Table anomaly_rules_table(const AnomalyVerdict& anomaly) {
   const auto met = [](bool is_met) { return is_met ? "met" : "NOT MET"; };
   return {.columns = {"condition", "outcome"},
           .rows = {{"1. the first slope alone gives the report's ratios within 25 %",

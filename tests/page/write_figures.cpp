@@ -127,12 +127,12 @@ output::Plot hostile() {
 }
 
 output::FiguresPage example() {
-  const output::PageTable table{.caption = "Peaks of force",
-                                .columns = {"Case", "Peak (kN)", "Error", "Remark"},
-                                .rows = {{"first", "4.60", "0.02 %", "as in the report"},
-                                         {"second", "12.1", "-", "extrapolated"},
-                                         {attack, "-3.5e-4", "4.1 ± 0.2", attack}}};
-  output::PageTable wide{.caption = "Wide", .columns = {"Quantity"}, .rows = {{"value"}}};
+  const output::Table table{.caption = "Peaks of force",
+                            .columns = {"Case", "Peak (kN)", "Error", "Remark"},
+                            .rows = {{"first", "4.60", "0.02 %", "as in the report"},
+                                     {"second", "12.1", "-", "extrapolated"},
+                                     {attack, "-3.5e-4", "4.1 ± 0.2", attack}}};
+  output::Table wide{.caption = "Wide", .columns = {"Quantity"}, .rows = {{"value"}}};
   for (int i = 0; i < 12; ++i) {
     wide.columns.push_back("column " + std::to_string(i));
     wide.rows[0].push_back(std::to_string(1000 * i));

@@ -177,7 +177,7 @@ TEST(figures_page_data, keeps_hostile_text_inside) {
   section.heading = attack;
   section.paragraphs = {attack};
   section.tables = {{.caption = attack, .columns = {attack}, .rows = {{attack}}}};
-  output::PageFigure& figure = section.figures[0];
+  output::CaptionedPlot& figure = section.figures[0];
   figure.name = figure.note = figure.plot.title = figure.plot.source = figure.plot.panels[0].title = attack;
   const std::string text = output::figures_page_data(page);
   EXPECT_THAT(text, Not(HasSubstr("<")));

@@ -37,6 +37,8 @@ struct PostImpact {
 /// another, for a mass that is not positive, two masses that are infinite, a velocity that is not finite, or
 /// bodies that do not approach (V1 <= V2).
 PostImpact post_impact(Body first, Body second, double absorbed_fraction, double error = 0);
+/// With what the pad absorbed in an impact that was solved; less than nothing counts as nothing.
+PostImpact post_impact(Body first, Body second, const Solution& solution);
 
 /// Where the energy is at two moments, J: when the force is largest, and at the end.
 struct EnergySplit {

@@ -3,8 +3,6 @@
 /// (model/contact/loading_force.hpp), a field of columns from the first unloading on
 /// (model/contact/column_field.hpp).
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 

@@ -12,7 +12,7 @@ namespace dashpad::output {
 
 namespace {
 
-void check(const PageTable& table) {
+void check(const Table& table) {
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     if (table.rows[row].size() != table.columns.size())
       throw std::invalid_argument(fmt::format("row {} of the table \"{}\" has {} cells, not {}", row + 1,
@@ -25,8 +25,8 @@ void check(const PageTable& table) {
 
 void check(const FiguresPage& page) {
   for (const PageSection& section : page.sections) {
-    for (const PageTable& table : section.tables) check(table);
-    for (const PageFigure& figure : section.figures)
+    for (const Table& table : section.tables) check(table);
+    for (const CaptionedPlot& figure : section.figures)
       for (const Panel& panel : figure.plot.panels) check(panel);
   }
 }

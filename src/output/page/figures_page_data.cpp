@@ -22,13 +22,13 @@ Json texts(const std::vector<std::string>& lines) {
   return list;
 }
 
-Json table_json(const PageTable& table) {
+Json table_json(const Table& table) {
   Json rows = Json::array();
   for (const auto& row : table.rows) rows.push_back(texts(row));
   return {{"caption", one_line(table.caption)}, {"columns", texts(table.columns)}, {"rows", std::move(rows)}};
 }
 
-Json figure_json(const PageFigure& figure) {
+Json figure_json(const CaptionedPlot& figure) {
   return {{"name", one_line(figure.name)},
           {"title", one_line(figure.plot.title)},
           {"panels", panels_json(figure.plot)},
@@ -38,8 +38,8 @@ Json figure_json(const PageFigure& figure) {
 
 Json section_json(const PageSection& section) {
   Json tables = Json::array(), figures = Json::array();
-  for (const PageTable& table : section.tables) tables.push_back(table_json(table));
-  for (const PageFigure& figure : section.figures) figures.push_back(figure_json(figure));
+  for (const Table& table : section.tables) tables.push_back(table_json(table));
+  for (const CaptionedPlot& figure : section.figures) figures.push_back(figure_json(figure));
   return {{"heading", one_line(section.heading)},
           {"paragraphs", texts(section.paragraphs)},
           {"tables", std::move(tables)},

@@ -11,7 +11,7 @@ namespace dashpad::output {
 std::string material_test_page(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
   const std::string source = source_words(report);
   const auto figure = [&](std::vector<Panel> panels, std::string note) {
-    PageFigure of;
+    CaptionedPlot of;
     of.plot = {"", std::move(panels), source};
     of.note = std::move(note);
     return of;

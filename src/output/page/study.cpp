@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_panels_of_still = 4;
 
-void add(FiguresPage& page, const char* heading, std::vector<PageFigure> figures,
+void add(FiguresPage& page, const char* heading, std::vector<CaptionedPlot> figures,
          std::vector<std::string> paragraphs = {}) {
   if (!figures.empty())
     page.sections.push_back({.heading = heading,
@@ -25,9 +25,9 @@ void add(FiguresPage& page, const char* heading, std::vector<PageFigure> figures
 }
 
 /// Several figures of one kind, one below the other.
-Plot together(std::vector<PageFigure> figures, const std::string& title) {
+Plot together(std::vector<CaptionedPlot> figures, const std::string& title) {
   Plot plot{.title = title, .panels = {}, .source = figures.front().plot.source};
-  for (PageFigure& figure : figures)
+  for (CaptionedPlot& figure : figures)
     for (Panel& panel : figure.plot.panels)
       if (plot.panels.size() < most_panels_of_still) plot.panels.push_back(std::move(panel));
   return plot;
@@ -54,8 +54,8 @@ FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& uni
                            .figures = {}});
   add(page, "Cushion curves", cushion_figures(answers, units));
   add(page, "Curves", curve_figures(answers, units));
-  std::vector<PageFigure> maps = map_figures(answers, units);
-  for (PageFigure& figure : coloured_scatter_figures(answers, units)) maps.push_back(std::move(figure));
+  std::vector<CaptionedPlot> maps = map_figures(answers, units);
+  for (CaptionedPlot& figure : coloured_scatter_figures(answers, units)) maps.push_back(std::move(figure));
   add(page, "Maps", std::move(maps));
   add(page, "Which factor matters", index_figures(answers));
   if (drawn) add(page, "Distributions", distribution_figures(answers, units));
@@ -66,9 +66,9 @@ FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& uni
 Plot study_plot(const study::StudyAnswers& answers, const UnitSystem& units) {
   const std::string title = answers.study.title.empty() ? "Study" : one_line(answers.study.title);
   // One map alone: its legend would be lost among those of others.
-  std::vector<PageFigure> maps = map_figures(answers, units);
+  std::vector<CaptionedPlot> maps = map_figures(answers, units);
   if (maps.size() > 1) maps.erase(maps.begin() + 1, maps.end());
-  for (std::vector<PageFigure> figures :
+  for (std::vector<CaptionedPlot> figures :
        {cushion_figures(answers, units), maps, curve_figures(answers, units),
         distribution_figures(answers, units)})
     if (!figures.empty()) return together(std::move(figures), title);

@@ -93,9 +93,9 @@ Rows rows_of(const study::StudyAnswers& answers, const std::vector<std::size_t>&
 
 }  // namespace
 
-std::vector<PageFigure> coloured_scatter_figures(const study::StudyAnswers& answers,
-                                                 const UnitSystem& units) {
-  std::vector<PageFigure> figures;
+std::vector<CaptionedPlot> coloured_scatter_figures(const study::StudyAnswers& answers,
+                                                    const UnitSystem& units) {
+  std::vector<CaptionedPlot> figures;
   for (const std::size_t response : answers.responses) {
     const std::vector<double>& values = answers.records.responses[response];
     const std::vector<std::size_t> leading = leading_factors(answers, values);

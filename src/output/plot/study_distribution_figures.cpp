@@ -114,8 +114,8 @@ std::string study_source(const study::StudyAnswers& answers) {
                      one_line(answers.study.title));
 }
 
-std::vector<PageFigure> distribution_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
-  std::vector<PageFigure> figures;
+std::vector<CaptionedPlot> distribution_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
+  std::vector<CaptionedPlot> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
     figures.push_back({.plot = {.title = "Distribution of " + response_name(answers, i),
                                 .panels = {distribution_panel(answers, i, units)},
@@ -126,8 +126,8 @@ std::vector<PageFigure> distribution_figures(const study::StudyAnswers& answers,
   return figures;
 }
 
-std::vector<PageFigure> scatter_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
-  std::vector<PageFigure> figures;
+std::vector<CaptionedPlot> scatter_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
+  std::vector<CaptionedPlot> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     Plot plot{.title = response_name(answers, i) + " over each factor",
               .panels = {},
@@ -142,8 +142,8 @@ std::vector<PageFigure> scatter_figures(const study::StudyAnswers& answers, cons
   return figures;
 }
 
-std::vector<PageFigure> index_figures(const study::StudyAnswers& answers) {
-  std::vector<PageFigure> figures;
+std::vector<CaptionedPlot> index_figures(const study::StudyAnswers& answers) {
+  std::vector<CaptionedPlot> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::optional<study::Sensitivity>& of = answers.groups.front().sensitivities[i];
     if (!of) continue;

@@ -113,16 +113,16 @@ Panel cushion_panel(const study::CushionCurves::Drop& drop, const UnitSystem& un
 
 }  // namespace
 
-std::vector<PageFigure> curve_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
-  std::vector<PageFigure> figures;
+std::vector<CaptionedPlot> curve_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
+  std::vector<CaptionedPlot> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
     if (const std::optional<GridPlane> plane = grid_plane(answers, i, units))
       figures.push_back({"", curves(answers, *plane, i, units), note_of(*plane)});
   return figures;
 }
 
-std::vector<PageFigure> map_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
-  std::vector<PageFigure> figures;
+std::vector<CaptionedPlot> map_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
+  std::vector<CaptionedPlot> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::optional<GridPlane> plane = grid_plane(answers, i, units);
     if (!plane || !plane->lines || plane->line_levels.size() < 3 || plane->across_levels.size() < 3 ||
@@ -136,7 +136,7 @@ std::vector<PageFigure> map_figures(const study::StudyAnswers& answers, const Un
   return figures;
 }
 
-std::vector<PageFigure> cushion_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
+std::vector<CaptionedPlot> cushion_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   if (!answers.cushion_curves) return {};
   const std::string nose = words_of(answers.study.base.impactor.nose);
   Plot plot{.title = "Cushion curves of a " + nose, .panels = {}, .source = study_source(answers)};

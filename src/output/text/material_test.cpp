@@ -33,7 +33,7 @@ std::vector<std::string> stacked(const std::string& heading) {
 using Line = std::vector<std::string>;
 
 /// The headings as lines of the table, the last word just above the numbers.
-std::vector<Line> heading_lines(const PageTable& table) {
+std::vector<Line> heading_lines(const Table& table) {
   std::vector<std::vector<std::string>> columns;
   std::size_t height = 0;
   for (const std::string& column : table.columns) {
@@ -47,7 +47,7 @@ std::vector<Line> heading_lines(const PageTable& table) {
   return lines;
 }
 
-std::string laid_out(const PageTable& table) {
+std::string laid_out(const Table& table) {
   std::vector<Line> lines = heading_lines(table);
   lines.insert(lines.end(), table.rows.begin(), table.rows.end());
   const std::vector<std::size_t> width = column_widths(lines);
@@ -68,7 +68,7 @@ std::string material_test_text(const laboratory::MaterialTestReport& report, con
   const std::vector<std::string> flags = flag_words(report);
   if (!flags.empty()) text += "\n";
   for (const std::string& flag : flags) text += flag + "\n";
-  for (const PageTable& table : tables_of(report, units))
+  for (const Table& table : tables_of(report, units))
     text += fmt::format("\n{}\n{}", table.caption, laid_out(table));
   text += "\n";
   for (const std::string& note : notes_on(report)) text += note + "\n";

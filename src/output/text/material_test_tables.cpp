@@ -40,13 +40,12 @@ std::string percent(double fraction) {
   return text == "-0.000" ? "0.000" : text;
 }
 
-PageTable figures_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
-  PageTable table{
-      .caption = "Figures",
-      .columns = {"Rate (1/s)", cells.in_stress("Peak stress"), "at strain", cells.in_energy("Energy in"),
-                  cells.in_energy("Energy returned"), "Hysteresis (%)", "Best efficiency", "at strain",
-                  cells.in_stress("at stress"), "Ideality there"},
-      .rows = {}};
+Table figures_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
+  Table table{.caption = "Figures",
+              .columns = {"Rate (1/s)", cells.in_stress("Peak stress"), "at strain",
+                          cells.in_energy("Energy in"), cells.in_energy("Energy returned"), "Hysteresis (%)",
+                          "Best efficiency", "at strain", cells.in_stress("at stress"), "Ideality there"},
+              .rows = {}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
     const laboratory::CushionFigures& of = run.figures;
     table.rows.push_back({rate_cell(run), cells.stress(of.peak_stress), significant(of.strain_at_peak),
@@ -58,11 +57,11 @@ PageTable figures_table(const laboratory::MaterialTestReport& report, const Cell
   return table;
 }
 
-PageTable limits_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
-  PageTable table{.caption = "Cushioning at a stress limit",
-                  .columns = {"Rate (1/s)", cells.in_stress("Limit"), "reached at strain",
-                              cells.in_energy("Energy"), "Efficiency", "Ideality"},
-                  .rows = {}};
+Table limits_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
+  Table table{.caption = "Cushioning at a stress limit",
+              .columns = {"Rate (1/s)", cells.in_stress("Limit"), "reached at strain",
+                          cells.in_energy("Energy"), "Efficiency", "Ideality"},
+              .rows = {}};
   for (const laboratory::MaterialTestRun& run : report.runs)
     for (std::size_t i = 0; i < run.at_limits.size(); ++i) {
       Row row{rate_cell(run), cells.stress(report.test.stress_limits[i])};
@@ -76,14 +75,14 @@ PageTable limits_table(const laboratory::MaterialTestReport& report, const Cells
   return table;
 }
 
-PageTable relaxation_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
+Table relaxation_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
   const auto after = [&](double time) {
     return cells.in_stress("Stress after " + brief_quantity(time, "s", cells.units));
   };
-  PageTable table{.caption = "Relaxation",
-                  .columns = {"Rate (1/s)", cells.in_stress("Stress at the end of the ramp"),
-                              after(0.1 * report.test.hold), after(report.test.hold), "left (%)"},
-                  .rows = {}};
+  Table table{.caption = "Relaxation",
+              .columns = {"Rate (1/s)", cells.in_stress("Stress at the end of the ramp"),
+                          after(0.1 * report.test.hold), after(report.test.hold), "left (%)"},
+              .rows = {}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
     const laboratory::RelaxedStress& of = *run.relaxed;
     table.rows.push_back({rate_cell(run), cells.stress(of.at_end_of_ramp), cells.stress(of.after_tenth),
@@ -92,11 +91,11 @@ PageTable relaxation_table(const laboratory::MaterialTestReport& report, const C
   return table;
 }
 
-PageTable creep_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
-  PageTable table{.caption = "Creep",
-                  .columns = {"Rate (1/s)", "Strain at the end of loading",
-                              "Strain after " + brief_quantity(report.test.hold, "s", cells.units), "crept"},
-                  .rows = {}};
+Table creep_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
+  Table table{.caption = "Creep",
+              .columns = {"Rate (1/s)", "Strain at the end of loading",
+                          "Strain after " + brief_quantity(report.test.hold, "s", cells.units), "crept"},
+              .rows = {}};
   for (const laboratory::MaterialTestRun& run : report.runs)
     table.rows.push_back({rate_cell(run), significant(run.crept->at_end_of_loading),
                           significant(run.crept->after_hold),
@@ -104,8 +103,8 @@ PageTable creep_table(const laboratory::MaterialTestReport& report, const Cells&
   return table;
 }
 
-PageTable table_of_1984(const laboratory::MaterialTestReport& report, const Cells& cells) {
-  PageTable table{
+Table table_of_1984(const laboratory::MaterialTestReport& report, const Cells& cells) {
+  Table table{
       .caption = fmt::format("The update of 1984, {} steps to the first loading", *report.test.steps_of_1984),
       .columns = {"Rate (1/s)", fmt::format("Step ({})", shown_unit(cells.units.time)), "Stress",
                   cells.in_stress("last of loading"), cells.in_stress("one step later"),
@@ -140,8 +139,8 @@ const char* words_for(laboratory::ColumnEvent::Kind kind) {
   return "";
 }
 
-PageTable events_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
-  PageTable table{
+Table events_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
+  Table table{
       .caption = "Events",
       .columns = {"Rate (1/s)", "Event", "at strain", fmt::format("Time ({})", shown_unit(cells.units.time)),
                   cells.in_stress("Stress before"), cells.in_stress("Stress after")},
@@ -170,15 +169,14 @@ std::string energy_density_unit(const UnitSystem& units) {
   return "J/m³";
 }
 
-std::vector<PageTable> tables_of(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
+std::vector<Table> tables_of(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
   const Cells cells{units};
-  std::vector<PageTable> tables{figures_table(report, cells)};
+  std::vector<Table> tables{figures_table(report, cells)};
   if (!report.test.stress_limits.empty()) tables.push_back(limits_table(report, cells));
   if (report.test.kind == laboratory::TestKind::relaxation) tables.push_back(relaxation_table(report, cells));
   if (report.test.kind == laboratory::TestKind::creep) tables.push_back(creep_table(report, cells));
   if (report.test.steps_of_1984) tables.push_back(table_of_1984(report, cells));
-  if (PageTable events = events_table(report, cells); !events.rows.empty())
-    tables.push_back(std::move(events));
+  if (Table events = events_table(report, cells); !events.rows.empty()) tables.push_back(std::move(events));
   return tables;
 }
 

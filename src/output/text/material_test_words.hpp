@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dashpad/laboratory/material_test.hpp"
-#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/text/table.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
 namespace dashpad::output {
@@ -29,6 +29,6 @@ std::vector<std::string> notes_on(const laboratory::MaterialTestReport& report);
 std::string energy_density_unit(const UnitSystem& units);
 
 /// Figures, then what the test has besides: stress limits, relaxation, creep, the update of 1984, events.
-std::vector<PageTable> tables_of(const laboratory::MaterialTestReport& report, const UnitSystem& units);
+std::vector<Table> tables_of(const laboratory::MaterialTestReport& report, const UnitSystem& units);
 
 }  // namespace dashpad::output

@@ -1,24 +1,16 @@
 #include "dashpad/output/post_impact.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/output/text/case.hpp"
-#include "dashpad/version.hpp"
-#include "quantities/json_values.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
 
 namespace {
-
-PostImpact motion_after(const Body& first, const Body& second, const Solution& solution) {
-  return post_impact(first, second, std::clamp(solution.summary.energy_absorbed_fraction, 0.0, 1.0),
-                     solution.summary.errors.energy_absorbed);
-}
 
 std::string share(const char* what, double energy, double impact, const UnitSystem& units) {
   return fmt::format("    {:<30}{:>14}  {:>8.2f} %\n", what, brief_quantity(energy, "J", units),
@@ -29,7 +21,7 @@ std::string share(const char* what, double energy, double impact, const UnitSyst
 
 std::string post_impact_text(const Body& first, const Body& second, const ImpactCase& impact,
                              const Solution& solution, const UnitSystem& units) {
-  const PostImpact after = motion_after(first, second, solution);
+  const PostImpact after = post_impact(first, second, solution);
   const EnergySplit split = energy_split(impact, solution);
   const auto shown = [&](double value, const char* si_unit) { return brief_quantity(value, si_unit, units); };
   const std::string other = std::isinf(second.mass) ? "held in place" : shown(second.mass, "kg");
@@ -62,43 +54,6 @@ std::string post_impact_text(const Body& first, const Body& second, const Impact
   text += share("left in the support", split.support_at_end, split.impact, units);
   text += share("absorbed by the pad", split.pad, split.impact, units);
   return text;
-}
-
-std::string post_impact_json(const Body& first, const Body& second, const ImpactCase& impact,
-                             const Solution& solution) {
-  const PostImpact after = motion_after(first, second, solution);
-  const EnergySplit split = energy_split(impact, solution);
-  const Summary& summary = solution.summary;
-  const Json result{
-      {"status", to_string(summary.status)},
-      {"extrapolated", summary.extrapolated},
-      {"bottomed", summary.bottomed.has_value()},
-      {"bodies",
-       {{{"mass_kg", number(first.mass)},
-         {"velocity_m_per_s", number(first.velocity)},
-         {"velocity_after_m_per_s", number(after.first_velocity)},
-         {"velocity_after_error_m_per_s", number(after.errors.first_velocity)}},
-        {{"mass_kg", number(second.mass)},
-         {"velocity_m_per_s", number(second.velocity)},
-         {"velocity_after_m_per_s", number(after.second_velocity)},
-         {"velocity_after_error_m_per_s", number(after.errors.second_velocity)}}}},
-      {"energy_coefficient_C", number(after.energy_coefficient)},
-      {"restitution_sqrt_C", number(after.restitution)},
-      {"restitution_error", number(after.errors.restitution)},
-      {"absorbed_fraction_error", number(summary.errors.energy_absorbed)},
-      {"available_energy_J", number(after.available_energy)},
-      {"at_peak_force",
-       {{"kinetic_J", number(split.kinetic_at_peak)},
-        {"support_J", number(split.support_at_peak)},
-        {"pad_J", number(split.pad_at_peak)}}},
-      {"at_the_end",
-       {{"rebound_J", number(split.rebound)},
-        {"support_J", number(split.support_at_end)},
-        {"pad_J", number(split.pad)}}},
-      {"solved_as",
-       {{"mass_kg", number(impact.impactor.mass)}, {"speed_m_per_s", number(impact.impactor.speed)}}},
-      {"program", program_json()}};
-  return json_text(result);
 }
 
 }  // namespace dashpad::output

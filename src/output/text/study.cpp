@@ -16,7 +16,7 @@ std::string study_text(const study::StudyAnswers& answers, const UnitSystem& uni
   for (const std::string& warning : study_warnings(answers)) text += warning + "\n";
   if (answers.records.rows.empty()) return text;
   text += plain_text(factor_table(answers, units));
-  for (const PageTable& table : study_tables(answers, units))
+  for (const Table& table : study_tables(answers, units))
     text += "\n" + table.caption + "\n" + plain_text(table);
   return text + "\n" + interval_note(answers) + "\n";
 }

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/output/page/figures_page.hpp"
 #include "dashpad/study/responses.hpp"
 #include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
@@ -31,7 +30,7 @@ std::string share_above(const study::Exceedance& of) {
                      four_digits(100 * of.probability.high));
 }
 
-void add_distributions(PageTable& table, const study::StudyAnswers& answers,
+void add_distributions(Table& table, const study::StudyAnswers& answers,
                        const study::StudyAnswers::OfGroup& of, const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::string name = response_name(answers, i);
@@ -55,8 +54,8 @@ void add_distributions(PageTable& table, const study::StudyAnswers& answers,
   }
 }
 
-void add_exceedances(PageTable& table, const study::StudyAnswers& answers,
-                     const study::StudyAnswers::OfGroup& of, const UnitSystem& units) {
+void add_exceedances(Table& table, const study::StudyAnswers& answers, const study::StudyAnswers::OfGroup& of,
+                     const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.limits.size(); ++i) {
     const study::StudyLimit& limit = answers.limits[i];
     const study::Exceedance& exceedance = of.exceedances[i];
@@ -74,7 +73,7 @@ void add_exceedances(PageTable& table, const study::StudyAnswers& answers,
   }
 }
 
-void add_indices(PageTable& table, const study::StudyAnswers& answers, const study::StudyAnswers::OfGroup& of,
+void add_indices(Table& table, const study::StudyAnswers& answers, const study::StudyAnswers::OfGroup& of,
                  const UnitSystem& /*none of them has a unit*/) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     if (!of.sensitivities[i]) continue;
@@ -91,12 +90,11 @@ Row with_struck_through(const study::StudyAnswers& answers, Row columns) {
   return columns;
 }
 
-using AddRows = void (*)(PageTable&, const study::StudyAnswers&, const study::StudyAnswers::OfGroup&,
+using AddRows = void (*)(Table&, const study::StudyAnswers&, const study::StudyAnswers::OfGroup&,
                          const UnitSystem&);
 
 /// The rows of all combinations of levels in one table; where there are several, the first column names them.
-PageTable over_groups(PageTable table, const study::StudyAnswers& answers, const UnitSystem& units,
-                      AddRows add) {
+Table over_groups(Table table, const study::StudyAnswers& answers, const UnitSystem& units, AddRows add) {
   const bool named = answers.groups.size() > 1;
   if (named) table.columns.insert(table.columns.begin(), "At");
   for (std::size_t i = 0; i < answers.groups.size() && i < most_groups_shown; ++i) {
@@ -135,9 +133,9 @@ std::string spread_text(const study::StudyAnswers& answers, std::size_t factor, 
 
 }  // namespace
 
-std::vector<PageTable> study_tables(const study::StudyAnswers& answers, const UnitSystem& units) {
+std::vector<Table> study_tables(const study::StudyAnswers& answers, const UnitSystem& units) {
   const bool drawn = answers.groups.front().group.drawn;
-  std::vector<PageTable> tables{over_groups(
+  std::vector<Table> tables{over_groups(
       {.caption = "Distribution",
        .columns = with_struck_through(
            answers, {"Response", "Mean", "Deviation", "5 %", "Median", "95 %", "Least", "Greatest", "Rows"})},
@@ -156,8 +154,8 @@ std::vector<PageTable> study_tables(const study::StudyAnswers& answers, const Un
   return tables;
 }
 
-PageTable factor_table(const study::StudyAnswers& answers, const UnitSystem& units) {
-  PageTable table{.caption = "Factors", .columns = {"Factor", "Varies"}, .rows = {}};
+Table factor_table(const study::StudyAnswers& answers, const UnitSystem& units) {
+  Table table{.caption = "Factors", .columns = {"Factor", "Varies"}, .rows = {}};
   for (std::size_t i = 0; i < answers.study.factors.size(); ++i) {
     const study::Factor& factor = answers.study.factors[i];
     std::string text = spread_text(answers, i, units);

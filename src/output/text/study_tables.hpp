@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/text/table.hpp"
 #include "dashpad/study/questions.hpp"
 
 namespace dashpad::output {
@@ -12,10 +12,10 @@ namespace dashpad::output {
 inline constexpr std::size_t most_groups_shown = 24;
 
 /// Distributions and, where asked for, exceedances and indices, over all combinations of levels.
-std::vector<PageTable> study_tables(const study::StudyAnswers& answers, const UnitSystem& units);
+std::vector<Table> study_tables(const study::StudyAnswers& answers, const UnitSystem& units);
 
 /// What was studied: factors and how they vary.
-PageTable factor_table(const study::StudyAnswers& answers, const UnitSystem& units);
+Table factor_table(const study::StudyAnswers& answers, const UnitSystem& units);
 
 /// What to beware of, a sentence each; its first words in capitals.
 std::vector<std::string> study_warnings(const study::StudyAnswers& answers);

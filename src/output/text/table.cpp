@@ -23,7 +23,7 @@ std::string markdown_row(const Row& row) {
 
 }  // namespace
 
-std::string markdown(const PageTable& table) {
+std::string markdown(const Table& table) {
   std::string text = markdown_row(table.columns);
   text += "|";
   for (std::size_t i = 0; i < table.columns.size(); ++i) text += "---|";
@@ -39,7 +39,7 @@ std::vector<std::size_t> column_widths(const std::vector<std::vector<std::string
   return widths;
 }
 
-std::string plain_text(const PageTable& table) {
+std::string plain_text(const Table& table) {
   std::vector<Row> rows{table.columns};
   rows.insert(rows.end(), table.rows.begin(), table.rows.end());
   const std::vector<std::size_t> widths = column_widths(rows);

@@ -3,8 +3,8 @@
 /// Law 5: the report's empirical 21-parameter nonlinear viscoelastic foam.
 ///
 ///   loading:   G = E_inf A(e) + S_r |de/dt|^(R exp(-e^U/V)) (exp(e^W/X) - exp(-e^Y/Z))
-///   unloading: G = [the same] E(e, e*, D)   with E and D of dashpad/model/pad/unloading.hpp
-///   h = a t^(a-1) / (b c^e)   with t the time since first contact, in s
+///   unloading: G = [the same] E(e, e*, D)   with E of src/model/pad/formulas.hpp, D of
+///   dashpad/model/pad/unloading.hpp h = a t^(a-1) / (b c^e)   with t the time since first contact, in s
 ///                                                (theory.md, Eqs. 14, 16, 17; report, Eq. 28, KEYP = 5)
 ///
 /// Stress and strain are engineering values, compression positive; the rate powers take 1/s. Parameters 17

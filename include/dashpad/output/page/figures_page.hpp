@@ -6,28 +6,16 @@
 #include <vector>
 
 #include "dashpad/output/plot/plot.hpp"
+#include "dashpad/output/text/table.hpp"
 
 namespace dashpad::output {
-
-/// Cells as they are shown. `caption` may be empty.
-struct PageTable {
-  std::string caption = {};
-  std::vector<std::string> columns = {};
-  std::vector<std::vector<std::string>> rows = {};  ///< as many cells each as there are columns
-};
-
-struct PageFigure {
-  std::string name = {};  ///< "Figure 3-4"; may be empty
-  Plot plot;
-  std::string note = {};  ///< a sentence or two below it
-};
 
 /// Shown in this order: heading, text, tables, figures.
 struct PageSection {
   std::string heading = {};
   std::vector<std::string> paragraphs = {};
-  std::vector<PageTable> tables = {};
-  std::vector<PageFigure> figures = {};
+  std::vector<Table> tables = {};
+  std::vector<CaptionedPlot> figures = {};
 };
 
 struct FiguresPage {

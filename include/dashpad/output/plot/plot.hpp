@@ -60,6 +60,13 @@ struct Plot {
   std::string source = {};  ///< small print at the bottom: the version, the case
 };
 
+/// A plot in a document or on a page.
+struct CaptionedPlot {
+  std::string name = {};  ///< "Figure 3-4"; may be empty
+  Plot plot;
+  std::string note = {};  ///< a sentence or two below it
+};
+
 enum class PictureFormat { svg, png, pdf };
 
 /// By the ending of a file's name, in small or capital letters. None for other endings.
