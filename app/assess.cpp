@@ -32,10 +32,10 @@ solver are those of the case. What was replaced is said. A standard that leaves 
 Several variants may follow the name, each after a colon. dashpad standards lists names and variants.
 
 Verdicts: pass where the value with its estimated error is within every limit, fail where a value without its
-error is above one, undecided where a limit lies within the error. A pad that is struck through on a rigid
+error is above one, undecided where a limit lies within the error. A pad that bottomed out on a rigid
 support fails. A pulse that ends before contact is lost (PULSE CUT: a foam that does not unload, on a rigid
 support, or the time limit) gives lower bounds: they fail above a limit and are undecided below. Only the
-peak is judged in full, once the sphere came to rest. A pass is "with reservations" where the result has a
+peak is judged in full, once the impactor has come to rest. A pass is "with reservations" where the result has a
 flag (EXTRAPOLATED, BOTTOMED, PULSE CUT, ...), where the material has an UNKNOWN RANGE, where a value of the
 standard is UNVERIFIED, or where you REPLACED one. It is a computation with one rigid sphere on a flat pad:
 no test to the standard, no certification.

@@ -17,7 +17,7 @@
 namespace dashpad::app {
 
 enum ExitCode {
-  exit_done = 0,         ///< results are there; also when the pad bottomed out or the time was up
+  exit_done = 0,         ///< results are there; also when the pad bottomed out or the time limit was reached
   exit_failed = 1,       ///< a result could not be written, or the program is at fault
   exit_refused = 2,      ///< input or command line refused; nothing was run and nothing written
   exit_not_trusted = 3,  ///< no verdict, or not reliable: results are there, but miss the tolerance

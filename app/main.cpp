@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* description =
     "dashpad: the impact of a rigid nose on a foam pad on an elastic support.\n"
-    "Give it a case file; it answers with peak force, g, penetration, rebound and energy.";
+    "Give it a case file; it answers with peak force, peak acceleration, penetration, rebound and energy.";
 
 constexpr const char* main_footer = R"(Start here:
   dashpad check examples/dashboard-20mph.toml    is the case understood as meant?
@@ -34,7 +34,7 @@ constexpr const char* main_footer = R"(Start here:
   dashpad study --help                           many impacts: curves, maps, probabilities
 
 Exit codes:
-  0  done; also when the pad bottomed out or the time was up: these are results
+  0  done; also when the pad bottomed out or the time limit was reached: these are results
   1  a result could not be written (full disk, ...), or the program failed
   2  input or command line refused; nothing was run, nothing was written
   3  no verdict, or not reliable: results are there but miss the tolerance, or assess cannot decide

@@ -29,7 +29,7 @@ figure with its estimated error; files have all digits.
 Files: - as FILE is standard output; the summary for people then goes to standard error. An existing file
 is kept unless --force is given. A file is written whole or not at all.
 
-Exit codes: 0 done (also when the pad bottomed out or the time was up), 1 a result could not be written,
+Exit codes: 0 done (also when the pad bottomed out or the time limit was reached), 1 a result could not be written,
 2 input or command line refused and nothing was run, 3 not reliable: results are there but miss the
 tolerance.)";
 

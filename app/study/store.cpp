@@ -60,7 +60,7 @@ int finish_study(const study::Store& store, const StudyRequest& request, std::ui
                                             rate_text(computed, seconds));
   line += fmt::format("; {} doubtful{}", doubtful,
                       doubtful > 0 ? " (tolerance not met, no valid case, or a figure missing)" : "");
-  if (struck_through > 0) line += fmt::format("; {} struck through", struck_through);
+  if (struck_through > 0) line += fmt::format("; {} bottomed out on a rigid support", struck_through);
   line += "\n";
   write_output(line);
   return doubtful > 0 ? exit_not_trusted : exit_done;

@@ -25,7 +25,7 @@ constexpr const char* study_summary_footer = R"(Examples:
 
 Mean, quantiles, the probability of more than a limit, all with 95 % intervals; Sobol' indices where the study has
 indices = true; cushion curves where it varies mass, speed and thickness. Combinations of levels are kept apart.
-Rows in which the impactor struck through the pad onto a rigid support are above every limit on force, clips and HIC.
+Rows in which the pad bottomed out on a rigid support are above every limit on force, clips and HIC.
 An interrupted study is summed up as far as it is. docs/studies.md says what to believe.
 
 Exit codes: 0 done, 1 a result could not be written, 2 refused.)";

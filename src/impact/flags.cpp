@@ -14,12 +14,11 @@ std::string missed_tolerance(const Summary& summary) {
   return fmt::format("TOLERANCE NOT MET: asked for {}; the errors may be larger than estimated", asked);
 }
 
-/// On a rigid support there is no force then, also where the tolerance was missed on the way there.
 std::string bottoming(const Summary& summary) {
   return fmt::format("BOTTOMED at {:.5g} ms: the pad was fully compressed {}", 1e3 * summary.bottomed->time,
-                     summary.peak_force
-                         ? "for a while, in which only the support gave way"
-                         : "on its rigid support, so that the force has no finite value there");
+                     bottomed_on_rigid_support(summary)
+                         ? "on its rigid support, so that the force has no finite value there"
+                         : "for a while, in which only the support gave way");
 }
 
 /// Share of the impact energy that is rounding, also where an estimate says less.
@@ -38,6 +37,8 @@ std::string gain(const Summary& summary) {
 
 bool pulse_is_whole(const Summary& summary) { return summary.contact_end.has_value(); }
 
+bool bottomed_on_rigid_support(const Summary& summary) { return summary.bottomed && !summary.peak_force; }
+
 bool gained_energy(const Summary& summary) {
   const double of_ledger = std::abs(summary.energy.residual / summary.energy.impact);
   return energy_gained(summary) > summary.errors.energy_absorbed + of_ledger + rounding;
@@ -50,13 +51,13 @@ std::vector<Flag> flags(const Summary& summary) {
   else if (!summary.trustworthy())
     all.push_back({"TOLERANCE NOT MET", missed_tolerance(summary)});
   if (summary.status == Status::time_limit)
-    all.push_back({"TIME LIMIT", "TIME LIMIT: the impactor was still on the pad when the time was up"});
-  const bool no_finite_force = summary.bottomed && !summary.peak_force;
-  if (summary.status != Status::not_run && !pulse_is_whole(summary) && !no_finite_force)
     all.push_back(
-        {"PULSE CUT",
-         "PULSE CUT: the force was still up where it ends; HIC, clips and times of the whole pulse are "
-         "not known"});
+        {"TIME LIMIT", "TIME LIMIT: the impactor was still on the pad when the time limit was reached"});
+  if (summary.status != Status::not_run && !pulse_is_whole(summary) && !bottomed_on_rigid_support(summary))
+    all.push_back({"PULSE CUT",
+                   "PULSE CUT: the pulse ends before the force has returned to zero; HIC, clips and the "
+                   "duration of the "
+                   "whole pulse are not known"});
   if (gained_energy(summary)) all.push_back({"ENERGY GAINED", gain(summary)});
   if (summary.bottomed) all.push_back({"BOTTOMED", bottoming(summary)});
   for (const std::string& reason : summary.extrapolations)

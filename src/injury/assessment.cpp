@@ -55,7 +55,7 @@ Estimate estimate(const Criterion& criterion, const Solution& solution, const In
   throw std::invalid_argument("assess: unknown metric");
 }
 
-/// Struck through on a rigid support, also where the tolerance was missed on the way there.
+/// Bottomed out on a rigid support, also where the tolerance was missed on the way there.
 bool has_no_finite_force(const Summary& summary) { return !summary.peak_force.has_value(); }
 
 /// The force has had its largest value: the impactor came to rest, or went on to leave the pad.
@@ -69,7 +69,7 @@ CriterionResult struck_through(const Criterion& criterion) {
   CriterionResult result;
   result.criterion = criterion;
   result.verdict = Verdict::fail;
-  result.reason = "struck through on a rigid support: no finite value";
+  result.reason = "bottomed out on a rigid support: no finite value";
   return result;
 }
 

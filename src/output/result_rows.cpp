@@ -18,11 +18,10 @@ namespace {
 
 std::string bottomed_flag(const Summary& summary, const UnitSystem& units) {
   const Moment& moment = *summary.bottomed;
-  const bool rigid = summary.status == Status::bottomed_out;
-  return fmt::format(
-      "BOTTOMED at {}, the impactor still moving at {}{}", brief_quantity(moment.time, "s", units),
-      brief_quantity(moment.velocity, "m/s", units),
-      rigid ? "; figures are up to that moment" : "; while it stayed so, only the support gave way");
+  return fmt::format("BOTTOMED at {}, the impactor still moving at {}{}",
+                     brief_quantity(moment.time, "s", units), brief_quantity(moment.velocity, "m/s", units),
+                     bottomed_on_rigid_support(summary) ? "; figures are up to that moment"
+                                                        : "; while it stayed so, only the support gave way");
 }
 
 /// Close to full compression the rounded percentage would look like bottoming: there, what is left is said.
@@ -95,6 +94,12 @@ std::string tolerance_text(const Summary& summary) {
                                : "without meeting the tolerance of " + tolerance;
 }
 
+/// Of a run that went through.
+std::string end_of_contact(const Summary& summary) {
+  return pulse_is_whole(summary) ? "The impactor rebounded and left the pad."
+                                 : "The pad stopped the impactor and does not push it back.";
+}
+
 std::string duration(double seconds) {
   return seconds < 1 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
 }
@@ -103,13 +108,11 @@ std::string duration(double seconds) {
 
 std::string outcome(const Summary& summary) {
   switch (summary.status) {
-    case Status::released:
-      return pulse_is_whole(summary) ? "The impactor rebounded and left the pad."
-                                     : "The pad stopped the impactor and does not push it back.";
+    case Status::released: return end_of_contact(summary);
     case Status::bottomed_out: return "The pad bottomed out on its rigid support: no finite force beyond.";
-    case Status::time_limit: return "The impactor was still on the pad when the time was up.";
+    case Status::time_limit: return "The impactor was still on the pad when the time limit was reached.";
     case Status::tolerance_not_met:
-      return summary.release ? "The impactor rebounded and left the pad."
+      return summary.release ? end_of_contact(summary)
                              : "The computation stopped before the impactor left the pad.";
     case Status::not_run: return "Nothing was computed.";
   }
@@ -187,8 +190,8 @@ std::string stretch(double begin, double end, const UnitSystem& units, int digit
 }
 
 std::string numbers_text(const Summary& summary) {
-  const std::string stations =
-      summary.stations > 0 ? fmt::format("{} stations", summary.stations) : "contact force in closed form";
+  const std::string stations = summary.stations > 0 ? fmt::format("{} sampling points", summary.stations)
+                                                    : "contact force in closed form";
   return fmt::format("Solved {}: {} steps, {}, {} runs, {}; energy residual {} (dashpad {})",
                      tolerance_text(summary), summary.steps, stations, summary.runs,
                      duration(summary.wall_time),

@@ -177,7 +177,7 @@ TEST_F(StudyTest, AStoreThatIsDeletedOrReplacedWhileItRunsIsNoticed) {
   }
 }
 
-/// Half of the impacts strike through: no limit on the force is kept by them.
+/// Half of the impacts bottom out on a rigid support: no limit on the force is kept by them.
 TEST_F(StudyTest, RowsThatStruckThroughAreAboveEveryLimit) {
   const fs::path source{DASHPAD_SOURCE_DIR};
   write_file(file("struck.toml"), "case = \"" + (source / "examples/rigid-floor-bottoming.toml").string() +
@@ -188,10 +188,10 @@ values = ["1 mph", "2 mph", "15 mph", "20 mph"]
 )");
   const Outcome computed = compute("struck");
   EXPECT_EQ(computed.exit_code, 0) << computed.err;
-  EXPECT_THAT(computed.out, HasSubstr("0 doubtful; 2 struck through\n"));
+  EXPECT_THAT(computed.out, HasSubstr("0 doubtful; 2 bottomed out on a rigid support\n"));
   const Outcome summary = dashpad({"study", "summary", file("struck.db"), "--limit", "peak_force > 1000 kN",
                                    "--limit", "hic15 > 1e9", "--json", file("answers.json")});
-  EXPECT_THAT(summary.out, AllOf(HasSubstr("STRUCK THROUGH: in 2 of 4 rows (50 %)"),
+  EXPECT_THAT(summary.out, AllOf(HasSubstr("BOTTOMED OUT: in 2 of 4 rows (50 %)"),
                                  ContainsRegex("Peak force +1000000 N +50 +2 +2 \\(50 %\\) +4\n"),
                                  ContainsRegex("HIC15 +1e\\+09 +50 +2 +2 \\(50 %\\) +4\n")));
   const json answers = json::parse(read_file(file("answers.json")));

@@ -171,7 +171,8 @@ study::StoredRow row_with(std::uint64_t number, Status status, std::vector<doubl
   return row;
 }
 
-/// 1000 rows: 229 struck through, 1 is undecided in each way, the others have a peak force of 1 kN.
+/// 1000 rows: 229 bottomed out on a rigid support, 1 is undecided in each way, the others have a peak force
+/// of 1 kN.
 study::StoredRow row_of_a_thousand(std::uint64_t number) {
   if (number < 229) return row_with(number, Status::bottomed_out, {none, none, 1});
   if (number == 229) return row_with(number, Status::tolerance_not_met, {1000, 2, 0.5});
@@ -201,7 +202,7 @@ study::StudyAnswers answers_of_a_thousand(const fs::path& file, bool grid = fals
        .limits = {{"peak_force", 5000}, {"peak_force", 500}, {"rebound_speed", 1}, {"peak_strain", 0.9}}});
 }
 
-/// A pad that was struck through never counts as a pad with margin.
+/// A pad that bottomed out on a rigid support never counts as a pad with margin.
 TEST_F(StoredStudyTest, RowsThatStruckThroughAreAboveEveryLimitOnAForce) {
   const study::StudyAnswers answers = answers_of_a_thousand(file("struck.db"));
   const auto& of = answers.groups.at(0);
@@ -229,15 +230,15 @@ TEST_F(StoredStudyTest, RowsThatStruckThroughHaveAColumnOfTheirOwn) {
   for (const bool grid : {false, true}) {
     const study::StudyAnswers answers = answers_of_a_thousand(file(grid ? "grid.db" : "drawn.db"), grid);
     const std::string text = output::study_text(answers, unit_systems().front());
-    EXPECT_THAT(text, AllOf(HasSubstr("STRUCK THROUGH: in 229 of 1000 rows (22.9 %)"),
+    EXPECT_THAT(text, AllOf(HasSubstr("BOTTOMED OUT: in 229 of 1000 rows (22.9 %)"),
                             HasSubstr("TIME LIMIT: in 1 of 1000 rows"), HasSubstr("DOUBTFUL: 3 of 1000")));
     EXPECT_THAT(
         text, ContainsRegex("Peak force +5000 N +22.99 \\([0-9.]+ to [0-9.]+\\) +229 +229 \\(22.9 %\\) +996 "
                             "\\(4 undecided\\)"))
         << text;
-    EXPECT_THAT(text, ContainsRegex("Peak force \\(N\\) +- +- +1000 .* +struck through .*229 \\(22.9 %\\)"));
+    EXPECT_THAT(text, ContainsRegex("Peak force \\(N\\) +- +- +1000 .* +bottomed out .*229 \\(22.9 %\\)"));
     const auto page = output::study_page(answers, unit_systems().front());
-    EXPECT_EQ(page.sections.at(1).tables.at(1).columns.at(4), "Struck through");
+    EXPECT_EQ(page.sections.at(1).tables.at(1).columns.at(4), "Bottomed out");
     EXPECT_EQ(page.sections.at(1).tables.at(1).rows.at(0).at(4), "229 (22.9 %)");
     EXPECT_THAT(output::study_json(answers),
                 AllOf(HasSubstr("\"rows_struck_through\": 229"), HasSubstr("\"rows_undecided\": 4")));

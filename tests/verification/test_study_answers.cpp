@@ -175,8 +175,8 @@ TEST(StudyAnswersVerification, UndecidedRowsWidenTheInterval) {
   EXPECT_EQ(of.probability.high, exceedance(readings(values), 1).probability.high);
 }
 
-/// 3 of 10 struck through: 30 % above any limit, by Clopper and Pearson from 6.67 to 65.25 %, whatever the
-/// limit.
+/// 3 of 10 bottomed out on a rigid support: 30 % above any limit, by Clopper and Pearson from 6.67 to 65.25
+/// %, whatever the limit.
 TEST(StudyAnswersVerification, RowsThatStruckThroughAreAboveEveryLimit) {
   std::vector<double> values(10, 1);
   for (const std::size_t i : {2U, 5U, 9U}) values[i] = infinity;
@@ -203,7 +203,8 @@ TEST(StudyAnswersVerification, LowerBoundsDecideALimitThatTheyExceed) {
   EXPECT_EQ(grid.probability.high, 0.25) << "both readings of the undecided row";
 }
 
-/// Ten rows, four of them struck through: the median is the 5th of ten, the 95 % quantile has no bound.
+/// Ten rows, four of them bottomed out on a rigid support: the median is the 5th of ten, the 95 % quantile
+/// has no bound.
 TEST(StudyAnswersVerification, RowsThatStruckThroughAreAboveAllInQuantiles) {
   const std::vector<double> values{3, infinity, 1, 2, infinity, 4, infinity, 5, 6, infinity};
   const Distribution of = distribution(values);

@@ -39,9 +39,9 @@ export function plots(data) {
       name: "force-penetration", title: "Force against penetration",
       ...loop(titles.penetration, history.penetration),
     }),
-    new LoopChart({ name: "force-motion", title: "Force against motion", ...loop(titles.motion, history.motion) }),
+    new LoopChart({ name: "force-motion", title: "Force against displacement", ...loop(titles.motion, history.motion) }),
     new CurveChart({
-      name: "motion", title: "Penetration and motion over time",
+      name: "motion", title: "Penetration and displacement over time",
       ...over({ label: "Distance", unit: "m" }, [
         { label: titles.motion, y: history.motion, colour: "line-0" },
         { label: titles.penetration, y: history.penetration, colour: "line-1", dash: "dashed" },

@@ -12,6 +12,10 @@ namespace dashpad {
 /// clips, dwell times and the duration are those of a part of the pulse.
 bool pulse_is_whole(const Summary& summary);
 
+/// Whether the pad was fully compressed on a rigid support, where no force is finite; also where the
+/// tolerance was missed on the way there.
+bool bottomed_on_rigid_support(const Summary& summary);
+
 /// Whether the pad and the support gave back more energy than they took, by more than the error estimates.
 bool gained_energy(const Summary& summary);
 

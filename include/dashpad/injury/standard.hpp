@@ -143,7 +143,7 @@ struct KeyFigures {
   Figure hic15, hic36;
   Figure peak_strain;    ///< on the axis
   Figure contact_end;    ///< since first contact
-  Figure rebound_speed;  ///< when contact is lost
+  Figure rebound_speed;  ///< at release
   Figure restitution;
 };
 
@@ -165,7 +165,7 @@ std::string to_string(const Assessment& assessment);
 /// Judges the solution of `impact`, the case with the impactor of the standard. Passes where every value with
 /// its error is within its limit; fails where one without its error is above; otherwise undecided.
 ///
-/// A pad that was struck through on a rigid support fails whatever is asked for: the force has no finite
+/// A pad that bottomed out on a rigid support fails whatever is asked for: the force has no finite
 /// value. A pulse that was cut before contact was lost gives lower bounds, since each of the metrics can only
 /// grow with what is missing of the pulse: it fails above a limit and is undecided below. The peak alone is
 /// final once the impactor came to rest, as a foam that does not unload leaves it on a rigid support.

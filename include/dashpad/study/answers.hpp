@@ -23,9 +23,9 @@ struct Estimate {
 
 /// Of one response over the rows that have it. All values are NaN where no row has one.
 ///
-/// Rows that struck through (see Records::struck_through) stand above all values of a response that grows
-/// with the force: quantiles and the greatest value are infinite where they fall on such a row, and there is
-/// no mean and no deviation.
+/// Rows that bottomed out on a rigid support (see Records::struck_through) stand above all values of a
+/// response that grows with the force: quantiles and the greatest value are infinite where they fall on such
+/// a row, and there is no mean and no deviation.
 struct Distribution {
   std::uint64_t rows = 0;            ///< with a finite value
   std::uint64_t struck_through = 0;  ///< with an infinite one
@@ -44,8 +44,8 @@ struct Distribution {
 };
 
 /// Between which values a response of one row lies, SI. Both are the same where it is known, infinite where
-/// the row struck through; from the value to infinity where that is a lower bound; without bounds where
-/// nothing is known.
+/// the pad bottomed out on a rigid support; from the value to infinity where that is a lower bound; without
+/// bounds where nothing is known.
 struct Reading {
   double low = 0, high = 0;
 };
@@ -55,15 +55,16 @@ struct Reading {
 struct Exceedance {
   double limit = 0;  ///< SI
   Estimate probability;
-  std::uint64_t exceeding = 0;       ///< rows above the limit, those that struck through among them
+  std::uint64_t exceeding =
+      0;  ///< rows above the limit, those that bottomed out on a rigid support among them
   std::uint64_t struck_through = 0;  ///< rows above every limit
   std::uint64_t rows = 0;            ///< decided
   std::uint64_t undecided = 0;
 };
 
-/// `values` has NaN for a row without one and infinity for one that struck through. `drawn` says that the
-/// rows are draws; those of a grid are not, and have no intervals of sampling: there the interval of an
-/// exceedance covers the undecided rows alone, and is absent without any.
+/// `values` has NaN for a row without one and infinity for one that bottomed out on a rigid support. `drawn`
+/// says that the rows are draws; those of a grid are not, and have no intervals of sampling: there the
+/// interval of an exceedance covers the undecided rows alone, and is absent without any.
 Distribution distribution(std::span<const double> values, bool drawn = true);
 Exceedance exceedance(std::span<const Reading> rows, double limit, bool drawn = true);
 
@@ -102,7 +103,7 @@ struct Records {
   std::uint64_t extrapolated = 0;    ///< beyond what the material was measured for
   std::uint64_t bottomed = 0;        ///< the pad was fully compressed at some time
   std::uint64_t struck_through = 0;  ///< of these: on a rigid support, where no force is finite
-  std::uint64_t time_limit = 0;      ///< the impactor was still on the pad when the time was up
+  std::uint64_t time_limit = 0;      ///< the impactor was still on the pad when the time limit was reached
 };
 Records read_records(const Study& study, const Store& store);
 
@@ -115,8 +116,8 @@ struct Group {
 };
 std::vector<Group> groups(const Study& study, const Design& design, const Records& records);
 
-/// The values of a response in a group: NaN for none, infinite where the row struck through and the response
-/// grows with the force.
+/// The values of a response in a group: NaN for none, infinite where the pad bottomed out on a rigid support
+/// and the response grows with the force.
 std::vector<double> values_of(const Study& study, const Records& records, const Group& group,
                               std::size_t response);
 

@@ -53,7 +53,7 @@ Panel acceleration_panel(const History& history, const std::optional<injury::Inj
 }
 
 Panel loop_panel(const History& history, const UnitSystem& units) {
-  Panel panel{"Force over motion and penetration",
+  Panel panel{"Force over displacement and penetration",
               axis_with_unit("Distance", "m", units),
               axis_of("force", units),
               {}};

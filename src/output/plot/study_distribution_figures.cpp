@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t most_steps = 400;        ///< of a distribution function
 constexpr std::size_t most_plain_dots = 1500;  ///< of a scatter plot
 
-/// The share of rows at or below each value; rows that struck through or have no value count as above all.
+/// The share of rows at or below each value; rows that bottomed out on a rigid support or have no value count
+/// as above all.
 Series distribution_function(std::vector<double> values, double scale) {
   const auto all = static_cast<double>(values.size());
   std::erase_if(values, [](double value) { return !std::isfinite(value); });

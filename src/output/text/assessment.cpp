@@ -231,8 +231,8 @@ std::string verdict_text(const AssessmentReport& report, const UnitSystem& units
   if (!names.empty()) text += fmt::format(", with reservations: {}", fmt::join(names, ", "));
   text = wrapped(text, 2) + "\n";
   const Summary& summary = report.solution.summary;
-  if (!summary.peak_force && summary.bottomed)
-    text += fmt::format("The pad was struck through at {}: on its rigid support no force is finite then.\n",
+  if (bottomed_on_rigid_support(summary))
+    text += fmt::format("The pad bottomed out at {}: on its rigid support no force is finite then.\n",
                         brief_quantity(summary.bottomed->velocity, "m/s", units));
   return text;
 }

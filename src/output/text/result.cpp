@@ -54,9 +54,9 @@ std::string main_text(const ImpactCase& impact, const Summary& summary,
   untitled.title.clear();
   text += "\n" + wrapped_lines(case_text(untitled, units));
   return text +
-         wrapped(fmt::format("Solver's error at most {}{}, energy residual {}; "
+         wrapped(fmt::format("Estimated numerical error at most {}{}, energy residual {}; "
                              "--all has every figure with its error.",
-                             shown_error(error), some_left ? " but where ± says more" : "",
+                             shown_error(error), some_left ? " except where ± is shown" : "",
                              percentage(std::abs(summary.energy.residual / summary.energy.impact))),
                  2) +
          "\n";

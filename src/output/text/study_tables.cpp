@@ -84,9 +84,9 @@ void add_indices(Table& table, const study::StudyAnswers& answers, const study::
   }
 }
 
-/// The columns, and where rows struck through a column for them before the last.
+/// The columns, and where pads bottomed out on a rigid support a column for them before the last.
 Row with_struck_through(const study::StudyAnswers& answers, Row columns) {
-  if (answers.records.struck_through > 0) columns.insert(columns.end() - 1, "Struck through");
+  if (answers.records.struck_through > 0) columns.insert(columns.end() - 1, "Bottomed out");
   return columns;
 }
 
@@ -182,7 +182,7 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
         records.doubtful, rows));
   if (records.struck_through > 0)
     texts.push_back(fmt::format(
-        "STRUCK THROUGH: in {} of {} rows ({} %) the pad bottomed out on its rigid support, where the force "
+        "BOTTOMED OUT: in {} of {} rows ({} %) the pad bottomed out on its rigid support, where the force "
         "has no bound. They count as above every limit on force, acceleration, clips, HIC and severity "
         "index, and as above all other rows in the quantiles; these responses have no mean.",
         records.struck_through, rows,
@@ -193,10 +193,11 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
                     "they count by their figures.",
                     records.bottomed - records.struck_through, rows));
   if (records.time_limit > 0)
-    texts.push_back(fmt::format(
-        "TIME LIMIT: in {} of {} rows the impactor was still on the pad when the time was up. Their largest "
-        "values are lower bounds: a limit that they do not exceed is undecided.",
-        records.time_limit, rows));
+    texts.push_back(
+        fmt::format("TIME LIMIT: in {} of {} rows the impactor was still on the pad when the time limit was "
+                    "reached. Their largest "
+                    "values are lower bounds: a limit that they do not exceed is undecided.",
+                    records.time_limit, rows));
   if (records.extrapolated > 0)
     texts.push_back(fmt::format("EXTRAPOLATED: {} of {} rows go beyond what the material was measured for.",
                                 records.extrapolated, rows));

@@ -16,7 +16,7 @@ std::string four_digits(double value) {
 }
 
 std::string four_digits_or_struck(double value) {
-  return value == HUGE_VAL ? "struck through" : four_digits(value);
+  return value == HUGE_VAL ? "bottomed out" : four_digits(value);
 }
 
 std::string with_interval(const study::Estimate& estimate, double scale) {

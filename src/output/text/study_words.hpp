@@ -14,10 +14,10 @@ inline constexpr std::size_t most_lines_drawn = 8;
 
 /// Four significant digits: what a study of some thousand rows can tell. "-" if not finite.
 std::string four_digits(double value);
-/// The same of a value that is infinite where the row struck through: those words then.
+/// The same of a value that is infinite where the pad bottomed out on a rigid support: those words then.
 std::string four_digits_or_struck(double value);
 /// "12.3 (11.9 to 12.8)", "12.3 (below 13)" for a bound at one side only; without brackets where there is no
-/// interval. An infinite value is "struck through".
+/// interval. An infinite value is "bottomed out".
 std::string with_interval(const study::Estimate& estimate, double scale = 1);
 /// The same with three decimals: shares.
 std::string share_with_interval(const study::Estimate& share);
