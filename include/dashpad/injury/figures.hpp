@@ -39,7 +39,7 @@ struct InjuryValue {
   std::optional<double> begin = {}, end = {};  ///< s, of a window or stretch
 };
 /// All of them, for text, page and JSON alike.
-std::array<InjuryValue, 9> injury_values(const InjuryFigures& figures);
+std::array<InjuryValue, 9> injury_values(const InjuryFigures& of);
 
 /// The acceleration of the impactor. Until its end the history of an impact on a rigid support that bottomed
 /// out is finite; it is no whole pulse.

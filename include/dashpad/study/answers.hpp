@@ -55,8 +55,7 @@ struct Reading {
 struct Exceedance {
   double limit = 0;  ///< SI
   Estimate probability;
-  std::uint64_t exceeding =
-      0;  ///< rows above the limit, those that bottomed out on a rigid support among them
+  std::uint64_t exceeding = 0;       ///< rows above the limit, struck_through among them
   std::uint64_t struck_through = 0;  ///< rows above every limit
   std::uint64_t rows = 0;            ///< decided
   std::uint64_t undecided = 0;

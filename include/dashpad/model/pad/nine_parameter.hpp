@@ -3,9 +3,10 @@
 /// Law 4: the report's empirical 9-parameter nonlinear viscoelastic foam.
 ///
 ///   loading:   G = A(e) B(de/dt),    A = e^m / (1 - e)^n,   B = E_inf + E_r |de/dt|^r,   h = 1/tau
-///   unloading: G = A B E(e, e*, D)   with E of src/model/pad/formulas.hpp, D of
-///   dashpad/model/pad/unloading.hpp
+///   unloading: G = A B E(e, e*, D)
 ///                                                   (theory.md, Eqs. 14 to 16; report, Eq. 28, KEYP = 4)
+///
+/// E is in src/model/pad/formulas.hpp, D in dashpad/model/pad/unloading.hpp.
 ///
 /// Stress and strain are engineering values, compression positive. |de/dt|^r and (tau* |de/dt|)^p take the
 /// rate in 1/s. The ninth parameter, the zero-time modulus E_0, does not enter the law and is left out, as

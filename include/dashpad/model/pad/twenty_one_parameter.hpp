@@ -3,9 +3,11 @@
 /// Law 5: the report's empirical 21-parameter nonlinear viscoelastic foam.
 ///
 ///   loading:   G = E_inf A(e) + S_r |de/dt|^(R exp(-e^U/V)) (exp(e^W/X) - exp(-e^Y/Z))
-///   unloading: G = [the same] E(e, e*, D)   with E of src/model/pad/formulas.hpp, D of
-///   dashpad/model/pad/unloading.hpp h = a t^(a-1) / (b c^e)   with t the time since first contact, in s
+///   unloading: G = [the same] E(e, e*, D)
+///   h = a t^(a-1) / (b c^e)   with t the time since first contact, in s
 ///                                                (theory.md, Eqs. 14, 16, 17; report, Eq. 28, KEYP = 5)
+///
+/// E is in src/model/pad/formulas.hpp, D in dashpad/model/pad/unloading.hpp.
 ///
 /// Stress and strain are engineering values, compression positive; the rate powers take 1/s. Parameters 17
 /// to 21 of the report (the zero-time stress) do not enter the law and are left out, as in the 1984 program.
