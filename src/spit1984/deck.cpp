@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -100,6 +101,8 @@ Deck deck_of(const ImpactCase& impact) {
   deck.weight_lb = typed(impact.impactor.mass, "kg", "lb");
   deck.thickness_in = typed(impact.pad.thickness, "m", "in");
   // The laws of PadLaw stand in the order of KEYP.
+  static_assert(std::variant_size_v<PadLaw> == 5,
+                "what_a_deck_cannot_say() must refuse a law of later times");
   deck.pad = static_cast<PadKey>(impact.pad.material.law.index() + 1);
   std::visit([&](const auto& law) { store_parameters(law, deck.pad_parameters); }, impact.pad.material.law);
   store_published(impact.pad.material, deck.pad, deck.pad_parameters);
