@@ -90,7 +90,6 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   const auto relative = [&](double x, double x_before, double x_run) {
     return error(x, x_before, x_run, std::abs(x));
   };
-  const double last_rebound_error = rebound_error_;
   errors_ = {};
   // On a rigid support a bottomed pad has no peak force; what matters is when and how fast it bottoms.
   const bool ended_in_lock = now.ending == Ending::bottomed_out;
@@ -115,8 +114,9 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   };
   // The time of release is ill-posed (theory.md, Eq. 27); the speed then is not.
   if (now.release) {
-    rebound_error_ = of_speed(*now.release, *before.release, *run.release);
-    errors_.rebound_speed = std::max(rebound_error_, numerics.fastest_fall_of_error * last_rebound_error);
+    const double rebound = of_speed(*now.release, *before.release, *run.release);
+    errors_.rebound_speed = std::max(rebound, numerics.fastest_fall_of_error * rebound_error_);
+    rebound_error_ = rebound;
   }
   errors_.contact_end = moment(now.contact_end, before.contact_end, run.contact_end);
   errors_.force_below_weight =

@@ -55,9 +55,6 @@ Estimate estimate(const Criterion& criterion, const Solution& solution, const In
   throw std::invalid_argument("assess: unknown metric");
 }
 
-/// Bottomed out on a rigid support, also where the tolerance was missed on the way there.
-bool has_no_finite_force(const Summary& summary) { return !summary.peak_force.has_value(); }
-
 /// The force has had its largest value: the impactor came to rest, or went on to leave the pad.
 bool peak_is_final(const Summary& summary) { return summary.release.has_value(); }
 
@@ -94,7 +91,7 @@ std::string reason_of(const CriterionResult& result, const Summary& summary) {
 }
 
 CriterionResult judge(const Criterion& criterion, const Solution& solution, const InjuryFigures& figures) {
-  if (has_no_finite_force(solution.summary)) return struck_through(criterion);
+  if (bottomed_on_rigid_support(solution.summary)) return struck_through(criterion);
   const Estimate value = estimate(criterion, solution, figures);
   CriterionResult result;
   result.criterion = criterion;
@@ -111,9 +108,9 @@ CriterionResult judge(const Criterion& criterion, const Solution& solution, cons
 }
 
 KeyFigures key_figures(const Summary& summary, const InjuryFigures& injury) {
-  const bool ended = peak_is_final(summary) || has_no_finite_force(summary);
+  const bool ended = peak_is_final(summary) || bottomed_on_rigid_support(summary);
   const auto of_pulse = [&summary](const Hic& hic) {
-    return has_no_finite_force(summary) ? Figure{} : Figure{hic.value, !pulse_is_whole(summary)};
+    return bottomed_on_rigid_support(summary) ? Figure{} : Figure{hic.value, !pulse_is_whole(summary)};
   };
   KeyFigures figures;
   figures.peak_acceleration = {summary.peak_acceleration, !ended};

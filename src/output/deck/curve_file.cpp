@@ -62,7 +62,7 @@ std::string consequence(const Flag& flag, const Summary& summary) {
   if (flag.name == "TOLERANCE NOT MET")
     return std::string("; do not rely on these curves") +
            (summary.release ? "" : ", which end before the impact does");
-  if (flag.name == "TIME LIMIT" || (flag.name == "BOTTOMED" && !summary.peak_force))
+  if (flag.name == "TIME LIMIT" || (flag.name == "BOTTOMED" && bottomed_on_rigid_support(summary)))
     return "; the curves end there";
   if (flag.name == "BOTTOMED")
     return "; what the force does meanwhile belongs to the support and is not in the curves over penetration";
