@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
+#include "dashpad/impact/continuation.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/output/page/page.hpp"
 #include "dashpad/output/plot/plot.hpp"
@@ -125,7 +126,9 @@ std::vector<input::InputFile> files_of(const std::string& file, const std::optio
 
 Solution solve_with_progress(const ImpactCase& impact, const Options& options) {
   const ProgressLine line{"Solving"};
-  return solve(impact, options);
+  Solution solution = solve(impact, options);
+  explore_continuation(impact, options, solution.summary);
+  return solution;
 }
 
 int list_cards(std::string heading, const std::vector<std::filesystem::path>& cards,

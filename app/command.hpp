@@ -30,6 +30,7 @@ using Action = std::function<int()>;
 void add_run(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_check(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_materials(CLI::App& app, Action& action, const std::filesystem::path& executable);
+void add_material(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_material_test(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_spit1984(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_compare(CLI::App& app, Action& action, const std::filesystem::path& executable);

@@ -27,6 +27,7 @@ constexpr const char* main_footer = R"(Start here:
   dashpad run examples/dashboard-20mph.toml      the impact, on the screen
   dashpad materials                              which foams there are
   dashpad material-test ensolite-aac-9           one of them in the laboratory
+  dashpad material --help                        cards from other solvers' decks, and back
   dashpad run --help                             files, units, tolerance
   dashpad spit1984 --help                        the program of the 1986 report, digit for digit
   dashpad compare examples/dashboard-20mph.toml  the solver and the program of 1984 side by side
@@ -54,6 +55,7 @@ constexpr Command commands[]{{"Every day", add_run},
                              {"Every day", add_export},
                              {"Every day", add_post_impact},
                              {"Foams", add_materials},
+                             {"Foams", add_material},
                              {"Foams", add_material_test},
                              {"Many impacts", add_study},
                              {"The report of 1986", add_compare},
@@ -70,8 +72,8 @@ int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
   for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) text += lines[i] + "\n";
   if (lines.size() > most_lines) text += "...\n";
   text += std::to_string(count) + (count == 1 ? " fault" : " faults");
-  const bool would_run =
-      !app.got_subcommand("check") && !app.got_subcommand("materials") && !app.got_subcommand("standards");
+  const bool would_run = !app.got_subcommand("check") && !app.got_subcommand("materials") &&
+                         !app.got_subcommand("material") && !app.got_subcommand("standards");
   write_error(text + (would_run ? "; nothing was run\n" : "\n"));
   return exit_refused;
 }

@@ -1,13 +1,15 @@
-// dashpad materials: lists the material cards, or shows one.
+// dashpad materials: the material cards side by side, or one whole.
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
-#include "dashpad/output/text/case.hpp"
+#include "dashpad/output/materials.hpp"
+#include "output.hpp"
 #include "streams.hpp"
 
 namespace dashpad::app {
@@ -18,16 +20,24 @@ namespace {
 
 constexpr const char* materials_footer = R"(Examples:
   dashpad materials                        all cards, a line each
-  dashpad materials ensolite-aac-9         one card: source, law, parameters, fitted range
+  dashpad materials --picture foams.svg    their loading curves
+  dashpad materials vn600                  one card: source, reservations, law, curves, stresses, tested range
   dashpad materials ensolite-aac-9 --units us
   dashpad materials ./my-foam.toml         a card anywhere: a name that ends in .toml is a file
 
-Exit codes: 0 done, 2 no such card, or a card with faults (the other cards are listed all the same).)";
+The table tells the tested strain and rates (1/s), and the first reservation with the number of the others:
+docs/materials.md says how each card came about. A picture (.svg, .png, .pdf) needs gnuplot; an existing file is
+kept unless --force is given.
+
+Exit codes: 0 done, 1 the picture could not be written, 2 refused: no such card, or a card with faults (the other
+cards are listed all the same, and not drawn).)";
 
 struct MaterialsRequest {
   std::string name;
+  std::optional<std::string> picture;
   std::string units;
   std::string folder;
+  bool force = false;
 };
 
 std::string names_of(const std::vector<fs::path>& cards) {
@@ -36,15 +46,59 @@ std::string names_of(const std::vector<fs::path>& cards) {
   return names.empty() ? "none" : names;
 }
 
+std::vector<Target> targets(const MaterialsRequest& request) {
+  return request.picture ? std::vector<Target>{{"--picture", *request.picture}} : std::vector<Target>{};
+}
+
+/// Throws Refused where the picture cannot be written, before anything is read.
+void judge(const MaterialsRequest& request, const std::vector<fs::path>& cards) {
+  std::vector<input::InputFile> files;
+  for (const fs::path& card : cards) files.push_back({"the material card", card});
+  std::vector<std::string> wrong;
+  judge_targets(targets(request), files, request.force, wrong);
+  judge_picture(request.picture, wrong);
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+}
+
+void publish(const MaterialsRequest& request, const std::vector<Material>& materials,
+             const std::string& text) {
+  const auto text_of = [&](const Target& target) {
+    return output::picture(output::materials_plot(materials, unit_system(request.units)),
+                           *output::picture_format(target.file));
+  };
+  publish(targets(request), request.force, text_of, text);
+}
+
 int show(const MaterialsRequest& request, const fs::path& folder) {
-  const Material material = input::read_material(find_card(request.name, folder));
-  write_output(output::material_text(material, unit_system(request.units)));
+  const fs::path card = find_card(request.name, folder);
+  judge(request, {card});
+  const Material material = input::read_material(card);
+  publish(request, {material}, output::material_text(material, unit_system(request.units)));
   return exit_done;
 }
 
-int list_all_materials(const fs::path& folder) {
-  return list_cards(fmt::format("Materials in {}:\n", folder.string()), input::list_materials(folder),
-                    [](const fs::path& card) { return output::material_line(input::read_material(card)); });
+int list_all_materials(const MaterialsRequest& request, const fs::path& folder) {
+  const std::vector<fs::path> cards = input::list_materials(folder);
+  judge(request, cards);
+  std::vector<Material> materials;
+  std::vector<std::string> faults;
+  for (const fs::path& card : cards) {
+    try {
+      materials.push_back(input::read_material(card));
+    } catch (const input::InputError& error) {
+      add_lines(error.faults(), faults);
+    }
+  }
+  const std::string text =
+      fmt::format("Materials in {}:\n", folder.string()) + output::materials_text(materials);
+  if (!faults.empty()) {
+    write_output(text);
+    throw Refused(std::move(faults));
+  }
+  if (materials.empty() && request.picture)
+    throw Refused({fmt::format("--picture: there is no material in {}", folder.string())});
+  publish(request, materials, text);
+  return exit_done;
 }
 
 }  // namespace
@@ -63,13 +117,16 @@ void add_materials(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::App* sub = app.add_subcommand("materials", "List the material cards, or show one");
   const auto request = std::make_shared<MaterialsRequest>();
   sub->add_option("NAME", request->name, "Card to show in full")->type_name("");
+  sub->add_option("--picture", request->picture, "Draw the loading curves (.svg, .png, .pdf)")
+      ->type_name("FILE");
   add_units(*sub, request->units);
+  add_force(*sub, request->force);
   add_material_folder(*sub, request->folder);
   sub->footer(materials_footer);
   sub->callback([request, &action, executable] {
     action = [request, executable] {
       const fs::path folder = chosen_folder(request->folder, executable);
-      return request->name.empty() ? list_all_materials(folder) : show(*request, folder);
+      return request->name.empty() ? list_all_materials(*request, folder) : show(*request, folder);
     };
   });
 }

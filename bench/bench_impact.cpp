@@ -63,6 +63,7 @@ BENCHMARK_CAPTURE(impact, c2, "c2")->Apply(digits);
 BENCHMARK_CAPTURE(impact, c3, "c3")->Apply(digits);
 BENCHMARK_CAPTURE(impact, c7, "c7")->Apply(digits);
 BENCHMARK_CAPTURE(impact, c9, "c9")->Apply(digits);
+BENCHMARK_CAPTURE(impact, f1, "f1")->Apply(digits);
 BENCHMARK(storage);
 BENCHMARK_CAPTURE(try_step, nine_parameter_loading, oracle::ensolite_nine(), false);
 BENCHMARK_CAPTURE(try_step, nine_parameter_unloading, oracle::ensolite_nine(), true);

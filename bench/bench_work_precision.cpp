@@ -151,7 +151,7 @@ void write_csv(const std::string& file, const std::vector<CaseResult>& results) 
 int compare_solvers(int count, char** arguments) {
   Settings settings;
   CLI::App app{"Work against precision: Dashpad and others side by side"};
-  app.add_option("--case", settings.cases, "c1, c2, c3, v1")->capture_default_str();
+  app.add_option("--case", settings.cases, "c1, c2, c3, v1, f1")->capture_default_str();
   app.add_option("--repetitions", settings.repetitions, "Timed solutions of each setting")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();

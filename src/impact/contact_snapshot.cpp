@@ -9,6 +9,7 @@
 
 #include "model/contact/column_field.hpp"
 #include "model/contact/curve_contact.hpp"
+#include "model/contact/foam_contact.hpp"
 
 namespace dashpad {
 
@@ -105,6 +106,31 @@ std::vector<ContactSnapshot> replayed(const Law& law, const ImpactCase& impact, 
   return snapshots;
 }
 
+std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const ImpactCase& impact,
+                                       const History& history) {
+  const double thickness = impact.pad.thickness;
+  const Sections nose = sections_of(impact.impactor.nose);
+  FoamContact contact(law, thickness, nose, stress_factor(impact.pad.condition, impact.pad.material));
+  contact.start(resolution, thickness);
+  std::vector<ContactSnapshot> snapshots;
+  std::size_t now = 0;
+  for (const std::size_t entry : chosen_entries(history)) {
+    for (; now < entry; ++now)
+      contact.accept(contact.trial(history.penetration[now + 1] - history.penetration[now], history.time[now],
+                                   history.time[now + 1] - history.time[now]));
+    ContactSnapshot snapshot = empty_snapshot(history, entry);
+    snapshot.determined = history.penetration[entry] < contact.lock_penetration() * (1 - 1e-12);
+    const double edge = contact.contact_radius();
+    for (int k = 0; k <= most_points && edge > 0; ++k) {
+      const double radius = edge * k / most_points;
+      const auto column = contact.column(nose.depth_at(radius));
+      add_point(snapshot, radius, std::max(column.strain, 0.0), column.stress);
+    }
+    if (snapshot.radius.size() > 1) snapshots.push_back(std::move(snapshot));
+  }
+  return snapshots;
+}
+
 /// Without memory the stress is the curve's. A foam that does not recover is off its curve once its
 /// penetration has stopped.
 std::vector<ContactSnapshot> from_curve(const StressCurve& curve, const ImpactCase& impact,
@@ -141,15 +167,19 @@ double ContactSnapshot::force_of_stress() const {
 
 std::vector<ContactSnapshot> contact_snapshots(const ImpactCase& impact, const History& history) {
   if (history.size() < 2) return {};
+  const PadLaw& card = impact.pad.material.law;
+  const bool by_contact = std::visit([]<class Law>(const Law&) { return SharesSlip<Law>; }, card);
   return std::visit(
       [&](const auto& law) {
         using Law = std::decay_t<decltype(law)>;
         if constexpr (IsMemoryless<Law>)
           return from_curve(law.curve(), impact, history);
+        else if constexpr (SharesSlip<Law>)
+          return from_foam(law, impact, history);
         else
           return replayed(law, impact, history);
       },
-      impact.pad.material.law);
+      by_contact ? card : scaled(card, stress_factor(impact.pad.condition, impact.pad.material)));
 }
 
 }  // namespace dashpad

@@ -9,6 +9,7 @@
 #include "dashpad/impact/impact_case.hpp"
 #include "model/contact/column_field.hpp"
 #include "model/contact/curve_contact.hpp"
+#include "model/contact/foam_contact.hpp"
 #include "model/contact/nine_parameter_contact.hpp"
 
 namespace dashpad {
@@ -19,6 +20,7 @@ class Contacts {
   template <class Visit>
   auto visit(const ImpactCase& impact, ColumnMath math, Visit&& visit) {
     const double thickness = impact.pad.thickness;
+    const double factor = stress_factor(impact.pad.condition, impact.pad.material);
     const Sections sections = sections_of(impact.impactor.nose);
     const auto renewed = [&](auto& contact, const auto&... arguments) -> auto& {
       if (contact)
@@ -32,17 +34,23 @@ class Contacts {
       if constexpr (IsMemoryless<Law>) {
         CurveContact contact(law.curve(), Law::recovers, thickness, sections);
         return visit(contact);
+      } else if constexpr (SharesSlip<Law>) {
+        return visit(renewed(foam_, law, thickness, sections, factor));
       } else {
         if constexpr (std::is_same_v<Law, NineParameter>)
           if (math == ColumnMath::vector) return visit(renewed(nine_parameter_, law, thickness, sections));
         return visit(renewed(std::get<Field<Law>>(fields_), law, thickness, sections, math));
       }
     };
-    return std::visit(of_law, impact.pad.material.law);
+    const PadLaw& law = impact.pad.material.law;
+    // The curves of a foam are made ready once; the contact multiplies its force itself.
+    const bool by_contact = std::visit([]<class Law>(const Law&) { return SharesSlip<Law>; }, law);
+    return by_contact || factor == 1 ? std::visit(of_law, law) : std::visit(of_law, scaled(law, factor));
   }
 
  private:
   std::optional<NineParameterContact> nine_parameter_;
+  std::optional<FoamContact> foam_;
   template <class Law>
   using Field = std::optional<ColumnField<Law>>;
   WithMemory<Field> fields_;

@@ -33,6 +33,25 @@ std::string gain(const Summary& summary) {
       100 * energy_gained(summary));
 }
 
+std::string softening(const Summary& summary) {
+  return fmt::format(
+      "SOFTENING: the curve at {:.3g} per second falls behind its yield; a real foam may then crush layer by "
+      "layer, which a column of one strain does not show",
+      summary.softening_rates.front());
+}
+
+std::string continuation(const ContinuationRange& range) {
+  const auto peak = [](const std::optional<double>& acceleration) {
+    return acceleration ? fmt::format("{:.3g} g", *acceleration / standard_gravity)
+                        : std::string("without limit");
+  };
+  return fmt::format(
+      "EXTRAPOLATED: beyond the tested strain the curve is a guess; with its exponent at {:.3g} the peak is "
+      "{}, at "
+      "{:.3g} it is {}",
+      range.gentlest_exponent, peak(range.gentlest), range.steepest_exponent, peak(range.steepest));
+}
+
 }  // namespace
 
 bool pulse_is_whole(const Summary& summary) { return summary.contact_end.has_value(); }
@@ -56,10 +75,11 @@ std::vector<Flag> flags(const Summary& summary) {
   if (summary.status != Status::not_run && !pulse_is_whole(summary) && !bottomed_on_rigid_support(summary))
     all.push_back({"PULSE CUT",
                    "PULSE CUT: the pulse ends before the force has returned to zero; HIC, clips and the "
-                   "duration of the "
-                   "whole pulse are not known"});
+                   "duration of the whole pulse are not known"});
   if (gained_energy(summary)) all.push_back({"ENERGY GAINED", gain(summary)});
   if (summary.bottomed) all.push_back({"BOTTOMED", bottoming(summary)});
+  if (!summary.softening_rates.empty()) all.push_back({"SOFTENING", softening(summary)});
+  if (summary.continuation) all.push_back({"EXTRAPOLATED", continuation(*summary.continuation)});
   for (const std::string& reason : summary.extrapolations)
     all.push_back({"EXTRAPOLATED", "EXTRAPOLATED: " + reason});
   if (summary.extrapolated && summary.extrapolations.empty())

@@ -70,6 +70,10 @@ std::vector<Violation> violations(const ImpactCase& impact) {
     violation.key = "pad." + violation.key;
     broken.push_back(std::move(violation));
   }
+  for (Violation& violation : violations(impact.pad.condition, impact.pad.material)) {
+    violation.key = "pad." + violation.key;
+    broken.push_back(std::move(violation));
+  }
   check_support(broken, impact.support);
   return broken;
 }

@@ -125,7 +125,7 @@ struct Numerics {
 
   // --- Limits of a run ---
 
-  /// Column updates of one run, some seconds' worth; a run that asks for more is given up.
+  /// Column updates of one run, some ten seconds' worth; a run that asks for more is given up.
   std::size_t most_updates = 200'000'000;
 };
 

@@ -10,6 +10,8 @@ namespace {
 std::vector<std::string> extrapolations(const ImpactCase& impact, const Summary& summary) {
   std::vector<std::string> reasons =
       extrapolations(impact.pad.material, summary.peak_strain, summary.peak_strain_rate);
+  for (std::string& reason : extrapolations(impact.pad.condition, impact.pad.material))
+    reasons.push_back(std::move(reason));
   // A linear support has one point, which only says its slope.
   const auto& points = impact.support.points();
   if (points.size() > 1 && summary.peak_force && *summary.peak_force > points.back().force)
@@ -77,6 +79,7 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement) {
   s.energy_absorbed_fraction = 1 - (s.energy.kinetic + s.energy.support) / s.energy.impact;
   s.extrapolations = extrapolations(impact, s);
   s.extrapolated = !s.extrapolations.empty();
+  s.softening_rates = softening_rates(impact.pad.material.law);
   s.errors = refinement.errors();
   s.stations = figures.stations;
   s.runs = refinement.runs();

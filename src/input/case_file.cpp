@@ -114,7 +114,7 @@ PadEntry read_pad(TableReader& table, const Folders& folders) {
   PadEntry entry;
   entry.pad.thickness = table.quantity("thickness", "m");
   const bool named = table.has("material");
-  const bool in_line = table.has("law") || table.has("parameters");
+  const bool in_line = table.has("law") || table.has("parameters") || table.has("curve");
   if (named && in_line) table.fault("material", "give a material or a law with parameters, not both");
   if (!named && !in_line)
     table.fault("material", "is missing; give the name of a card, or a law with parameters");
@@ -123,6 +123,10 @@ PadEntry read_pad(TableReader& table, const Folders& folders) {
   if (in_line && !named) material = read_material_in_line(table);
   entry.material_to_check = in_line && material.has_value();
   entry.pad.material = material.value_or(Material());
+  PadCondition& condition = entry.pad.condition;
+  if (table.has("scale")) condition.scale = table.number("scale");
+  if (table.has("density")) condition.density = table.quantity("density", "kg/m3");
+  if (table.has("temperature")) condition.temperature = table.quantity("temperature", "K");
   table.refuse_others();
   return entry;
 }
@@ -148,7 +152,9 @@ std::vector<Violation> violations_in_terms_of(const TomlNode& root, const Impact
   std::vector<Violation> broken = violations(impact);
   if (!material_to_check)
     std::erase_if(broken, [](const Violation& violation) {
-      return violation.key.starts_with("pad.parameters.") || violation.key.starts_with("pad.fitted.");
+      return violation.key.starts_with("pad.") && violation.key != "pad.thickness" &&
+             violation.key != "pad.scale" && violation.key != "pad.density" &&
+             violation.key != "pad.temperature";
     });
   for (Violation& violation : broken)
     if (violation.key == "impactor.mass" && root.nearest("impactor.weight").key == "weight") {

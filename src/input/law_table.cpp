@@ -1,16 +1,44 @@
 #include "input/law_table.hpp"
 
+#include "input/foam_tables.hpp"
 #include "input/parameter_table.hpp"
 
 namespace dashpad::input {
+namespace {
+
+/// Whether a law can do without the table of its numbers.
+bool has_fallbacks(const PadLaw& law) {
+  return std::visit(
+      []<class Law>(const Law&) {
+        for (const auto& parameter : Law::parameters)
+          if (!has_fallback(parameter)) return false;
+        return true;
+      },
+      law);
+}
+
+}  // namespace
 
 std::optional<PadLaw> read_law(TableReader& table) {
-  const auto law = read_alternative<PadLaw>(table, "law");
-  auto parameters = table.table("parameters");
-  if (!parameters || !law) return std::nullopt;
-  const PadLaw result = with_parameters(*law, *parameters);
-  parameters->refuse_others();
-  return result;
+  auto law = read_alternative<PadLaw>(table, "law");
+  auto parameters =
+      table.table("parameters", law && has_fallbacks(*law) ? Presence::optional : Presence::required);
+  if (!law) return std::nullopt;
+  if (parameters) {
+    law = with_parameters(*law, *parameters);
+    parameters->refuse_others();
+  } else if (!has_fallbacks(*law)) {
+    return std::nullopt;
+  }
+  const bool sound = std::visit(
+      [&]<class Law>(Law& of) {
+        if constexpr (SharesSlip<Law>)
+          return read_foam_tables(table, of);
+        else
+          return true;
+      },
+      *law);
+  return sound ? law : std::nullopt;
 }
 
 std::optional<FittedRange> read_fitted(TableReader& table) {

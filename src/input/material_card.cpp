@@ -7,6 +7,7 @@ namespace dashpad::input {
 namespace {
 
 constexpr std::size_t most_also_published = 100;
+constexpr double most_density = 20'000;  // kg/m3
 
 std::vector<std::pair<std::string, std::string>> read_also_published(TableReader& card) {
   std::vector<std::pair<std::string, std::string>> values;
@@ -20,6 +21,44 @@ std::vector<std::pair<std::string, std::string>> read_also_published(TableReader
   return values;
 }
 
+std::optional<double> read_density(TableReader& card) {
+  const double density = card.quantity("density", "kg/m3");
+  if (density > 0 && density <= most_density) return density;
+  if (density == density) card.fault("density", "must be more than 0 and at most 20000 kg/m3");
+  return std::nullopt;
+}
+
+TemperatureTable read_temperatures(TableReader& table) {
+  TemperatureTable result;
+  if (const TomlNode* list = table.array("temperatures"))
+    for (const TomlNode& entry : list->children)
+      result.temperature.push_back(
+          read_quantity(entry, table.full_key("temperatures") + entry.key, "K", table.faults()));
+  if (const TomlNode* list = table.array("factors"))
+    for (const TomlNode& entry : list->children) {
+      if (entry.kind != TomlNode::Kind::number)
+        table.faults().add(entry.line, table.full_key("factors") + entry.key, entry.written(),
+                           "must be a number");
+      result.factor.push_back(entry.number);
+    }
+  table.refuse_others();
+  return result;
+}
+
+std::vector<std::string> read_reservations(TableReader& card) {
+  std::vector<std::string> all;
+  if (!card.has("reservations")) return all;
+  const TomlNode* texts = card.array("reservations");
+  if (!texts) return all;
+  for (const TomlNode& text : texts->children)
+    if (text.kind == TomlNode::Kind::text && !text.text.empty() && all.size() < most_also_published)
+      all.push_back(text.text);
+    else
+      card.faults().add(text.line, "reservations" + text.key, text.written(),
+                        "must be a text, one of at most 100");
+  return all;
+}
+
 }  // namespace
 
 Material read_material(const std::filesystem::path& file) {
@@ -30,6 +69,14 @@ Material read_material(const std::filesystem::path& file) {
   material.name = file.stem().string();
   material.title = card.text("title");
   material.source = card.text("source");
+  if (card.has("basis"))
+    material.basis = card.choice("basis", {"test", "datasheet", "solver card", "reconstruction"});
+  material.licence = card.text("licence", Presence::optional);
+  if (card.has("density")) material.density = read_density(card);
+  material.reservations = read_reservations(card);
+  if (card.has("density_exponent")) material.density_exponent = card.number("density_exponent");
+  if (auto table = card.table("temperature", Presence::optional))
+    material.temperature_table = read_temperatures(*table);
   const auto law = read_law(card);
   material.law = law.value_or(PadLaw());
   material.fitted = read_fitted(card);
@@ -38,8 +85,7 @@ Material read_material(const std::filesystem::path& file) {
 
   std::vector<Violation> broken = violations(material);
   if (!law)
-    std::erase_if(broken,
-                  [](const Violation& violation) { return violation.key.starts_with("parameters."); });
+    std::erase_if(broken, [](const Violation& violation) { return !violation.key.starts_with("fitted."); });
   faults.add(broken, root);
   faults.throw_if_any();
   return material;

@@ -8,6 +8,8 @@
 #include <variant>
 
 #include "laboratory/curve_column.hpp"
+#include "laboratory/foam_column.hpp"
+#include "laboratory/maxwell_column.hpp"
 #include "laboratory/record.hpp"
 #include "laboratory/viscous_column.hpp"
 
@@ -127,6 +129,10 @@ ColumnTest drive(const PadLaw& law, const StrainHistory& history, int places) {
         using Law = std::decay_t<decltype(alternative)>;
         if constexpr (IsMemoryless<Law>)
           return Drive(CurveColumn<Law>(alternative), places).through(arcs);
+        else if constexpr (SharesSlip<Law>)
+          return Drive(FoamColumn(alternative), places).through(arcs);
+        else if constexpr (std::is_same_v<Law, ViscoelasticFoam>)
+          return Drive(MaxwellColumn(alternative), places).through(arcs);
         else
           return Drive(ViscousColumn<Law>(alternative), places).through(arcs);
       },

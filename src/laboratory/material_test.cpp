@@ -141,7 +141,8 @@ std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run)
   for (const std::string& reason :
        extrapolations(material, without_rounding(run.column.largest_strain), without_rounding(fastest)))
     flags.push_back({"EXTRAPOLATED", "EXTRAPOLATED: " + reason});
-  if (std::ranges::any_of(run.column.events, [](const ColumnEvent& event) {
+  const bool goes_on = std::visit([]<class Law>(const Law&) { return SharesSlip<Law>; }, material.law);
+  if (!goes_on && std::ranges::any_of(run.column.events, [](const ColumnEvent& event) {
         return event.kind == ColumnEvent::Kind::contact_taken_up;
       }))
     flags.push_back(

@@ -119,7 +119,12 @@ double to_si(std::string_view text, const std::string& si_unit) {
   if (unit.empty())
     throw UnitError(
         fmt::format("{} needs a unit, such as {}", name_of(wanted), quoted_examples(wanted, number_text)));
-  const double value = number * factor_of(unit, wanted);
+  // The only units with an offset, and only where a temperature itself is asked for.
+  const bool celsius = si_unit == "K" && (unit == "degC" || unit == "celsius");
+  const bool fahrenheit = si_unit == "K" && (unit == "degF" || unit == "fahrenheit");
+  const double value = celsius      ? number + 273.15
+                       : fahrenheit ? (number + 459.67) / 1.8
+                                    : number * factor_of(unit, wanted);
   if (!std::isfinite(value)) throw UnitError("the number is too large to compute with");
   return value;
 }

@@ -44,7 +44,11 @@ std::vector<FactorKey> factor_keys(const ImpactCase& base) {
   std::vector<FactorKey> keys{{"impactor.mass", "kg"}, {"impactor.weight", "N"}};
   for (const ParameterValue& of : parameter_values(base.impactor.nose))
     keys.push_back({nose_prefix + of.key, of.unit});
-  keys.insert(keys.end(), {{"impactor.speed", "m/s"}, {"pad.thickness", "m"}, {"pad.material", ""}});
+  keys.insert(keys.end(),
+              {{"impactor.speed", "m/s"}, {"pad.thickness", "m"}, {"pad.material", ""}, {"pad.scale", "1"}});
+  const Material& material = base.pad.material;
+  if (material.density_exponent) keys.push_back({"pad.density", "kg/m3"});
+  if (!material.temperature_table.temperature.empty()) keys.push_back({"pad.temperature", "K"});
   for (const ParameterValue& of : parameter_values(base.pad.material.law))
     keys.push_back({parameter_prefix + of.key, of.unit});
   if (base.support.points().size() == 1) keys.push_back({"support.stiffness", "N/m"});
@@ -58,10 +62,11 @@ Application::Application(const Study& study) : study_(&study) {
 
 Application::Step Application::step_for(const std::string& key) const {
   static const std::vector<std::pair<std::string, Place>> places{
-      {"impactor.mass", Place::mass},         {"impactor.weight", Place::weight},
-      {"impactor.speed", Place::speed},       {"pad.thickness", Place::thickness},
-      {"pad.material", Place::material},      {"support.stiffness", Place::stiffness},
-      {"support.scale", Place::support_scale}};
+      {"impactor.mass", Place::mass},          {"impactor.weight", Place::weight},
+      {"impactor.speed", Place::speed},        {"pad.thickness", Place::thickness},
+      {"pad.material", Place::material},       {"pad.scale", Place::scale},
+      {"pad.density", Place::density},         {"pad.temperature", Place::temperature},
+      {"support.stiffness", Place::stiffness}, {"support.scale", Place::support_scale}};
   const auto keys = factor_keys(study_->base);
   if (!std::ranges::count(keys, key, &FactorKey::key))
     throw std::invalid_argument("no quantity of the case: " + key);
@@ -88,6 +93,9 @@ void Application::operator()(std::span<const double> values, ImpactCase& into) c
         if (into.pad.material.name != chosen.name) into.pad.material = chosen;
         break;
       }
+      case Place::scale: into.pad.condition.scale = value; break;
+      case Place::density: into.pad.condition.density = value; break;
+      case Place::temperature: into.pad.condition.temperature = value; break;
       case Place::stiffness: into.support = Support::linear(value); break;
       case Place::support_scale: into.support = scaled(study_->base.support, value); break;
     }

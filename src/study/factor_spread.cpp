@@ -72,11 +72,23 @@ Empirical read_measured(input::TableReader& table, const std::string& unit, cons
   return {};
 }
 
+/// An amount, or a share of the mean: "5 %".
+double read_deviation(input::TableReader& table, double mean, const std::string& unit) {
+  const input::TomlNode* entry = table.has("deviation") ? table.node().child("deviation") : nullptr;
+  const bool is_share = entry && entry->kind == input::TomlNode::Kind::text && entry->text.ends_with('%');
+  // A share of a temperature in K or of a strain would be read in two ways; of other units it says one thing.
+  if (is_share && unit != "K") return std::abs(mean) * table.quantity("deviation", "1");
+  return read_value(table, "deviation", unit);
+}
+
 Spread read_distribution(input::TableReader& table, const std::string& unit, const FactorFolders& folders) {
   const std::string kind =
       table.choice("distribution", {"normal", "lognormal", "uniform", "triangular", "empirical"});
   const auto value = [&](const char* key) { return read_value(table, key, unit); };
-  if (kind == "normal") return Normal{value("mean"), value("deviation")};
+  if (kind == "normal") {
+    const double mean = value("mean");
+    return Normal{mean, read_deviation(table, mean, unit)};
+  }
   if (kind == "lognormal") {
     const double median = value("median");
     return Lognormal{median, table.number("spread")};

@@ -1,7 +1,7 @@
 #include "dashpad/study/resolved_study.hpp"
 
 #include "model/parameter_values.hpp"
-#include "quantities/json_values.hpp"
+#include "quantities/curves_json.hpp"
 
 namespace dashpad::study {
 
@@ -27,10 +27,17 @@ Json material_json(const Material& of) {
   Json json = {{"name", of.name}, {"title", of.title}, {"law", name_of(of.law)}};
   for (const ParameterValue& parameter : parameter_values(of.law))
     json["parameters"][parameter.key] = number(parameter.value);
+  if (Json curves = curves_json(of.law); !curves.is_null()) json["curves"] = std::move(curves);
+  if (of.density) json["density"] = *of.density;
+  if (of.density_exponent) json["density_exponent"] = *of.density_exponent;
+  if (const auto& [temperature, factor] = of.temperature_table; !temperature.empty())
+    json["temperature"] = {numbers(temperature), numbers(factor)};
   if (of.fitted)
     json["fitted"] = {of.fitted->highest_strain, of.fitted->lowest_rate, of.fitted->highest_rate};
   return json;
 }
+
+Json condition_json(const PadCondition& of) { return {of.scale, number(of.density), number(of.temperature)}; }
 
 Json nose_json(const Nose& of) {
   Json json = {{"shape", name_of(of)}};
@@ -45,6 +52,7 @@ Json case_json(const ImpactCase& of) {
           {"impactor",
            {{"mass", of.impactor.mass}, {"nose", nose_json(of.impactor.nose)}, {"speed", of.impactor.speed}}},
           {"thickness", of.pad.thickness},
+          {"condition", condition_json(of.pad.condition)},
           {"material", material_json(of.pad.material)},
           {"support", points}};
 }

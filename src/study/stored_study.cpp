@@ -7,7 +7,7 @@
 #include "dashpad/study/design.hpp"
 #include "dashpad/study/resolved_study.hpp"
 #include "model/parameter_values.hpp"
-#include "quantities/json_values.hpp"
+#include "quantities/curves_json.hpp"
 
 namespace dashpad::study {
 
@@ -69,11 +69,24 @@ Material material_of(const Json& json) {
   material.name = json.at("name");
   material.title = json.at("title");
   material.law = alternative_of<PadLaw>(json.at("law"), json.at("parameters"));
+  if (json.contains("density")) material.density = json["density"].get<double>();
+  if (json.contains("density_exponent")) material.density_exponent = json["density_exponent"].get<double>();
+  if (json.contains("temperature"))
+    material.temperature_table = {json["temperature"].at(0).get<Numbers>(),
+                                  json["temperature"].at(1).get<Numbers>()};
+  if (json.contains("curves")) set_curves(material.law, json["curves"]);
   if (json.contains("fitted")) {
     const Numbers range = json["fitted"].get<Numbers>();
     material.fitted = FittedRange{range.at(0), range.at(1), range.at(2)};
   }
   return material;
+}
+
+/// Studies of earlier versions have none.
+PadCondition condition_of(const Json& json) {
+  if (!json.contains("condition")) return {};
+  const Json& of = json["condition"];
+  return {of.at(0), bound_of(of.at(1)), bound_of(of.at(2))};
 }
 
 ImpactCase case_of(const Json& json) {
@@ -85,7 +98,7 @@ ImpactCase case_of(const Json& json) {
           .impactor = {.mass = impactor.at("mass"),
                        .nose = alternative_of<Nose>(nose.at("shape"), nose),
                        .speed = impactor.at("speed")},
-          .pad = {json.at("thickness"), material_of(json.at("material"))},
+          .pad = {json.at("thickness"), material_of(json.at("material")), condition_of(json)},
           .support = points.empty() ? Support::rigid() : Support::through(points)};
 }
 

@@ -77,7 +77,7 @@ TEST_F(GuidanceTest, AMistypedCommandIsUnderstood) {
   for (const auto& [word, meant] : {std::pair{"asses", "\"assess\""},
                                     {"rnu", "\"run\""},
                                     {"chekc", "\"check\""},
-                                    {"material", "\"materials\" or \"material-test\""},
+                                    {"materails", "\"materials\""},
                                     {"materialtest", "\"material-test\""},
                                     {"spit1985", "\"spit1984\""},
                                     {"validat", "\"validate\""}}) {

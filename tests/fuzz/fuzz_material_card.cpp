@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "dashpad/input/case_file.hpp"
-#include "dashpad/output/text/case.hpp"
+#include "dashpad/output/materials.hpp"
 #include "reading.hpp"
 
 using namespace dashpad;
@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   require(violations(*card).empty(), "a card that was read breaks no rule");
   require(!card->title.empty() && !card->source.empty(), "a card has a title and a source");
   for (const UnitSystem& units : unit_systems())
-    require_plain_text(output::material_text(*card, units) + output::material_line(*card),
+    require_plain_text(output::material_text(*card, units) + output::materials_text({*card}),
                        "a card is shown as plain text");
   return 0;
 }

@@ -4,9 +4,11 @@
 #include <chrono>
 #include <cstdio>
 #include <stdexcept>
+#include <type_traits>
 #include <variant>
 
 #include "oracle/elastic_phase.hpp"
+#include "oracle/foam_impact.hpp"
 #include "oracle/loading_phase.hpp"
 #include "oracle/unloading_phase.hpp"
 
@@ -29,8 +31,14 @@ void solve_law(ImpactRun& run, const LinearViscoelastic& law) { solve_columns(ru
 void solve_law(ImpactRun&, const RigidFoam&) {
   throw std::invalid_argument("CVODE oracle: rigid foam is not covered");
 }
+void solve_law(ImpactRun&, const ViscoelasticFoam&) {
+  throw std::invalid_argument("CVODE oracle: viscoelastic foam is not covered");
+}
 void solve_law(ImpactRun& run, const NineParameter& law) { solve_columns(run, NineFormulas(law)); }
 void solve_law(ImpactRun& run, const TwentyOneParameter& law) { solve_columns(run, TwentyOneFormulas(law)); }
+
+template <class Law>
+constexpr bool by_curves = std::is_same_v<Law, Foam> || std::is_same_v<Law, CrushableFoam>;
 
 }  // namespace
 
@@ -43,7 +51,16 @@ CvodeImpact solve_with_cvode(const ImpactCase& impact, const CvodeOptions& optio
                 SupportLine(impact.support),
                 options,
                 {}};
-  std::visit([&](const auto& law) { solve_law(run, law); }, impact.pad.material.law);
+  const auto solve = [&]<class Law>(const Law& law) {
+    if constexpr (by_curves<Law>) {
+      solve_foam(run, FoamFormulas(law), impact.impactor.nose);
+    } else {
+      if (!std::holds_alternative<Sphere>(impact.impactor.nose))
+        throw std::invalid_argument("CVODE oracle: for this law a sphere only");
+      solve_law(run, law);
+    }
+  };
+  std::visit(solve, impact.pad.material.law);
   run.result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return run.result;
 }

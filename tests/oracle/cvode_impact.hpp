@@ -13,8 +13,9 @@
 /// Turning point: loading ends when the force of holding Y (zero rate) changes at the rate of the support's
 ///   force, D = Ks V - d(force of holding)/dt = 0. From there v is the negative root of the same equation.
 ///
-/// Laws 1, 2, 4 and 5 of the report; rigid, linear and piecewise linear supports. The penetration must stay
-/// below the sphere's radius. Bottoming ends the run.
+/// Laws 1, 2, 4 and 5 of the report, below a sphere, whose penetration must stay below its radius; rigid, linear
+/// and piecewise linear supports. Bottoming ends the run. Foams by curves are solved in another form
+/// (foam_impact.hpp), also below a flat disc and beyond the radius.
 
 #include <optional>
 #include <string>
@@ -63,7 +64,8 @@ struct CvodeImpact {
   double wall_time = 0;  ///< s
 };
 
-/// Throws std::invalid_argument for a law that it does not know or a pad thicker than the sphere's radius.
+/// Throws std::invalid_argument for a law or a nose that it does not know, or, but for foams by curves, a pad
+/// thicker than the sphere's radius.
 CvodeImpact solve_with_cvode(const ImpactCase& impact, const CvodeOptions& options = {});
 
 /// Relative differences (a over b, minus 1) of a Summary from the oracle; absent where one has no such

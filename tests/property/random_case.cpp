@@ -200,7 +200,211 @@ PadLaw plausible_law(Draw& draw) {
   }
 }
 
+// --- Foams by curves
+// -----------------------------------------------------------------------------------------
+
+/// A curve that rises steeply, less so on a plateau, and steeply again.
+TableCurve random_table(Draw& draw, double stress) {
+  TableCurve table;
+  const int count = 3 + draw.choice(18);
+  const double last = draw.uniform(0.4, 0.9);
+  const double knee = draw.uniform(0.02, 0.15);
+  const double rise = draw.uniform(0.1, 2);
+  const double sharp = draw.uniform(1.5, 4);
+  for (int i = 1; i <= count; ++i) {
+    const double share = double(i) / count;
+    const double e = last * share * (0.4 + 0.6 * share);
+    table.strain.push_back(e);
+    table.stress.push_back(stress *
+                           (1 - std::exp(-e / knee) + rise * e + 0.05 * std::pow(e / (1 - e), sharp)));
+  }
+  return table;
+}
+
+BaseCurve random_base(Draw& draw) {
+  const double stress = draw.decades(1e4, 1e6);
+  switch (draw.choice(5)) {
+    case 0: return random_table(draw, stress);
+    case 1:
+      // The plateau gives way slowly enough for the curve to rise.
+      return AvalleCurve{.plateau_stress = stress,
+                         .modulus = stress * draw.uniform(5, 30),
+                         .plateau_exponent = draw.uniform(0, 0.8),
+                         .densification_stress = stress * draw.uniform(0.3, 2),
+                         .densification_exponent = draw.uniform(0.8, 3),
+                         .highest_strain = draw.uniform(0.5, 0.85)};
+    case 2:
+      return PowerCurve{.modulus = stress,
+                        .contact_exponent = draw.uniform(0.3, 1.5),
+                        .compaction_exponent = draw.uniform(0, 3),
+                        .highest_strain = draw.uniform(0.3, 0.9)};
+    case 3: {
+      const double density = draw.uniform(0, 0.15);
+      return GibsonAshbyCurve{.modulus = stress * draw.uniform(5, 40),
+                              .plateau_stress = stress,
+                              .gas_pressure = draw.uniform(0.05, 1) * stress,
+                              .relative_density = density,
+                              .highest_strain = draw.uniform(0.5, 0.95 * (1 - density))};
+    }
+    default:
+      return HyperfoamCurve{.first_modulus = stress,
+                            .first_exponent = draw.uniform(-2, 10),
+                            .second_modulus = draw.choice(2) == 0 ? 0 : stress * draw.uniform(0.1, 1),
+                            .second_exponent = draw.uniform(-4, 4),
+                            .highest_strain = draw.uniform(0.4, 0.8)};
+  }
+}
+
+double last_strain_of_form(const BaseCurve& base) {
+  return std::visit(
+      [](const auto& form) {
+        if constexpr (requires { form.highest_strain; })
+          return form.highest_strain;
+        else
+          return form.strain.back();
+      },
+      base);
+}
+
+/// Points of a base curve, times a factor that may change with the strain.
+template <class Factor>
+TableCurve points_of(const BaseCurve& base, double last, int count, Factor&& factor) {
+  TableCurve points;
+  if (const auto* table = std::get_if<TableCurve>(&base)) {
+    points = *table;
+    for (std::size_t i = 0; i < points.strain.size(); ++i) points.stress[i] *= factor(points.strain[i]);
+    return points;
+  }
+  for (int i = 1; i <= count; ++i) {
+    const double e = last * (double(i) / count) * (double(i) / count);
+    points.strain.push_back(e);
+    points.stress.push_back(factor(e) * std::visit(
+                                            [&](const auto& form) {
+                                              if constexpr (requires { form.stress(e); })
+                                                return form.stress(e);
+                                              else
+                                                return 0.0;
+                                            },
+                                            base));
+  }
+  return points;
+}
+
+RateEffect random_rate_effect(Draw& draw, const BaseCurve& base, double slowest) {
+  const double last = last_strain_of_form(base);
+  switch (draw.choice(5)) {
+    case 0: return NoRateEffect{};
+    case 1:
+      return PowerRateEffect{draw.uniform(0, 0.3), draw.uniform(-0.3, 0.3), slowest * draw.decades(10, 1e6)};
+    case 2: {
+      FactorRateEffect effect;
+      double rate = slowest, factor = 1;
+      for (int i = draw.choice(5); i >= 0; --i) {
+        rate *= draw.decades(2, 100);
+        factor *= draw.uniform(1, 2);
+        effect.rate.push_back(rate);
+        effect.factor.push_back(factor);
+      }
+      return effect;
+    }
+    default: {
+      CurvesRateEffect effect;
+      effect.linear = draw.choice(2) == 0;
+      double rate = slowest, factor = 1.02, slope = 0;
+      for (int i = draw.choice(3); i >= 0; --i) {
+        rate *= draw.decades(3, 300);
+        factor *= draw.uniform(1, 1.6);
+        slope += draw.uniform(0, 0.4);
+        const double top = last * (draw.choice(2) == 0 ? 1 : draw.uniform(0.6, 1));
+        effect.curves.push_back(
+            {rate, points_of(base, top, 30, [&](double e) { return factor + slope * e; })});
+      }
+      return effect;
+    }
+  }
+}
+
+FoamCurves random_curves(Draw& draw) {
+  FoamCurves curves;
+  curves.base = random_base(draw);
+  curves.slowest_rate = draw.decades(1e-4, 1);
+  curves.rate_effect = random_rate_effect(draw, curves.base, curves.slowest_rate);
+  return curves;
+}
+
+Foam foam_of(Draw& draw) {
+  Foam foam;
+  foam.curves = random_curves(draw);
+  foam.friction = draw.choice(2) == 0 ? 0 : draw.uniform(0, 0.45);
+  foam.unloading_factor = draw.choice(3) == 0 ? 1 : draw.uniform(0, 1);
+  foam.unloading_shape = draw.choice(3) == 0 ? 1 : draw.decades(0.1, 20);
+  foam.recoil = draw.choice(3) == 0 ? 1 : draw.uniform(0, 1);
+  foam.lag_strain = draw.decades(1e-4, 0.05);
+  foam.continuation_exponent = draw.choice(3) == 0 ? 1 : draw.uniform(1, 6);
+  foam.steepest_continuation = 6;
+  if (draw.choice(3) == 0) {
+    const double last = last_strain_of_form(foam.curves.base);
+    const double least = draw.uniform(0.1, 0.9), power = draw.uniform(0.3, 4);
+    foam.unloading_curve = points_of(foam.curves.base, last, 30, [&](double e) {
+      return least + (1 - least) * std::pow(std::min(e / last, 1.0), power);
+    });
+  }
+  return foam;
+}
+
+CrushableFoam crushable_of(Draw& draw) {
+  CrushableFoam foam;
+  do foam.curves = random_curves(draw);
+  // A slope at strain zero without bound has no modulus above it.
+  while (std::holds_alternative<PowerCurve>(foam.curves.base) &&
+         std::get<PowerCurve>(foam.curves.base).contact_exponent < 1);
+  foam.lag_strain = draw.decades(1e-4, 0.05);
+  foam.continuation_exponent = draw.choice(3) == 0 ? 1 : draw.uniform(1, 6);
+  foam.steepest_continuation = 6;
+  const double last = last_strain_of_form(foam.curves.base);
+  // At least the steepest slope: of a table no more than three times that of the lines between its points.
+  const bool table = std::holds_alternative<TableCurve>(foam.curves.base);
+  const TableCurve points = points_of(foam.curves.base, last, 400, [](double) { return 1.0; });
+  double steepest = 0, strain = 0, stress = 0;
+  for (std::size_t i = 0; i < points.strain.size(); ++i) {
+    steepest = std::max(steepest, (points.stress[i] - stress) / (points.strain[i] - strain));
+    strain = points.strain[i], stress = points.stress[i];
+  }
+  foam.unloading_modulus = steepest * draw.uniform(table ? 3 : 1.1, 5);
+  return foam;
+}
+
 }  // namespace
+
+Foam random_foam(std::uint64_t seed) {
+  Draw draw(seed);
+  return foam_of(draw);
+}
+
+CrushableFoam random_crushable_foam(std::uint64_t seed) {
+  Draw draw(seed);
+  return crushable_of(draw);
+}
+
+ImpactCase foam_case(std::uint64_t seed) {
+  Draw draw(seed);
+  ImpactCase impact;
+  impact.title = "foam case " + std::to_string(seed);
+  impact.impactor.mass = draw.decades(0.5, 20);
+  impact.impactor.speed = draw.decades(1, 10);
+  if (draw.choice(3) == 0)
+    impact.impactor.nose = FlatDisc{draw.decades(0.02, 0.15)};
+  else
+    impact.impactor.nose = Sphere{draw.decades(0.02, 0.25)};
+  impact.pad.thickness = draw.decades(0.01, 0.1);
+  impact.pad.material.name = "in line";
+  if (draw.choice(3) == 0)
+    impact.pad.material.law = crushable_of(draw);
+  else
+    impact.pad.material.law = foam_of(draw);
+  impact.support = ordinary_support(draw);
+  return impact;
+}
 
 ImpactCase plausible_case(std::uint64_t seed) {
   Draw draw(seed);

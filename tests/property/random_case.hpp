@@ -20,4 +20,13 @@ ImpactCase ordinary_case(std::uint64_t seed);
 /// value, which for laws 4 and 5 is that of the Ensolite cards.
 ImpactCase plausible_case(std::uint64_t seed);
 
+/// Sound numbers of a foam by curves, in all combinations of its parts: form of the base curve, rate effect,
+/// friction, unloading, recoil, lag and continuation.
+Foam random_foam(std::uint64_t seed);
+CrushableFoam random_crushable_foam(std::uint64_t seed);
+
+/// A sphere or a flat disc, 0.5 to 20 kg at 1 to 10 m/s, on 1 to 10 cm of a foam by curves (one in three stays
+/// crushed) on a rigid, linear or curved support.
+ImpactCase foam_case(std::uint64_t seed);
+
 }  // namespace dashpad::test

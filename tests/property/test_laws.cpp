@@ -46,10 +46,11 @@ using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParamete
 TYPED_TEST_SUITE(LawTable, Laws);
 
 TEST(LawTableOfCards, HasEveryCard) {
-  const std::size_t samples = 5;
+  const std::size_t samples = 7;
   const std::size_t in_table = rows<Elastic>().size() + rows<LinearViscoelastic>().size() +
                                rows<RigidFoam>().size() + rows<NineParameter>().size() +
-                               rows<TwentyOneParameter>().size();
+                               rows<TwentyOneParameter>().size() + rows<Foam>().size() +
+                               rows<CrushableFoam>().size();
   EXPECT_EQ(in_table, samples + input::list_materials(material_folder).size());
 }
 
@@ -214,7 +215,14 @@ TYPED_TEST(LawTable, LosesEnergyInAClosedCycle) {
   });
 }
 
-TYPED_TEST(LawTable, DescribesItsParameters) {
+/// Also the laws by curves, whose other properties are in test_foams.cpp.
+template <class Law>
+class ParameterTable : public LawTable<Law> {};
+using AllLaws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter,
+                               Foam, CrushableFoam>;
+TYPED_TEST_SUITE(ParameterTable, AllLaws);
+
+TYPED_TEST(ParameterTable, DescribesItsParameters) {
   std::set<std::string> keys;
   for (const auto& parameter : TypeParam::parameters) {
     EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key << " twice";

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -23,6 +24,12 @@ inline const std::filesystem::path source_folder = DASHPAD_SOURCE_DIR;
 inline const std::filesystem::path material_folder = source_folder / "materials";
 inline const std::filesystem::path reference_file = source_folder / "data/reference-cases.csv";
 
+/// The slowest test of a soft foam.
+inline TableCurve soft_table() {
+  return {{0.03, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8},
+          {20e3, 40e3, 50e3, 60e3, 74e3, 97e3, 140e3, 230e3, 480e3}};
+}
+
 /// Sound parameters of every law; laws 4 and 5 are those of the cards.
 template <class Law>
 Law sample_law() {
@@ -35,6 +42,31 @@ Law sample_law() {
     return std::get<Law>(input::read_material(material_folder / "ensolite-aac-9.toml").law);
   if constexpr (std::is_same_v<Law, TwentyOneParameter>)
     return std::get<Law>(input::read_material(material_folder / "ensolite-aac-21.toml").law);
+  if constexpr (std::is_same_v<Law, Foam>)
+    return {.friction = 0.1,
+            .unloading_factor = 0.3,
+            .unloading_shape = 2,
+            .recoil = 0.5,
+            .curves = {.base = soft_table(),
+                       .slowest_rate = 0.01,
+                       .rate_effect = PowerRateEffect{0.08, 0.05, 300}},
+            .unloading_curve = std::nullopt};
+  if constexpr (std::is_same_v<Law, ViscoelasticFoam>)
+    return {.first_modulus = 30e3,
+            .first_exponent = 6,
+            .second_modulus = 8e3,
+            .second_exponent = -1,
+            .first_share = 3,
+            .first_time = 0.02,
+            .second_share = 1,
+            .second_time = 0.3};
+  if constexpr (std::is_same_v<Law, CrushableFoam>)
+    return {
+        .unloading_modulus = 6e6,
+        .curves = {.base = TableCurve{{0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8},
+                                      {60e3, 110e3, 130e3, 160e3, 190e3, 230e3, 290e3, 390e3, 580e3, 1e6}},
+                   .slowest_rate = 0.01,
+                   .rate_effect = FactorRateEffect{{1, 100}, {1.1, 1.3}}}};
 }
 
 /// A head-sized sphere on 3 cm of foam.

@@ -47,7 +47,8 @@ TEST(allocation, is_counted) {
 
 template <class Law>
 class AllocationOf : public testing::Test {};
-using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter>;
+using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter, Foam,
+                            CrushableFoam, ViscoelasticFoam>;
 TYPED_TEST_SUITE(AllocationOf, Laws);
 
 /// Deep impacts included: stations are added as the pad bottoms, and it locks on the support.

@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/output/plot/plot.hpp"
+#include "output/plot/end_labels.hpp"
 #include "output/plot/rows.hpp"
 #include "output/plot/script.hpp"
 #include "output/plot/text.hpp"
@@ -289,6 +290,58 @@ TEST(Plot, TakesTurnsThatNobodyHasBeenGiven) {
   const std::string script = output::plot_script(plot, PictureFormat::svg);
   EXPECT_THAT(script, HasSubstr("#0072B2"));
   EXPECT_THAT(script, HasSubstr("#D55E00"));
+}
+
+// --- Names at the ends of lines ---
+
+std::vector<output::EndLabel> labels_at(const std::vector<double>& heights) {
+  std::vector<output::EndLabel> labels;
+  for (const double height : heights)
+    labels.push_back({.text = std::to_string(labels.size()),
+                      .colour = "",
+                      .line_end = 1,
+                      .line_height = height,
+                      .height = height});
+  output::make_room(labels);
+  return labels;
+}
+
+TEST(EndLabels, StayWhereThereIsRoom) {
+  const auto labels = labels_at({0.9, 0.1, 0.5});
+  EXPECT_EQ(labels[0].text, "1");  // from low to high
+  for (const auto& label : labels) EXPECT_DOUBLE_EQ(label.height, label.line_height);
+}
+
+TEST(EndLabels, MakeRoomOnEitherSide) {
+  const auto labels = labels_at({0.5, 0.5, 0.5});
+  EXPECT_DOUBLE_EQ(labels[1].height, 0.5);
+  EXPECT_NEAR(labels[1].height - labels[0].height, labels[2].height - labels[1].height, 1e-12);
+  EXPECT_GT(labels[1].height - labels[0].height, 0.04);
+}
+
+TEST(EndLabels, StayBesideTheAxis) {
+  for (const double height : {0.0, 1.0}) {
+    const auto labels = labels_at(std::vector<double>(40, height));
+    EXPECT_GE(labels.front().height, 0);
+    EXPECT_LE(labels.back().height, 1 + 1e-12);
+    for (std::size_t i = 1; i < labels.size(); ++i)
+      EXPECT_NEAR(labels[i].height - labels[i - 1].height, 1.0 / 39, 1e-12);
+  }
+}
+
+TEST(Plot, WritesTheNameOfALineAtItsEnd) {
+  Plot plot = two_lines();
+  plot.panels[0].y.low = 0;
+  plot.panels[0].y.high = 4;
+  plot.panels[0].series[0].end_label = "at the end";
+  EXPECT_EQ(count(picture(plot, PictureFormat::svg), "<text>at the end<"), 1U);
+  EXPECT_THAT(output::plot_script(plot, PictureFormat::svg), HasSubstr("from first 3, graph 0.25 "));
+}
+
+TEST(Plot, RefusesAnEndLabelOnAnAxisWithoutLimits) {
+  Plot plot = two_lines();
+  plot.panels[0].series[0].end_label = "end";
+  EXPECT_THROW(static_cast<void>(picture(plot, PictureFormat::svg)), std::invalid_argument);
 }
 
 // --- Many points ---

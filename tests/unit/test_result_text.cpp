@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dashpad/output/materials.hpp"
 #include "dashpad/output/text/case.hpp"
 #include "dashpad/output/text/result.hpp"
 #include "example_result.hpp"

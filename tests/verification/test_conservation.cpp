@@ -55,7 +55,8 @@ TEST(Conservation, AnElasticPadThatLocksOnAYieldingSupportLosesNothing) {
 
 template <class Law>
 class ConservationOf : public testing::Test {};
-using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter>;
+using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter, Foam,
+                            CrushableFoam, ViscoelasticFoam>;
 TYPED_TEST_SUITE(ConservationOf, Laws);
 
 std::vector<ImpactCase> impacts_on(const PadLaw& law) {

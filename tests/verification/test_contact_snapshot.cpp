@@ -34,7 +34,8 @@ void expect_sound(const ImpactCase& impact, double tolerance = 1e-4) {
 
 template <class Law>
 class Snapshot : public testing::Test {};
-using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter>;
+using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter, Foam,
+                            CrushableFoam, ViscoelasticFoam>;
 TYPED_TEST_SUITE(Snapshot, Laws);
 
 TYPED_TEST(Snapshot, stress_adds_up_to_the_force) {

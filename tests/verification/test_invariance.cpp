@@ -42,6 +42,32 @@ TwentyOneParameter scaled(TwentyOneParameter law, const Scale& s) {
   return law;
 }
 
+/// Of the samples: tables, a power and factors.
+FoamCurves scaled(FoamCurves curves, const Scale& s) {
+  for (double& stress : std::get<TableCurve>(curves.base).stress) stress *= s.pressure();
+  curves.slowest_rate /= s.time;
+  if (auto* power = std::get_if<PowerRateEffect>(&curves.rate_effect)) power->highest_rate /= s.time;
+  if (auto* factors = std::get_if<FactorRateEffect>(&curves.rate_effect))
+    for (double& rate : factors->rate) rate /= s.time;
+  return curves;
+}
+Foam scaled(Foam law, const Scale& s) {
+  law.curves = scaled(law.curves, s);
+  return law;
+}
+ViscoelasticFoam scaled(ViscoelasticFoam law, const Scale& s) {
+  law.first_modulus *= s.pressure();
+  law.second_modulus *= s.pressure();
+  law.first_time *= s.time;
+  law.second_time *= s.time;
+  return law;
+}
+CrushableFoam scaled(CrushableFoam law, const Scale& s) {
+  law.curves = scaled(law.curves, s);
+  law.unloading_modulus *= s.pressure();
+  return law;
+}
+
 Support scaled(const Support& support, const Scale& s) {
   std::vector<Support::Point> points = support.points();
   for (auto& point : points) point = {point.deflection * s.length, point.force * s.force()};
@@ -118,7 +144,8 @@ class Invariance : public testing::Test {
       }
   }
 };
-using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter>;
+using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter, Foam,
+                            CrushableFoam, ViscoelasticFoam>;
 TYPED_TEST_SUITE(Invariance, Laws);
 
 TYPED_TEST(Invariance, UnderOtherUnitsOfLengthAndMass) { this->check(other_lengths_and_masses); }
@@ -127,7 +154,8 @@ TYPED_TEST(Invariance, UnderOtherUnitsOfLengthAndMass) { this->check(other_lengt
 /// exists.
 template <class Law>
 class InvarianceInTime : public Invariance<Law> {};
-using LawsOfAnyTime = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter>;
+using LawsOfAnyTime = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, Foam,
+                                     CrushableFoam, ViscoelasticFoam>;
 TYPED_TEST_SUITE(InvarianceInTime, LawsOfAnyTime);
 
 TYPED_TEST(InvarianceInTime, UnderOtherUnitsOfTime) { this->check(other_times); }

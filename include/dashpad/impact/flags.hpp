@@ -20,7 +20,7 @@ bool bottomed_on_rigid_support(const Summary& summary);
 bool gained_energy(const Summary& summary);
 
 struct Flag {
-  /// NOT RUN, TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, BOTTOMED, ENERGY GAINED or EXTRAPOLATED.
+  /// NOT RUN, TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, BOTTOMED, ENERGY GAINED, SOFTENING or EXTRAPOLATED.
   std::string name;
   std::string text;  ///< a line that begins with the name
 };

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dashpad/model/nose/nose.hpp"
-#include "dashpad/model/pad/material.hpp"
+#include "dashpad/model/pad/stress_scale.hpp"
 #include "dashpad/model/support/support.hpp"
 
 namespace dashpad {
@@ -20,6 +20,7 @@ struct Impactor {
 struct Pad {
   double thickness = 0;  ///< m, > 0
   Material material;
+  PadCondition condition = {};
 };
 
 struct ImpactCase {

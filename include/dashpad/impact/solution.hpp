@@ -63,6 +63,15 @@ struct EnergyLedger {
   double residual = 0;  ///< what the numbers fail to account for
 };
 
+/// Peak accelerations, m/s2, with the curve of a foam continued as gently and as steeply as its card admits;
+/// absent where the pad bottomed out on a rigid support.
+struct ContinuationRange {
+  double gentlest_exponent = 0;
+  double steepest_exponent = 0;
+  std::optional<double> gentlest;
+  std::optional<double> steepest;
+};
+
 struct Summary {
   Status status = Status::not_run;
   /// Absent when the pad bottomed out on a rigid support: the model has no finite force there.
@@ -90,6 +99,9 @@ struct Summary {
   EnergyLedger energy;
   bool extrapolated = false;
   std::vector<std::string> extrapolations;  ///< why, in words
+  /// Of foams whose curve ends below the strain reached; set by explore_continuation().
+  std::optional<ContinuationRange> continuation;
+  std::vector<double> softening_rates;  ///< tested rates whose curve falls somewhere, 1/s
   ErrorEstimates errors;
   std::size_t steps = 0;  ///< of the finest run
   /// Of the finest run; 0 where the force was a closed form throughout (laws without memory; law 4 if never

@@ -29,7 +29,20 @@ class Application {
   void operator()(std::span<const double> values, ImpactCase& into) const;
 
  private:
-  enum class Place { mass, weight, nose, speed, thickness, parameter, material, stiffness, support_scale };
+  enum class Place {
+    mass,
+    weight,
+    nose,
+    speed,
+    thickness,
+    parameter,
+    material,
+    scale,
+    density,
+    temperature,
+    stiffness,
+    support_scale
+  };
   struct Step {
     Place place = Place::mass;
     std::size_t parameter = 0;  ///< of the law or the nose

@@ -207,6 +207,11 @@ class ColumnField {
   [[nodiscard]] double tip_rate_when_held(double time) const {
     const double stress = columns_.next_state.stress[0];
     if (!(nose_.tip > 0 && stress > 0)) return 0;
+    if constexpr (scalar::carries_branches<Law, double>) {
+      std::array<double, Formulas::parts> part;
+      for (std::size_t k = 0; k < part.size(); ++k) part[k] = columns_.next_state.part[k][0];
+      return nose_.tip * Formulas{law_, power_, {}, {}}.relaxing(part.data());
+    }
     const double strain = trial_ / thickness_;
     const double largest = std::max(largest_penetration_, trial_) / thickness_;
     const double still = envelope(law_, power_, strain_at(trial_, 0), law_.rate_part(0), largest);
@@ -305,8 +310,19 @@ class ColumnField {
     const double outer = relaxed(j + 1);
     const double relative =
         outer + (relaxed(j) - outer) * (measure - now.measure[j + 1]) / (now.measure[j] - now.measure[j + 1]);
+    if constexpr (scalar::carries_branches<Law, double>) {
+      // So does each branch over the lasting stress.
+      const double share = (measure - now.measure[j + 1]) / (now.measure[j] - now.measure[j + 1]);
+      for (std::size_t k = 1; k < part.size(); ++k) {
+        const auto over = [&](std::size_t i) {
+          return now.part[0][i] > 0 ? now.part[k][i] / now.part[0][i] : 0;
+        };
+        part[k] = part[0] * (over(j + 1) + (over(j) - over(j + 1)) * share);
+      }
+    }
     columns_.insert(j + 1, depth, nose_.rate(depth));
-    const double stress = relative * formulas.envelope(part.data(), strain.value, strain.value);
+    double stress = relative * formulas.envelope(part.data(), strain.value, strain.value);
+    if constexpr (scalar::carries_branches<Law, double>) stress = part[0] + part[1] + part[2];
     for (std::size_t k = 0; k < part.size(); ++k) now.part[k][j + 1] = part[k];
     now.stress[j + 1] = stress;
     now.shape[j + 1] = at.shape;

@@ -26,15 +26,20 @@ void step_columns(const Law& law, const PowerShape& power, const typename Law::R
     for (std::size_t k = 0; k < parts; ++k) part_before[k] = R::load(now.part[k] + j);
     const Strains<N> e{strain, complement};
     const Shape<N> at = formulas.strain_part(e, part);
-    const N stress_before = R::load(now.stress + j);
-    const N remainder = stress_before - formulas.envelope(part_before, before, largest);
     N share(1.0);
     if (loading) share = min(share, (step.after - depth) * per_advance);
-    const N envelope = formulas.envelope(part, strain, largest);
-    N stress = remainder * formulas.decay(before, strain, share) + envelope;
-    // A column in tension does not press again while its envelope is in tension (theory.md, Eq. 7).
-    const N zero(0.0);
-    stress = select(both(stress_before <= zero, envelope < zero), min(stress, zero), stress);
+    N stress;
+    if constexpr (carries_branches<Law, N>) {
+      stress = formulas.carry(part_before, part, share);
+    } else {
+      const N stress_before = R::load(now.stress + j);
+      const N remainder = stress_before - formulas.envelope(part_before, before, largest);
+      const N envelope = formulas.envelope(part, strain, largest);
+      stress = remainder * formulas.decay(before, strain, share) + envelope;
+      // A column in tension does not press again while its envelope is in tension (theory.md, Eq. 7).
+      const N zero(0.0);
+      stress = select(both(stress_before <= zero, envelope < zero), min(stress, zero), stress);
+    }
     R::store(stress, next.stress + j);
     for (std::size_t k = 0; k < parts; ++k) R::store(part[k], next.part[k] + j);
     R::store(at.shape, next.shape + j);
@@ -102,9 +107,14 @@ double sum_held(const Law& law, const PowerShape& power, double time, const Swee
     const N strain = (step.after - depth) * per_thickness;
     N part[parts];
     for (std::size_t k = 0; k < parts; ++k) part[k] = R::load(columns.part[k] + j);
-    const N missing = still.envelope(part, strain, strain) - stress;
-    const N g = rate * relaxation_of(still, strain) * (missing / R::load(columns.shape + j)) *
-                R::load(step.weight + j);
+    const N shape = R::load(columns.shape + j);
+    N change;  // over A
+    if constexpr (carries_branches<Law, N>)
+      change = still.relaxing(part) / shape;
+    else
+      change =
+          rate * relaxation_of(still, strain) * ((still.envelope(part, strain, strain) - stress) / shape);
+    const N g = change * R::load(step.weight + j);
     R::store(select(zero < stress, g, zero), columns.ratio + j);
   }
   N sum(0.0);

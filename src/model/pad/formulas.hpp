@@ -108,8 +108,15 @@ DASHPAD_FORMULA N relaxation_of(const Formulas<Law>& formulas, N strain) {
     return N(1.0);
 }
 
+/// A law that keeps the stresses of its branches for each column, and steps them itself (carry, relaxing).
+template <class Law, class N>
+inline constexpr bool carries_branches = requires(const Formulas<Law>& formulas, N* part, N share) {
+  formulas.carry(part, part, share);
+};
+
 #define DASHPAD_FORMULAS
 #include "dashpad/model/pad/linear_viscoelastic.hpp"
 #include "dashpad/model/pad/nine_parameter.hpp"
 #include "dashpad/model/pad/twenty_one_parameter.hpp"
+#include "dashpad/model/pad/viscoelastic_foam.hpp"
 #undef DASHPAD_FORMULAS

@@ -3,6 +3,9 @@
 #include <optional>
 #include <utility>
 
+#include "model/pad/foam/foam_curve.hpp"
+#include "model/pad/foam/foam_rules.hpp"
+
 namespace dashpad {
 namespace {
 
@@ -44,6 +47,11 @@ void check_rules(const TwentyOneParameter& law, std::vector<Violation>& broken) 
         {"growth_strain_exponent", law.growth_strain_exponent, "must be more than contact_exponent"});
 }
 
+void check_rules(const ViscoelasticFoam& law, std::vector<Violation>& broken) {
+  if (law.first_exponent == 0) broken.push_back({"first_exponent", 0, "must not be 0"});
+  if (law.second_exponent == 0) broken.push_back({"second_exponent", 0, "must not be 0"});
+}
+
 }  // namespace
 
 std::vector<Violation> violations(const PadLaw& law) {
@@ -54,6 +62,19 @@ std::vector<Violation> violations(const PadLaw& law) {
   };
   std::visit(check, law);
   return broken;
+}
+
+double last_tested_strain(const FoamCurves& curves) { return last_strain_of(curves.base); }
+
+std::vector<double> softening_rates(const PadLaw& law) {
+  return std::visit(
+      []<class Law>(const Law& of) -> std::vector<double> {
+        if constexpr (SharesSlip<Law>)
+          return softening_rates(of.curves);
+        else
+          return {};
+      },
+      law);
 }
 
 std::string name_of(const PadLaw& law) {

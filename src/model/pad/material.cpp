@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "model/pad/foam/foam_curve.hpp"
+#include "model/pad/foam/foam_rules.hpp"
+
 namespace dashpad {
 namespace {
 
@@ -17,26 +20,89 @@ void check_fit(const FittedRange& fitted, std::vector<Violation>& broken) {
     broken.push_back({"fitted.highest_rate", fitted.highest_rate, "must be more than lowest_rate"});
 }
 
+void check_conditions(const Material& material, std::vector<Violation>& broken) {
+  if (const auto& exponent = material.density_exponent) {
+    if (!(*exponent >= 0 && *exponent <= 5))
+      broken.push_back({"density_exponent", *exponent, "must be from 0 to 5"});
+    if (!material.density)
+      broken.push_back({"density_exponent", *exponent, "needs the density of the material beside it"});
+  }
+  const auto& [temperature, factor] = material.temperature_table;
+  if (temperature.size() != factor.size())
+    broken.push_back({"temperature.factors", double(factor.size()),
+                      fmt::format("has {} numbers for {} temperatures", factor.size(), temperature.size())});
+  for (std::size_t i = 0; i < temperature.size(); ++i)
+    if (!(temperature[i] > (i > 0 ? temperature[i - 1] : 0) && temperature[i] <= 2000))
+      broken.push_back({fmt::format("temperature.temperatures[{}]", i + 1), temperature[i],
+                        "must be above the one before, above 0 K and at most 2000 K"});
+  for (std::size_t i = 0; i < factor.size(); ++i)
+    if (!(factor[i] >= 1e-3 && factor[i] <= 1e3))
+      broken.push_back(
+          {fmt::format("temperature.factors[{}]", i + 1), factor[i], "must be from 0.001 to 1000"});
+}
+
+/// Where the curves of a foam were tested.
+FittedRange tested_range(const FoamCurves& curves) {
+  const auto highest_rate = [&]<class Effect>(const Effect& effect) {
+    if constexpr (std::is_same_v<Effect, PowerRateEffect>)
+      return effect.highest_rate;
+    else if constexpr (std::is_same_v<Effect, FactorRateEffect>)
+      return effect.rate.back();
+    else if constexpr (std::is_same_v<Effect, CurvesRateEffect>)
+      return effect.curves.back().rate;
+    else
+      return curves.slowest_rate;
+  };
+  return {.highest_strain = last_strain_of(curves.base),
+          .lowest_rate = curves.slowest_rate,
+          .highest_rate = std::visit(highest_rate, curves.rate_effect)};
+}
+
 }  // namespace
+
+bool is_of_parameters(std::string_view key) {
+  return !key.starts_with("curve.") && !key.starts_with("rate.") && !key.starts_with("unloading.");
+}
+
+std::optional<FittedRange> range_of(const Material& material) {
+  if (material.fitted) return material.fitted;
+  return std::visit(
+      []<class Law>(const Law& law) -> std::optional<FittedRange> {
+        if constexpr (SharesSlip<Law>)
+          return tested_range(law.curves);
+        else
+          return std::nullopt;
+      },
+      material.law);
+}
 
 std::vector<Violation> violations(const Material& material) {
   std::vector<Violation> broken = violations(material.law);
-  for (Violation& violation : broken) violation.key = "parameters." + violation.key;
+  for (Violation& violation : broken)
+    if (is_of_parameters(violation.key)) violation.key = "parameters." + violation.key;
   if (material.fitted) check_fit(*material.fitted, broken);
+  check_conditions(material, broken);
   return broken;
 }
 
 std::vector<std::string> extrapolations(const Material& material, double largest_strain,
                                         double largest_rate) {
   std::vector<std::string> reasons;
-  if (const auto& fitted = material.fitted) {
+  if (const auto fitted = range_of(material)) {
+    const bool by_curves = std::visit([]<class Law>(const Law&) { return SharesSlip<Law>; }, material.law);
     if (largest_strain > fitted->highest_strain)
-      reasons.push_back(fmt::format("strain reaches {:.3f}; the law was fitted up to {:.3g}", largest_strain,
-                                    fitted->highest_strain));
+      reasons.push_back(fmt::format("strain reaches {:.3f}; the {} up to {:.3g}{}", largest_strain,
+                                    by_curves ? "foam was tested" : "law was fitted", fitted->highest_strain,
+                                    by_curves ? ", beyond which its curve is continued" : ""));
     if (largest_rate > fitted->highest_rate || largest_rate < fitted->lowest_rate)
       reasons.push_back(
-          fmt::format("strain rate reaches {:.3g} per second; the law was fitted from {:.3g} to {:.3g}",
-                      largest_rate, fitted->lowest_rate, fitted->highest_rate));
+          by_curves
+              ? fmt::format(
+                    "strain rate reaches {:.3g} per second; the foam was tested from {:.3g} to {:.3g}, "
+                    "and outside it the stress of the nearest tested rate is taken",
+                    largest_rate, fitted->lowest_rate, fitted->highest_rate)
+              : fmt::format("strain rate reaches {:.3g} per second; the law was fitted from {:.3g} to {:.3g}",
+                            largest_rate, fitted->lowest_rate, fitted->highest_rate));
   }
   std::visit(
       [&](const auto& law) {

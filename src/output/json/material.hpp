@@ -5,7 +5,7 @@
 
 #include "dashpad/model/pad/material.hpp"
 #include "model/parameter_values.hpp"
-#include "quantities/json_values.hpp"
+#include "quantities/curves_json.hpp"
 
 namespace dashpad::output {
 
@@ -21,8 +21,10 @@ inline Json material_json(const Material& of) {
   for (const ParameterValue& parameter : parameter_values(of.law))
     parameters[parameter.key] = {
         {"value", number(parameter.value)}, {"unit", parameter.unit}, {"symbol", parameter.symbol}};
-  return {{"material", of.name},    {"title", of.title},        {"source", of.source},
-          {"law", name_of(of.law)}, {"parameters", parameters}, {"fitted", fitted_json(of.fitted)}};
+  Json json{{"material", of.name},    {"title", of.title},        {"source", of.source},
+            {"law", name_of(of.law)}, {"parameters", parameters}, {"fitted", fitted_json(range_of(of))}};
+  json["curves"] = curves_json(of.law);
+  return json;
 }
 
 }  // namespace dashpad::output

@@ -47,7 +47,9 @@ Json solver(const Summary& summary) {
 }
 
 Json pad(const Pad& of) {
-  Json json{{"thickness_m", number(of.thickness)}};
+  Json json{{"thickness_m", number(of.thickness)}, {"scale", number(of.condition.scale)}};
+  json["density_kg_per_m3"] = number(of.condition.density);
+  json["temperature_K"] = number(of.condition.temperature);
   json.update(material_json(of.material));
   return json;
 }
@@ -88,6 +90,13 @@ std::string result_json(const ImpactCase& impact, const Summary& summary,
   result["energy"] = energy(summary.energy);
   result["extrapolated"] = summary.extrapolated;
   result["extrapolations"] = summary.extrapolations;
+  result["continuation"] = nullptr;
+  if (const auto& range = summary.continuation)
+    result["continuation"] = {{"gentlest_exponent", number(range->gentlest_exponent)},
+                              {"steepest_exponent", number(range->steepest_exponent)},
+                              {"gentlest_peak_acceleration_m_per_s2", number(range->gentlest)},
+                              {"steepest_peak_acceleration_m_per_s2", number(range->steepest)}};
+  result["softening_rates_per_s"] = numbers(summary.softening_rates);
   result["injury"] = injury ? injury_json(*injury, true) : Json(nullptr);
   result["errors"] = errors;
   result["solver"] = solver(summary);

@@ -77,7 +77,12 @@ PanelDrawing drawing_of(const Panel& panel, Turns& turns, Legend& legend) {
     const std::size_t turn = turns.turn_of(series);
     drawing.looks = looks(series, turn);
     legend.add({shortened(series.label, longest_label), drawing.looks});
-    if (!drawing.runs.empty()) result.has_data = true;
+    if (!drawing.runs.empty()) {
+      result.has_data = true;
+      if (!series.end_label.empty())
+        result.end_labels.push_back(
+            end_label_of(series, colour_of(series, turn), drawing.runs.back().back(), panel.y));
+    }
     Span& lines =
         series.style == SeriesStyle::vertical_line ? result.vertical_lines : result.horizontal_lines;
     for (const double place : drawing.places) lines.include(place);
@@ -91,6 +96,7 @@ PanelDrawing drawing_of(const Panel& panel, Turns& turns, Legend& legend) {
   std::stable_partition(result.series.begin(), result.series.end(),
                         [](const SeriesDrawing& series) { return is_ground(series.style); });
   thin(result, panel);
+  make_room(result.end_labels);
   return result;
 }
 

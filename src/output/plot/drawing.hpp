@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dashpad/output/plot/plot.hpp"
+#include "output/plot/end_labels.hpp"
 #include "output/plot/legend.hpp"
 #include "output/plot/rows.hpp"
 
@@ -20,6 +21,7 @@ struct SeriesDrawing {
 
 struct PanelDrawing {
   std::vector<SeriesDrawing> series;  ///< those that have something to show, bands first
+  std::vector<EndLabel> end_labels;   ///< each in its place
   Span vertical_lines;                ///< which the x axis has to include
   Span horizontal_lines;              ///< which the y axis has to include
   bool has_data = false;              ///< more than vertical and horizontal lines

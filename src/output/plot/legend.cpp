@@ -76,10 +76,14 @@ std::size_t Turns::next() {
   return turn;
 }
 
+std::string colour_of(const Series& series, std::size_t turn) {
+  return series.shade ? colour_of_shade(*series.shade) : colours[turn % colours.size()];
+}
+
 std::string looks(const Series& series, std::size_t turn) {
   // Lines that lie on each other stay visible: the later ones are narrower, and only the first is solid.
   const double width = std::max(1.6, 2.8 - 0.24 * static_cast<double>(turn));
-  const std::string colour = series.shade ? colour_of_shade(*series.shade) : colours[turn % colours.size()];
+  const std::string colour = colour_of(series, turn);
   switch (series.style) {
     case SeriesStyle::line: return line(colour, width, dashes[turn % dashes.size()]);
     case SeriesStyle::solid_line: return line(colour, 2.2, "solid");

@@ -34,6 +34,9 @@ bool is_ground(SeriesStyle style);
 /// so that the colour-blind and grey prints tell the order.
 std::string colour_of_shade(double shade);
 
+/// "#rrggbb" of a series in that turn.
+std::string colour_of(const Series& series, std::size_t turn);
+
 /// gnuplot's words for the looks of a series: "with lines linewidth 2 ...".
 std::string looks(const Series& series, std::size_t turn);
 

@@ -1,5 +1,6 @@
 #include "output/plot/script.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -18,20 +19,19 @@ namespace {
 
 // Lengths are in pixels of an SVG at its own size, 96 to an inch.
 constexpr int width = 900;
-constexpr int left_margin = 96, right_margin = 26;
+constexpr int left_margin = 96, least_right_margin = 26;
 constexpr int edge = 14;
 constexpr int title_line = 28, panel_title = 32;
 constexpr int axes = 330, below_axes = 58;
 constexpr int legend_row = 20;
 constexpr int source_height = 16;
 
-constexpr double centre_of_axes = (left_margin + width - right_margin) / 2.0 / width;
 constexpr auto grey = "#555555";
 
 class Script {
  public:
-  /// Begins with the kind and size of the picture.
-  Script(PictureFormat format, int height);
+  /// Begins with the kind and size of the picture. `right_margin`: of all its panels.
+  Script(PictureFormat format, int height, int right_margin);
 
   template <typename... Values>
   void add(fmt::format_string<Values...> line, Values&&... values) {
@@ -49,16 +49,19 @@ class Script {
   void set_up_axes(const Panel& panel, int top);
   void add_range(char name, const Axis& axis, const Span& included);
   void add_lines_across(const SeriesDrawing& series);
+  void add_end_labels(const std::vector<EndLabel>& labels);
   std::string data_block(const SeriesDrawing& series);
   [[nodiscard]] double from_top(double pixels) const { return 1 - pixels / height_; }
 
   int height_;
+  int right_margin_;
   double key_spacing_ = 1.3;
   int blocks_ = 0;
   std::string text_;
 };
 
-Script::Script(PictureFormat format, int height) : height_(height) {
+Script::Script(PictureFormat format, int height, int right_margin)
+    : height_(height), right_margin_(right_margin) {
   constexpr auto common = "font 'sans-serif,13' background '#ffffff' rounded noenhanced";
   add("set encoding utf8");
   // The scales make the three look alike.
@@ -80,9 +83,10 @@ Script::Script(PictureFormat format, int height) : height_(height) {
 }
 
 void Script::set_up_axes(const Panel& panel, int top) {
+  const double centre_of_axes = (left_margin + width - right_margin_) / 2.0 / width;
   add("reset");
   add("set lmargin at screen {}", 1.0 * left_margin / width);
-  add("set rmargin at screen {}", 1 - 1.0 * right_margin / width);
+  add("set rmargin at screen {}", 1 - 1.0 * right_margin_ / width);
   add("set tmargin at screen {}", from_top(top));
   add("set bmargin at screen {}", from_top(top + axes));
   add("unset key");
@@ -121,6 +125,15 @@ void Script::add_lines_across(const SeriesDrawing& series) {
   }
 }
 
+void Script::add_end_labels(const std::vector<EndLabel>& labels) {
+  for (const EndLabel& label : labels) {
+    add("set arrow from first {}, graph {} to graph 1.035, graph {} nohead linewidth 0.8 linecolor rgb '{}'",
+        label.line_end, label.line_height, label.height, label.colour);
+    add("set label {} at graph 1.042, graph {} left noenhanced font 'sans-serif,11' textcolor rgb '{}'",
+        literal(label.text), label.height, label.colour);
+  }
+}
+
 /// Writes the data, and returns the plot command's words for them.
 std::string Script::data_block(const SeriesDrawing& series) {
   const std::string name = fmt::format("$data{}", ++blocks_);
@@ -152,6 +165,7 @@ void Script::add_panel(const Panel& panel, const PanelDrawing& drawing, int top)
     else
       plots.push_back(data_block(series));
   }
+  add_end_labels(drawing.end_labels);
   add("plot {}", fmt::join(plots, ", "));
 }
 
@@ -198,7 +212,10 @@ std::string plot_script(const Plot& plot, PictureFormat format) {
   height +=
       legend_row * drawing.legend.rows() + edge + source_height * static_cast<int>(source.size()) + edge;
 
-  Script script{format, height};
+  int right_margin = least_right_margin;
+  for (const PanelDrawing& panel : drawing.panels)
+    right_margin = std::max(right_margin, width_beside_axes(panel.end_labels));
+  Script script{format, height, right_margin};
   for (std::size_t panel = 0; panel < tops.size(); ++panel)
     script.add_panel(plot.panels[panel], drawing.panels[panel], tops[panel]);
   script.add_texts(title, drawing.legend, legend_top, source);

@@ -64,6 +64,10 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
     line("impactor." + number.key, number.value, number.unit);
   line("impactor.speed", impact.impactor.speed, "m/s");
   line("pad.thickness", impact.pad.thickness, "m");
+  const PadCondition& condition = impact.pad.condition;
+  if (condition.scale != 1) line("pad.scale", condition.scale, "1");
+  if (condition.density) line("pad.density", *condition.density, "kg/m3");
+  if (condition.temperature) line("pad.temperature", *condition.temperature, "K");
   text +=
       fmt::format("  pad.material = {}\n  pad.law = {}\n", one_line(material.name), name_of(material.law));
   for (const ParameterValue& parameter : parameter_values(material.law))
@@ -71,35 +75,6 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
   text += "  support = " + support_in_si(impact.support);
   line("solver.tolerance", options.tolerance, "1");
   line("solver.time_limit", options.time_limit, "s");
-  return text;
-}
-
-std::string material_line(const Material& material) {
-  return fmt::format("  {:<24} {:<21} {}\n", one_line(material.name), name_of(material.law),
-                     one_line(material.title));
-}
-
-std::string material_text(const Material& material, const UnitSystem& units) {
-  std::string text = fmt::format("{}\n", one_line(material.title.empty() ? material.name : material.title));
-  text += fmt::format("  Name    {}\n", one_line(material.name));
-  text += fmt::format("  Source  {}\n", material.source.empty() ? "not stated" : one_line(material.source));
-  text += fmt::format("  Law     {}\n", name_of(material.law));
-  if (material.fitted)
-    text += fmt::format("  Fitted  up to a strain of {} and at strain rates from {} to {} 1/s\n",
-                        brief(material.fitted->highest_strain), brief(material.fitted->lowest_rate),
-                        brief(material.fitted->highest_rate));
-  else
-    text += "  Fitted  range not stated: no result can be called extrapolated\n";
-  text += "\n";
-  for (const ParameterValue& parameter : parameter_values(material.law)) {
-    const std::string unit = unit_for(units, parameter.unit);
-    text += fmt::format("  {:<26}{:<8}{:>12} {:<6} {}\n", parameter.key, parameter.symbol,
-                        brief(value_in(units, parameter.value, parameter.unit)), shown_unit(unit),
-                        parameter.meaning);
-  }
-  if (!material.also_published.empty()) text += "\n  Published too, but not used by the law:\n";
-  for (const auto& [name, value] : material.also_published)
-    text += fmt::format("  {:<26}{}\n", one_line(name), one_line(value));
   return text;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The closed set of pad laws, and the contract that each of them keeps.
 ///
-/// Every law is an envelope G and a relaxation rate h (theory.md, Eq. 8):
+/// The five laws of the report are an envelope G and a relaxation rate h (theory.md, Eq. 8):
 ///
 ///   d(stress)/dt = dG/dt | (rate and largest strain held) + h (G - stress)
 ///
@@ -19,16 +19,20 @@
 #include <variant>
 #include <vector>
 
+#include "dashpad/model/pad/crushable_foam.hpp"
 #include "dashpad/model/pad/elastic.hpp"
+#include "dashpad/model/pad/foam.hpp"
 #include "dashpad/model/pad/linear_viscoelastic.hpp"
 #include "dashpad/model/pad/nine_parameter.hpp"
 #include "dashpad/model/pad/rigid_foam.hpp"
 #include "dashpad/model/pad/twenty_one_parameter.hpp"
+#include "dashpad/model/pad/viscoelastic_foam.hpp"
 #include "dashpad/model/parameter.hpp"
 
 namespace dashpad {
 
-using PadLaw = std::variant<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter>;
+using PadLaw = std::variant<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter, Foam,
+                            CrushableFoam, ViscoelasticFoam>;
 
 /// What every law offers.
 template <class L>
@@ -60,7 +64,13 @@ concept HasMemory =
   { law.edge_ratio(rate) } -> std::same_as<double>;
 };
 
-/// Of<Law> for each law with memory.
+/// A law by the curves of tests, whose columns share what they remember (src/model/pad/foam/foam_stress.hpp).
+template <class L>
+concept SharesSlip = IsPadLaw<L> && requires(const L law) {
+  { law.curves } -> std::same_as<const FoamCurves&>;
+};
+
+/// Of<Law> for each law with memory of its own.
 template <template <class> class Of, class... Laws>
 auto tuple_with_memory(const std::variant<Laws...>*) {
   return std::tuple_cat([]<class Law>(const Law*) {
@@ -75,6 +85,12 @@ using WithMemory = decltype(tuple_with_memory<Of>(static_cast<const PadLaw*>(nul
 
 /// All rules that the law's parameters break: each parameter's bounds, and rules between parameters.
 std::vector<Violation> violations(const PadLaw& law);
+
+/// Strain up to which the base curve of a foam was tested.
+double last_tested_strain(const FoamCurves& curves);
+
+/// The tested rates, 1/s, whose curves fall somewhere; none for a law without curves.
+std::vector<double> softening_rates(const PadLaw& law);
 
 /// The law's name in case files.
 std::string name_of(const PadLaw& law);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,15 +18,33 @@ struct FittedRange {
   double highest_rate = 0;    ///< 1/s
 };
 
+/// By what the stress of a foam is multiplied at other temperatures.
+struct TemperatureTable {
+  std::vector<double> temperature;  ///< K, increasing
+  std::vector<double> factor;       ///< > 0
+};
+
 struct Material {
   std::string name;    ///< as cards and cases name it; "in line" where the case gives the law itself
   std::string title;   ///< for people
   std::string source;  ///< where the parameters come from
+  std::string basis;   ///< "test", "datasheet", "solver card" or "reconstruction"; empty: not stated
+  std::string licence;
+  std::optional<double> density;           ///< kg/m3
+  std::optional<double> density_exponent;  ///< stress ~ density to this power, [0, 5]
+  TemperatureTable temperature_table;
+  std::vector<std::string> reservations;  ///< what to keep in mind, a sentence each
   PadLaw law;
   std::optional<FittedRange> fitted;
   /// Published values that the law does not use: name and value as the card has them.
   std::vector<std::pair<std::string, std::string>> also_published;
 };
+
+/// Where the law was fitted or its curves were tested; nothing where that is not stated.
+std::optional<FittedRange> range_of(const Material& material);
+
+/// Whether the key of a broken rule of a law (violations(PadLaw)) is that of a parameter, not of a curve.
+bool is_of_parameters(std::string_view key);
 
 /// Every rule that the law or its fitted range breaks. Keys are those of cards: `parameters.modulus`,
 /// `fitted.highest_rate`.

@@ -34,6 +34,9 @@ struct Series {
   std::optional<std::size_t> turn = {};
   /// A place on a scale of colours from 0 (dark blue) to 1 (yellow), instead of the colour of the turn.
   std::optional<double> shade = {};
+  /// Written to the right of the panel, beside where the line ends; labels make room for each other. The y
+  /// axis has to have both its limits then.
+  std::string end_label = {};
 };
 
 struct Axis {

@@ -1,5 +1,5 @@
 #pragma once
-/// A case and a material as people read them.
+/// A case as people read it.
 
 #include <string>
 
@@ -14,11 +14,5 @@ std::string case_text(const ImpactCase& impact, const UnitSystem& units);
 
 /// Every value of the case as it is computed with: `key = value unit` in SI and full precision, a line each.
 std::string case_in_si(const ImpactCase& impact, const Options& options);
-
-/// A material in one line: name, law and title, in columns.
-std::string material_line(const Material& material);
-
-/// A material: title, source, law, parameters with symbol, value, unit and meaning, and the fitted range.
-std::string material_text(const Material& material, const UnitSystem& units);
 
 }  // namespace dashpad::output

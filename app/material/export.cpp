@@ -1,0 +1,128 @@
+// dashpad material export: a card as a deck of another solver.
+
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/output/deck/exports.hpp"
+#include "dashpad/output/material_deck.hpp"
+#include "dashpad/quantities/quantity.hpp"
+#include "material/material.hpp"
+#include "output.hpp"
+
+namespace dashpad::app {
+
+namespace {
+
+constexpr const char* export_material_footer = R"(Examples:
+  dashpad material export vn600 --format ls-dyna-083 --units t-mm-s
+  dashpad material export my-foam.toml --format radioss-90 --units kg-mm-ms -o foam.inc
+  dashpad material export eps-15 --format ls-dyna-163 --units t-mm-s --first-id 9001 -o foam.k
+
+Formats for the law foam:
+  ls-dyna-057   *MAT_LOW_DENSITY_FOAM: one curve, no rates
+  ls-dyna-083   *MAT_FU_CHANG_FOAM: curves over rates
+  radioss-70    /MAT/LAW70: curves over rates, a measured unloading
+  radioss-90    /MAT/LAW90: curves over rates
+Formats for the law crushable-foam:
+  ls-dyna-063   *MAT_CRUSHABLE_FOAM: one curve, no rates
+  ls-dyna-163   *MAT_MODIFIED_CRUSHABLE_FOAM: curves over rates
+  radioss-33    /MAT/LAW33: one curve, no rates
+
+CARD is the name of a card, as dashpad materials lists them, or a file that ends in .toml. The numbers of the card
+are in the deck with all their digits, so that dashpad material import reads them again; a curve that is a formula is
+given as points. What the deck does not say is listed, here and in its comments. docs/material-decks.md says more.
+
+Files: without -o the deck goes to standard output and what is said about it to standard error. An existing file is
+kept unless --force is given. A file is written whole or not at all.
+
+Exit codes: 0 done, 1 the deck could not be written, 2 refused and nothing was written.)";
+
+struct ExportMaterialRequest {
+  std::string card, format, units;
+  std::optional<std::string> density;
+  int first_id = 1;
+  std::string out = "-";
+  std::string folder;
+  bool force = false;
+};
+
+std::optional<Material> material_to_export(const ExportMaterialRequest& request,
+                                           const std::filesystem::path& folder,
+                                           std::vector<input::InputFile>& files,
+                                           std::vector<std::string>& wrong) {
+  try {
+    const std::filesystem::path card = find_card(request.card, folder);
+    files.push_back({"the material card", card});
+    return input::read_material(card);
+  } catch (const input::InputError& error) {
+    add_lines(error.faults(), wrong);
+  } catch (const Refused& refused) {
+    wrong.insert(wrong.end(), refused.complaints().begin(), refused.complaints().end());
+  }
+  return std::nullopt;
+}
+
+int export_material(const ExportMaterialRequest& request, const std::filesystem::path& folder) {
+  std::vector<std::string> wrong;
+  std::vector<input::InputFile> files;
+  std::optional<Material> material = material_to_export(request, folder, files, wrong);
+  output::MaterialDeckOptions options{request.format, consistent_systems().front(), request.first_id};
+  if (const auto units = deck_units_of(request.units, wrong)) options.units = *units;
+  const auto density = quantity_of("--density", request.density, "kg/m3", wrong);
+  if (density && !(*density > 0))
+    wrong.push_back(fmt::format("--density {}: must be more than 0", *request.density));
+  if (material && density) material->density = density;
+  if (material) {
+    const std::string why = output::why_no_material_deck(*material, options);
+    if (!why.empty()) wrong.push_back("--format " + request.format + ": " + why);
+  }
+  judge_targets({{"-o", request.out}}, files, request.force, wrong);
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  std::string account =
+      fmt::format("{} as {}, units {}\n", material->name, request.format, options.units.name);
+  for (const std::string& remark : output::not_in_material_deck(*material, options))
+    account += "  not the same: " + remark + "\n";
+  if (request.out != "-") account += "written: " + request.out + "\n";
+  publish(
+      {{"-o", request.out}}, request.force,
+      [&](const Target&) { return output::material_deck(*material, options); }, account);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_material_export(CLI::App& material, Action& action, const std::filesystem::path& executable) {
+  CLI::App* sub = material.add_subcommand("export", "A deck for another solver from a card");
+  const auto request = std::make_shared<ExportMaterialRequest>();
+  std::vector<std::string> names;
+  for (const output::MaterialDeckFormat& format : output::material_deck_formats())
+    names.emplace_back(format.name);
+  sub->add_option("CARD", request->card, "Card: its name, or a file")->required()->type_name("");
+  sub->add_option("--format", request->format, "Which material of which solver; see below")
+      ->required()
+      ->check(CLI::IsMember(names))
+      ->type_name("F");
+  add_deck_units(*sub, request->units);
+  sub->get_option("--units")->required();
+  sub->add_option("-o,--out", request->out, "Where the deck goes (default: standard output)")
+      ->type_name("FILE");
+  sub->add_option("--first-id", request->first_id,
+                  "Number of the material and of its first curve (default: 1)")
+      ->check(CLI::Range(1, output::highest_curve_id))
+      ->type_name("N");
+  sub->add_option("--density", request->density, "In place of the card's, such as \"100 kg/m3\"")
+      ->type_name("DENSITY");
+  add_force(*sub, request->force);
+  add_material_folder(*sub, request->folder);
+  sub->footer(export_material_footer);
+  sub->callback([request, &action, executable] {
+    action = [request, executable] {
+      return export_material(*request, chosen_folder(request->folder, executable));
+    };
+  });
+}
+
+}  // namespace dashpad::app

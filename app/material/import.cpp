@@ -1,0 +1,187 @@
+// dashpad material import: foams out of decks and tables, as material cards.
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "dashpad/input/material_deck.hpp"
+#include "dashpad/input/stress_table.hpp"
+#include "dashpad/output/card_toml.hpp"
+#include "material/material.hpp"
+#include "output.hpp"
+#include "streams.hpp"
+
+namespace dashpad::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* import_footer = R"(Examples:
+  dashpad material import foam.k --units t-mm-s                   the card on the screen
+  dashpad material import foam.k --units mm-t-s -o my-foam.toml   into a file
+  dashpad material import car.k --units t-mm-s -o cards/          each foam of a deck into a folder
+  dashpad material import car.k --units t-mm-s --material 12      one foam of several, by number or name
+  dashpad material import tests.csv --rate "0.01 1/s" -o my-foam.toml
+
+Decks: LS-DYNA keywords *MAT_057 (LOW_DENSITY_FOAM), 063 (CRUSHABLE_FOAM), 083 (FU_CHANG_FOAM) and 163
+(MODIFIED_CRUSHABLE_FOAM) with their *DEFINE_CURVE and *DEFINE_TABLE; Radioss starter blocks /MAT/LAW33, LAW70 and
+LAW90 with their /FUNCT. A deck does not say its units: --units does.
+
+Tables (a name that ends in .csv): a column strain, or strain_percent, and a column of stress with its unit, such as
+stress_kPa; --rate says how fast the test was. Or several columns that say their rates: "stress_kPa @ 10 1/s".
+
+What the file does not say is assumed, and what a card cannot say is left out: both are listed, and the card keeps
+them as reservations. docs/material-decks.md has all of them.
+
+Files: without -o the card goes to standard output and what is said about it to standard error. An existing file is
+kept unless --force is given. A file is written whole or not at all.
+
+Exit codes: 0 done, 1 the card could not be written, 2 refused: the file has faults, and nothing was written.)";
+
+struct ImportRequest {
+  std::string file;
+  std::string units;
+  std::optional<std::string> rate, material;
+  std::string out = "-";
+  bool force = false;
+};
+
+using Wrong = std::vector<std::string>;
+using Found = std::vector<input::DeckMaterial>;
+
+bool is_table(const std::string& file) {
+  std::string ending = fs::path(file).extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  return ending == ".csv";
+}
+
+/// What the options say and the kind of file has no use for.
+std::optional<UnitSystem> judge_import(const ImportRequest& request, std::optional<double>& rate,
+                                       Wrong& wrong) {
+  rate = quantity_of("--rate", request.rate, "1/s", wrong);
+  if (rate && !(*rate > 0)) wrong.push_back(fmt::format("--rate {}: must be more than 0", *request.rate));
+  if (is_table(request.file)) {
+    if (!request.units.empty()) wrong.emplace_back("--units: a table says its units in its header");
+    return std::nullopt;
+  }
+  if (request.rate) wrong.emplace_back("--rate: is for tables; a deck has its own rates");
+  if (request.units.empty()) {
+    wrong.emplace_back("--units: is needed, since a deck does not say its units; such as --units t-mm-s");
+    return std::nullopt;
+  }
+  return deck_units_of(request.units, wrong);
+}
+
+/// The one of that number or name.
+void keep_only(const std::string& wanted, Found& found, Wrong& wrong) {
+  std::string names;
+  for (const input::DeckMaterial& each : found)
+    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", each.id, each.material.name);
+  std::erase_if(found, [&](const input::DeckMaterial& each) {
+    return each.material.name != wanted && fmt::format("{}", each.id) != wanted;
+  });
+  if (found.empty()) wrong.push_back(fmt::format("--material {}: no such foam; there are {}", wanted, names));
+}
+
+/// A card into a folder keeps its name; else all goes to one file.
+std::vector<Target> targets_of(const ImportRequest& request, const Found& found, Wrong& wrong) {
+  std::error_code ignored;
+  const bool into_folder = request.out.ends_with('/') || fs::is_directory(request.out, ignored);
+  std::vector<Target> targets;
+  for (const input::DeckMaterial& each : found)
+    targets.push_back({"-o", into_folder ? (fs::path(request.out) / (each.material.name + ".toml")).string()
+                                         : request.out});
+  if (!into_folder && found.size() > 1) {
+    wrong.push_back(fmt::format("{}: holds {} foams; give a folder with -o, or choose one with --material",
+                                request.file, found.size()));
+    targets.resize(1);
+  }
+  return targets;
+}
+
+std::string understood(const input::DeckMaterial& found) {
+  const Material& material = found.material;
+  std::string text = fmt::format("{}, line {}: {}\n", found.card, found.line, material.title);
+  std::visit(
+      [&]<class Law>(const Law& law) {
+        if constexpr (SharesSlip<Law>) {
+          const auto& base = std::get<TableCurve>(law.curves.base);
+          const auto* const rates = std::get_if<CurvesRateEffect>(&law.curves.rate_effect);
+          text += fmt::format("  law {}, {} points up to a strain of {:g} and {:g} kPa at {:g} 1/s\n",
+                              Law::name, base.strain.size(), base.strain.back(), base.stress.back() / 1000,
+                              law.curves.slowest_rate);
+          if (rates)
+            for (const auto& [rate, curve] : rates->curves)
+              text += fmt::format("  {} points up to a strain of {:g} and {:g} kPa at {:g} 1/s\n",
+                                  curve.strain.size(), curve.strain.back(), curve.stress.back() / 1000, rate);
+          if constexpr (std::is_same_v<Law, CrushableFoam>)
+            text += fmt::format("  unloads with {:g} MPa\n", law.unloading_modulus / 1e6);
+          else if (law.unloading_curve)
+            text += fmt::format("  unloads by a curve of {} points\n", law.unloading_curve->strain.size());
+          else
+            text += fmt::format("  unloads with factor {:g} and shape {:g}\n", law.unloading_factor,
+                                law.unloading_shape);
+        }
+      },
+      material.law);
+  for (const std::string& assumption : found.assumptions) text += "  assumed: " + assumption + "\n";
+  for (const std::string& difference : found.differences) text += "  not the same: " + difference + "\n";
+  return text;
+}
+
+int import_material(const ImportRequest& request) {
+  Wrong wrong;
+  std::optional<double> rate;
+  const std::optional<UnitSystem> units = judge_import(request, rate, wrong);
+  Found found;
+  try {
+    if (is_table(request.file))
+      found.push_back(input::read_stress_table(request.file, rate));
+    else if (units)
+      found = input::read_material_deck(request.file, *units);
+  } catch (const input::InputError& error) {
+    add_lines(error.faults(), wrong);
+  }
+  if (request.material && !found.empty()) keep_only(*request.material, found, wrong);
+  const std::vector<Target> targets = targets_of(request, found, wrong);
+  judge_targets(targets, {{"the imported file", request.file}}, request.force, wrong);
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  std::string account;
+  for (const input::DeckMaterial& each : found) account += understood(each);
+  for (const Target& target : targets)
+    if (!target.is_standard_output()) account += "written: " + target.file + "\n";
+  const auto text_of = [&](const Target& target) {
+    const auto place =
+        static_cast<std::size_t>(std::ranges::find(targets, target.file, &Target::file) - targets.begin());
+    return output::card_toml(found[place].material);
+  };
+  publish(targets, request.force, text_of, account);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_material_import(CLI::App& material, Action& action) {
+  CLI::App* sub = material.add_subcommand("import", "A card from a solver's deck or a table of tests");
+  const auto request = std::make_shared<ImportRequest>();
+  sub->add_option("FILE", request->file, "LS-DYNA or Radioss deck, or a table (.csv)")
+      ->required()
+      ->type_name("");
+  add_deck_units(*sub, request->units);
+  sub->add_option("--rate", request->rate, "Strain rate of a table's only test, such as \"0.01 1/s\"")
+      ->type_name("RATE");
+  sub->add_option("--material", request->material, "One foam of a deck, by its number or name")
+      ->type_name("NAME");
+  sub->add_option("-o,--out", request->out,
+                  "Where the card goes: a file, or a folder (default: standard output)")
+      ->type_name("FILE");
+  add_force(*sub, request->force);
+  sub->footer(import_footer);
+  sub->callback([request, &action] { action = [request] { return import_material(*request); }; });
+}
+
+}  // namespace dashpad::app

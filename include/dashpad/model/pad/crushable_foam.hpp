@@ -1,0 +1,45 @@
+#pragma once
+/// Foam that stays crushed: a crush curve, its rise with the rate, and elastic unloading with a modulus.
+///
+///   stress = max(s(e*) - E (e* - e), 0) + Q(e, u)                           (theory.md, Eq. 38)
+///   Q(e, u) = s(e) (m(e, u) - 1)  for u >= 0, else 0
+///
+/// s is the crush curve of the slowest test, e* the largest strain so far. Unloaded, the foam keeps the
+/// strain e* - s(e*) / E and leaves a gap. m and u are those of foam (dashpad/model/pad/foam.hpp).
+///
+/// Engineering values, compression positive; E at least the steepest slope of s.
+
+#include <array>
+
+#include "dashpad/model/pad/foam.hpp"
+
+namespace dashpad {
+
+struct CrushableFoam {
+  double unloading_modulus = 0;      ///< E, Pa, > 0
+  double lag_strain = 0.005;         ///< l, [1e-4, 0.05]
+  double continuation_exponent = 2;  ///< n, [1, 6]
+  double gentlest_continuation = 1;  ///< range of n within which results are also given, [1, n]
+  double steepest_continuation = 4;  ///< [n, 6]
+  FoamCurves curves;
+
+  static constexpr const char* name = "crushable-foam";
+  static constexpr bool memoryless = false;
+  static const std::array<Parameter<CrushableFoam>, 5> parameters;
+
+  friend bool operator==(const CrushableFoam&, const CrushableFoam&) = default;
+};
+
+inline constexpr std::array<Parameter<CrushableFoam>, 5> CrushableFoam::parameters{{
+    {"unloading_modulus", "E", "Pa", &CrushableFoam::unloading_modulus, positive, "slope of the unloading"},
+    {"lag_strain", "l", "1", &CrushableFoam::lag_strain, lag_strains,
+     "strain over which the rate's stress follows the rate", 0.005},
+    {"continuation_exponent", "n", "1", &CrushableFoam::continuation_exponent, continuation_exponents,
+     "exponent of one minus the strain beyond the last tested strain", 2},
+    {"gentlest_continuation", "n_low", "1", &CrushableFoam::gentlest_continuation, continuation_exponents,
+     "the smallest it may be", 1},
+    {"steepest_continuation", "n_high", "1", &CrushableFoam::steepest_continuation, continuation_exponents,
+     "the largest it may be", 4},
+}};
+
+}  // namespace dashpad

@@ -1,0 +1,83 @@
+#pragma once
+/// Foam that comes back: a base curve, its rise with the rate, and an unloading that grows weaker with the
+/// work done.
+///
+///   stress = (1 - f) s(e) D(W(e) / W(e*)) + s(e) q(e, u)                   (theory.md, Eq. 32)
+///   D(x)   = 1 - (1 - HU) (1 - x^SHAPE),  or what an unloading curve says
+///   q      = f u / (|u| + 2 u0) + m(e, u) - 1  for u >= 0,  - k (m(e, |u|) - 1) for u < 0   (Eq. 33)
+///
+/// s is the base curve, the loading curve of the slowest test; W its area; e* the largest strain so far; m
+/// the rate effect. u is the slip rate, which follows the strain rate within a small strain (theory.md, Eq.
+/// 34), so that the stress does not jump. No closed path of strain gives energy back (theory.md, Eqs. 35 and
+/// 36).
+///
+/// Stress and strain are engineering values, compression positive. Whether the numbers go together is said by
+/// violations(PadLaw).
+
+#include <array>
+#include <optional>
+
+#include "dashpad/model/pad/foam/base_curve.hpp"
+#include "dashpad/model/pad/foam/rate_effect.hpp"
+#include "dashpad/model/parameter.hpp"
+
+namespace dashpad {
+
+/// What foams are made of: the curves of their tests.
+struct FoamCurves {
+  BaseCurve base;
+  double slowest_rate = 0;  ///< of the test that the base curve is, 1/s, > 0
+  RateEffect rate_effect;
+
+  friend bool operator==(const FoamCurves&, const FoamCurves&) = default;
+};
+
+struct Foam {
+  double friction = 0;               ///< f, [0, 0.45]
+  double unloading_factor = 1;       ///< HU, [0, 1]
+  double unloading_shape = 1;        ///< SHAPE, [0.01, 50]
+  double recoil = 1;                 ///< k, [0, 1]
+  double lag_strain = 0.005;         ///< l, [1e-4, 0.05]
+  double continuation_exponent = 2;  ///< n, [1, 6]
+  double gentlest_continuation = 1;  ///< range of n within which results are also given, [1, n]
+  double steepest_continuation = 4;  ///< [n, 6]
+  FoamCurves curves;
+  /// Stress on the way back from the last strain of the base curve; then HU and SHAPE say nothing.
+  std::optional<TableCurve> unloading_curve;
+
+  static constexpr const char* name = "foam";
+  static constexpr bool memoryless = false;
+  static const std::array<Parameter<Foam>, 8> parameters;
+
+  friend bool operator==(const Foam&, const Foam&) = default;
+};
+
+inline constexpr Bounds lag_strains{
+    .lowest = 1e-4, .highest = 0.05, .lowest_admitted = true, .highest_admitted = true};
+inline constexpr Bounds continuation_exponents{
+    .lowest = 1, .highest = 6, .lowest_admitted = true, .highest_admitted = true};
+
+inline constexpr std::array<Parameter<Foam>, 8> Foam::parameters{{
+    {"friction", "f", "1", &Foam::friction,
+     Bounds{.lowest = 0, .highest = 0.45, .lowest_admitted = true, .highest_admitted = true},
+     "share of the base curve that is lost however slow the test", 0},
+    {"unloading_factor", "HU", "1", &Foam::unloading_factor,
+     Bounds{.lowest = 0, .highest = 1, .lowest_admitted = true, .highest_admitted = true},
+     "what is left of the stress where the foam is nearly unloaded", 1},
+    {"unloading_shape", "SHAPE", "1", &Foam::unloading_shape,
+     Bounds{.lowest = 0.01, .highest = 50, .lowest_admitted = true, .highest_admitted = true},
+     "exponent of the work in the unloading", 1},
+    {"recoil", "k", "1", &Foam::recoil,
+     Bounds{.lowest = 0, .highest = 1, .lowest_admitted = true, .highest_admitted = true},
+     "share of the rate's stress that resists the way back", 1},
+    {"lag_strain", "l", "1", &Foam::lag_strain, lag_strains,
+     "strain over which the rate's stress follows the rate", 0.005},
+    {"continuation_exponent", "n", "1", &Foam::continuation_exponent, continuation_exponents,
+     "exponent of one minus the strain beyond the last tested strain", 2},
+    {"gentlest_continuation", "n_low", "1", &Foam::gentlest_continuation, continuation_exponents,
+     "the smallest it may be", 1},
+    {"steepest_continuation", "n_high", "1", &Foam::steepest_continuation, continuation_exponents,
+     "the largest it may be", 4},
+}};
+
+}  // namespace dashpad

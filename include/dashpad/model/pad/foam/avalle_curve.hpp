@@ -1,0 +1,49 @@
+#pragma once
+/// The base curve of Avalle, Belingardi and Ibba: a plateau that saturates, and densification.
+///
+///   s(e) = A (1 - exp(-(E / A) e (1 - e)^m)) + B (e / (1 - e))^n
+///
+/// M. Avalle, G. Belingardi, A. Ibba: Mechanical models of cellular solids, International Journal of Impact
+/// Engineering 34 (2007) 3-27. Stress in Pa, compression positive.
+
+#include <array>
+#include <cmath>
+
+#include "dashpad/model/parameter.hpp"
+
+namespace dashpad {
+
+struct AvalleCurve {
+  double plateau_stress = 0;          ///< A, Pa, > 0
+  double modulus = 0;                 ///< E, Pa, > 0
+  double plateau_exponent = 0;        ///< m, [0, 20]
+  double densification_stress = 0;    ///< B, Pa, >= 0
+  double densification_exponent = 0;  ///< n, [0.5, 20]
+  double highest_strain = 0;          ///< (0, 1): up to here it was fitted
+
+  static constexpr const char* name = "avalle";
+  static const std::array<Parameter<AvalleCurve>, 6> parameters;
+
+  [[nodiscard]] double stress(double e) const {
+    const double plateau =
+        -plateau_stress * std::expm1(-modulus / plateau_stress * e * std::pow(1 - e, plateau_exponent));
+    return plateau + densification_stress * std::pow(e / (1 - e), densification_exponent);
+  }
+  friend bool operator==(const AvalleCurve&, const AvalleCurve&) = default;
+};
+
+inline constexpr std::array<Parameter<AvalleCurve>, 6> AvalleCurve::parameters{{
+    {"plateau_stress", "A", "Pa", &AvalleCurve::plateau_stress, positive, "stress of the plateau"},
+    {"modulus", "E", "Pa", &AvalleCurve::modulus, positive, "initial modulus"},
+    {"plateau_exponent", "m", "1", &AvalleCurve::plateau_exponent,
+     Bounds{.lowest = 0, .highest = 20, .lowest_admitted = true, .highest_admitted = true},
+     "how the plateau gives way"},
+    {"densification_stress", "B", "Pa", &AvalleCurve::densification_stress, not_negative,
+     "stress of the densification at half compression"},
+    {"densification_exponent", "n", "1", &AvalleCurve::densification_exponent,
+     Bounds{.lowest = 0.5, .highest = 20, .lowest_admitted = true, .highest_admitted = true}, "its exponent"},
+    {"highest_strain", "e_h", "1", &AvalleCurve::highest_strain, Bounds{.lowest = 0, .highest = 1},
+     "strain up to which the curve was fitted"},
+}};
+
+}  // namespace dashpad

@@ -1,0 +1,46 @@
+#pragma once
+/// A base curve after Gibson and Ashby: cell walls that bend and buckle, and the gas of closed cells.
+///
+///   s(e) = S (1 - exp(-E e / S)) + p0 e / (1 - e - R)
+///
+/// The first part rises with the modulus E to the plateau S (their elastic line and plateau, made smooth: an
+/// assumption of ours); the second is the gas, compressed at constant temperature without lateral expansion.
+/// L. J. Gibson, M. F. Ashby: Cellular Solids, 2nd ed., Cambridge 1997, section 5.3. Stress in Pa.
+
+#include <array>
+#include <cmath>
+
+#include "dashpad/model/parameter.hpp"
+
+namespace dashpad {
+
+struct GibsonAshbyCurve {
+  double modulus = 0;           ///< E, Pa, > 0
+  double plateau_stress = 0;    ///< S, Pa, > 0
+  double gas_pressure = 0;      ///< p0, Pa, >= 0: 0.1013 MPa for closed cells, 0 for open ones
+  double relative_density = 0;  ///< R, density of the foam over that of its solid, [0, 0.9]
+  double highest_strain = 0;    ///< (0, 1 - R): up to here it was fitted
+
+  static constexpr const char* name = "gibson-ashby";
+  static const std::array<Parameter<GibsonAshbyCurve>, 5> parameters;
+
+  [[nodiscard]] double stress(double e) const {
+    return -plateau_stress * std::expm1(-modulus * e / plateau_stress) +
+           gas_pressure * e / (1 - e - relative_density);
+  }
+  friend bool operator==(const GibsonAshbyCurve&, const GibsonAshbyCurve&) = default;
+};
+
+inline constexpr std::array<Parameter<GibsonAshbyCurve>, 5> GibsonAshbyCurve::parameters{{
+    {"modulus", "E", "Pa", &GibsonAshbyCurve::modulus, positive, "initial modulus of the cell walls"},
+    {"plateau_stress", "S", "Pa", &GibsonAshbyCurve::plateau_stress, positive, "stress of the plateau"},
+    {"gas_pressure", "p0", "Pa", &GibsonAshbyCurve::gas_pressure, not_negative,
+     "pressure of the gas in closed cells"},
+    {"relative_density", "R", "1", &GibsonAshbyCurve::relative_density,
+     Bounds{.lowest = 0, .highest = 0.9, .lowest_admitted = true, .highest_admitted = true},
+     "density of the foam over that of its solid"},
+    {"highest_strain", "e_h", "1", &GibsonAshbyCurve::highest_strain, Bounds{.lowest = 0, .highest = 1},
+     "strain up to which the curve was fitted"},
+}};
+
+}  // namespace dashpad

@@ -1,0 +1,74 @@
+#pragma once
+/// How the stress of a foam grows with the strain rate, over its base curve: m(e, r), by which the stress of
+/// the slowest test is multiplied in a test at the constant rate r.
+///
+///   m(e, r) = s(e, r) / s(e),   m = 1 at and below the slowest tested rate
+///
+/// Between two tested rates ln m is linear in ln r; above the highest m stays what it is there. m must not
+/// fall as the rate rises. Rates in 1/s.
+
+#include <array>
+#include <variant>
+#include <vector>
+
+#include "dashpad/model/pad/foam/table_curve.hpp"
+#include "dashpad/model/parameter.hpp"
+
+namespace dashpad {
+
+/// No rate but one was tested, or the rate does not matter.
+struct NoRateEffect {
+  static constexpr const char* name = "none";
+  friend bool operator==(const NoRateEffect&, const NoRateEffect&) = default;
+};
+
+/// After Nagy, Ko and Lindholm (Journal of Cellular Plastics 10, 1974): m = (r / r_1)^max(a + b e, 0).
+struct PowerRateEffect {
+  double exponent = 0;        ///< a, [0, 1]
+  double exponent_slope = 0;  ///< b, [-5, 5]
+  double highest_rate = 0;    ///< 1/s, > the slowest tested rate r_1
+
+  static constexpr const char* name = "power";
+  static const std::array<Parameter<PowerRateEffect>, 3> parameters;
+  friend bool operator==(const PowerRateEffect&, const PowerRateEffect&) = default;
+};
+
+/// The same factor at all strains.
+struct FactorRateEffect {
+  std::vector<double> rate;    ///< 1/s, increasing, above the slowest tested rate
+  std::vector<double> factor;  ///< m, >= 1, not falling
+
+  static constexpr const char* name = "factor";
+  friend bool operator==(const FactorRateEffect&, const FactorRateEffect&) = default;
+};
+
+/// Whole curves at higher rates. Beyond the last strain of one of them its ratio to the base curve stays.
+struct CurvesRateEffect {
+  struct AtRate {
+    double rate = 0;  ///< 1/s
+    TableCurve curve;
+    friend bool operator==(const AtRate&, const AtRate&) = default;
+  };
+  std::vector<AtRate> curves;  ///< rates increasing, above the slowest tested rate
+  /// Between two rates the stress is linear in the rate, as the decks of solvers have it.
+  bool linear = false;
+
+  static constexpr const char* name = "curves";
+  friend bool operator==(const CurvesRateEffect&, const CurvesRateEffect&) = default;
+};
+
+using RateEffect = std::variant<NoRateEffect, PowerRateEffect, FactorRateEffect, CurvesRateEffect>;
+
+inline constexpr std::size_t most_rates = 50;
+
+inline constexpr std::array<Parameter<PowerRateEffect>, 3> PowerRateEffect::parameters{{
+    {"exponent", "a", "1", &PowerRateEffect::exponent,
+     Bounds{.lowest = 0, .highest = 1, .lowest_admitted = true, .highest_admitted = true},
+     "exponent of the rate at strain zero"},
+    {"exponent_slope", "b", "1", &PowerRateEffect::exponent_slope,
+     Bounds{.lowest = -5, .highest = 5, .lowest_admitted = true, .highest_admitted = true},
+     "how it changes with the strain"},
+    {"highest_rate", "r_h", "1/s", &PowerRateEffect::highest_rate, positive, "highest tested rate"},
+}};
+
+}  // namespace dashpad

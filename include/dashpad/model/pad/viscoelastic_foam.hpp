@@ -1,0 +1,136 @@
+#ifndef DASHPAD_PAD_VISCOELASTIC_FOAM_HPP
+#define DASHPAD_PAD_VISCOELASTIC_FOAM_HPP
+/// Slow foam: a lasting curve of the hyperfoam kind, with one or two Maxwell branches.
+///
+///   stress = p(e) + q1 + q2,   dq_i/dt = g_i dp/dt - q_i / tau_i                 (theory.md, Eq. 40)
+///   p(e)   = sum over j of 2 mu_j / (a_j (1 - e)) (1 - (1 - e)^a_j)
+///
+/// Over a step in which p goes evenly: q_i1 = q_i0 exp(-H_i) + g_i (p1 - p0) (1 - exp(-H_i)) / H_i, with
+/// H_i = step / tau_i. A sudden strain is met with (1 + g1 + g2) p, a lasting one with p. The same on loading
+/// and unloading. Engineering values, compression positive; times in s.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "dashpad/model/pad/power_shape.hpp"
+#include "dashpad/model/parameter.hpp"
+
+namespace dashpad {
+
+struct ViscoelasticFoam {
+  double first_modulus = 0;    ///< mu_1, Pa, > 0
+  double first_exponent = 0;   ///< a_1, [-3, 50], not 0
+  double second_modulus = 0;   ///< mu_2, Pa, >= 0
+  double second_exponent = 1;  ///< a_2, likewise
+  double first_share = 0;      ///< g_1, > 0
+  double first_time = 0;       ///< tau_1, s, > 0
+  double second_share = 0;     ///< g_2, >= 0
+  double second_time = 1;      ///< tau_2, s, > 0
+
+  static constexpr const char* name = "viscoelastic-foam";
+  static constexpr bool memoryless = false;
+  static const std::array<Parameter<ViscoelasticFoam>, 8> parameters;
+
+  struct RatePart {};
+  /// Lengths of a step in relaxation times.
+  struct TimePart {
+    double first = 0;
+    double second = 0;
+  };
+
+  /// p is steep like e at first contact, and like 1 / (1 - e) or more at full compression.
+  [[nodiscard]] PowerExponents exponents() const {
+    const double steepest = second_modulus > 0 ? std::min(first_exponent, second_exponent) : first_exponent;
+    return {1, std::max(1.0, 1 - steepest)};
+  }
+  [[nodiscard]] RatePart rate_part(double) const { return {}; }
+  [[nodiscard]] TimePart time_part(double from, double to) const {
+    return {(to - from) / first_time, (to - from) / second_time};
+  }
+  /// Of the faster branch.
+  [[nodiscard]] double relaxation_rate(double) const { return 1 / std::min(first_time, second_time); }
+  [[nodiscard]] double edge_ratio(RatePart) const {
+    return 2 * (first_modulus + second_modulus) * (1 + first_share + second_share);
+  }
+};
+
+inline constexpr Bounds viscoelastic_exponents{
+    .lowest = -3, .highest = 50, .lowest_admitted = true, .highest_admitted = true};
+inline constexpr Bounds viscoelastic_shares{
+    .lowest = 0, .highest = 1000, .lowest_admitted = true, .highest_admitted = true};
+inline constexpr std::array<Parameter<ViscoelasticFoam>, 8> ViscoelasticFoam::parameters{{
+    {"first_modulus", "mu_1", "Pa", &ViscoelasticFoam::first_modulus, positive,
+     "modulus of the lasting curve"},
+    {"first_exponent", "a_1", "1", &ViscoelasticFoam::first_exponent, viscoelastic_exponents,
+     "exponent of the stretch in it, not 0"},
+    {"second_modulus", "mu_2", "Pa", &ViscoelasticFoam::second_modulus, not_negative,
+     "modulus of its second term", 0},
+    {"second_exponent", "a_2", "1", &ViscoelasticFoam::second_exponent, viscoelastic_exponents,
+     "exponent of the second term, not 0", 1},
+    {"first_share", "g_1", "1", &ViscoelasticFoam::first_share, viscoelastic_shares,
+     "stress of the first branch over the lasting one, for a sudden strain"},
+    {"first_time", "tau_1", "s", &ViscoelasticFoam::first_time, positive, "its relaxation time"},
+    {"second_share", "g_2", "1", &ViscoelasticFoam::second_share, viscoelastic_shares,
+     "the same of a second branch", 0},
+    {"second_time", "tau_2", "s", &ViscoelasticFoam::second_time, positive, "its relaxation time", 1},
+}};
+
+}  // namespace dashpad
+
+#endif
+
+#ifdef DASHPAD_FORMULAS  // see src/model/pad/formulas.hpp
+
+template <>
+struct Formulas<ViscoelasticFoam> {
+  static constexpr std::size_t parts = 3;
+  const ViscoelasticFoam law;
+  const PowerShape& power;
+  const ViscoelasticFoam::RatePart rate;
+  const ViscoelasticFoam::TimePart time;
+
+  /// part: p; carry() adds q1 and q2.
+  template <class N>
+  DASHPAD_FORMULA Shape<N> strain_part(Strains<N> e, N* part) const {
+    const Shape<N> at = shape_at(power, e);
+    const auto term = [&](double modulus, double exponent) {
+      return (2 * modulus / exponent) * ((1.0 - exp(exponent * at.log_complement)) / e.complement);
+    };
+    part[0] = term(law.first_modulus, law.first_exponent);
+    if (law.second_modulus > 0) part[0] = part[0] + term(law.second_modulus, law.second_exponent);
+    part[1] = N(0.0);
+    part[2] = N(0.0);
+    return at;
+  }
+  /// The lasting stress.
+  template <class N>
+  DASHPAD_FORMULA N envelope(const N* part, N, N) const {
+    return part[0];
+  }
+  /// The branches after a step of which a column is in contact for a share; the stress.
+  template <class N>
+  DASHPAD_FORMULA N carry(const N* before, N* part, N share) const {
+    const N rise = part[0] - before[0];
+    part[1] = branch(law.first_share, time.first * share, before[1], rise);
+    part[2] = branch(law.second_share, time.second * share, before[2], rise);
+    return part[0] + part[1] + part[2];
+  }
+  /// Change of the stress with time while the strain is held.
+  template <class N>
+  DASHPAD_FORMULA N relaxing(const N* part) const {
+    return (-1 / law.first_time) * part[1] - (1 / law.second_time) * part[2];
+  }
+
+ private:
+  template <class N>
+  DASHPAD_FORMULA N branch(double share, N steps, N before, N rise) const {
+    const N least(1e-8);
+    const N kept = exp(N(0.0) - steps);
+    // (1 - exp(-H)) / H, by its series where H is nothing.
+    const N mean = select(steps < least, 1.0 - 0.5 * steps, (1.0 - kept) / max(steps, least));
+    return before * kept + share * (rise * mean);
+  }
+};
+
+#endif

@@ -1,0 +1,40 @@
+#pragma once
+/// Material cards as decks of other solvers. docs/material-decks.md says what stands where.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dashpad/model/pad/material.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+
+namespace dashpad::output {
+
+/// A material of another solver.
+struct MaterialDeckFormat {
+  const char* name;  ///< as on the command line: "ls-dyna-083"
+  const char* card;  ///< "*MAT_FU_CHANG_FOAM"
+  bool crushable;    ///< for crushable-foam, else for foam
+  bool has_rates;
+};
+std::span<const MaterialDeckFormat> material_deck_formats();
+
+struct MaterialDeckOptions {
+  std::string format;
+  UnitSystem units = consistent_systems().front();
+  int first_id = 1;  ///< of the material and of its curves
+};
+
+/// What forbids the deck: a law that the format has no card for, no density, numbers out of range, a format
+/// that is none. Empty where nothing does.
+std::string why_no_material_deck(const Material& material, const MaterialDeckOptions& options);
+
+/// What the deck does not say, or says otherwise, a sentence each. It has them as comments.
+std::vector<std::string> not_in_material_deck(const Material& material, const MaterialDeckOptions& options);
+
+/// The material with its curves, ready to be included. A number that was read from such a deck is written
+/// with the same value, as far as 20 columns hold its digits. Throws std::invalid_argument with
+/// why_no_material_deck().
+std::string material_deck(const Material& material, const MaterialDeckOptions& options);
+
+}  // namespace dashpad::output

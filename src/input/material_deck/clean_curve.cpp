@@ -1,0 +1,155 @@
+#include "input/material_deck/clean_curve.hpp"
+
+#include <fmt/format.h>
+
+namespace dashpad::input {
+
+namespace {
+
+/// Strains and stresses that are NaN had their fault when they were read.
+bool is_sound_point(const DeckCurve& curve, std::size_t i) {
+  return curve.strain[i] == curve.strain[i] && curve.stress[i] == curve.stress[i];
+}
+
+std::string written_number(double value) { return fmt::format("{:.6g}", value); }
+
+/// Judges one point against the one before, which may be at or below strain 0.
+bool judge_order(const DeckCurve& curve, std::size_t i, MeasurementFaults& faults) {
+  const double e = curve.strain[i];
+  if (i > 0 && is_sound_point(curve, i - 1) && e <= curve.strain[i - 1]) {
+    faults.add(curve.lines[i], curve.name + ": strain", written_number(e),
+               e == curve.strain[i - 1]
+                   ? "stands twice; a strain has one stress"
+                   : fmt::format("must be more than the strain before, {:.6g}", curve.strain[i - 1]));
+    return false;
+  }
+  if (e < 1) return true;
+  faults.add(curve.lines[i], curve.name + ": strain", written_number(e),
+             "must be less than 1; a strain in per cent, or foam without any thickness left");
+  return false;
+}
+
+bool judge_stress(const DeckCurve& curve, std::size_t i, const CleanCurve& clean, CurveRole role,
+                  MeasurementFaults& faults) {
+  const double stress = curve.stress[i];
+  const std::string key = curve.name + ": stress";
+  if (!(stress > 0)) {
+    faults.add(curve.lines[i], key, written_number(stress), "must be positive where the strain is");
+    return false;
+  }
+  const double before =
+      clean.table.stress.empty() ? clean.stress_at_zero.value_or(0) : clean.table.stress.back();
+  if (role == CurveRole::base && stress <= before) {
+    faults.add(
+        curve.lines[i], key, written_number(stress),
+        fmt::format("must be more than the stress before, {:.6g} Pa: the slowest curve has to rise", before));
+    return false;
+  }
+  return true;
+}
+
+void tell_of_cuts(const DeckCurve& curve, std::size_t tension, std::size_t slack, const CleanCurve& clean,
+                  std::vector<std::string>& differences) {
+  if (tension > 0)
+    differences.push_back(fmt::format("{}: {} of tension {} left out.", curve.name,
+                                      tension == 1 ? "1 point" : fmt::format("{} points", tension),
+                                      tension == 1 ? "was" : "were"));
+  if (slack > 0)
+    differences.push_back(fmt::format("{}: {} without stress at its beginning {} left out.", curve.name,
+                                      slack == 1 ? "1 point" : fmt::format("{} points", slack),
+                                      slack == 1 ? "was" : "were"));
+  if (clean.stress_at_zero && *clean.stress_at_zero < 0)
+    differences.push_back(fmt::format("{}: the stress of {:.6g} Pa at strain 0 was left out.", curve.name,
+                                      *clean.stress_at_zero));
+}
+
+}  // namespace
+
+std::optional<CleanCurve> clean_curve(const DeckCurve& curve, CurveRole role, MeasurementFaults& faults,
+                                      std::vector<std::string>& differences) {
+  CleanCurve clean;
+  std::size_t tension = 0, slack = 0;
+  bool sound = true;
+  for (std::size_t i = 0; i < curve.strain.size(); ++i) {
+    if (!is_sound_point(curve, i) || !judge_order(curve, i, faults)) {
+      sound = false;
+      continue;
+    }
+    if (curve.strain[i] < 0) {
+      ++tension;
+    } else if (curve.strain[i] == 0) {
+      if (curve.stress[i] != 0) clean.stress_at_zero = curve.stress[i];
+    } else if (role == CurveRole::unloading && clean.table.strain.empty() && curve.stress[i] <= 0) {
+      ++slack;
+    } else if (!judge_stress(curve, i, clean, role, faults)) {
+      sound = false;
+    } else {
+      clean.table.strain.push_back(curve.strain[i]);
+      clean.table.stress.push_back(curve.stress[i]);
+      clean.lines.push_back(curve.lines[i]);
+    }
+  }
+  if (!sound) return std::nullopt;
+  if (clean.table.strain.size() > TableCurve::most_points) {
+    faults.add(
+        curve.line, curve.name, "",
+        fmt::format("has {} points; {} are the most", clean.table.strain.size(), TableCurve::most_points));
+    return std::nullopt;
+  }
+  tell_of_cuts(curve, tension, slack, clean, differences);
+  return clean;
+}
+
+bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& of, MeasurementFaults& faults,
+                           std::vector<std::string>& differences) {
+  auto& [strain, stress] = curve.table;
+  const auto is_below_line = [&](std::size_t i) { return stress[i] <= modulus * strain[i] * (1 + 1e-12); };
+  std::size_t first = 0;
+  while (first < strain.size() && !is_below_line(first)) ++first;
+  const double at_zero = std::max(curve.stress_at_zero.value_or(0), 0.0);
+  if (first == 0 && at_zero == 0) return true;
+  if (first == strain.size()) {
+    faults.add(of.line, of.name, "",
+               fmt::format("lies above the elastic line of the modulus, {:.6g} Pa, throughout", modulus));
+    return false;
+  }
+  const double e0 = first == 0 ? 0 : strain[first - 1];
+  const double s0 = first == 0 ? at_zero : stress[first - 1];
+  const double slope = (stress[first] - s0) / (strain[first] - e0);
+  const double yield = (s0 - slope * e0) / (modulus - slope);
+  // Points along the line keep the curve through them as straight as it is.
+  TableCurve limited{{yield / 3, 2 * yield / 3, yield},
+                     {modulus * yield / 3, modulus * (2 * yield / 3), modulus * yield}};
+  std::vector<std::size_t> lines(3, of.line);
+  for (std::size_t i = first; i < strain.size(); ++i)
+    if (strain[i] > yield * (1 + 1e-9) && stress[i] > limited.stress.back()) {
+      limited.strain.push_back(strain[i]);
+      limited.stress.push_back(stress[i]);
+      lines.push_back(curve.lines[i]);
+    }
+  differences.push_back(
+      fmt::format("{}: up to a strain of {:.3g} the stress rises along the modulus, {:.6g} Pa, "
+                  "as the solver has it.",
+                  of.name, yield, modulus));
+  curve.table = std::move(limited);
+  curve.lines = std::move(lines);
+  return true;
+}
+
+bool add_air(CleanCurve& curve, const DeckAir& air, const DeckCurve& of, MeasurementFaults& faults) {
+  if (air.pressure == 0) return true;
+  for (std::size_t i = 0; i < curve.table.strain.size(); ++i) {
+    const double e = curve.table.strain[i];
+    const double room = 1 - e - air.relative_density;
+    if (!(room > 0)) {
+      faults.add(
+          curve.lines[i], of.name + ": strain", written_number(e),
+          fmt::format("must be less than 1 - Phi, {:.6g}, where no air is left", 1 - air.relative_density));
+      return false;
+    }
+    curve.table.stress[i] += air.pressure * e / room;
+  }
+  return true;
+}
+
+}  // namespace dashpad::input

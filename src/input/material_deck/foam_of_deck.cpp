@@ -1,0 +1,256 @@
+// What a deck says of a foam, as a material of ours.
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "input/material_deck/clean_curve.hpp"
+#include "model/pad/foam/foam_curve.hpp"
+
+namespace dashpad::input {
+
+namespace {
+
+constexpr double slowest_rate_assumed = 0.01;  // 1/s, of an ordinary quasi-static test
+
+/// The sources of the numbers of a law, to which its broken rules are traced back.
+struct CurveLines {
+  std::size_t material = 0;
+  std::vector<std::vector<std::size_t>> loading;  ///< of the points of each curve
+  std::vector<std::size_t> of_rates;
+  std::size_t unloading = 0;
+};
+
+/// The steepest slope of a base curve, as the rule for the unloading modulus sees it.
+double steepest_slope(const CrushableFoam& foam) {
+  constexpr int places = 400;
+  const FoamCurve base(foam.curves.base, foam.continuation_exponent);
+  const double step = base.last_strain() / places;
+  double steepest = 0, before = 0;
+  for (int i = 1; i <= places; ++i) {
+    const double stress = base.at(strain_of(step * i)).stress;
+    steepest = std::max(steepest, (stress - before) / step);
+    before = stress;
+  }
+  return steepest;
+}
+
+/// The number in "rate.curves[2].stress[7]" behind `name`, from 0; absent where there is none.
+std::optional<std::size_t> index_in(const std::string& key, const std::string& name) {
+  const auto at = key.find(name + "[");
+  if (at == std::string::npos) return std::nullopt;
+  const auto index = read_number(key.substr(at + name.size() + 1, key.find(']', at) - at - name.size() - 1));
+  return index.kind == NumberKind::number && index.value >= 1
+             ? std::optional(static_cast<std::size_t>(index.value) - 1)
+             : std::nullopt;
+}
+
+std::size_t line_of(const std::string& key, const CurveLines& lines) {
+  if (key.starts_with("unloading.") && lines.unloading > 0) return lines.unloading;
+  const auto curve = key.starts_with("rate.") ? index_in(key, "curves") : std::nullopt;
+  const std::size_t place = curve ? *curve + 1 : 0;
+  if (!key.starts_with("curve.") && !curve) return lines.material;
+  if (place >= lines.loading.size()) return lines.material;
+  if (key.ends_with(".rate")) return lines.of_rates[place];
+  const std::string after = key.substr(key.find('.', key.find("curve")) + 1);
+  for (const char* const name : {"strain", "stress"})
+    if (const auto point = index_in(after, name); point && *point < lines.loading[place].size())
+      return lines.loading[place][*point];
+  return lines.loading[place].empty() ? lines.material : lines.loading[place].front();
+}
+
+/// The rates, of which the first may be missing: then it is assumed.
+bool settle_rates(DeckFoam& foam, MeasurementFaults& faults) {
+  bool sound = true;
+  for (std::size_t i = 0; i < foam.loading.size(); ++i) {
+    const auto& [rate, line, curve] = foam.loading[i];
+    if (rate != rate) sound = false;
+    if (rate < 0) {
+      faults.add(line, foam.card + ": rate", fmt::format("{:.6g}", rate),
+                 "must not be negative; logarithms of rates and rates of tension are not read");
+      sound = false;
+    } else if (i > 0 && rate <= foam.loading[i - 1].rate) {
+      faults.add(line, foam.card + ": rate", fmt::format("{:.6g}", rate),
+                 fmt::format("must be more than the rate before, {:.6g} 1/s", foam.loading[i - 1].rate));
+      sound = false;
+    }
+  }
+  if (!sound || foam.loading.front().rate > 0) return sound;
+  double rate = slowest_rate_assumed;
+  if (foam.loading.size() > 1 && rate >= foam.loading[1].rate) rate = foam.loading[1].rate / 10;
+  foam.loading.front().rate = rate;
+  foam.assumptions.push_back(
+      fmt::format("The rate of the slowest curve is not stated; {:g} 1/s was taken.", rate));
+  return true;
+}
+
+std::optional<CleanCurve> prepared(const DeckFoam& foam, std::size_t place, MeasurementFaults& faults,
+                                   std::vector<std::string>& differences) {
+  const DeckCurve& curve = foam.loading[place].curve;
+  auto clean = clean_curve(curve, place == 0 ? CurveRole::base : CurveRole::rate, faults, differences);
+  if (!clean) return std::nullopt;
+  if (!foam.crushable && clean->stress_at_zero && *clean->stress_at_zero > 0)
+    differences.push_back(
+        fmt::format("{}: the stress of {:.6g} Pa at strain 0 was left out; the curve begins at "
+                    "the origin.",
+                    curve.name, *clean->stress_at_zero));
+  if (foam.crushable && (!limit_to_elastic_line(*clean, foam.modulus, curve, faults, differences) ||
+                         !add_air(*clean, foam.air, curve, faults)))
+    return std::nullopt;
+  if (clean->table.strain.size() < TableCurve::fewest_points) {
+    faults.add(curve.line, curve.name, "",
+               fmt::format("has {} points at strains between 0 and 1; {} are needed",
+                           clean->table.strain.size(), TableCurve::fewest_points));
+    return std::nullopt;
+  }
+  return clean;
+}
+
+/// Base curve and rate curves; absent after a fault.
+std::optional<FoamCurves> curves_of(const DeckFoam& foam, CurveLines& lines, MeasurementFaults& faults,
+                                    std::vector<std::string>& differences) {
+  FoamCurves curves;
+  curves.slowest_rate = foam.loading.front().rate;
+  CurvesRateEffect effect;
+  effect.linear = foam.linear_in_rate;
+  bool sound = true;
+  for (std::size_t i = 0; i < foam.loading.size(); ++i) {
+    auto clean = prepared(foam, i, faults, differences);
+    if (!clean) {
+      sound = false;
+      continue;
+    }
+    lines.loading.push_back(clean->lines);
+    lines.of_rates.push_back(foam.loading[i].line);
+    if (i == 0)
+      curves.base = std::move(clean->table);
+    else
+      effect.curves.push_back({foam.loading[i].rate, std::move(clean->table)});
+  }
+  if (!sound) return std::nullopt;
+  if (!effect.curves.empty()) curves.rate_effect = std::move(effect);
+  return curves;
+}
+
+std::optional<TableCurve> way_back(const DeckCurve& curve, double last_strain, MeasurementFaults& faults,
+                                   std::vector<std::string>& differences) {
+  auto clean = clean_curve(curve, CurveRole::unloading, faults, differences);
+  if (!clean) return std::nullopt;
+  auto& [strain, stress] = clean->table;
+  std::size_t beyond = 0;
+  for (; !strain.empty() && strain.back() > last_strain; ++beyond) {
+    strain.pop_back();
+    stress.pop_back();
+  }
+  if (beyond > 0)
+    differences.push_back(
+        fmt::format("{}: its last {} beyond the last strain of the loading curve {} left out.", curve.name,
+                    beyond == 1 ? "point" : fmt::format("{} points", beyond), beyond == 1 ? "was" : "were"));
+  return clean->table;
+}
+
+std::optional<PadLaw> foam_law(const DeckFoam& foam, FoamCurves curves, CurveLines& lines,
+                               MeasurementFaults& faults, std::vector<std::string>& differences) {
+  Foam law;
+  law.unloading_factor = foam.unloading_factor;
+  law.unloading_shape = foam.unloading_shape;
+  law.curves = std::move(curves);
+  if (foam.unloading) {
+    lines.unloading = foam.unloading->line;
+    law.unloading_curve = way_back(*foam.unloading, last_strain_of(law.curves.base), faults, differences);
+    if (!law.unloading_curve) return std::nullopt;
+  }
+  return law;
+}
+
+PadLaw crushable_law(const DeckFoam& foam, FoamCurves curves, std::vector<std::string>& assumptions) {
+  CrushableFoam law;
+  law.unloading_modulus = foam.modulus;
+  law.curves = std::move(curves);
+  const auto is_too_gentle = [](const Violation& broken) { return broken.key == "unloading_modulus"; };
+  if (positive.contain(law.unloading_modulus) &&
+      std::ranges::any_of(violations(PadLaw(law)), is_too_gentle)) {
+    law.unloading_modulus = steepest_slope(law);
+    assumptions.push_back(fmt::format(
+        "The modulus of the deck, {:.6g} Pa, is less than the steepest slope of the curve; the foam "
+        "unloads with that slope, {:.6g} Pa.",
+        foam.modulus, law.unloading_modulus));
+  }
+  return law;
+}
+
+/// What holds for every deck, and what its cards cannot tell.
+void tell_common_differences(const DeckFoam& foam, std::vector<std::string>& differences) {
+  differences.emplace_back("Between its points a curve is a monotone cubic here, not straight lines.");
+  differences.emplace_back(
+      "Beyond its last strain a curve is continued until the foam is compressed to nothing.");
+  if (foam.loading.size() > 1) {
+    differences.emplace_back("Above the highest rate the curve of that rate holds; the solver extrapolates.");
+    if (!foam.crushable)
+      differences.emplace_back(
+          "Where the rate turns the stress follows within a small strain (lag_strain), and the rate's stress "
+          "resists the way back (recoil); the solver's stress jumps to the unloading.");
+  }
+}
+
+}  // namespace
+
+std::optional<DeckMaterial> material_of(const DeckFoam& given, MeasurementFaults& faults) {
+  DeckFoam foam = given;
+  CurveLines lines{.material = foam.line, .loading = {}, .of_rates = {}};
+  if (foam.crushable && !(foam.modulus > 0)) {
+    faults.add(foam.line, foam.card + ": E", fmt::format("{:.6g}", foam.modulus),
+               "must be more than 0: the foam unloads with it");
+    return std::nullopt;
+  }
+  if (foam.loading.empty() || !settle_rates(foam, faults)) return std::nullopt;
+  auto curves = curves_of(foam, lines, faults, foam.differences);
+  if (!curves) return std::nullopt;
+  std::optional<PadLaw> law = foam.crushable
+                                  ? crushable_law(foam, *std::move(curves), foam.assumptions)
+                                  : foam_law(foam, *std::move(curves), lines, faults, foam.differences);
+  if (!law) return std::nullopt;
+
+  DeckMaterial result;
+  result.card = foam.card;
+  result.id = foam.id;
+  result.line = static_cast<int>(foam.line);
+  Material& material = result.material;
+  material.law = *std::move(law);
+  material.name = name_for_card(foam.title, foam.id);
+  material.title = foam.title.empty() ? fmt::format("{} {}", foam.card, foam.id) : foam.title;
+  material.source = foam.source;
+  material.basis = foam.basis;
+  if (foam.density > 0) material.density = foam.density;
+  const std::vector<Violation> broken = violations(material);
+  for (const Violation& violation : broken)
+    faults.add(line_of(violation.key, lines), foam.card + ": " + violation.key,
+               fmt::format("{:.6g}", violation.value), violation.rule);
+  if (!broken.empty()) return std::nullopt;
+
+  tell_common_differences(foam, foam.differences);
+  result.assumptions = std::move(foam.assumptions);
+  result.differences = std::move(foam.differences);
+  material.reservations = result.assumptions;
+  material.reservations.insert(material.reservations.end(), result.differences.begin(),
+                               result.differences.end());
+  return result;
+}
+
+std::string name_for_card(const std::string& title, long id) {
+  constexpr std::size_t longest = 40;
+  std::string name;
+  for (const char c : lower_case(title)) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    if (is_plain)
+      name += c;
+    else if (!name.empty() && !name.ends_with('-'))
+      name += '-';
+  }
+  name = name.substr(0, longest);
+  while (name.ends_with('-')) name.pop_back();
+  return name.empty() ? fmt::format("material-{}", id) : name;
+}
+
+}  // namespace dashpad::input

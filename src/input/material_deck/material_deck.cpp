@@ -1,0 +1,94 @@
+#include "dashpad/input/material_deck.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include "input/material_deck/deck_foam.hpp"
+
+namespace dashpad::input {
+
+namespace {
+
+constexpr std::size_t largest_deck = std::size_t{64} << 20;  // bytes
+
+std::string read_deck(const std::filesystem::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  if (descriptor < 0 && errno == ENOENT) refuse_file(file, "no such file");
+  if (descriptor < 0) refuse_file(file, std::string("cannot be read: ") + std::strerror(errno));
+  return read_descriptor(descriptor, file.string(), largest_deck);
+}
+
+enum class Solver { ls_dyna, radioss, unknown };
+
+/// By the first line that begins a keyword.
+Solver solver_of(std::string_view text) {
+  LineReader lines(text);
+  for (std::string_view line; lines.next(line);) {
+    if (line.starts_with('*')) return Solver::ls_dyna;
+    if (line.starts_with('/')) return Solver::radioss;
+  }
+  return Solver::unknown;
+}
+
+/// The names of units that a system is called after, in alphabetical order.
+std::vector<std::string> sorted_units(std::string_view name) {
+  std::vector<std::string> units{""};
+  for (const char c : name)
+    if (c == '-')
+      units.emplace_back();
+    else
+      units.back() += c;
+  std::ranges::sort(units);
+  return units;
+}
+
+/// Cards of one folder need different names.
+void make_names_differ(std::vector<DeckMaterial>& materials) {
+  std::map<std::string, int> count;
+  for (const DeckMaterial& each : materials) ++count[each.material.name];
+  std::map<std::string, int> taken;
+  for (DeckMaterial& each : materials) {
+    std::string& name = each.material.name;
+    if (count[name] > 1) name += fmt::format("-{}", each.id);
+    const std::string numbered = name;
+    for (int i = 2; taken[name]++ > 0; ++i) name = fmt::format("{}-{}", numbered, i);
+  }
+}
+
+}  // namespace
+
+const UnitSystem& deck_system(std::string_view name) {
+  for (const UnitSystem& system : consistent_systems())
+    if (sorted_units(name) == sorted_units(system.name)) return system;
+  return consistent_system(name);
+}
+
+std::vector<DeckMaterial> read_material_deck(const std::filesystem::path& file, const UnitSystem& units) {
+  MeasurementFaults faults(file.string());
+  const std::string content = read_deck(file);
+  const std::string_view text = text_in(content, faults);
+  if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
+  const Solver solver = solver_of(text);
+  if (solver == Solver::unknown)
+    faults.refuse(0, "", "", "is no deck: no line begins with * (LS-DYNA) or / (Radioss)");
+  const DeckUnits deck_units(units);
+  std::vector<DeckFoam> foams = solver == Solver::ls_dyna ? read_ls_dyna(text, deck_units, faults)
+                                                          : read_radioss(text, units, deck_units, faults);
+  std::vector<DeckMaterial> materials;
+  for (DeckFoam& foam : foams) {
+    foam.source = fmt::format("{} {} of the deck {}, line {}, in the units {}", foam.card, foam.id,
+                              to_utf8(file.filename().string()), foam.line, units.name);
+    if (auto material = material_of(foam, faults)) materials.push_back(*std::move(material));
+  }
+  faults.throw_if_any();
+  make_names_differ(materials);
+  return materials;
+}
+
+}  // namespace dashpad::input

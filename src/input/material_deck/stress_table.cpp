@@ -1,0 +1,225 @@
+// Compression tests as columns of stress over one column of strain.
+
+#include "dashpad/input/stress_table.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dashpad/quantities/quantity.hpp"
+#include "input/material_deck/deck_foam.hpp"
+#include "input/measurement/csv_columns.hpp"
+#include "input/measurement/csv_rows.hpp"
+
+namespace dashpad::input {
+
+namespace {
+
+constexpr std::size_t most_rows_of_stresses = 10'000;
+
+/// A header in parts: "stress_kPa @ 10 1/s" is "stress", "kPa" and "10 1/s".
+struct StressHeader {
+  std::string name, unit, rate;
+};
+
+StressHeader taken_apart_at(const std::string& header) {
+  StressHeader parts;
+  const auto at = header.find('@');
+  const std::string quantity(without_blanks(std::string_view(header).substr(0, at)));
+  if (at != std::string::npos) parts.rate = without_blanks(std::string_view(header).substr(at + 1));
+  for (const auto& [open, close] : {std::pair('[', ']'), std::pair('(', ')')})
+    if (const auto begin = quantity.find(open); begin != std::string::npos && quantity.ends_with(close)) {
+      parts.name = without_blanks(std::string_view(quantity).substr(0, begin));
+      parts.unit = without_blanks(std::string_view(quantity).substr(begin + 1, quantity.size() - begin - 2));
+      return parts;
+    }
+  const auto mark = quantity.find_first_of("_ ");
+  parts.name = quantity.substr(0, mark);
+  if (mark != std::string::npos) parts.unit = without_blanks(std::string_view(quantity).substr(mark + 1));
+  return parts;
+}
+
+struct StressColumn {
+  int number = 0;
+  double factor = 1;  ///< one unit in Pa
+  double rate = 0;    ///< 1/s; 0: not stated
+  std::string name;
+};
+
+struct StressColumns {
+  int strain = 0;
+  double strains_in_one = 1;  ///< 100 where it is in %
+  std::size_t line = 0;       ///< of the header
+  std::vector<StressColumn> stresses;
+};
+
+/// How many of that unit a strain of 1 is.
+std::optional<double> units_in_strain_one(const std::string& unit) {
+  if (unit.empty() || unit == "1" || unit == "-") return 1;
+  if (unit == "%" || lower_case(unit) == "percent") return 100;
+  return std::nullopt;
+}
+
+/// "10 1/s", "10/s" and "10" are rates per second.
+std::optional<double> rate_in(std::string text) {
+  const auto end = text.find_first_not_of("0123456789.+-eE ");
+  if (end == std::string::npos) text += " 1/s";
+  const bool is_alone = text.find(' ') >= end;
+  if (end != std::string::npos && text[end] == '/' && is_alone) text.insert(end, " 1");
+  try {
+    const double rate = to_si(text, "1/s");
+    return rate > 0 ? std::optional(rate) : std::nullopt;
+  } catch (const UnitError&) {
+    return std::nullopt;
+  }
+}
+
+void add_stress(const MeasuredColumn& column, StressHeader header, std::size_t line, StressColumns& columns,
+                MeasurementFaults& faults) {
+  StressColumn stress{.number = column.number, .factor = 1, .rate = 0, .name = column.name};
+  if (header.unit.empty()) header.unit = column.unit;
+  if (header.unit.empty()) {
+    faults.add(line, column.name, "",
+               "a stress needs its unit in the header, such as stress_kPa or \"stress [MPa]\"");
+  } else {
+    try {
+      stress.factor = to_si("1 " + header.unit, "Pa");
+    } catch (const UnitError& error) {
+      faults.add(line, column.name, "", error.what());
+    }
+  }
+  if (!header.rate.empty()) {
+    const auto rate = rate_in(header.rate);
+    if (!rate) faults.add(line, column.name, header.rate, "is no strain rate above 0, such as 10 1/s");
+    stress.rate = rate.value_or(0);
+  }
+  columns.stresses.push_back(std::move(stress));
+}
+
+/// Faults where the header does not tell which is which, or in which unit.
+StressColumns choose_stresses(const CsvHeader& header, MeasurementFaults& faults) {
+  const CsvColumns named = name_columns(header);
+  StressColumns columns;
+  columns.line = named.names != nullptr ? named.names->line : header.first_line;
+  if (named.names == nullptr)
+    faults.refuse(columns.line, "", "",
+                  "needs a line above the numbers that names the columns and their units: strain,stress_kPa");
+  int strains = 0;
+  for (const MeasuredColumn& column : named.all) {
+    const StressHeader parts = taken_apart_at(column.name);
+    const std::string name = lower_case(parts.name);
+    if (name == "strain") {
+      ++strains;
+      columns.strain = column.number;
+      const auto factor = units_in_strain_one(parts.unit.empty() ? column.unit : parts.unit);
+      if (!factor) faults.add(columns.line, column.name, "", "a strain is a pure number, or in %");
+      columns.strains_in_one = factor.value_or(1);
+    } else if (name == "stress") {
+      add_stress(column, parts, columns.line, columns, faults);
+    }
+  }
+  if (strains != 1)
+    faults.add(
+        columns.line, "", "",
+        fmt::format("one column called strain is needed, such as strain or strain_percent; there are {}",
+                    strains));
+  if (columns.stresses.empty())
+    faults.add(columns.line, "", "", "a column called stress is needed, such as stress_kPa; there is none");
+  faults.throw_if_any();
+  return columns;
+}
+
+/// The rates, where the header leaves one to be told.
+void settle_rates_of(StressColumns& columns, std::optional<double> rate, MeasurementFaults& faults) {
+  if (columns.stresses.size() == 1) {
+    StressColumn& only = columns.stresses.front();
+    if (rate && only.rate > 0 && *rate != only.rate)
+      faults.add(columns.line, only.name, "",
+                 fmt::format("the header says {:g} 1/s, and --rate {:g} 1/s", only.rate, *rate));
+    if (only.rate == 0) only.rate = rate.value_or(0);
+    return;
+  }
+  if (rate)
+    faults.add(columns.line, "", "",
+               "there are several columns of stress; each header says its rate, not --rate");
+  for (const StressColumn& column : columns.stresses)
+    if (column.rate == 0)
+      faults.add(
+          columns.line, column.name, "",
+          "of several columns of stress each says its rate behind an @, such as \"stress_kPa @ 10 1/s\"");
+  std::ranges::sort(columns.stresses, {}, &StressColumn::rate);
+}
+
+std::string_view field_in(const CsvRow& row, int number) {
+  const auto at = static_cast<std::size_t>(number - 1);
+  return at < row.fields.size() ? without_blanks(row.fields[at]) : std::string_view{};
+}
+
+/// Takes a row into each curve that has a stress there.
+void take_row(const CsvRow& row, const StressColumns& columns, char separator, std::vector<DeckCurve>& curves,
+              MeasurementFaults& faults) {
+  if (!row.fault.empty()) return faults.add(row.line, "", "", std::string(row.fault));
+  const ReadNumber strain = read_csv_number(field_in(row, columns.strain), separator);
+  if (strain.kind != NumberKind::number)
+    return faults.add(row.line, "strain", to_utf8(field_in(row, columns.strain)), rule_for(strain.kind));
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const std::string_view field = field_in(row, columns.stresses[i].number);
+    const ReadNumber stress = read_csv_number(field, separator);
+    if (stress.kind == NumberKind::empty && curves.size() > 1) continue;
+    if (stress.kind != NumberKind::number) {
+      faults.add(row.line, columns.stresses[i].name, to_utf8(field), rule_for(stress.kind));
+      continue;
+    }
+    curves[i].strain.push_back(strain.value / columns.strains_in_one);
+    curves[i].stress.push_back(stress.value * columns.stresses[i].factor);
+    curves[i].lines.push_back(row.line);
+  }
+}
+
+}  // namespace
+
+DeckMaterial read_stress_table(const std::filesystem::path& file, std::optional<double> rate) {
+  MeasurementFaults faults(file.string());
+  const std::string content = read_measurement(file);
+  const std::string_view text = text_in(content, faults);
+  if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
+  const char separator = find_separator(text);
+  const CsvHeader header = read_csv_header(text, separator);
+  if (header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
+  StressColumns columns = choose_stresses(header, faults);
+  settle_rates_of(columns, rate, faults);
+  faults.throw_if_any();
+
+  std::vector<DeckCurve> curves;
+  for (const StressColumn& column : columns.stresses)
+    curves.push_back({column.name, columns.line, {}, {}, {}});
+  CsvRows rows(text, separator);
+  std::size_t count = 0;
+  for (CsvRow row; rows.next(row);) {
+    if (row.line < header.first_line) continue;
+    if (count++ == most_rows_of_stresses)
+      faults.refuse(row.line, "", "", fmt::format("more than {} rows", most_rows_of_stresses));
+    take_row(row, columns, separator, curves, faults);
+  }
+  faults.throw_if_any();
+
+  DeckFoam foam;
+  foam.card = "table";
+  foam.title = to_utf8(file.stem().string());
+  foam.line = columns.line;
+  foam.linear_in_rate = false;
+  foam.basis = "test";
+  foam.source = "Table " + to_utf8(file.filename().string());
+  foam.assumptions.emplace_back(
+      "The unloading is not in the table; the foam unloads along its slowest curve, without loss on it. Set "
+      "unloading_factor and unloading_shape.");
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    foam.loading.push_back({columns.stresses[i].rate, columns.line, std::move(curves[i])});
+  auto material = material_of(foam, faults);
+  faults.throw_if_any();
+  if (!material) faults.refuse(0, "", "", "holds no curve");
+  return *std::move(material);
+}
+
+}  // namespace dashpad::input

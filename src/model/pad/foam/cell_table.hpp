@@ -1,0 +1,71 @@
+#pragma once
+/// A function of the strain as cubics over cells that are even in the square root of the strain.
+///
+/// Foams' curves begin steeply at strain zero, where such cells are fine. The cubics have the values and the
+/// slopes of the function at the ends of their cells; slopes are central differences of fourth order.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace dashpad {
+
+/// Where a root of a strain lies in the cells.
+struct CellPlace {
+  std::size_t cell = 0;
+  double t = 0;  ///< 0 to 1 within it
+};
+
+/// Cells from strain 0 to `last_strain`.
+struct Cells {
+  static constexpr std::size_t count = 256;
+  double width = 1;  ///< of a cell, in the root of the strain
+
+  Cells() = default;
+  explicit Cells(double last_strain) : width(std::sqrt(last_strain) / count) {}
+
+  [[nodiscard]] CellPlace place(double root) const {
+    const double x = root / width;
+    const double cell = std::min(std::floor(x), double(count - 1));
+    return {static_cast<std::size_t>(cell), x - cell};
+  }
+};
+
+class CellTable {
+ public:
+  /// f(root of the strain), which is asked a little beyond both ends of the cells as well.
+  template <class F>
+  void fill(const Cells& cells, F&& f) {
+    cubics_.resize(Cells::count);
+    const double h = cells.width;
+    const auto slope = [&](double x) {
+      const double d = h / 4;
+      return h * (8 * (f(x + d) - f(x - d)) - (f(x + 2 * d) - f(x - 2 * d))) / (12 * d);
+    };
+    double value = f(0.0);
+    double rise = slope(0);
+    for (std::size_t i = 0; i < Cells::count; ++i) {
+      const double x = h * static_cast<double>(i + 1);
+      const double next = f(x);
+      const double next_rise = slope(x);
+      cubics_[i] = {value, rise, 3 * (next - value) - 2 * rise - next_rise,
+                    2 * (value - next) + rise + next_rise};
+      value = next;
+      rise = next_rise;
+    }
+  }
+
+  using Cubic = std::array<double, 4>;
+  [[nodiscard]] const Cubic& cubic(std::size_t cell) const { return cubics_[cell]; }
+  [[nodiscard]] double at(CellPlace place) const {
+    const Cubic& c = cubics_[place.cell];
+    return c[0] + place.t * (c[1] + place.t * (c[2] + place.t * c[3]));
+  }
+
+ private:
+  std::vector<Cubic> cubics_;
+};
+
+}  // namespace dashpad

@@ -1,0 +1,50 @@
+#include "model/pad/foam/foam_curve.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "model/pad/foam/monotone_curve.hpp"
+
+namespace dashpad {
+
+double last_strain_of(const BaseCurve& base) {
+  return std::visit(
+      []<class Form>(const Form& form) {
+        if constexpr (std::is_same_v<Form, TableCurve>)
+          return form.strain.back();
+        else
+          return form.highest_strain;
+      },
+      base);
+}
+
+FoamCurve::FoamCurve(const BaseCurve& base, double continuation_exponent)
+    : exponent_(continuation_exponent), last_strain_(last_strain_of(base)), cells_(last_strain_) {
+  last_complement_ = 1 - last_strain_;
+  double last_slope = 0;
+  const auto take = [&](auto&& stress) {
+    stress_.fill(cells_, [&](double root) { return stress(root * root); });
+    const double d = 1e-5 * std::min(last_strain_, last_complement_);
+    last_slope = (stress(last_strain_ + d) - stress(last_strain_ - d)) / (2 * d);
+    last_.stress = stress(last_strain_);
+  };
+  std::visit(
+      [&]<class Form>(const Form& form) {
+        if constexpr (std::is_same_v<Form, TableCurve>)
+          take([curve = MonotoneCurve(form)](double e) { return curve.stress(e); });
+        else
+          take([&form](double e) { return form.stress(e); });
+      },
+      base);
+  // A curve that ends level would never stiffen.
+  constexpr double least_rise = 0.1;
+  last_slope = std::max(last_slope, least_rise * last_.stress / last_strain_);
+
+  work_.assign(Cells::count, 0);
+  for (std::size_t i = 0; i + 1 < Cells::count; ++i) work_[i + 1] = within({i, 1}).work;
+  last_.work = within({Cells::count - 1, 1}).work;
+  last_power_ = std::pow(last_complement_, -exponent_);
+  growth_ = last_slope * last_complement_ / (exponent_ * last_power_);
+}
+
+}  // namespace dashpad

@@ -1,0 +1,53 @@
+#include "model/pad/foam/foam_stress.hpp"
+
+#include "model/pad/foam/monotone_curve.hpp"
+
+namespace dashpad {
+namespace {
+
+SlipScale scale_of(double lag_strain, const FoamCurves& curves) {
+  return {lag_strain / 20, curves.slowest_rate / 1000};
+}
+
+}  // namespace
+
+FoamStress::FoamStress(const Foam& law)
+    : friction_(law.friction),
+      curve_(law.curves.base, law.continuation_exponent),
+      slip_(scale_of(law.lag_strain, law.curves)),
+      overstress_(law.curves, curve_, law.friction, law.recoil, slip_.rate) {
+  if (law.unloading_curve) {
+    unloading_ = Unloading::damage;
+    const MonotoneCurve back(*law.unloading_curve);
+    remaining_.fill(Cells(1), [&](double root) { return share_of(back, std::min(root * root, 1.0)); });
+  } else if (law.unloading_factor < 1) {
+    unloading_ = Unloading::damage;
+    remaining_.fill(Cells(1), [&](double root) {
+      return 1 - (1 - law.unloading_factor) * (1 - std::pow(root * root, law.unloading_shape));
+    });
+  }
+}
+
+double FoamStress::share_of(const MonotoneCurve& back, double x) const {
+  const double last = curve_.last_strain();
+  const double work = x * curve_.at(strain_of(last)).work;
+  // The strain at which the base curve has done this work.
+  double low = 0;
+  double high = last;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (curve_.at(strain_of(middle)).work < work ? low : high) = middle;
+  }
+  if (x >= 1) return 1;
+  const double loading = curve_.at(strain_of(high)).stress;
+  return loading > 0 ? std::clamp((back.stress(high) / loading + friction_) / (1 - friction_), 0.0, 1.0) : 0;
+}
+
+FoamStress::FoamStress(const CrushableFoam& law)
+    : unloading_(Unloading::elastic),
+      modulus_(law.unloading_modulus),
+      curve_(law.curves.base, law.continuation_exponent),
+      slip_(scale_of(law.lag_strain, law.curves)),
+      overstress_(law.curves, curve_, 0, 0, slip_.rate) {}
+
+}  // namespace dashpad

@@ -1,0 +1,105 @@
+#include "model/pad/foam/overstress.hpp"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "model/pad/foam/monotone_curve.hpp"
+
+namespace dashpad {
+
+Overstress::Overstress(const FoamCurves& curves, const FoamCurve& base, double friction, double recoil,
+                       double slip_rate)
+    : friction_(friction), recoil_(recoil), slip_rate_(slip_rate), rates_{curves.slowest_rate} {
+  std::visit(
+      [&]<class Effect>(const Effect& effect) {
+        if constexpr (std::is_same_v<Effect, PowerRateEffect>) {
+          kind_ = Kind::power;
+          exponent_ = effect.exponent;
+          exponent_slope_ = effect.exponent_slope;
+          rates_.push_back(effect.highest_rate);
+        } else if constexpr (std::is_same_v<Effect, FactorRateEffect>) {
+          kind_ = Kind::tested;
+          rates_.insert(rates_.end(), effect.rate.begin(), effect.rate.end());
+          log_factors_.push_back(0);
+          for (const double factor : effect.factor) log_factors_.push_back(std::log(factor));
+        } else if constexpr (std::is_same_v<Effect, CurvesRateEffect>) {
+          kind_ = Kind::tested;
+          linear_ = effect.linear;
+          for (const auto& [rate, table] : effect.curves) {
+            rates_.push_back(rate);
+            const MonotoneCurve curve(table);
+            const double last = std::min(curve.last_strain(), base.last_strain());
+            const auto log_ratio = [&](double root) {
+              // Both curves begin at nothing; their ratio is that of the first cell's end.
+              const double e = std::clamp(root * root, base.cells().width * base.cells().width, last);
+              return std::log(curve.stress(e) / base.at(strain_of(e)).stress);
+            };
+            // Curves that touch must not cross between their points.
+            const CellTable* slower = tables_.empty() ? nullptr : &tables_.back();
+            CellTable table_of_rate;
+            table_of_rate.fill(base.cells(), [&](double root) {
+              const double least = slower ? slower->at(base.cells().place(std::abs(root))) : 0;
+              return std::max(log_ratio(root), least);
+            });
+            tables_.push_back(std::move(table_of_rate));
+          }
+        }
+      },
+      curves.rate_effect);
+}
+
+Overstress::AtRate Overstress::at(double slip_rate) const {
+  const double u = std::abs(slip_rate);
+  AtRate result;
+  result.friction = friction_ * slip_rate / (u + 2 * slip_rate_);
+  result.friction_rise = friction_ * 2 * slip_rate_ * u / ((u + 2 * slip_rate_) * (u + 2 * slip_rate_));
+  if (kind_ == Kind::none || u <= rates_.front()) return result;
+  result.share = slip_rate > 0 ? 1 : -recoil_;
+  result.log_rate = std::log(std::min(u, rates_.back()) / rates_.front());
+  result.weight_rise = u < rates_.back() ? 1 : 0;
+  if (kind_ == Kind::power) return result;
+  const auto next = std::upper_bound(rates_.begin(), rates_.end(), u);
+  if (next == rates_.end()) {
+    result.segment = rates_.size() - 2;
+    result.weight = 1;
+    return result;
+  }
+  result.segment = static_cast<std::size_t>(next - rates_.begin()) - 1;
+  const double before = rates_[result.segment];
+  if (linear_) {
+    result.weight = (u - before) / (*next - before);
+    result.weight_rise = u / (*next - before);
+  } else {
+    result.weight_rise = 1 / std::log(*next / before);
+    result.weight = std::log(u / before) * result.weight_rise;
+  }
+  return result;
+}
+
+Overstress::Value Overstress::of(const AtRate& rate, double strain, CellPlace place) const {
+  Value value{rate.friction, rate.friction_rise};
+  if (rate.share == 0 && rate.log_rate == 0) return value;
+  const double share = std::abs(rate.share);
+  double over = 0;  // m - 1
+  double rise = 0;
+  if (kind_ == Kind::power) {
+    const double exponent = std::max(exponent_ + exponent_slope_ * strain, 0.0);
+    over = std::exp(exponent * rate.log_rate) - 1;
+    rise = rate.weight_rise * exponent * (over + 1);
+  } else {
+    const double low = log_ratio(rate.segment, place);
+    const double high = log_ratio(rate.segment + 1, place);
+    if (linear_) {
+      const double step = std::exp(high) - std::exp(low);
+      over = std::exp(low) - 1 + rate.weight * step;
+      rise = rate.weight_rise * step;
+    } else {
+      over = std::exp(low + rate.weight * (high - low)) - 1;
+      rise = rate.weight_rise * (high - low) * (over + 1);
+    }
+  }
+  return {value.stress + rate.share * over, value.rise + share * rise};
+}
+
+}  // namespace dashpad

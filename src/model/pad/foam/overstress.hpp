@@ -1,0 +1,64 @@
+#pragma once
+/// The stress that a rate adds to a foam's base curve, over that curve.
+///
+///   q(e, u) = f u / (u + 2 u0) + m(e, u) - 1      for u >= 0                     (theory.md, Eq. 33)
+///   q(e, u) = f u / (|u| + 2 u0) - k (m(e, |u|) - 1)  for u < 0
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "dashpad/model/pad/foam.hpp"
+#include "model/pad/foam/cell_table.hpp"
+#include "model/pad/foam/foam_curve.hpp"
+
+namespace dashpad {
+
+class Overstress {
+ public:
+  Overstress() = default;
+  /// The curves must be sound. `slip_rate`: u0, 1/s.
+  Overstress(const FoamCurves& curves, const FoamCurve& base, double friction, double recoil,
+             double slip_rate);
+
+  /// What is the same for all strains at a slip rate.
+  struct AtRate {
+    double friction = 0;       ///< with its sign
+    double friction_rise = 0;  ///< by ln u
+    double share = 0;          ///< of m - 1 that counts, with its sign
+    std::size_t segment = 0;   ///< between this tested rate and the next
+    double weight = 0;         ///< of the next
+    double weight_rise = 0;    ///< by ln u
+    double log_rate = 0;       ///< of the rate over the slowest one, for a power
+  };
+  [[nodiscard]] AtRate at(double slip_rate) const;
+
+  struct Value {
+    double stress = 0;  ///< q
+    double rise = 0;    ///< by ln |u|, without its sign
+  };
+  [[nodiscard]] Value of(const AtRate& rate, double strain, CellPlace place) const;
+
+  /// ln m at a tested rate (0: the slowest).
+  [[nodiscard]] double log_ratio(std::size_t rate, CellPlace place) const {
+    if (rate == 0) return 0;
+    return tables_.empty() ? log_factors_[rate] : tables_[rate - 1].at(place);
+  }
+  [[nodiscard]] double highest_rate() const { return rates_.back(); }
+
+ private:
+  enum class Kind { none, power, tested };
+
+  Kind kind_ = Kind::none;
+  bool linear_ = false;
+  double friction_ = 0;
+  double recoil_ = 1;
+  double slip_rate_ = 1e-5;
+  double exponent_ = 0;
+  double exponent_slope_ = 0;
+  std::vector<double> rates_{1};     ///< tested, the slowest first
+  std::vector<double> log_factors_;  ///< ln m, the same at all strains
+  std::vector<CellTable> tables_;    ///< ln m over the strain, from the second rate on
+};
+
+}  // namespace dashpad

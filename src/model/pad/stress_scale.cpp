@@ -1,0 +1,102 @@
+#include "dashpad/model/pad/stress_scale.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace dashpad {
+namespace {
+
+constexpr double least_scale = 1e-3;
+constexpr double largest_scale = 1e3;
+constexpr double freezing_K = 273.15;
+
+/// Straight between the entries, and level beyond them.
+double factor_at(const TemperatureTable& table, double temperature) {
+  const auto next = std::ranges::upper_bound(table.temperature, temperature);
+  if (next == table.temperature.begin()) return table.factor.front();
+  if (next == table.temperature.end()) return table.factor.back();
+  const auto i = static_cast<std::size_t>(next - table.temperature.begin());
+  const double share =
+      (temperature - table.temperature[i - 1]) / (table.temperature[i] - table.temperature[i - 1]);
+  return table.factor[i - 1] + share * (table.factor[i] - table.factor[i - 1]);
+}
+
+template <class Form>
+void scale_stresses(Form& form, double factor) {
+  if constexpr (requires { Form::parameters; })
+    for (const auto& parameter : Form::parameters)
+      if (std::string_view(parameter.unit) == "Pa") form.*parameter.member *= factor;
+}
+void scale_stresses(TableCurve& table, double factor) {
+  for (double& stress : table.stress) stress *= factor;
+}
+void scale_stresses(CurvesRateEffect& effect, double factor) {
+  for (auto& [rate, curve] : effect.curves) scale_stresses(curve, factor);
+}
+
+}  // namespace
+
+std::vector<Violation> violations(const PadCondition& condition, const Material& material) {
+  std::vector<Violation> broken;
+  if (!(condition.scale >= least_scale && condition.scale <= largest_scale))
+    broken.push_back({"scale", condition.scale, "must be at least 0.001 and at most 1000"});
+  if (const auto& density = condition.density) {
+    if (!material.density_exponent || !material.density)
+      broken.push_back({"density", *density,
+                        "the material says nothing of other densities: its card has no density_exponent"});
+    else if (!(*density >= *material.density / 10 && *density <= *material.density * 10))
+      broken.push_back(
+          {"density", *density,
+           fmt::format("must be between a tenth and ten times that of the material, {:.4g} kg/m3",
+                       *material.density)});
+  }
+  if (const auto& temperature = condition.temperature) {
+    if (material.temperature_table.temperature.empty())
+      broken.push_back(
+          {"temperature", *temperature,
+           "the material says nothing of other temperatures: its card has no temperature table"});
+    else if (!(*temperature > 0 && *temperature <= 2000))
+      broken.push_back({"temperature", *temperature, "must be more than 0 K and at most 2000 K"});
+  }
+  return broken;
+}
+
+double stress_factor(const PadCondition& condition, const Material& material) {
+  double factor = condition.scale;
+  if (condition.density)
+    factor *= std::pow(*condition.density / *material.density, *material.density_exponent);
+  if (condition.temperature) factor *= factor_at(material.temperature_table, *condition.temperature);
+  return factor;
+}
+
+PadLaw scaled(const PadLaw& law, double factor) {
+  PadLaw result = law;
+  if (factor == 1) return result;
+  std::visit(
+      [factor]<class Law>(Law& of) {
+        scale_stresses(of, factor);
+        if constexpr (SharesSlip<Law>) {
+          std::visit([factor](auto& form) { scale_stresses(form, factor); }, of.curves.base);
+          std::visit([factor](auto& effect) { scale_stresses(effect, factor); }, of.curves.rate_effect);
+          if constexpr (requires { of.unloading_curve; })
+            if (of.unloading_curve) scale_stresses(*of.unloading_curve, factor);
+        }
+      },
+      result);
+  return result;
+}
+
+std::vector<std::string> extrapolations(const PadCondition& condition, const Material& material) {
+  if (!condition.temperature) return {};
+  const std::vector<double>& tested = material.temperature_table.temperature;
+  if (*condition.temperature >= tested.front() && *condition.temperature <= tested.back()) return {};
+  return {fmt::format(
+      "the pad is at {:.4g} degC; the foam was tested from {:.4g} to {:.4g} degC, and outside it "
+      "the factor of the nearest tested temperature is taken",
+      *condition.temperature - freezing_K, tested.front() - freezing_K, tested.back() - freezing_K)};
+}
+
+}  // namespace dashpad

@@ -1,0 +1,147 @@
+#include "output/deck/material_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include "output/deck/deck_text.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+constexpr int points_of_formula = 100;
+constexpr int digits_of_formula = 10;  // so that they fit into every deck
+
+/// Points of a formula, closer together where foam is stiff at first.
+template <class Form>
+TableCurve points_along(const Form& form) {
+  TableCurve curve;
+  for (int i = 1; i <= points_of_formula; ++i) {
+    const double part = static_cast<double>(i) / points_of_formula;
+    const double strain = i == points_of_formula
+                              ? form.highest_strain
+                              : rounded_to(form.highest_strain * part * part, digits_of_formula);
+    curve.strain.push_back(strain);
+    curve.stress.push_back(rounded_to(form.stress(strain), digits_of_formula));
+  }
+  return curve;
+}
+
+TableCurve base_points(const BaseCurve& base, std::vector<std::string>& remarks) {
+  return std::visit(
+      [&]<class Form>(const Form& form) -> TableCurve {
+        if constexpr (std::is_same_v<Form, TableCurve>) {
+          return form;
+        } else {
+          remarks.push_back(
+              fmt::format("The base curve is the formula \"{}\"; it is given as {} points up to its "
+                          "highest strain, {:g}.",
+                          Form::name, points_of_formula, form.highest_strain));
+          return points_along(form);
+        }
+      },
+      base);
+}
+
+/// The base curve with each stress multiplied.
+template <class Factor>
+TableCurve scaled(TableCurve curve, Factor factor) {
+  for (std::size_t i = 0; i < curve.strain.size(); ++i)
+    curve.stress[i] = rounded_to(curve.stress[i] * factor(curve.strain[i]), digits_of_formula);
+  return curve;
+}
+
+/// The rates at which a power of the rate is given: a decade apart, and the highest.
+std::vector<double> decades(double slowest, double highest) {
+  std::vector<double> rates;
+  for (double rate = 10 * slowest; rate < highest / 2 && rates.size() + 2 < most_rates; rate *= 10)
+    rates.push_back(rounded_to(rate, digits_of_formula));
+  rates.push_back(highest);
+  return rates;
+}
+
+void add_rates(const FoamCurves& curves, MaterialPoints& points) {
+  const TableCurve base = points.loading.front().curve;
+  std::visit(
+      [&]<class Effect>(const Effect& effect) {
+        if constexpr (std::is_same_v<Effect, CurvesRateEffect>) {
+          for (const CurvesRateEffect::AtRate& at : effect.curves)
+            points.loading.push_back({at.rate, at.curve});
+          points.linear_in_rate = effect.linear;
+        } else if constexpr (!std::is_same_v<Effect, NoRateEffect>) {
+          points.linear_in_rate = false;
+          if constexpr (std::is_same_v<Effect, FactorRateEffect>) {
+            for (std::size_t i = 0; i < effect.rate.size(); ++i)
+              points.loading.push_back(
+                  {effect.rate[i], scaled(base, [&](double) { return effect.factor[i]; })});
+          } else {
+            for (const double rate : decades(curves.slowest_rate, effect.highest_rate))
+              points.loading.push_back({rate, scaled(base, [&](double e) {
+                                          return std::pow(
+                                              rate / curves.slowest_rate,
+                                              std::max(effect.exponent + effect.exponent_slope * e, 0.0));
+                                        })});
+          }
+          points.remarks.push_back(fmt::format(
+              "The rate effect is the formula \"{}\"; it is given as {} at higher "
+              "rates.",
+              Effect::name,
+              points.loading.size() == 2 ? "1 curve" : fmt::format("{} curves", points.loading.size() - 1)));
+        }
+      },
+      curves.rate_effect);
+}
+
+}  // namespace
+
+MaterialPoints material_points(const PadLaw& law, bool with_rates) {
+  MaterialPoints points;
+  std::visit(
+      [&]<class Law>(const Law& of) {
+        if constexpr (SharesSlip<Law>) {
+          points.loading.push_back({of.curves.slowest_rate, base_points(of.curves.base, points.remarks)});
+          if (with_rates) add_rates(of.curves, points);
+        }
+        if constexpr (std::is_same_v<Law, Foam>) points.unloading = of.unloading_curve;
+      },
+      law);
+  return points;
+}
+
+double steepest_line(const MaterialPoints& points) {
+  double steepest = 0;
+  for (const auto& [rate, curve] : points.loading)
+    for (std::size_t i = 0; i < curve.strain.size(); ++i) {
+      const double e = i == 0 ? 0 : curve.strain[i - 1];
+      const double s = i == 0 ? 0 : curve.stress[i - 1];
+      steepest = std::max(steepest, (curve.stress[i] - s) / (curve.strain[i] - e));
+    }
+  const double unit = std::pow(10, std::floor(std::log10(steepest)) - 2);
+  return rounded_to(std::ceil(steepest / unit) * unit, 3);
+}
+
+std::string DeckNumbers::field(double value, const input::DeckUnit& unit, std::size_t width) {
+  const std::string text = input::deck_number(value, unit, width);
+  if (input::read_deck_number(text, unit).value != value) ++rounded_;
+  return fmt::format("{:>{}}", text, width);
+}
+
+double written_unloading_factor(const Foam& foam) {
+  constexpr double nearly_nothing = 1e-6;
+  return foam.unloading_factor > 0 ? foam.unloading_factor : nearly_nothing;
+}
+
+std::string deck_title(const Material& material, std::size_t width) {
+  std::string title = plain_ascii(material.title.empty() ? material.name : material.title);
+  title.erase(0, title.find_first_not_of(' '));
+  if (title.empty() || std::string_view("*$/#").find(title[0]) != std::string_view::npos)
+    title = "Dashpad: " + title;
+  return title.substr(0, width);
+}
+
+}  // namespace dashpad::output

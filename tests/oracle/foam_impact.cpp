@@ -1,0 +1,280 @@
+#include "oracle/foam_impact.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dashpad::oracle {
+
+namespace {
+
+// Eight points of Gauss on [-1, 1]: places and weights of one half.
+constexpr std::array<double, 4> gauss_place{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
+                                            0.9602898564975363};
+constexpr std::array<double, 4> gauss_weight{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
+                                             0.1012285362903763};
+constexpr int looks = 96;   ///< where the sign of the stress is asked
+constexpr int panels = 16;  ///< of the whole contact
+
+class FoamImpact final : public OdeSystem {
+ public:
+  FoamImpact(ImpactRun& run, const FoamFormulas& law, const Nose& nose) : run_(run), law_(law) {
+    if (const auto* disc = std::get_if<FlatDisc>(&nose))
+      flat_ = std::numbers::pi * disc->radius * disc->radius;
+  }
+
+  void run() {
+    OdeSession session(*this, Method::bdf_dense, 0, {0, run_.speed, 0});
+    std::array<double, 3> time{}, force{};
+    int known = 0;
+    CvodeImpact& result = run_.result;
+    while (session.step()) {
+      const double* state = session.state();
+      const double now = session.time();
+      const double y = find(state);
+      const double f = contact_force(y, ahead(y), y / run_.thickness - state[slipped]);
+      // The largest force between two steps of a phase: the vertex of a parabola.
+      if (known > 0 && now <= time[2]) continue;
+      time = {time[1], time[2], now}, force = {force[1], force[2], f};
+      known = std::min(known + 1, 3);
+      run_.note_force(now, f);
+      if (known == 3) note_vertex(time, force);
+      result.peak_penetration = std::max(result.peak_penetration, y);
+      if (loading_) largest_ = y;
+      if (!session.at_event()) continue;
+      const auto& crossed = session.crossings();
+      bool changed = false;
+      if (crossed[event_top] < 0 && result.peak_motion == 0) result.peak_motion = state[motion];
+      if (crossed[event_turning] < 0 && loading_) {
+        loading_ = false, changed = true;
+        largest_ = y;
+        if (result.time_of_turning == 0) result.time_of_turning = now;
+      }
+      if (crossed[event_again] > 0 && !loading_) loading_ = changed = true;
+      if (crossed[event_bottom] < 0) {
+        result.bottomed = Moment{now, state[velocity]};
+        result.ending = Ending::bottomed_out;
+        break;
+      }
+      if (crossed[event_weight] < 0) result.weight = Moment{now, state[velocity]};
+      if (crossed[event_contact_end] < 0) result.contact_end = Moment{now, state[velocity]};
+      if (crossed[event_above] < 0 || crossed[event_below] < 0) {
+        crossed[event_above] < 0 ? run_.support.next_segment() : run_.support.last_segment();
+        changed = true;
+      }
+      if (crossed[event_release] < 0) {
+        result.release = Moment{now, state[velocity]};
+        const double ratio = state[velocity] / run_.speed;
+        result.energy_absorbed = 1 - ratio * ratio;
+        result.ending = Ending::released;
+        break;
+      }
+      if (changed) session.restart(), known = 0;
+    }
+    run_.note_work(session);
+  }
+
+  bool derivative(double, const double* state, double* slope) override {
+    const double y = find(state);
+    if (!(y < run_.thickness)) return false;
+    const double g = y / run_.thickness - state[slipped];
+    if (std::fabs(g) > 60 * law_.lag()) return false;
+    slope[motion] = state[velocity];
+    slope[velocity] = -std::fmax(contact_force(y, ahead(y), g), 0) / run_.mass;
+    slope[slipped] = law_.slip_rate(g);
+    return true;
+  }
+  void allowances(const double* state, double* allowance) override {
+    const double rtol = run_.options.rtol;
+    const double atol = rtol * run_.options.atol;
+    allowance[motion] = rtol * std::fabs(state[motion]) + atol * run_.thickness;
+    allowance[velocity] = rtol * std::fabs(state[velocity]) + atol * run_.speed;
+    allowance[slipped] = rtol * std::fabs(state[slipped]) + rtol * law_.lag();
+  }
+  [[nodiscard]] int event_count() const override { return 9; }
+  void events(double, const double* state, double* values) override {
+    const double y = find(state);
+    const double g = y / run_.thickness - state[slipped];
+    const double away = ahead(y);
+    const double force = contact_force(y, away, g);
+    const bool rebound = state[velocity] < 0;
+    // d(pad force)/dt = Ks (V - v) gives the rate v the sign of this.
+    double drive = state[velocity];
+    if (!run_.support.rigid()) {
+      const double h = 1e-4 * law_.lag();
+      const double by_g = (contact_force(y, away, g + h) - contact_force(y, away, g - h)) / (2 * h);
+      drive += by_g * law_.slip_rate(g) / run_.support.stiffness();
+    }
+    values[event_top] = state[velocity];
+    values[event_turning] = loading_ ? drive : 1;
+    values[event_again] = loading_ ? -1 : y - largest_ * (1 + 1e-12);
+    values[event_weight] = rebound ? force - run_.mass * run_.options.gravity : 1;
+    values[event_contact_end] = rebound ? force - contact_end_share * run_.result.peak_force : 1;
+    values[event_release] = rebound ? largest_stress(y, away, g) : 1;
+    values[event_bottom] = run_.thickness * (1 - 1e-7) - y;
+    const double deflection = state[motion] - y;
+    values[event_above] = run_.support.rigid() ? 1 : run_.support.to_corner_above(deflection);
+    values[event_below] = run_.support.rigid() ? 1 : run_.support.to_corner_below(deflection);
+  }
+
+ private:
+  enum : std::size_t {
+    event_top,
+    event_turning,
+    event_again,
+    event_weight,
+    event_contact_end,
+    event_release,
+    event_bottom,
+    event_above,
+    event_below
+  };
+  /// The third unknown.
+  static constexpr std::size_t slipped = 2;
+
+  /// By how much the largest penetration is above that of now, in thicknesses.
+  [[nodiscard]] double ahead(double y) const {
+    return loading_ ? 0 : std::fmax(largest_ - y, 0) / run_.thickness;
+  }
+
+  /// Stress at the root of the strain, from the axis: strain = top x^2.
+  [[nodiscard]] double stress(double y, double strain, double away, double u) const {
+    const double depth = std::fmax(y / run_.thickness - strain, 0);
+    return law_.stress(strain, (1 - y / run_.thickness) + depth, away, u);
+  }
+
+  double contact_force(double y, double away, double g) const {
+    if (y <= 0) return 0;
+    const double top = y / run_.thickness;
+    const double u = law_.slip_rate(g);
+    if (flat_ > 0) return flat_ * std::fmax(stress(y, top, away, u), 0);
+    const double low = std::sqrt(std::fmax(y - run_.radius, 0) / y);  // of x
+    const auto at = [&](double x) { return stress(y, top * x * x, away, u); };
+    // 2 pi (R - s) ds with s = Y (1 - x^2).
+    const auto part = [&](double x) {
+      return at(x) * 2 * std::numbers::pi * (run_.radius - y * (1 - x * x)) * 2 * x * y;
+    };
+    const auto integral = [&](double from, double to) {
+      const int count = std::max(static_cast<int>(std::ceil(panels * (to - from))), 1);
+      const double half = (to - from) / count / 2;
+      double sum = 0;
+      for (int i = 0; i < count; ++i) {
+        const double middle = from + half * (2 * i + 1);
+        for (std::size_t k = 0; k < gauss_place.size(); ++k)
+          sum +=
+              gauss_weight[k] * (part(middle - half * gauss_place[k]) + part(middle + half * gauss_place[k]));
+      }
+      return sum * half;
+    };
+    // Also where the tested curve ends, and its continuation begins.
+    const double corner = law_.last_strain() < top ? std::sqrt(law_.last_strain() / top) : 1;
+    const auto over = [&](double from, double to) {
+      return from < corner && corner < to ? integral(from, corner) + integral(corner, to)
+                                          : integral(from, to);
+    };
+    if (away == 0 && u >= 0) return over(low, 1);
+    double sum = 0;
+    double before = low, begin = low;
+    bool pressed = at(low + 1e-6 * (1 - low)) > 0;
+    for (int i = 1; i <= looks; ++i) {
+      const double x = low + (1 - low) * i / looks;
+      const bool presses = at(x) > 0;
+      if (presses != pressed) {
+        double none = before, other = x;
+        if (none == low) none = low + 1e-6 * (1 - low);
+        for (int k = 0; k < 48; ++k) {
+          const double middle = (none + other) / 2;
+          ((at(middle) > 0) == pressed ? none : other) = middle;
+        }
+        if (pressed) sum += over(begin, none);
+        begin = other;
+        pressed = presses;
+      }
+      before = x;
+    }
+    if (pressed) sum += over(begin, 1);
+    return sum;
+  }
+
+  /// Largest over the contact, with its sign; the penetration where the pad is left.
+  double largest_stress(double y, double away, double g) const {
+    const double top = y / run_.thickness;
+    if (y <= 0) return top * law_.base(0.5 * law_.last_strain(), 1 - 0.5 * law_.last_strain());
+    const double u = law_.slip_rate(g);
+    if (flat_ > 0) return stress(y, top, away, u);
+    const double low = std::sqrt(std::fmax(y - run_.radius, 0) / y);
+    double most = -std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= looks; ++i) {
+      const double x = low + (1 - low) * std::fmax(double(i) / looks, 1e-6);
+      most = std::fmax(most, stress(y, top * x * x, away, u));
+    }
+    return most;
+  }
+
+  /// The penetration at which the pad carries what the support gives.
+  double find(const double* state) {
+    if (run_.support.rigid()) return state[motion];
+    const double x = state[motion];
+    const auto surplus = [&](double y) {
+      return contact_force(y, ahead(y), y / run_.thickness - state[slipped]) - run_.support.force(x - y);
+    };
+    // Without force the pad goes with the support.
+    const double scale = run_.support.stiffness() * run_.thickness;
+    double low = std::min(found_, x), high = low;
+    double f_low = surplus(low), f_high = f_low;
+    double stride = 1e-7 * run_.thickness;
+    if (f_low > 0)
+      for (; f_low > 0; stride *= 4) high = low, f_high = f_low, low -= stride, f_low = surplus(low);
+    else
+      for (; f_high < 0; stride *= 4) {
+        low = high, f_low = f_high;
+        high = std::min(high + stride, run_.thickness * (1 - 1e-9));
+        f_high = surplus(high);
+        if (high >= run_.thickness * (1 - 1e-9)) break;
+      }
+    // The rule of Illinois.
+    double y = low;
+    for (int i = 0, side = 0; i < 100 && high - low > 1e-15 * run_.thickness; ++i) {
+      y = f_high == f_low ? (low + high) / 2 : (low * f_high - high * f_low) / (f_high - f_low);
+      const double f = surplus(y);
+      if (std::fabs(f) < 1e-15 * scale) break;
+      if (f < 0) {
+        low = y, f_low = f;
+        if (side < 0) f_high /= 2;
+        side = -1;
+      } else {
+        high = y, f_high = f;
+        if (side > 0) f_low /= 2;
+        side = 1;
+      }
+    }
+    return found_ = y;
+  }
+
+  void note_vertex(const std::array<double, 3>& t, const std::array<double, 3>& f) {
+    if (!(f[1] >= f[0] && f[1] >= f[2])) return;
+    const double a = t[0] - t[1], b = t[2] - t[1];
+    const double fa = (f[0] - f[1]) / a, fb = (f[2] - f[1]) / b;
+    const double curve = (fb - fa) / (b - a), rise = fa - curve * a;
+    if (curve >= 0) return;
+    const double at = -rise / (2 * curve);
+    run_.note_force(t[1] + at, f[1] + rise * at / 2);
+  }
+
+  ImpactRun& run_;
+  const FoamFormulas& law_;
+  double flat_ = 0;  ///< area of a disc, m2
+  bool loading_ = true;
+  double largest_ = 0;
+  double found_ = 0;
+};
+
+}  // namespace
+
+void solve_foam(ImpactRun& run, const FoamFormulas& law, const Nose& nose) {
+  FoamImpact(run, law, nose).run();
+}
+
+}  // namespace dashpad::oracle

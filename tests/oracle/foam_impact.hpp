@@ -1,0 +1,20 @@
+#pragma once
+/// A foam by curves in the CVODE oracle.
+///
+///   dX/dt = V,  M dV/dt = -F,  dp/dt = u(Y / L - p):  p is the strain that has slipped, Y / L - p the
+///   elastic one
+///
+/// F is a function of Y, of its largest value so far and of the elastic strain; so Y is the root of
+/// F = Fs(X - Y), taken anew at each call, and three unknowns do. The contact integral is over depths even in
+/// the root of the strain, by Gauss between the places where the stress changes its sign. Stiff: BDF.
+
+#include "dashpad/model/nose/nose.hpp"
+#include "oracle/foam_formulas.hpp"
+#include "oracle/impact_run.hpp"
+
+namespace dashpad::oracle {
+
+/// Whole impact of a sphere or a flat disc.
+void solve_foam(ImpactRun& run, const FoamFormulas& law, const Nose& nose);
+
+}  // namespace dashpad::oracle

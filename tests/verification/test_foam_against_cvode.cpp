@@ -1,0 +1,198 @@
+/// Impacts on foams by curves against a second solver, by formulas of its own (tests/oracle/foam_impact.hpp):
+/// every form of the base curve, every rate effect, friction and unloading, on every kind of support, below a
+/// sphere and a flat disc.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "dashpad/impact/solve.hpp"
+#include "model/pad/foam/foam_stress.hpp"
+#include "oracle/cvode_impact.hpp"
+#include "oracle/foam_formulas.hpp"
+#include "property/random_case.hpp"
+#include "shared/samples.hpp"
+
+namespace dashpad::test {
+namespace {
+
+constexpr double tolerance = 1e-4;
+/// What is asked of the solver, and as much again as a tenth of it for the oracle, whose table of an
+/// unloading curve and root of the penetration are good to 1e-6.
+constexpr double allowed = 1.1 * tolerance;
+
+struct Named {
+  std::string name;
+  PadLaw law;
+};
+
+Foam plain() {
+  Foam foam;
+  foam.curves = {.base = soft_table(), .slowest_rate = 0.01, .rate_effect = NoRateEffect{}};
+  return foam;
+}
+
+CurvesRateEffect faster_curves(bool linear) {
+  const TableCurve base = soft_table();
+  const auto times = [&](double factor, double slope, std::size_t points) {
+    TableCurve curve;
+    for (std::size_t i = 0; i < points; ++i) {
+      curve.strain.push_back(base.strain[i]);
+      curve.stress.push_back(base.stress[i] * (factor + slope * base.strain[i]));
+    }
+    return curve;
+  };
+  // The fastest machine did not reach the last strain.
+  return {{{1, times(1.15, 0.1, 9)}, {100, times(1.5, 0.2, 8)}}, linear};
+}
+
+std::vector<Named> foams() {
+  std::vector<Named> all;
+  const auto add = [&](const std::string& name, auto&& change) {
+    Foam foam = plain();
+    change(foam);
+    all.push_back({name, foam});
+  };
+  add("table", [](Foam&) {});
+  add("avalle", [](Foam& f) { f.curves.base = AvalleCurve{60e3, 600e3, 0.5, 40e3, 1.6, 0.8}; });
+  add("power", [](Foam& f) { f.curves.base = PowerCurve{80e3, 0.675, 1.09, 0.8}; });
+  add("gibson-ashby", [](Foam& f) { f.curves.base = GibsonAshbyCurve{800e3, 50e3, 50e3, 0.05, 0.8}; });
+  add("hyperfoam", [](Foam& f) { f.curves.base = HyperfoamCurve{60e3, 8, 10e3, -1.5, 0.7}; });
+  add("power rate", [](Foam& f) { f.curves.rate_effect = PowerRateEffect{0.06, 0.05, 300}; });
+  add("power rate, little", [](Foam& f) { f.curves.rate_effect = PowerRateEffect{0.1, 0, 20}; });
+  add("factor rate", [](Foam& f) { f.curves.rate_effect = FactorRateEffect{{1, 30, 200}, {1.1, 1.3, 1.5}}; });
+  add("curves rate", [](Foam& f) { f.curves.rate_effect = faster_curves(false); });
+  add("curves rate, linear", [](Foam& f) { f.curves.rate_effect = faster_curves(true); });
+  add("friction", [](Foam& f) { f.friction = 0.2; });
+  add("unloading factor", [](Foam& f) { f.unloading_factor = 0.3, f.unloading_shape = 2; });
+  add("unloading curve", [](Foam& f) {
+    TableCurve back = soft_table();
+    for (std::size_t i = 0; i < back.strain.size(); ++i)
+      back.stress[i] *= 0.4 + 0.6 * std::pow(back.strain[i] / back.strain.back(), 3);
+    f.unloading_curve = back;
+    f.friction = 0.1;
+  });
+  add("no recoil", [](Foam& f) { f.curves.rate_effect = PowerRateEffect{0.06, 0, 300}, f.recoil = 0; });
+  add("long lag", [](Foam& f) {
+    f.curves.rate_effect = PowerRateEffect{0.06, 0, 300};
+    f.lag_strain = 0.05;
+    f.continuation_exponent = 1;
+  });
+  all.push_back({"sample", sample_law<Foam>()});
+  all.push_back({"crushable sample", sample_law<CrushableFoam>()});
+  CrushableFoam crushable = sample_law<CrushableFoam>();
+  crushable.curves.rate_effect = NoRateEffect{};
+  all.push_back({"crushable", crushable});
+  crushable.curves = {.base = GibsonAshbyCurve{3e6, 200e3, 101.3e3, 0.03, 0.8},
+                      .slowest_rate = 1e-3,
+                      .rate_effect = PowerRateEffect{0.03, 0.02, 100}};
+  all.push_back({"crushable gibson-ashby", crushable});
+  return all;
+}
+
+void expect_same(const Summary& summary, const oracle::CvodeImpact& other, double limit) {
+  const auto d = oracle::compare(summary, other);
+  SCOPED_TRACE(d.text());
+  const auto small = [&](const std::optional<double>& difference, const char* what) {
+    ASSERT_TRUE(difference) << what;
+    EXPECT_LE(std::abs(*difference), limit) << what;
+  };
+  small(d.peak_force, "peak force");
+  small(d.peak_motion, "peak motion");
+  small(d.peak_penetration, "peak penetration");
+  small(d.contact_end_time, "end of contact");
+  small(d.contact_end_velocity, "velocity at the end of contact");
+  // Of a foam that brings next to nothing back the speed is held to a thousandth of the impact's.
+  ASSERT_TRUE(summary.release && other.release);
+  const double scale =
+      std::max(std::abs(other.release->velocity), 1e-3 * std::abs(summary.rebound_speed.value()));
+  EXPECT_NEAR(summary.release->velocity, other.release->velocity, limit * scale) << "rebound speed";
+}
+
+TEST(FoamAgainstCvode, HasSoundSamples) {
+  for (const Named& named : foams()) {
+    for (const Violation& broken : violations(named.law))
+      ADD_FAILURE() << named.name << ": " << broken.key << " " << broken.rule;
+  }
+}
+
+/// Column by column: stress by the library and by the oracle's formulas.
+TEST(FoamAgainstCvode, AgreesOnTheStressOfAColumn) {
+  const auto check = [](const std::string& name, const auto& law) {
+    SCOPED_TRACE(name);
+    const FoamStress ours(law);
+    const oracle::FoamFormulas other(law);
+    const double highest = 0.5 + 0.5 * other.last_strain();
+    for (const double share : {0.001, 0.01, 0.1, 0.3, 0.5, 0.8, 0.9, 1.0})
+      for (const double back : {0.0, 1e-3, 0.1, 0.4, 0.9})
+        for (const double u : {0.0, 1e-6, 1e-4, 0.3, 7.0, 180.0, 5e3})
+          for (const double side : {1.0, -1.0}) {
+            const double largest = share * highest, strain = largest * (1 - back);
+            const FoamStress::Place place = ours.at(strain_of(strain));
+            const double stress = ours.lasting(place, strain_of(largest)) +
+                                  ours.of_rate(place, ours.overstress().at(side * u), side * u).stress;
+            const double expected = other.stress(strain, 1 - strain, largest - strain, side * u);
+            // Where a faster curve ends the library's cells take the corner off.
+            EXPECT_NEAR(stress, expected, 5e-5 * other.base(largest, 1 - largest))
+                << "strain " << strain << " of " << largest << ", slip rate " << side * u;
+          }
+    for (const double share : {0.001, 0.01, 0.1, 0.3, 0.5, 0.8, 0.9, 1.0}) {
+      const double strain = share * highest;
+      expect_relative(ours.curve().at(strain_of(strain)).work, other.work(strain, 1 - strain), 5e-5, "work");
+    }
+  };
+  for (const Named& named : foams())
+    std::visit(
+        [&]<class Law>(const Law& law) {
+          if constexpr (SharesSlip<Law>) check(named.name, law);
+        },
+        named.law);
+}
+
+void compare_on(const std::vector<Support>& supports, const std::vector<Nose>& noses) {
+  int compared = 0;
+  for (const Named& named : foams())
+    for (const Nose& nose : noses)
+      for (const Support& support : supports) {
+        ImpactCase impact = impact_on(named.law, support);
+        impact.impactor.nose = nose;
+        // A flat disc meets all of its pad at once.
+        if (std::holds_alternative<FlatDisc>(nose)) impact.impactor.speed = 2;
+        SCOPED_TRACE(
+            fmt::format("{}, {}, support of {} points", named.name, name_of(nose), support.points().size()));
+        const auto other = oracle::solve_with_cvode(impact);
+        if (other.ending == oracle::Ending::bottomed_out) continue;
+        ASSERT_EQ(other.ending, oracle::Ending::released);
+        const Summary summary = solve(impact, {.tolerance = tolerance}).summary;
+        fmt::print("{:22} {:9} {} strain {:.3f}: {}\n", named.name, name_of(nose), support.points().size(),
+                   summary.peak_strain, oracle::compare(summary, other).text());
+        EXPECT_EQ(summary.status, Status::released) << to_string(summary.status);
+        expect_same(summary, other, allowed);
+        ++compared;
+      }
+  EXPECT_GE(compared, 18) << "too few that do not bottom";
+}
+
+const Sphere head{0.08};
+const FlatDisc plate{0.06};
+const Support spring = Support::linear(2e5);
+const Support curved = Support::through({{0.002, 600}, {0.006, 1500}, {0.02, 9000}});
+
+TEST(FoamAgainstCvode, AgreesBelowASphereOnARigidSupport) { compare_on({Support::rigid()}, {head}); }
+TEST(FoamAgainstCvode, AgreesBelowASphereOnASpring) { compare_on({spring}, {head}); }
+TEST(FoamAgainstCvode, AgreesBelowASphereOnACurvedSupport) { compare_on({curved}, {head}); }
+TEST(FoamAgainstCvode, AgreesBelowAFlatDiscOnARigidSupport) { compare_on({Support::rigid()}, {plate}); }
+TEST(FoamAgainstCvode, AgreesBelowAFlatDiscOnASpring) { compare_on({spring}, {plate}); }
+TEST(FoamAgainstCvode, AgreesBelowAFlatDiscOnACurvedSupport) { compare_on({curved}, {plate}); }
+
+/// Beyond the radius of a small sphere.
+TEST(FoamAgainstCvode, AgreesBeyondTheRadius) {
+  ImpactCase impact = impact_on(sample_law<Foam>());
+  impact.impactor = {0.3, Sphere{0.008}, 2};
+  const auto other = oracle::solve_with_cvode(impact);
+  ASSERT_EQ(other.ending, oracle::Ending::released);
+  ASSERT_GT(other.peak_penetration, 0.008);
+  expect_same(solve(impact, {.tolerance = tolerance}).summary, other, allowed);
+}
+
+}  // namespace
+}  // namespace dashpad::test

@@ -1,0 +1,258 @@
+/// The contact of a nose with a foam by curves: its force is the integral of the columns' stress, and its
+/// steps and panels converge.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "dashpad/impact/solve.hpp"
+#include "impact/contacts.hpp"
+#include "impact/equilibrium.hpp"
+#include "impact/motion.hpp"
+#include "impact/predictor.hpp"
+#include "model/contact/foam_contact.hpp"
+#include "property/random_case.hpp"
+#include "shared/samples.hpp"
+
+namespace dashpad::test {
+namespace {
+
+constexpr double thickness = 0.03;
+
+/// Integral of the positive stress of the columns in the accepted state, by very many of them.
+double force_of_columns(const FoamContact& contact, const Sections& nose, double penetration) {
+  double force = nose.tip > 0 ? nose.tip * std::max(contact.column(0).stress, 0.0) : 0;
+  const double deepest = std::min(penetration, nose.depth);
+  constexpr int count = 6000;
+  // Middles of pieces that are even in the root of the strain, and so are small where the strain is.
+  const double low = std::sqrt((penetration - deepest) / penetration);
+  for (int i = 0; i < count; ++i) {
+    const double x = low + (1 - low) * (i + 0.5) / count;
+    const double depth = penetration * (1 - x * x);
+    const double area = 2 * std::numbers::pi * nose.rate(depth) * 2 * x * penetration * (1 - low) / count;
+    force += std::max(contact.column(depth).stress, 0.0) * area;
+  }
+  return force;
+}
+
+/// Takes the contact through a path of the penetration: of the force, its largest difference over its
+/// largest.
+struct Worst {
+  double difference = 0;
+  double penetration = 0, expected = 0, found = 0;
+};
+template <class Law>
+Worst force_against_columns(const Law& law, const Sections& nose, std::uint64_t seed, double resolution) {
+  FoamContact contact(law, thickness, nose);
+  contact.start(resolution, thickness);
+  std::mt19937_64 generator(seed);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(generator() >> 11) * 0x1p-53;
+  };
+  double y = 0, time = 0, largest = 0;
+  Worst worst;
+  for (int leg = 0; leg < 8; ++leg) {
+    const double to = leg == 0 ? uniform(0.3, 0.9) * thickness : uniform(0, 0.9) * thickness;
+    const double step =
+        std::abs(to - y) / thickness / law.curves.slowest_rate / std::pow(10, uniform(-1, 5)) / 4;
+    for (int i = 0; i < 4; ++i) {
+      const PadTrial trial = contact.trial((to - y) / (4 - i), time, step);
+      contact.accept(trial);
+      y += trial.advance, time += step;
+      largest = std::max(largest, trial.force);
+      const double expected = force_of_columns(contact, nose, y);
+      const double difference = std::abs(trial.force - expected) / largest;
+      if (difference > worst.difference) worst = {difference, y, expected, trial.force};
+    }
+  }
+  return worst;
+}
+
+/// Also where columns in the middle of the contact press while others are let go.
+TEST(FoamContactForce, IsTheIntegralOfItsColumns) {
+  double of_all = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed)
+    for (const Nose& nose : {Nose(Sphere{0.08}), Nose(Sphere{0.015}), Nose(FlatDisc{0.06})}) {
+      const auto check = [&](const auto& law) {
+        const Worst worst = force_against_columns(law, sections_of(nose), seed, 1e-4);
+        EXPECT_LT(worst.difference, 1e-3)
+            << law.name << ", seed " << seed << ", " << name_of(nose) << ", penetration " << worst.penetration
+            << ": " << worst.found << " instead of " << worst.expected;
+        of_all = std::max(of_all, worst.difference);
+      };
+      check(random_foam(seed));
+      check(random_crushable_foam(seed));
+      check(sample_law<Foam>());
+      check(sample_law<CrushableFoam>());
+    }
+  fmt::print("largest difference {:.2g}\n", of_all);
+}
+
+/// On the way back columns between the edge and the axis can press while both of these do not: at the edge
+/// the unloading has taken the stress, at the axis the rate.
+TEST(FoamContactForce, CountsARingThatPressesAloneAsWell) {
+  const Sections nose = Sphere{0.08}.sections();
+  int rings = 0;
+  for (const double slope : {-0.05, 0.05, 0.1, 0.3})
+    for (const double recoil : {0.5, 1.0}) {
+      Foam law = sample_law<Foam>();
+      law.recoil = recoil;
+      law.curves.rate_effect = PowerRateEffect{0.08, slope, 300};
+      ASSERT_TRUE(violations(PadLaw(law)).empty());
+      FoamContact contact(law, thickness, nose);
+      contact.start(1e-4, thickness);
+      double y = 0, time = 0, largest = 0;
+      const auto go = [&](double strain, double step) {
+        const PadTrial trial = contact.trial(strain * thickness - y, time, step);
+        contact.accept(trial);
+        y = strain * thickness, time += step;
+        largest = std::max(largest, trial.force);
+        EXPECT_NEAR(trial.force, force_of_columns(contact, nose, y), 1e-5 * largest)
+            << "recoil " << recoil << ", exponent 0.08 + " << slope << " e, strain " << strain;
+        const bool ends_let_go = contact.column(0.999 * y).stress <= 0 && contact.column(0).stress <= 0;
+        if (ends_let_go && force_of_columns(contact, nose, y) > 1e-4 * largest) ++rings;
+      };
+      for (int i = 1; i <= 8; ++i) go(0.77 * i / 8, 1e-3);
+      for (int i = 76; i >= 2; --i) go(0.77 * i / 77, 1e-4);
+    }
+  EXPECT_GT(rings, 0) << "otherwise this test asks for nothing";
+}
+
+TEST(FoamContactForce, OfAFlatDiscIsItsAreaTimesTheStress) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const auto check = [&](const auto& law) {
+      const FoamStress column(law);
+      FoamContact contact(law, thickness, FlatDisc{0.06}.sections());
+      contact.start(0.01, thickness);
+      const double area = std::numbers::pi * 0.06 * 0.06;
+      double y = 0, g = 0, time = 0, largest = 0;
+      for (const double to : {0.2, 0.5, 0.8, 0.7, 0.3, 0.6, 0.85, 0.1}) {
+        // A rate that holds from step to step, so that the slip is exact.
+        contact.start(0.01, thickness);
+        y = g = time = largest = 0;
+        const double rate = 30, step = to / rate / 8;
+        for (int i = 0; i < 8; ++i) {
+          const PadTrial trial = contact.trial(to * thickness / 8, time, step);
+          contact.accept(trial);
+          y += trial.advance, time += step;
+          g = column.slip().after(g, rate, step);
+          const double u = column.slip().slip_rate(g);
+          const Strain strain{y / thickness, (thickness - y) / thickness};
+          largest = std::max(largest, strain.value);
+          const auto place = column.at(strain);
+          const double stress =
+              column.lasting(place, strain) + column.of_rate(place, column.overstress().at(u), u).stress;
+          expect_relative(trial.force, area * stress, 1e-9, fmt::format("seed {}, force", seed));
+        }
+      }
+    };
+    check(random_foam(seed));
+    check(random_crushable_foam(seed));
+  }
+}
+
+// --- Orders
+// --------------------------------------------------------------------------------------------------
+
+double observed_order(const std::vector<double>& size, const std::vector<double>& error) {
+  double x_mean = 0, y_mean = 0;
+  const auto count = static_cast<double>(size.size());
+  for (std::size_t i = 0; i < size.size(); ++i)
+    x_mean += std::log(size[i]) / count, y_mean += std::log(error[i]) / count;
+  double above = 0, below = 0;
+  for (std::size_t i = 0; i < size.size(); ++i) {
+    const double x = std::log(size[i]) - x_mean;
+    above += x * (std::log(error[i]) - y_mean);
+    below += x * x;
+  }
+  return above / below;
+}
+
+Foam smooth_foam() {
+  Foam law;
+  law.unloading_factor = 0.3;
+  law.curves = {.base = GibsonAshbyCurve{400e3, 50e3, 40e3, 0.02, 0.9},
+                .slowest_rate = 0.01,
+                .rate_effect = PowerRateEffect{0.06, 0, 300}};
+  // The rate's stress follows within a strain that even the coarsest step resolves.
+  law.lag_strain = 0.05;
+  return law;
+}
+
+/// The state after `steps` even steps of loading, all of the contact by as many panels.
+State loaded_for(const ImpactCase& impact, double time, int steps) {
+  State end;
+  Contacts().visit(impact, ColumnMath::vector, [&]<class Contact>(Contact& contact) {
+    Motion<Contact> motion(impact.impactor.mass, impact.support);
+    Equilibrium<Contact> equilibrium(contact, impact.support, motion, impact.pad.thickness);
+    Predictor predictor;
+    const double step = time / steps;
+    contact.start(1e-4, impact.impactor.speed * time);
+    motion.start(impact.impactor.speed, 0);
+    equilibrium.start(1e-4);  // residuals far below the errors of the steps
+    predictor.start(impact.impactor.speed, contact.trial(impact.impactor.speed * step, 0, step).force /
+                                               (impact.impactor.speed * step));
+    for (int i = 0; i < steps; ++i) {
+      const Trial trial = equilibrium.loading(step, predictor);
+      ASSERT_EQ(trial.obstacle, Event::none);
+      const State before = motion.now();
+      contact.accept(trial.pad);
+      predictor.learn(Phase::loading, before, trial, Event::none);
+      motion.accept(trial.end, step, true);
+    }
+    end = motion.now();
+  });
+  return end;
+}
+
+TEST(FoamOrder, OfTheTimeStepsIsTwoAtLeast) {
+  CrushableFoam crushable;
+  crushable.unloading_modulus = 2e6;
+  crushable.curves = smooth_foam().curves;
+  crushable.lag_strain = 0.05;
+  for (const PadLaw& law : {PadLaw(smooth_foam()), PadLaw(crushable)})
+    for (const Support& support : {Support::rigid(), Support::linear(2e5)}) {
+      const ImpactCase impact = impact_on(law, support);
+      const double time = 0.4 * impact.pad.thickness / impact.impactor.speed;
+      constexpr int levels = 4, coarsest = 48;
+      const State fine = loaded_for(impact, time, coarsest << (levels + 1));
+      std::vector<double> size, of_velocity, of_penetration;
+      for (int level = 0; level < levels; ++level) {
+        const int steps = coarsest << level;
+        const State end = loaded_for(impact, time, steps);
+        size.push_back(time / steps);
+        of_velocity.push_back(std::abs(end.velocity - fine.velocity) / impact.impactor.speed);
+        of_penetration.push_back(std::abs(end.penetration - fine.penetration) / fine.penetration);
+      }
+      for (const auto& [what, error] :
+           {std::pair("velocity", of_velocity), std::pair("penetration", of_penetration)}) {
+        const double order = observed_order(size, error);
+        fmt::print("{}, {} support, {:11}:", name_of(law), support.is_rigid() ? "rigid" : "linear", what);
+        for (const double e : error) fmt::print(" {:8.1e}", e);
+        fmt::print("   order {:.2f}\n", order);
+        EXPECT_GE(order, 1.8) << what;
+        EXPECT_LE(order, 3.2) << what;
+      }
+    }
+}
+
+/// The force of one path by ever more panels: far better than what the steps ask for.
+TEST(FoamOrder, OfThePanelsIsHigh) {
+  const Sections nose = Sphere{0.08}.sections();
+  const auto force_at = [&](double resolution) {
+    FoamContact contact(smooth_foam(), thickness, nose);
+    contact.start(resolution, thickness);
+    return contact.trial(0.6 * thickness, 0, 0.01).force;
+  };
+  const double fine = force_at(1e-6);
+  EXPECT_LT(relative_error(force_at(0.1), fine), 1e-5);
+  EXPECT_LT(relative_error(force_at(0.01), fine), 1e-8);
+}
+
+}  // namespace
+}  // namespace dashpad::test
