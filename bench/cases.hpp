@@ -13,8 +13,8 @@ inline oracle::ReferenceCase reference_of(const std::string& id) {
   return oracle::reference_case(std::filesystem::path(DASHPAD_SOURCE_DIR) / "data/reference-cases.csv", id);
 }
 
-/// v1 is c1 with another pad: the report gives no linear viscoelastic one, so its constants are ours. f1 is c1
-/// with the softest pad of the cards that has two rates, three times as thick and as stiff as it is.
+/// v1 is c1 with another pad: the report gives no linear viscoelastic one, so its constants are ours. f1 is
+/// c1 with the softest pad of the cards that has two rates, three times as thick and as stiff as it is.
 inline ImpactCase impact_of(const std::string& id) {
   if (id != "v1" && id != "f1") return reference_of(id).impact;
   ImpactCase impact = reference_of("c1").impact;

@@ -136,7 +136,7 @@ class FoamContact {
     relaxing_ = 0;
     largest_stress_ = -std::numeric_limits<double>::infinity();
     trial_pressing_ = 0;
-    stations_ = 0;
+    points_ = 0;
     const double Y = trial_penetration_;
     if (Y <= 0) return 0;
     slip_rate_ = stress_.slip().slip_rate(trial_strain_);
@@ -151,7 +151,7 @@ class FoamContact {
     const double edge = (Y - end) / thickness_;
     if (ahead_ <= 0 && slip_rate_ >= 0) return force + integral(edge, edge, top, top);
 
-    const auto at = [&](double root) { return stress_at(root * root, top); };
+    const auto at = [&](double root) { return sign_at(root * root, top); };
     const double low = std::sqrt(edge);
     const double high = std::sqrt(top);
     const double first = low + 1e-6 * (high - low);
@@ -228,7 +228,8 @@ class FoamContact {
   [[nodiscard]] Strain largest_of(Strain strain) const {
     return {strain.value + ahead_, strain.complement - ahead_};
   }
-  double stress_at(double strain, double top) {
+  /// Whose sign is that of the stress; of foam the stress over the base curve, which is smooth to the edge.
+  double sign_at(double strain, double top) {
     ++updates_;
     const Strain at{strain, gap_ + (top - strain)};
     const FoamStress::Place place = stress_.at(at);
@@ -237,7 +238,7 @@ class FoamContact {
     const double stress =
         stress_.lasting(place, largest_of(at), least) + stress_.of_rate(place, at_rate_, slip_rate_).stress;
     largest_stress_ = std::max(largest_stress_, stress);
-    return stress;
+    return stress_.stays_crushed() ? stress : stress / place.base.stress;
   }
   /// The strain at which a crushed foam presses longest: beyond, its unloading is as steep as its crush
   /// curve.
@@ -247,9 +248,10 @@ class FoamContact {
   /// A root of f between two places with values of unlike signs, by the rule of Illinois.
   template <class F>
   static double crossing(F&& f, double low, double f_low, double high, double f_high) {
-    // The stress is nothing there: an error of the root counts by its square.
-    const double precise = 1e-5 * high;
-    for (int i = 0, side = 0; i < 60 && high - low > precise; ++i) {
+    // The stress is nothing there: an error of the root counts by its square, against what is left to the
+    // axis.
+    const double end = high;
+    for (int i = 0, side = 0; i < 60 && high - low > 1e-5 * (end - low); ++i) {
       const double middle = (low * f_high - high * f_low) / (f_high - f_low);
       const double value = f(middle);
       if (value == 0) return middle;
@@ -268,7 +270,8 @@ class FoamContact {
     return (low * f_high - high * f_low) / (f_high - f_low);
   }
   double add(const FoamStress::Place& place, double area) {
-    ++stations_;
+    ++points_;
+    stations_ = std::max(stations_, points_);
     ++updates_;
     const FoamStress::Rate rate = stress_.of_rate(place, at_rate_, slip_rate_);
     const double stress = stress_.lasting(place, largest_of(place.strain)) + rate.stress;
@@ -302,7 +305,8 @@ class FoamContact {
   Overstress::AtRate at_rate_;
   double relaxing_ = 0;
   double largest_stress_ = 0;
-  std::size_t stations_ = 0;
+  std::size_t points_ = 0;    ///< of the contact integral in this trial
+  std::size_t stations_ = 0;  ///< the most of them since the start
   std::size_t updates_ = 0;
 };
 
