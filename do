@@ -10,7 +10,7 @@ help() {
   cat <<'TEXT'
 Usage: ./do TASK [arguments]
 
-  run [CASE] [arguments]   build the command and solve CASE (default: examples/dashboard-20mph.toml)
+  run [CASE] [arguments]   build the command and solve CASE (default: examples/helmet-pad-10fps.toml)
   test [PRESET] [ctest arguments]
                            build and run the tests (default: release; also dev, asan-ubsan, coverage)
   bench [--record]         build and run the benchmarks; results, stills and a page go to build/bench, or to
@@ -114,7 +114,7 @@ build() {
 # --- Tasks ---
 
 task_run() {
-  local case="$root/examples/dashboard-20mph.toml"
+  local case="$root/examples/helmet-pad-10fps.toml"
   if [[ $# -gt 0 && "$1" != -* ]]; then
     case="$1"
     shift
