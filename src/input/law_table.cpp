@@ -17,6 +17,10 @@ bool has_fallbacks(const PadLaw& law) {
       law);
 }
 
+bool has_curves(const PadLaw& law) {
+  return std::visit([]<class Law>(const Law&) { return SharesSlip<Law>; }, law);
+}
+
 }  // namespace
 
 std::optional<PadLaw> read_law(TableReader& table) {
@@ -24,6 +28,9 @@ std::optional<PadLaw> read_law(TableReader& table) {
   auto parameters =
       table.table("parameters", law && has_fallbacks(*law) ? Presence::optional : Presence::required);
   if (!law) return std::nullopt;
+  // Known, whatever else is missing.
+  for (const char* key : {"curve", "rate", "unloading"})
+    if (has_curves(*law)) table.has(key);
   if (parameters) {
     law = with_parameters(*law, *parameters);
     parameters->refuse_others();

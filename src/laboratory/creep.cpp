@@ -5,20 +5,18 @@
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include "dashpad/laboratory/column_test.hpp"
-#include "laboratory/maxwell_column.hpp"
+#include "laboratory/foam_creep.hpp"
 #include "laboratory/record.hpp"
 #include "laboratory/viscous_stress.hpp"
-#include "model/pad/foam/foam_stress.hpp"
 
 namespace dashpad::laboratory {
 namespace {
 
-constexpr double farthest_strain = 0.999;
-constexpr double tolerance = 1e-12;      ///< of the integration, relative
-constexpr double earliest_share = 1e-6;  ///< of the hold: first place of output after the loading
+constexpr double tolerance = 1e-12;  ///< of the integration, relative
 
 void check(const PadLaw& law, const CreepTest& test, int places) {
   std::string text;
@@ -34,26 +32,6 @@ void check(const PadLaw& law, const CreepTest& test, int places) {
   positive_number("hold", test.hold, "s");
   require(places >= 2 && places <= 100000, "places", places, "must be 2 to 100000");
   if (!text.empty()) throw std::invalid_argument(text);
-}
-
-/// Times after the loading, geometric up to the end of the hold.
-std::vector<double> hold_times(double hold, int places) {
-  std::vector<double> times;
-  for (int i = 1; i < places; ++i)
-    times.push_back(hold * std::pow(earliest_share, 1 - (i - 1) / (places - 1.0)));
-  times.push_back(hold);
-  return times;
-}
-
-/// Root of an increasing function that is negative at `low` and not at `high`.
-template <class F>
-double root(F&& f, double low, double high) {
-  const double f_high = f(high);
-  if (f_high == 0) return high;
-  std::uintmax_t most = 200;
-  const auto [a, b] = boost::math::tools::toms748_solve(f, low, high, f(low), f_high,
-                                                        boost::math::tools::eps_tolerance<double>(50), most);
-  return a + (b - a) / 2;
 }
 
 /// How a law that has been loaded to its stress goes on under it.
@@ -99,11 +77,6 @@ class Creep {
   PowerShape power_;
   double stress_;
   double last_rate_ = 0;  ///< a good guess of the next
-};
-
-struct HoldPlace {
-  double strain = 0;
-  double rate = 0;
 };
 
 /// The strain at times after the loading; fewer where it passes 0.999.
@@ -166,161 +139,14 @@ template <HasMemory Law>
 std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int places) {
   const std::optional<double> strain = strain_at(law, test);
   if (!strain) return std::nullopt;
-  const StrainHistory loading{{{*strain / test.loading_rate, 0, test.loading_rate, 0}}};
-  ColumnTest result = drive(law, loading, places);
-  const double loaded_at = result.time.back();
-  const double work = result.work.back();
+  ColumnTest loading = drive(law, {{{*strain / test.loading_rate, 0, test.loading_rate, 0}}}, places);
+  const double loaded_at = loading.time.back();
   const std::vector<double> times = hold_times(test.hold, places);
   const auto held = crept(law, test.stress, loaded_at, *strain, times, tolerance);
   const auto coarse = crept(law, test.stress, loaded_at, *strain, times, 100 * tolerance);
-  if (held.size() < times.size() || coarse.size() < times.size()) return std::nullopt;
   const Creep creep(law, test.stress);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    result.time.push_back(loaded_at + times[i]);
-    result.strain.push_back(held[i].strain);
-    result.rate.push_back(held[i].rate);
-    result.stress.push_back(test.stress);
-    result.work.push_back(work + test.stress * (held[i].strain - *strain));
-    const double error = std::abs(held[i].strain - coarse[i].strain) + 1e-15;
-    result.stress_error =
-        std::max(result.stress_error, error * creep.lasting_slope(held[i].strain) / test.stress);
-  }
-  result.largest_strain = *std::max_element(result.strain.begin(), result.strain.end());
-  return result;
-}
-
-/// Slow foam: under a constant stress p and the branches obey linear equations, which steps in which p goes
-/// evenly solve to second order. The error is estimated by steps of twice the length.
-std::vector<HoldPlace> crept(const ViscoelasticFoam& law, const MaxwellColumn& column, double stress,
-                             double loaded_for, double strain, const std::vector<double>& times, int steps) {
-  double p = column.lasting(strain);
-  double first = column.branch(0, loaded_for).value;
-  double second = column.branch(1, loaded_for).value;
-  std::vector<HoldPlace> result;
-  double last = 0;
-  for (const double time : times) {
-    const double step = (time - last) / steps;
-    const double before = strain;
-    const auto kept = [&](double relaxation_time) { return std::exp(-step / relaxation_time); };
-    const auto mean = [&](double relaxation_time) {
-      return -std::expm1(-step / relaxation_time) * relaxation_time / step;
-    };
-    const double rise_first = law.first_share * mean(law.first_time);
-    const double rise_second = law.second_share * mean(law.second_time);
-    for (int i = 0; i < steps; ++i) {
-      first *= kept(law.first_time);
-      second *= kept(law.second_time);
-      const double rise = (stress - p - first - second) / (1 + rise_first + rise_second);
-      p += rise;
-      first += rise_first * rise;
-      second += rise_second * rise;
-    }
-    const auto missing = [&](double e) { return column.lasting(e) - p; };
-    if (missing(farthest_strain) < 0) return result;
-    if (missing(strain) < 0) strain = root(missing, strain, farthest_strain);
-    result.push_back({strain, (strain - before) / (time - last)});
-    last = time;
-  }
-  return result;
-}
-
-std::optional<ColumnTest> creep_of(const ViscoelasticFoam& law, const CreepTest& test, int places) {
-  MaxwellColumn column(law);
-  Arc loading;
-  loading.duration = farthest_strain / test.loading_rate;
-  loading.start = {0, test.loading_rate};
-  loading.end = {farthest_strain, test.loading_rate};
-  column.enter(loading);
-  const auto missing = [&](double time) { return column.at(time).value - test.stress; };
-  if (missing(loading.duration) < 0) return std::nullopt;
-  const double loaded_for = root(missing, 1e-12 * loading.duration, loading.duration);
-  const double strain = loaded_for * test.loading_rate;
-  ColumnTest result = drive(law, {{{loaded_for, 0, test.loading_rate, 0}}}, places);
-  const double loaded_at = result.time.back();
-  const double work = result.work.back();
-  const std::vector<double> times = hold_times(test.hold, places);
-  constexpr int steps = 16;
-  const auto held = crept(law, column, test.stress, loaded_for, strain, times, steps);
-  const auto coarse = crept(law, column, test.stress, loaded_for, strain, times, steps / 2);
-  if (held.size() < times.size() || coarse.size() < times.size()) return std::nullopt;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    result.time.push_back(loaded_at + times[i]);
-    result.strain.push_back(held[i].strain);
-    result.rate.push_back(held[i].rate);
-    result.stress.push_back(test.stress);
-    result.work.push_back(work + test.stress * (held[i].strain - strain));
-    const double slope = column.lasting(held[i].strain) / held[i].strain;
-    result.stress_error = std::max(
-        result.stress_error, (std::abs(held[i].strain - coarse[i].strain) + 1e-15) * slope / test.stress);
-  }
-  result.largest_strain = result.strain.back();
-  return result;
-}
-
-/// Foams: the strain at which the stress stays, step by step, each a half of the one before at first so that
-/// slip and strain go together. The error is estimated by steps of twice the length.
-std::vector<HoldPlace> crept(const FoamStress& law, double stress, double strain, double slip,
-                             const std::vector<double>& times, int steps) {
-  const auto stress_at = [&](double e, double g) {
-    const FoamStress::Place place = law.at(strain_of(e));
-    const double u = law.slip().slip_rate(g);
-    return law.lasting(place, place.strain) + law.of_rate(place, law.overstress().at(u), u).stress;
-  };
-  std::vector<HoldPlace> result;
-  double last = 0;
-  for (const double time : times) {
-    double rate = 0;
-    for (int i = 0; i < steps; ++i) {
-      const double step = (time - last) / steps;
-      const auto missing = [&](double e) {
-        return stress_at(e, law.slip().after(slip, (e - strain) / step, step)) - stress;
-      };
-      if (missing(farthest_strain) < 0) return result;
-      const double next = missing(strain) >= 0 ? strain : root(missing, strain, farthest_strain);
-      rate = (next - strain) / step;
-      slip = law.slip().after(slip, rate, step);
-      strain = next;
-    }
-    result.push_back({strain, rate});
-    last = time;
-  }
-  return result;
-}
-
-template <SharesSlip Law>
-std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int places) {
-  const FoamStress column(law);
-  const auto slip_at = [&](double strain) {
-    return column.slip().after(0, test.loading_rate, strain / test.loading_rate);
-  };
-  const auto missing = [&](double strain) {
-    const FoamStress::Place place = column.at(strain_of(strain));
-    const double u = column.slip().slip_rate(slip_at(strain));
-    return column.lasting(place, place.strain) + column.of_rate(place, column.overstress().at(u), u).stress -
-           test.stress;
-  };
-  if (missing(farthest_strain) < 0) return std::nullopt;
-  const double strain = root(missing, 1e-12, farthest_strain);
-  ColumnTest result = drive(law, {{{strain / test.loading_rate, 0, test.loading_rate, 0}}}, places);
-  const double loaded_at = result.time.back();
-  const double work = result.work.back();
-  const std::vector<double> times = hold_times(test.hold, places);
-  constexpr int steps = 8;
-  const auto held = crept(column, test.stress, strain, slip_at(strain), times, steps);
-  const auto coarse = crept(column, test.stress, strain, slip_at(strain), times, steps / 2);
-  if (held.size() < times.size() || coarse.size() < times.size()) return std::nullopt;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    result.time.push_back(loaded_at + times[i]);
-    result.strain.push_back(held[i].strain);
-    result.rate.push_back(held[i].rate);
-    result.stress.push_back(test.stress);
-    result.work.push_back(work + test.stress * (held[i].strain - strain));
-    const double slope = column.at(strain_of(held[i].strain)).base.stress / held[i].strain;
-    result.stress_error = std::max(
-        result.stress_error, (std::abs(held[i].strain - coarse[i].strain) + 1e-15) * slope / test.stress);
-  }
-  result.largest_strain = result.strain.back();
-  return result;
+  return with_hold(std::move(loading), test, times, held, coarse,
+                   [&](double e) { return creep.lasting_slope(e); });
 }
 
 /// Laws 1 and 3: the strain is that of the curve.

@@ -88,8 +88,9 @@ Overstress::Value Overstress::of(const AtRate& rate, double strain, CellPlace pl
     over = std::exp(exponent * rate.log_rate) - 1;
     rise = rate.weight_rise * exponent * (over + 1);
   } else {
-    const double low = log_ratio(rate.segment, place);
-    const double high = log_ratio(rate.segment + 1, place);
+    // Cubics of curves that touch may cross by rounding; the proof of Eq. 36 wants a stress that does not fall.
+    const double low = std::max(log_ratio(rate.segment, place), 0.0);
+    const double high = std::max(log_ratio(rate.segment + 1, place), low);
     if (linear_) {
       const double step = std::exp(high) - std::exp(low);
       over = std::exp(low) - 1 + rate.weight * step;

@@ -14,7 +14,7 @@ namespace dashpad {
 
 struct PowerCurve {
   double modulus = 0;              ///< E, Pa, > 0
-  double contact_exponent = 0;     ///< m, (0, 3]
+  double contact_exponent = 0;     ///< m, (0, 1.5]
   double compaction_exponent = 0;  ///< n, [0, 4]
   double highest_strain = 0;       ///< (0, 1): up to here it was fitted
 
@@ -30,7 +30,7 @@ struct PowerCurve {
 inline constexpr std::array<Parameter<PowerCurve>, 4> PowerCurve::parameters{{
     {"modulus", "E", "Pa", &PowerCurve::modulus, positive, "stress scale"},
     {"contact_exponent", "m", "1", &PowerCurve::contact_exponent,
-     Bounds{.lowest = 0, .highest = 3, .highest_admitted = true}, "exponent of the strain"},
+     Bounds{.lowest = 0, .highest = 1.5, .highest_admitted = true}, "exponent of the strain"},
     {"compaction_exponent", "n", "1", &PowerCurve::compaction_exponent,
      Bounds{.lowest = 0, .highest = 4, .lowest_admitted = true, .highest_admitted = true},
      "exponent of one minus the strain"},

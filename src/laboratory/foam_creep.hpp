@@ -1,0 +1,124 @@
+#pragma once
+/// Creep of foams by their curves and of slow foam: the strain at which a stress stays.
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "laboratory/creep_hold.hpp"
+#include "laboratory/maxwell_column.hpp"
+#include "model/pad/foam/foam_stress.hpp"
+
+namespace dashpad::laboratory {
+
+/// Slow foam: under a constant stress p and the branches obey linear equations, which steps in which p goes
+/// evenly solve to second order. The error is estimated by steps of twice the length.
+inline std::vector<HoldPlace> crept(const ViscoelasticFoam& law, const MaxwellColumn& column, double stress,
+                                    double loaded_for, double strain, const std::vector<double>& times,
+                                    int steps) {
+  double p = column.lasting(strain);
+  double first = column.branch(0, loaded_for).value;
+  double second = column.branch(1, loaded_for).value;
+  std::vector<HoldPlace> result;
+  double last = 0;
+  for (const double time : times) {
+    const double step = (time - last) / steps;
+    const double before = strain;
+    const auto kept = [&](double relaxation_time) { return std::exp(-step / relaxation_time); };
+    const auto mean = [&](double relaxation_time) {
+      return -std::expm1(-step / relaxation_time) * relaxation_time / step;
+    };
+    const double rise_first = law.first_share * mean(law.first_time);
+    const double rise_second = law.second_share * mean(law.second_time);
+    for (int i = 0; i < steps; ++i) {
+      first *= kept(law.first_time);
+      second *= kept(law.second_time);
+      const double rise = (stress - p - first - second) / (1 + rise_first + rise_second);
+      p += rise;
+      first += rise_first * rise;
+      second += rise_second * rise;
+    }
+    const auto missing = [&](double e) { return column.lasting(e) - p; };
+    if (missing(farthest_strain) < 0) return result;
+    if (missing(strain) < 0) strain = root(missing, strain, farthest_strain);
+    result.push_back({strain, (strain - before) / (time - last)});
+    last = time;
+  }
+  return result;
+}
+
+inline std::optional<ColumnTest> creep_of(const ViscoelasticFoam& law, const CreepTest& test, int places) {
+  MaxwellColumn column(law);
+  Arc loading;
+  loading.duration = farthest_strain / test.loading_rate;
+  loading.start = {0, test.loading_rate};
+  loading.end = {farthest_strain, test.loading_rate};
+  column.enter(loading);
+  const auto missing = [&](double time) { return column.at(time).value - test.stress; };
+  if (missing(loading.duration) < 0) return std::nullopt;
+  const double loaded_for = root(missing, 1e-12 * loading.duration, loading.duration);
+  const double strain = loaded_for * test.loading_rate;
+  ColumnTest loaded = drive(law, {{{loaded_for, 0, test.loading_rate, 0}}}, places);
+  const std::vector<double> times = hold_times(test.hold, places);
+  constexpr int steps = 16;
+  const auto held = crept(law, column, test.stress, loaded_for, strain, times, steps);
+  const auto coarse = crept(law, column, test.stress, loaded_for, strain, times, steps / 2);
+  return with_hold(std::move(loaded), test, times, held, coarse,
+                   [&](double e) { return column.lasting(e) / e; });
+}
+
+/// Foams: the strain at which the stress stays, step by step, in which it goes evenly. The error is estimated
+/// by steps of twice the length.
+inline std::vector<HoldPlace> crept(const FoamStress& law, double stress, double strain, double slip,
+                                    const std::vector<double>& times, int steps) {
+  const auto stress_at = [&](double e, double g) {
+    const FoamStress::Place place = law.at(strain_of(e));
+    const double u = law.slip().slip_rate(g);
+    return law.lasting(place, place.strain) + law.of_rate(place, law.overstress().at(u), u).stress;
+  };
+  std::vector<HoldPlace> result;
+  double last = 0;
+  for (const double time : times) {
+    double rate = 0;
+    for (int i = 0; i < steps; ++i) {
+      const double step = (time - last) / steps;
+      const auto missing = [&](double e) {
+        return stress_at(e, law.slip().after(slip, (e - strain) / step, step)) - stress;
+      };
+      if (missing(farthest_strain) < 0) return result;
+      const double next = missing(strain) >= 0 ? strain : root(missing, strain, farthest_strain);
+      rate = (next - strain) / step;
+      slip = law.slip().after(slip, rate, step);
+      strain = next;
+    }
+    result.push_back({strain, rate});
+    last = time;
+  }
+  return result;
+}
+
+template <SharesSlip Law>
+std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int places) {
+  const FoamStress column(law);
+  const auto slip_at = [&](double strain) {
+    return column.slip().after(0, test.loading_rate, strain / test.loading_rate);
+  };
+  const auto missing = [&](double strain) {
+    const FoamStress::Place place = column.at(strain_of(strain));
+    const double u = column.slip().slip_rate(slip_at(strain));
+    return column.lasting(place, place.strain) + column.of_rate(place, column.overstress().at(u), u).stress -
+           test.stress;
+  };
+  if (missing(farthest_strain) < 0) return std::nullopt;
+  const double strain = root(missing, 1e-12, farthest_strain);
+  ColumnTest loaded = drive(law, {{{strain / test.loading_rate, 0, test.loading_rate, 0}}}, places);
+  const std::vector<double> times = hold_times(test.hold, places);
+  constexpr int steps = 8;
+  const auto held = crept(column, test.stress, strain, slip_at(strain), times, steps);
+  const auto coarse = crept(column, test.stress, strain, slip_at(strain), times, steps / 2);
+  return with_hold(std::move(loaded), test, times, held, coarse,
+                   [&](double e) { return column.at(strain_of(e)).base.stress / e; });
+}
+
+}  // namespace dashpad::laboratory
