@@ -97,7 +97,8 @@ Found walk(const json& object, const std::set<std::string>& containers, const st
 
 Found walk_result(const json& result) {
   return walk(result, {"energy", "injury", "errors"},
-              {"status", "extrapolated", "extrapolations", "solver", "case", "program"});
+              {"status", "extrapolated", "extrapolations", "continuation", "softening_rates_per_s", "solver",
+               "case", "program"});
 }
 
 // --- Text ---
