@@ -19,6 +19,7 @@
 
 #include "cases.hpp"
 #include "contenders.hpp"
+#include "dashpad/spit1984/deck.hpp"
 #include "machine.hpp"
 
 namespace dashpad::bench {
@@ -56,7 +57,9 @@ void drop_beaten(std::vector<Entrant>& entrants, double margin) {
 
 std::vector<Contender> contenders_of(const ImpactCase& impact, bool quick) {
   std::vector<Contender> all = dashpad_contenders(impact);
-  for (Contender& c : spit1984_contenders(impact)) all.push_back(std::move(c));
+  // The program of 1984 has no foams by their curves.
+  if (spit1984::what_a_deck_cannot_say(impact).empty())
+    for (Contender& c : spit1984_contenders(impact)) all.push_back(std::move(c));
   for (Contender& c : cvode_contenders(impact, quick)) all.push_back(std::move(c));
   return all;
 }

@@ -60,7 +60,8 @@ CvodeImpact solve_with_cvode(const ImpactCase& impact, const CvodeOptions& optio
       solve_law(run, law);
     }
   };
-  std::visit(solve, impact.pad.material.law);
+  std::visit(solve,
+             scaled(impact.pad.material.law, stress_factor(impact.pad.condition, impact.pad.material)));
   run.result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return run.result;
 }
