@@ -110,7 +110,7 @@ std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const Impact
                                        const History& history) {
   const double thickness = impact.pad.thickness;
   const Sections nose = sections_of(impact.impactor.nose);
-  FoamContact contact(law, thickness, nose, stress_factor(impact.pad.condition, impact.pad.material));
+  FoamContact contact(law, thickness, nose);
   contact.start(resolution, thickness);
   std::vector<ContactSnapshot> snapshots;
   std::size_t now = 0;
@@ -167,8 +167,6 @@ double ContactSnapshot::force_of_stress() const {
 
 std::vector<ContactSnapshot> contact_snapshots(const ImpactCase& impact, const History& history) {
   if (history.size() < 2) return {};
-  const PadLaw& card = impact.pad.material.law;
-  const bool by_contact = std::visit([]<class Law>(const Law&) { return SharesSlip<Law>; }, card);
   return std::visit(
       [&](const auto& law) {
         using Law = std::decay_t<decltype(law)>;
@@ -179,7 +177,7 @@ std::vector<ContactSnapshot> contact_snapshots(const ImpactCase& impact, const H
         else
           return replayed(law, impact, history);
       },
-      by_contact ? card : scaled(card, stress_factor(impact.pad.condition, impact.pad.material)));
+      scaled(impact.pad.material.law, stress_factor(impact.pad.condition, impact.pad.material)));
 }
 
 }  // namespace dashpad

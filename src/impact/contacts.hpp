@@ -44,8 +44,7 @@ class Contacts {
     };
     const PadLaw& law = impact.pad.material.law;
     // The curves of a foam are made ready once; the contact multiplies its force itself.
-    const bool by_contact = std::visit([]<class Law>(const Law&) { return SharesSlip<Law>; }, law);
-    return by_contact || factor == 1 ? std::visit(of_law, law) : std::visit(of_law, scaled(law, factor));
+    return has_curves(law) || factor == 1 ? std::visit(of_law, law) : std::visit(of_law, scaled(law, factor));
   }
 
  private:

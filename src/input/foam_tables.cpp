@@ -5,35 +5,13 @@
 #include <limits>
 
 #include "dashpad/quantities/quantity.hpp"
+#include "input/number_list.hpp"
 #include "input/parameter_table.hpp"
 
 namespace dashpad::input {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-/// Each a number times `scale`, or by `read`.
-template <class Read>
-std::optional<std::vector<double>> read_list(TableReader& table, const std::string& key, std::size_t most,
-                                             Read&& read) {
-  const TomlNode* list = table.array(key);
-  if (!list) return std::nullopt;
-  if (list->children.size() > most) {
-    table.fault(key, fmt::format("has {} entries; {} are the most", list->children.size(), most));
-    return std::nullopt;
-  }
-  std::vector<double> values;
-  for (const TomlNode& entry : list->children) values.push_back(read(entry, table.full_key(key) + entry.key));
-  return values;
-}
-
-std::optional<std::vector<double>> read_numbers(TableReader& table, const std::string& key, double scale) {
-  return read_list(table, key, TableCurve::most_points, [&](const TomlNode& entry, const std::string& full) {
-    if (entry.kind == TomlNode::Kind::number) return scale * entry.number;
-    table.faults().add(entry.line, full, entry.written(), "must be a number");
-    return not_a_number;
-  });
-}
 
 /// What a stress of 1 in the unit of a table is in Pa; NaN after a fault.
 double stress_scale(TableReader& table) {
@@ -49,7 +27,7 @@ double stress_scale(TableReader& table) {
 
 std::optional<TableCurve> read_points(TableReader& table) {
   const double scale = stress_scale(table);
-  auto strain = read_numbers(table, "strain", 1);
+  auto strain = read_numbers(table, "strain");
   auto stress = read_numbers(table, "stress", scale);
   if (!strain || !stress || !(scale > 0)) return std::nullopt;
   return TableCurve{*std::move(strain), *std::move(stress)};
@@ -93,10 +71,8 @@ std::optional<RateEffect> read_curves_of_rates(TableReader& table) {
 }
 
 std::optional<RateEffect> read_factors(TableReader& table) {
-  auto rates = read_list(table, "rates", most_rates, [&](const TomlNode& entry, const std::string& key) {
-    return read_quantity(entry, key, "1/s", table.faults());
-  });
-  auto factors = read_numbers(table, "factors", 1);
+  auto rates = read_quantities(table, "rates", "1/s", most_rates);
+  auto factors = read_numbers(table, "factors");
   if (!rates || !factors) return std::nullopt;
   return FactorRateEffect{*std::move(rates), *std::move(factors)};
 }

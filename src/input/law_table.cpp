@@ -7,18 +7,14 @@ namespace dashpad::input {
 namespace {
 
 /// Whether a law can do without the table of its numbers.
-bool has_fallbacks(const PadLaw& law) {
+bool may_lack_parameters(const PadLaw& law) {
   return std::visit(
       []<class Law>(const Law&) {
         for (const auto& parameter : Law::parameters)
-          if (!has_fallback(parameter)) return false;
+          if (!parameter.may_be_left_out) return false;
         return true;
       },
       law);
-}
-
-bool has_curves(const PadLaw& law) {
-  return std::visit([]<class Law>(const Law&) { return SharesSlip<Law>; }, law);
 }
 
 }  // namespace
@@ -26,7 +22,7 @@ bool has_curves(const PadLaw& law) {
 std::optional<PadLaw> read_law(TableReader& table) {
   auto law = read_alternative<PadLaw>(table, "law");
   auto parameters =
-      table.table("parameters", law && has_fallbacks(*law) ? Presence::optional : Presence::required);
+      table.table("parameters", law && may_lack_parameters(*law) ? Presence::optional : Presence::required);
   if (!law) return std::nullopt;
   // Known, whatever else is missing.
   for (const char* key : {"curve", "rate", "unloading"})
@@ -34,7 +30,7 @@ std::optional<PadLaw> read_law(TableReader& table) {
   if (parameters) {
     law = with_parameters(*law, *parameters);
     parameters->refuse_others();
-  } else if (!has_fallbacks(*law)) {
+  } else if (!may_lack_parameters(*law)) {
     return std::nullopt;
   }
   const bool sound = std::visit(

@@ -2,11 +2,13 @@
 
 #include "dashpad/input/case_file.hpp"
 #include "input/law_table.hpp"
+#include "input/number_list.hpp"
 
 namespace dashpad::input {
 namespace {
 
 constexpr std::size_t most_also_published = 100;
+constexpr std::size_t most_temperatures = 2000;
 constexpr double most_density = 20'000;  // kg/m3
 
 std::vector<std::pair<std::string, std::string>> read_also_published(TableReader& card) {
@@ -30,17 +32,9 @@ std::optional<double> read_density(TableReader& card) {
 
 TemperatureTable read_temperatures(TableReader& table) {
   TemperatureTable result;
-  if (const TomlNode* list = table.array("temperatures"))
-    for (const TomlNode& entry : list->children)
-      result.temperature.push_back(
-          read_quantity(entry, table.full_key("temperatures") + entry.key, "K", table.faults()));
-  if (const TomlNode* list = table.array("factors"))
-    for (const TomlNode& entry : list->children) {
-      if (entry.kind != TomlNode::Kind::number)
-        table.faults().add(entry.line, table.full_key("factors") + entry.key, entry.written(),
-                           "must be a number");
-      result.factor.push_back(entry.number);
-    }
+  result.temperature =
+      read_quantities(table, "temperatures", "K", most_temperatures).value_or(std::vector<double>());
+  result.factor = read_numbers(table, "factors").value_or(std::vector<double>());
   table.refuse_others();
   return result;
 }

@@ -12,18 +12,12 @@
 
 namespace dashpad::input {
 
-/// Whether a number may be left out.
-template <class Owner>
-bool has_fallback(const Parameter<Owner>& parameter) {
-  return parameter.fallback == parameter.fallback;
-}
-
 /// Numbers at fault are NaN.
 template <class Alternative>
 Alternative read_parameters(TableReader& table) {
   Alternative result;
   for (const Parameter<Alternative>& parameter : Alternative::parameters) {
-    if (has_fallback(parameter) && !table.has(parameter.key)) continue;
+    if (parameter.may_be_left_out && !table.has(parameter.key)) continue;
     result.*parameter.member = std::string_view(parameter.unit) == "1"
                                    ? table.number(parameter.key)
                                    : table.quantity(parameter.key, parameter.unit);

@@ -141,8 +141,7 @@ std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run)
   for (const std::string& reason :
        extrapolations(material, without_rounding(run.column.largest_strain), without_rounding(fastest)))
     flags.push_back({"EXTRAPOLATED", "EXTRAPOLATED: " + reason});
-  const bool goes_on = std::visit([]<class Law>(const Law&) { return SharesSlip<Law>; }, material.law);
-  if (!goes_on && std::ranges::any_of(run.column.events, [](const ColumnEvent& event) {
+  if (!has_curves(material.law) && std::ranges::any_of(run.column.events, [](const ColumnEvent& event) {
         return event.kind == ColumnEvent::Kind::contact_taken_up;
       }))
     flags.push_back(

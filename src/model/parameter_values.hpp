@@ -21,6 +21,16 @@ struct ParameterValue {
   std::string meaning;
 };
 
+/// Adds every number that breaks its own bounds, its key behind `prefix`.
+template <class Owner>
+void check_bounds(const Owner& owner, const std::string& prefix, std::vector<Violation>& broken) {
+  for (const Parameter<Owner>& parameter : Owner::parameters) {
+    const double value = owner.*parameter.member;
+    if (auto rule = broken_rule(value, parameter.bounds, parameter.unit))
+      broken.push_back({prefix + parameter.key, value, *std::move(rule)});
+  }
+}
+
 template <class... Alternatives>
 std::vector<ParameterValue> parameter_values(const std::variant<Alternatives...>& variant) {
   return std::visit(

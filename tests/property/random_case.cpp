@@ -2,26 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "property/draw.hpp"
+
 namespace dashpad::test {
 namespace {
-
-class Draw {
- public:
-  explicit Draw(std::uint64_t seed) : generator_(seed) {}
-  double uniform(double low, double high) {
-    // 53 bits of the generator: the same on every platform, unlike the distributions of the standard library.
-    return low + (high - low) * static_cast<double>(generator_() >> 11) * 0x1p-53;
-  }
-  double decades(double low, double high) { return std::pow(10, uniform(std::log10(low), std::log10(high))); }
-  int choice(int count) { return static_cast<int>(generator_() % static_cast<std::uint64_t>(count)); }
-
- private:
-  std::mt19937_64 generator_;
-};
 
 /// tau* such that the unloading law is defined at the rates of the impact: tau* |rate| < 1.
 double residual_strain_time(Draw& draw, double rate) {

@@ -9,12 +9,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "dashpad/model/pad/law.hpp"
 #include "model/pad/foam/foam_stress.hpp"
+#include "property/draw.hpp"
 #include "property/random_case.hpp"
 
 namespace dashpad::test {
@@ -415,19 +415,6 @@ class Walk {
   double work_ = 0, error_ = 0, most_ = 0;
 };
 
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : generator_(seed) {}
-  double uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(generator_() >> 11) * 0x1p-53;
-  }
-  double decades(double low, double high) { return std::pow(10, uniform(std::log10(low), std::log10(high))); }
-  int choice(int count) { return static_cast<int>(generator_() % static_cast<std::uint64_t>(count)); }
-
- private:
-  std::mt19937_64 generator_;
-};
-
 /// The column never gives back more than was put in, closed path or not: ramps, holds, dithers, loops within
 /// loops, reloads, at rates over six decades.
 TEST(Foams, NeverGiveBackMoreThanWasPutIn) {
@@ -436,7 +423,7 @@ TEST(Foams, NeverGiveBackMoreThanWasPutIn) {
     const FoamState state(law);
     const double highest = highest_strain_of(state);
     const double c = state.slip().strain;
-    Dice dice(seed * 7919 + 1);
+    Draw dice(seed * 7919 + 1);
     for (int path = 0; path < 4; ++path) {
       Walk walk(state);
       for (int leg = 0; leg < 12; ++leg) {
@@ -503,7 +490,7 @@ TEST(Foams, LoseWorkOnEveryLoopBetweenStatesAtRest) {
   for_random_foams(80, [](std::uint64_t seed, const auto& law) {
     const FoamState state(law);
     const double highest = highest_strain_of(state);
-    Dice dice(seed);
+    Draw dice(seed);
     for (int loop = 0; loop < 4; ++loop) {
       Walk walk(state);
       // The largest strain is behind, so that both ends are the same state.

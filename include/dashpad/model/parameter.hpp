@@ -39,8 +39,8 @@ struct Parameter {
   double Owner::*member;
   Bounds bounds;
   const char* meaning;
-  /// Where nothing is given; NaN: it must be given.
-  double fallback = std::numeric_limits<double>::quiet_NaN();
+  /// Then it is what a default-made owner has.
+  bool may_be_left_out = false;
 };
 
 /// A value that breaks a rule: which one, what it is (SI), and the rule in words.

@@ -56,6 +56,14 @@ void tell_if_set(DeckFields& card, std::size_t field, const MaterialCards& of, c
     foam.differences.push_back(fmt::format("{} = {:g}: {}.", name, value, meaning));
 }
 
+void tell_of_true_rates(DeckFields& second, const MaterialCards& of, DeckFoam& foam) {
+  if (second.number(1, of.key("SFLAG")) == 0 && foam.loading.size() > 1)
+    foam.differences.emplace_back(
+        "SFLAG = 0: the rates of the table are those of the true strain; here they are taken for rates of "
+        "the "
+        "nominal strain.");
+}
+
 /// What 057 and 083 leave to a default.
 double factor_or_default(double given, const char* solver_takes, double fallback, DeckFoam& foam) {
   if (given != 0) return given;
@@ -140,11 +148,7 @@ bool read_fu_chang_foam(const DeckBlock& block, const Source& from, DeckFoam& fo
   tell_if_set(first, 6, cards, "DAMP", "the viscous damping of the element is left out", foam);
   take_table(first, 7, cards, "TBID", from, foam);
   tell_if_set(second, 0, cards, "BVFLAG", "there is no bulk viscosity", foam);
-  if (second.number(1, cards.key("SFLAG")) == 0 && foam.loading.size() > 1)
-    foam.differences.emplace_back(
-        "SFLAG = 0: the rates of the table are those of the true strain; here they are taken for rates of "
-        "the "
-        "nominal strain.");
+  tell_of_true_rates(second, cards, foam);
   tell_if_set(second, 2, cards, "RFLAG", "the rate is that of the compression", foam);
   tell_if_set(second, 3, cards, "TFLAG", "a pad carries no tension", foam);
   tell_if_set(second, 4, cards, "PVID", "the curve of the pressure is left out", foam);
@@ -205,11 +209,7 @@ bool read_modified_crushable_foam(const DeckBlock& block, const Source& from, De
   tell_if_set(first, 6, cards, "DAMP", "the viscous damping of the element is left out", foam);
   tell_if_set(first, 7, cards, "NCYCLE", "the rate is not averaged over time steps; see lag_strain", foam);
   tell_if_set(second, 0, cards, "SRCLMT", "the change of the rate has no limit; see lag_strain", foam);
-  if (second.number(1, cards.key("SFLAG")) == 0 && foam.loading.size() > 1)
-    foam.differences.emplace_back(
-        "SFLAG = 0: the rates of the table are those of the true strain; here they are taken for rates of "
-        "the "
-        "nominal strain.");
+  tell_of_true_rates(second, cards, foam);
   return true;
 }
 

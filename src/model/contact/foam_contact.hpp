@@ -7,8 +7,8 @@
 /// the same amount above the strain for all columns, and from the slip rate, which is one for all. So nothing
 /// is kept for a column, and the integral is taken anew for every trial, by four points of Gauss in each of a
 /// number of panels: even in the root of the strain up to the last tested strain, even in the logarithm of
-/// its complement beyond. On unloading the columns at the edge let go first, so the integral begins at the
-/// strain where the stress is nothing.
+/// its complement beyond. On unloading columns let go, those at the edge first as a rule, so the integral
+/// goes from one strain where the stress is nothing to the next.
 
 #include <algorithm>
 #include <array>
@@ -111,7 +111,7 @@ class FoamContact {
   /// Panels times the root of the resolution: the rule is of an order far above that of the step.
   static constexpr double panels_at_one = 0.9;
   static constexpr double most_panels = 2000;
-  static constexpr int looks = 24;  ///< for rings, where the axis does not press
+  static constexpr std::size_t looks = 24;  ///< for rings, where the axis does not press
   struct Node {
     double place = 0;
     double weight = 0;
@@ -163,23 +163,22 @@ class FoamContact {
       return force + integral(edge, root * root, top, top);
     }
     // The axis has let go. A ring around it may go on pressing, or several.
+    std::array<double, looks + 1> places;
+    for (std::size_t i = 0; i < looks; ++i) places[i] = low + (high - low) * double(i + 1) / looks;
+    places[looks] = std::max(std::sqrt(std::clamp(most_pressing(top), edge, top)), first);
+    std::sort(places.begin(), places.end());
     double before = first;
     double f_before = f_first;
-    double from = f_first > 0 ? low : high;
-    const double likely = std::sqrt(std::clamp(most_pressing(top), edge, top));
-    for (int i = 1; i <= looks; ++i) {
-      double x = low + (high - low) * i / looks;
-      const bool passes_likely = before < likely && likely < x;
-      if (passes_likely) x = likely;
-      const double f = at(x);
-      if (f > 0 && f_before <= 0) from = crossing(at, before, f_before, x, f);
+    double from = low;
+    for (const double place : places) {
+      const double f = at(place);
+      if (f > 0 && f_before <= 0) from = crossing(at, before, f_before, place, f);
       if (f <= 0 && f_before > 0) {
-        const double to = crossing(at, before, f_before, x, f);
+        const double to = crossing(at, before, f_before, place, f);
         force += integral(edge, from * from, to * to, top);
       }
-      before = x;
+      before = place;
       f_before = f;
-      if (passes_likely) --i;
     }
     return force;
   }

@@ -3,20 +3,11 @@
 #include <optional>
 #include <utility>
 
-#include "model/pad/foam/foam_curve.hpp"
 #include "model/pad/foam/foam_rules.hpp"
+#include "model/parameter_values.hpp"
 
 namespace dashpad {
 namespace {
-
-template <class Law>
-void check_bounds(const Law& law, std::vector<Violation>& broken) {
-  for (const auto& parameter : Law::parameters) {
-    const double value = law.*parameter.member;
-    if (std::optional<std::string> rule = broken_rule(value, parameter.bounds, parameter.unit))
-      broken.push_back({parameter.key, value, std::move(*rule)});
-  }
-}
 
 // The rules between parameters. All are written so that a value that is not a number, which breaks its bounds
 // already, breaks none of them.
@@ -57,14 +48,16 @@ void check_rules(const ViscoelasticFoam& law, std::vector<Violation>& broken) {
 std::vector<Violation> violations(const PadLaw& law) {
   std::vector<Violation> broken;
   const auto check = [&broken](const auto& alternative) {
-    check_bounds(alternative, broken);
+    check_bounds(alternative, "", broken);
     check_rules(alternative, broken);
   };
   std::visit(check, law);
   return broken;
 }
 
-double last_tested_strain(const FoamCurves& curves) { return last_strain_of(curves.base); }
+bool has_curves(const PadLaw& law) {
+  return std::visit([]<class Law>(const Law&) { return SharesSlip<Law>; }, law);
+}
 
 std::vector<double> softening_rates(const PadLaw& law) {
   return std::visit(

@@ -89,7 +89,7 @@ std::vector<std::string> extrapolations(const Material& material, double largest
                                         double largest_rate) {
   std::vector<std::string> reasons;
   if (const auto fitted = range_of(material)) {
-    const bool by_curves = std::visit([]<class Law>(const Law&) { return SharesSlip<Law>; }, material.law);
+    const bool by_curves = has_curves(material.law);
     if (largest_strain > fitted->highest_strain)
       reasons.push_back(fmt::format("strain reaches {:.3f}; the {} up to {:.3g}{}", largest_strain,
                                     by_curves ? "foam was tested" : "law was fitted", fitted->highest_strain,

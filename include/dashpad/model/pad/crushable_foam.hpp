@@ -33,13 +33,13 @@ struct CrushableFoam {
 inline constexpr std::array<Parameter<CrushableFoam>, 5> CrushableFoam::parameters{{
     {"unloading_modulus", "E", "Pa", &CrushableFoam::unloading_modulus, positive, "slope of the unloading"},
     {"lag_strain", "l", "1", &CrushableFoam::lag_strain, lag_strains,
-     "strain over which the rate's stress follows the rate", 0.005},
+     "strain over which the rate's stress follows the rate", true},
     {"continuation_exponent", "n", "1", &CrushableFoam::continuation_exponent, continuation_exponents,
-     "exponent of one minus the strain beyond the last tested strain", 2},
+     "exponent of one minus the strain beyond the last tested strain", true},
     {"gentlest_continuation", "n_low", "1", &CrushableFoam::gentlest_continuation, continuation_exponents,
-     "the smallest it may be", 1},
+     "the smallest it may be", true},
     {"steepest_continuation", "n_high", "1", &CrushableFoam::steepest_continuation, continuation_exponents,
-     "the largest it may be", 4},
+     "the largest it may be", true},
 }};
 
 }  // namespace dashpad

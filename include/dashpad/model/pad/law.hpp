@@ -86,8 +86,8 @@ using WithMemory = decltype(tuple_with_memory<Of>(static_cast<const PadLaw*>(nul
 /// All rules that the law's parameters break: each parameter's bounds, and rules between parameters.
 std::vector<Violation> violations(const PadLaw& law);
 
-/// Strain up to which the base curve of a foam was tested.
-double last_tested_strain(const FoamCurves& curves);
+/// Whether the law is made of the curves of tests (SharesSlip).
+bool has_curves(const PadLaw& law);
 
 /// The tested rates, 1/s, whose curves fall somewhere; none for a law without curves.
 std::vector<double> softening_rates(const PadLaw& law);

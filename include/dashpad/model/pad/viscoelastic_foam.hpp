@@ -65,15 +65,15 @@ inline constexpr std::array<Parameter<ViscoelasticFoam>, 8> ViscoelasticFoam::pa
     {"first_exponent", "a_1", "1", &ViscoelasticFoam::first_exponent, viscoelastic_exponents,
      "exponent of the stretch in it, not 0"},
     {"second_modulus", "mu_2", "Pa", &ViscoelasticFoam::second_modulus, not_negative,
-     "modulus of its second term", 0},
+     "modulus of its second term", true},
     {"second_exponent", "a_2", "1", &ViscoelasticFoam::second_exponent, viscoelastic_exponents,
-     "exponent of the second term, not 0", 1},
+     "exponent of the second term, not 0", true},
     {"first_share", "g_1", "1", &ViscoelasticFoam::first_share, viscoelastic_shares,
      "stress of the first branch over the lasting one, for a sudden strain"},
     {"first_time", "tau_1", "s", &ViscoelasticFoam::first_time, positive, "its relaxation time"},
     {"second_share", "g_2", "1", &ViscoelasticFoam::second_share, viscoelastic_shares,
-     "the same of a second branch", 0},
-    {"second_time", "tau_2", "s", &ViscoelasticFoam::second_time, positive, "its relaxation time", 1},
+     "the same of a second branch", true},
+    {"second_time", "tau_2", "s", &ViscoelasticFoam::second_time, positive, "its relaxation time", true},
 }};
 
 }  // namespace dashpad

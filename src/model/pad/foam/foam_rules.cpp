@@ -10,6 +10,7 @@
 
 #include "model/pad/foam/foam_curve.hpp"
 #include "model/pad/foam/monotone_curve.hpp"
+#include "model/parameter_values.hpp"
 
 namespace dashpad {
 namespace {
@@ -75,9 +76,7 @@ bool check_base(const TableCurve& table, Violations& broken) {
 template <class Form>
 bool check_base(const Form& form, Violations& broken) {
   const std::size_t before = broken.size();
-  for (const auto& parameter : Form::parameters)
-    if (const auto rule = broken_rule(form.*parameter.member, parameter.bounds, parameter.unit))
-      broken.push_back({std::string("curve.") + parameter.key, form.*parameter.member, *rule});
+  check_bounds(form, "curve.", broken);
   if (broken.size() > before) return false;
   if constexpr (std::is_same_v<Form, GibsonAshbyCurve>)
     if (form.highest_strain >= 1 - form.relative_density) {
@@ -128,9 +127,7 @@ void check_effect(const NoRateEffect&, const FoamCurves&, const FoamCurve*, Viol
 
 void check_effect(const PowerRateEffect& effect, const FoamCurves& curves, const FoamCurve*,
                   Violations& broken) {
-  for (const auto& parameter : PowerRateEffect::parameters)
-    if (const auto rule = broken_rule(effect.*parameter.member, parameter.bounds, parameter.unit))
-      broken.push_back({std::string("rate.") + parameter.key, effect.*parameter.member, *rule});
+  check_bounds(effect, "rate.", broken);
   check_rate(effect.highest_rate, curves.slowest_rate, "rate.highest_rate", broken);
 }
 

@@ -44,7 +44,6 @@ class Overstress {
     if (rate == 0) return 0;
     return tables_.empty() ? log_factors_[rate] : tables_[rate - 1].at(place);
   }
-  [[nodiscard]] double highest_rate() const { return rates_.back(); }
 
  private:
   enum class Kind { none, power, tested };
