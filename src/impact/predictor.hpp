@@ -19,13 +19,15 @@ class Predictor {
   void start(double speed, double stiffness) {
     *this = {};
     pad_rate_ = speed;
-    pad_stiffness_ = spring_ = stiffness;
+    pad_stiffness_ = stiffness_to_resolve_ = spring_ = stiffness;
   }
 
   /// Mean rate of the penetration over the last step, or what a new phase begins with, m/s.
   [[nodiscard]] double pad_rate() const { return pad_rate_; }
   /// dF/dY over the last step, N/m, and what it is likely to be over the next.
   [[nodiscard]] double pad_stiffness() const { return pad_stiffness_; }
+  /// As Trial::stiffness_to_resolve().
+  [[nodiscard]] double stiffness_to_resolve() const { return stiffness_to_resolve_; }
   [[nodiscard]] double next_stiffness() const { return pad_stiffness_ * stiffening_; }
   /// In which the rate changes by a factor of e, s.
   [[nodiscard]] double time_scale() const { return trend_.time_scale(); }
@@ -51,12 +53,13 @@ class Predictor {
     const double rate = trial.pad_rate();
     tried_step_ = 0;
     if (phase == Phase::loading && rate > numerics.breakdown_of_rate * pad_rate_)
-      spring_ = trial.pad_stiffness;
+      spring_ = trial.stiffness_to_resolve();
     pad_rate_ = rate;
     if (phase != Phase::held) {
       const double most = numerics.most_stiffening;
       stiffening_ = trend_.is_known() ? std::clamp(trial.pad_stiffness / pad_stiffness_, 1 / most, most) : 1;
       pad_stiffness_ = trial.pad_stiffness;
+      stiffness_to_resolve_ = trial.stiffness_to_resolve();
     }
     if (event == Event::none && rate != 0)
       trend_.add(rate, trial.step);
@@ -69,7 +72,7 @@ class Predictor {
     tried_step_ = 0;
     if (event == Event::turning) {
       pad_rate_ = std::min(now.velocity, 0.0);
-      pad_stiffness_ = spring_;
+      pad_stiffness_ = stiffness_to_resolve_ = spring_;
       stiffening_ = 1;
     }
     if (event == Event::reloading || event == Event::yielding) pad_rate_ = std::max(now.velocity, 0.0);
@@ -84,6 +87,7 @@ class Predictor {
  private:
   double pad_rate_ = 0;
   double pad_stiffness_ = 0;
+  double stiffness_to_resolve_ = 0;
   double spring_ = 0;      ///< stiffness before the rate broke down towards the turning point
   double stiffening_ = 1;  ///< of the pad from the step before to the last
   double drive_rate_ = 0;

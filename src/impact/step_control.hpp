@@ -51,10 +51,10 @@ class StepControl {
     return step;
   }
   [[nodiscard]] double longest(Phase phase, const Trial& trial) const {
-    return longest(phase, trial.end, trial.pad_stiffness, trial.pad_rate());
+    return longest(phase, trial.end, trial.stiffness_to_resolve(), trial.pad_rate());
   }
   [[nodiscard]] double longest(Phase phase, const State& now, const Predictor& predictor) const {
-    return longest(phase, now, predictor.pad_stiffness(), predictor.pad_rate());
+    return longest(phase, now, predictor.stiffness_to_resolve(), predictor.pad_rate());
   }
 
   /// What a step from here on is usually as long as: the longest, but no jump from what it was.

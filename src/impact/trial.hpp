@@ -23,8 +23,13 @@ struct Trial {
   PadTrial pad;
   double step = 0;               ///< s
   double pad_stiffness = 0;      ///< dF/dY over the step, N/m
+  double lasting_stiffness = 0;  ///< without what a change of the rate adds at once; 0: the same
   Event obstacle = Event::none;  ///< why Eq. 25 has no solution over this step in this phase
 
+  /// Which steps must resolve, N/m.
+  [[nodiscard]] double stiffness_to_resolve() const {
+    return lasting_stiffness > 0 ? lasting_stiffness : pad_stiffness;
+  }
   /// Mean rate of the penetration, m/s.
   [[nodiscard]] double pad_rate() const { return pad.advance / step; }
 };

@@ -59,10 +59,7 @@ class FoamColumn {
     const double from = arc_.duration * piece / count;
     const double g = law_.slip().after(slips[static_cast<std::size_t>(piece)], arc_.at(from).rate,
                                        motion.rate, std::max(x - from, 0.0));
-    const double u = law_.slip().slip_rate(g);
-    const FoamStress::Place place = law_.at(strain_of(motion.strain));
-    return law_.lasting(place, strain_of(std::max(largest_, motion.strain))) +
-           law_.of_rate(place, law_.overstress().at(u), u).stress;
+    return law_.stress(strain_of(motion.strain), largest_ - motion.strain, g);
   }
 
   FoamStress law_;

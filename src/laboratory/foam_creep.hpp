@@ -72,11 +72,6 @@ inline std::optional<ColumnTest> creep_of(const ViscoelasticFoam& law, const Cre
 /// by steps of twice the length.
 inline std::vector<HoldPlace> crept(const FoamStress& law, double stress, double strain, double slip,
                                     const std::vector<double>& times, int steps) {
-  const auto stress_at = [&](double e, double g) {
-    const FoamStress::Place place = law.at(strain_of(e));
-    const double u = law.slip().slip_rate(g);
-    return law.lasting(place, place.strain) + law.of_rate(place, law.overstress().at(u), u).stress;
-  };
   std::vector<HoldPlace> result;
   double last = 0;
   for (const double time : times) {
@@ -84,7 +79,7 @@ inline std::vector<HoldPlace> crept(const FoamStress& law, double stress, double
     for (int i = 0; i < steps; ++i) {
       const double step = (time - last) / steps;
       const auto missing = [&](double e) {
-        return stress_at(e, law.slip().after(slip, (e - strain) / step, step)) - stress;
+        return law.stress(strain_of(e), 0, law.slip().after(slip, (e - strain) / step, step)) - stress;
       };
       if (missing(farthest_strain) < 0) return result;
       const double next = missing(strain) >= 0 ? strain : root(missing, strain, farthest_strain);
@@ -105,10 +100,7 @@ std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int pl
     return column.slip().after(0, test.loading_rate, strain / test.loading_rate);
   };
   const auto missing = [&](double strain) {
-    const FoamStress::Place place = column.at(strain_of(strain));
-    const double u = column.slip().slip_rate(slip_at(strain));
-    return column.lasting(place, place.strain) + column.of_rate(place, column.overstress().at(u), u).stress -
-           test.stress;
+    return column.stress(strain_of(strain), 0, slip_at(strain)) - test.stress;
   };
   if (missing(farthest_strain) < 0) return std::nullopt;
   const double strain = root(missing, 1e-12, farthest_strain);

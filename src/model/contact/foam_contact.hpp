@@ -5,10 +5,9 @@
 ///
 /// The stress of a column follows from its strain, from the largest strain that it has seen, which lies by
 /// the same amount above the strain for all columns, and from the slip rate, which is one for all. So nothing
-/// is kept for a column, and the integral is taken anew for every trial, by four points of Gauss in each of a
-/// number of panels: even in the root of the strain up to the last tested strain, even in the logarithm of
-/// its complement beyond. On unloading columns let go, those at the edge first as a rule, so the integral
-/// goes from one strain where the stress is nothing to the next.
+/// is kept for a column, and the integral is taken anew for every trial, over the work of the base curve
+/// (model/contact/work_nodes.hpp). On unloading columns let go, those at the edge first as a rule, so the
+/// integral goes from one strain where the stress is nothing to the next.
 
 #include <algorithm>
 #include <array>
@@ -20,6 +19,7 @@
 
 #include "dashpad/model/nose/sections.hpp"
 #include "model/contact/contact.hpp"
+#include "model/contact/work_nodes.hpp"
 #include "model/pad/foam/foam_stress.hpp"
 
 namespace dashpad {
@@ -49,6 +49,8 @@ class FoamContact {
 
   void start(double resolution, double) {
     panels_ = panels_at_one / std::sqrt(resolution);
+    edge_precision_ = precision_of_edge * resolution;
+    edge_ = 0;
     penetration_ = largest_ = pressing_ = 0;
     elastic_strain_ = 0;
     rate_ = rate_step_ = 0;
@@ -67,6 +69,7 @@ class FoamContact {
         std::clamp(trial_rate_ + trend, std::min(0.0, 2 * trial_rate_), std::max(0.0, 2 * trial_rate_));
     trial_strain_ = stress_.slip().after(elastic_strain_, 2 * trial_rate_ - at_end, at_end, step);
     last_.force = factor_ * integrate();
+    updates_ += points_;
     return last_;
   }
 
@@ -74,9 +77,28 @@ class FoamContact {
     recall(trial);
     return factor_ * relaxing_;
   }
+  /// dF/dY if only the base curve's stress changed: what a change of the rate adds is none of a spring's.
+  [[nodiscard]] double lasting_stiffness(const PadTrial& trial) {
+    recall(trial);
+    const double Y = trial_penetration_;
+    if (Y <= 0) return 0;
+    const double top = Y / thickness_;
+    const FoamStress::Place outer = stress_.at(leading((Y - std::min(Y, nose_.depth)) / thickness_, top));
+    const FoamStress::Place inner = stress_.at(leading(top, top));
+    const auto by_work = [&](const FoamStress::Place& at) {
+      return nose_.rate(depth_of(at.strain.value)) * at.base.stress - nose_.taper * thickness_ * at.base.work;
+    };
+    double stiffness = 2 * std::numbers::pi * (by_work(inner) - by_work(outer));
+    if (nose_.tip > 0) {
+      const double change = 1e-3 * std::min(inner.strain.value, inner.strain.complement);
+      const Strain beyond{inner.strain.value + change, inner.strain.complement - change};
+      stiffness += nose_.tip * (stress_.at(beyond).base.stress - inner.base.stress) / (change * thickness_);
+    }
+    return std::max(factor_ * stiffness * ratio(inner).stress, last_.force / thickness_);
+  }
   [[nodiscard]] double largest_stress(const PadTrial& trial) {
     recall(trial);
-    return trial_penetration_ > 0 ? largest_stress_ : -std::numeric_limits<double>::min();
+    return trial_penetration_ > 0 ? largest_ratio_ : -std::numeric_limits<double>::min();
   }
 
   void accept(const PadTrial& trial) {
@@ -100,32 +122,18 @@ class FoamContact {
   };
   [[nodiscard]] Column column(double depth) const {
     const double strain = (penetration_ - depth) / thickness_;
-    const FoamStress::Place place = stress_.at({strain, ((thickness_ - penetration_) + depth) / thickness_});
-    const double u = stress_.slip().slip_rate(elastic_strain_);
-    const Strain largest = strain_of(strain + (largest_ - penetration_) / thickness_);
-    return {strain, factor_ * (stress_.lasting(place, largest) +
-                               stress_.of_rate(place, stress_.overstress().at(u), u).stress)};
+    const Strain at{strain, ((thickness_ - penetration_) + depth) / thickness_};
+    return {strain, factor_ * stress_.stress(at, (largest_ - penetration_) / thickness_, elastic_strain_)};
   }
 
  private:
-  /// Panels times the root of the resolution: the rule is of an order far above that of the step.
-  static constexpr double panels_at_one = 0.9;
-  static constexpr double most_panels = 2000;
-  static constexpr std::size_t looks = 24;  ///< for rings, where the axis does not press
-  struct Node {
-    double place = 0;
-    double weight = 0;
-  };
-  static constexpr std::array<Node, 4> gauss{{{0.06943184420297371, 0.17392742256872693},
-                                              {0.33000947820757187, 0.32607257743127307},
-                                              {0.66999052179242813, 0.32607257743127307},
-                                              {0.93056815579702629, 0.17392742256872693}}};
-
+  /// Panels times the root of the resolution: the rule is of the fourth order, twice that of the step.
+  static constexpr double panels_at_one = 1.8;
+  /// Of the edge, in the resolution.
+  static constexpr double precision_of_edge = 5e-3;
+  static constexpr std::size_t looks = 12;  ///< for rings, where the axis does not press
   static FoamStress made_of(const Law& law) {
     return std::visit([](const auto& of) { return FoamStress(of); }, law);
-  }
-  static int panels_of(double wanted, int least) {
-    return static_cast<int>(std::clamp(std::ceil(wanted), double(least), most_panels));
   }
   void recall(const PadTrial& wanted) {
     if (!last_.is_same_step_as(wanted)) trial(wanted.advance, wanted.from, wanted.step);
@@ -134,7 +142,7 @@ class FoamContact {
   /// The force at the end of the trial; on the way what else is asked for.
   double integrate() {
     relaxing_ = 0;
-    largest_stress_ = -std::numeric_limits<double>::infinity();
+    largest_ratio_ = -std::numeric_limits<double>::infinity();
     trial_pressing_ = 0;
     points_ = 0;
     const double Y = trial_penetration_;
@@ -142,10 +150,11 @@ class FoamContact {
     slip_rate_ = stress_.slip().slip_rate(trial_strain_);
     at_rate_ = stress_.overstress().at(slip_rate_);
     ahead_ = (trial_largest_ - Y) / thickness_;
+    lead_ = stress_.lead(ahead_);
     gap_ = (thickness_ - Y) / thickness_;
     const double top = Y / thickness_;
     double force = 0;
-    if (nose_.tip > 0) force = add(stress_.at({top, gap_}), nose_.tip);
+    if (nose_.tip > 0) force = pressure(top) * nose_.tip;
     const double end = std::min(Y, nose_.depth);
     if (end <= 0) return force;
     const double edge = (Y - end) / thickness_;
@@ -183,101 +192,110 @@ class FoamContact {
     return force;
   }
 
+  /// On the flat tip, Pa.
+  double pressure(double top) {
+    const FoamStress::Place place = stress_.at(leading(top, top));
+    const FoamStress::Ratio of = ratio(place);
+    largest_ratio_ = std::max(largest_ratio_, of.stress);
+    if (of.stress <= 0) return 0;
+    relaxing_ += nose_.tip * place.base.stress * of.relaxing;
+    return place.base.stress * of.stress;
+  }
   /// Of the stress between two strains of the contact, which ends at the strains `edge` and `top`.
   double integral(double edge, double from, double to, double top) {
     if (to <= from) return 0;
-    const double Y = trial_penetration_;
+    if (trial_pressing_ == 0) trial_pressing_ = trial_penetration_ - from * thickness_;
+    const Strain first = leading(from, top);
+    const Strain end = leading(to, top);
+    const FoamStress::Place outer = stress_.at(first);
+    const FoamStress::Place inner = stress_.at(end);
+    // What all columns have in common is known in closed form; the rest is smaller, and often nothing.
+    const FoamStress::Ratio common = ratio(inner);
+    const double thickness = 2 * std::numbers::pi * thickness_;
+    const double base = thickness * base_force(outer, inner);
+    double force = base * common.stress;
+    relaxing_ += base * common.relaxing;
+    largest_ratio_ = std::max(largest_ratio_, common.stress);
+    if (stress_.is_even(ahead_, at_rate_)) return force;
+
     const double last = stress_.curve().last_strain();
-    if (trial_pressing_ == 0) trial_pressing_ = Y - from * thickness_;
-    double force = 0;
-    if (from < last) {
-      const double low = std::sqrt(from);
-      const double high = std::sqrt(std::min(to, last));
-      const double share = (high - low) / (std::sqrt(std::min(top, last)) - std::sqrt(edge));
-      const int panels = panels_of(panels_ * share, 2);
-      const double width = (high - low) / panels;
-      for (int i = 0; i < panels; ++i)
-        for (const Node& node : gauss) {
-          const double root = low + width * (i + node.place);
-          const double depth = Y - root * root * thickness_;
-          force += add(stress_.within(root), 2 * root * width * node.weight * weight_at(depth));
-        }
-    }
-    if (to > last) {
-      // Complements of the strains at both ends; that of the axis is known without cancellation.
-      const double inner = gap_ + (top - to);
-      const double outer = from > last ? gap_ + (top - from) : 1 - last;
-      const double range = std::log(outer / inner);
-      const int panels = panels_of(panels_ * range, 1);
-      const double width = range / panels;
-      for (int i = 0; i < panels; ++i)
-        for (const Node& node : gauss) {
-          const double complement = inner * std::exp(width * (i + node.place));
-          const double depth = (complement - gap_) * thickness_;
-          force += add(stress_.beyond({1 - complement, complement}),
-                       complement * width * node.weight * weight_at(depth));
-        }
-    }
+    const auto root = [&](double strain) { return std::sqrt(std::min(strain + lead_, last)); };
+    const double share = (root(to) - root(from)) / (root(top) - root(edge));
+    visit_work_nodes(stress_, first, end, panels_ * share, panels_, from <= edge,
+                     [&](const FoamStress::Place& place, double work) {
+                       const FoamStress::Ratio of = ratio(place);
+                       const double area = thickness * work * nose_.rate(depth_of(place.strain.value));
+                       force += area * (of.stress - common.stress);
+                       relaxing_ += area * (of.relaxing - common.relaxing);
+                     });
     return force;
   }
-  /// a'(s) L: the area of columns by their strain, m2.
-  [[nodiscard]] double weight_at(double depth) const {
-    return 2 * std::numbers::pi * thickness_ * nose_.rate(depth);
+  /// int s a' / (2 pi) de between two places.
+  [[nodiscard]] double base_force(const FoamStress::Place& outer, const FoamStress::Place& inner) const {
+    const FoamCurve& curve = stress_.curve();
+    const double moment = curve.moment(inner.strain) - curve.moment(outer.strain);
+    return (nose_.width - nose_.taper * depth_of(0)) * (inner.base.work - outer.base.work) +
+           nose_.taper * thickness_ * moment;
   }
-  [[nodiscard]] Strain largest_of(Strain strain) const {
-    return {strain.value + ahead_, strain.complement - ahead_};
+  /// Where the nose meets the column that a strain leads, m behind its tip.
+  [[nodiscard]] double depth_of(double leading) const {
+    return trial_penetration_ + (lead_ - leading) * thickness_;
   }
-  /// Whose sign is that of the stress; of foam the stress over the base curve, which is smooth to the edge.
+  /// The strain that leads the column of a strain; that of the axis is known without cancellation.
+  [[nodiscard]] Strain leading(double strain, double top) const {
+    return {strain + lead_, (gap_ - lead_) + (top - strain)};
+  }
+  FoamStress::Ratio ratio(const FoamStress::Place& leading, double least = 0) {
+    ++points_;
+    stations_ = std::max(stations_, points_);
+    return stress_.ratio(leading, ahead_, at_rate_, slip_rate_, least);
+  }
+  /// The ratio of a column, which is smooth to the edge. Without its floor that of a crushed foam changes its
+  /// sign at the gap.
   double sign_at(double strain, double top) {
-    ++updates_;
-    const Strain at{strain, gap_ + (top - strain)};
-    const FoamStress::Place place = stress_.at(at);
-    // Without its floor the stress of a crushed foam changes its sign at the gap.
     const double least = slip_rate_ <= 0 ? -std::numeric_limits<double>::infinity() : 0;
-    const double stress =
-        stress_.lasting(place, largest_of(at), least) + stress_.of_rate(place, at_rate_, slip_rate_).stress;
-    largest_stress_ = std::max(largest_stress_, stress);
-    return stress_.stays_crushed() ? stress : stress / place.base.stress;
+    const double value = ratio(stress_.at(leading(strain, top)), least).stress;
+    largest_ratio_ = std::max(largest_ratio_, value);
+    return value;
   }
   /// The strain at which a crushed foam presses longest: beyond, its unloading is as steep as its crush
   /// curve.
   [[nodiscard]] double most_pressing(double top) const {
     return stress_.stays_crushed() ? stress_.longest_pressed(ahead_) - ahead_ : top;
   }
-  /// A root of f between two places with values of unlike signs, by the rule of Illinois.
+  /// A root of f between two places with values of unlike signs, by the rule of Illinois, from the place of
+  /// the last root on. The stress is nothing there: an error of the root counts by its square.
   template <class F>
-  static double crossing(F&& f, double low, double f_low, double high, double f_high) {
-    // The stress is nothing there: an error of the root counts by its square, against what is left to the
-    // axis.
-    const double end = high;
-    for (int i = 0, side = 0; i < 60 && high - low > 1e-5 * (end - low); ++i) {
-      const double middle = (low * f_high - high * f_low) / (f_high - f_low);
-      const double value = f(middle);
-      if (value == 0) return middle;
+  double crossing(F&& f, double low, double f_low, double high, double f_high) {
+    const double precision = edge_precision_ * (high - low);
+    int side = 0;
+    const auto look = [&](double place) {
+      const double value = f(place);
       if ((value < 0) == (f_low < 0)) {
-        low = middle;
+        low = place;
         f_low = value;
         if (side < 0) f_high /= 2;
         side = -1;
       } else {
-        high = middle;
+        high = place;
         f_high = value;
         if (side > 0) f_low /= 2;
         side = 1;
       }
+      return value;
+    };
+    if (low < edge_ && edge_ < high) {
+      const double beyond = 1.1 * look(edge_) / edge_slope_;
+      const double next = edge_ - beyond - std::copysign(precision / 2, beyond);
+      side = 0;
+      if (low < next && next < high) look(next);
+      side = 0;
     }
-    return (low * f_high - high * f_low) / (f_high - f_low);
-  }
-  double add(const FoamStress::Place& place, double area) {
-    ++points_;
-    stations_ = std::max(stations_, points_);
-    ++updates_;
-    const FoamStress::Rate rate = stress_.of_rate(place, at_rate_, slip_rate_);
-    const double stress = stress_.lasting(place, largest_of(place.strain)) + rate.stress;
-    largest_stress_ = std::max(largest_stress_, stress);
-    if (stress <= 0) return 0;
-    relaxing_ += area * rate.relaxing;
-    return area * stress;
+    for (int i = 0; i < 60 && high - low > precision; ++i)
+      if (look((low * f_high - high * f_low) / (f_high - f_low)) == 0) break;
+    edge_slope_ = (f_high - f_low) / (high - low);
+    edge_ = (low * f_high - high * f_low) / (f_high - f_low);
+    return edge_;
   }
 
   Law law_;
@@ -299,12 +317,16 @@ class FoamContact {
   double trial_rate_ = 0;
   double trial_pressing_ = 0;
   double ahead_ = 0;  ///< of the largest strain, over the strain
+  double lead_ = 0;   ///< of the strain that leads a column, over its own
   double gap_ = 0;    ///< above the axis, of the thickness
+  double edge_ = 0;   ///< root of the strain where the last ring of columns began to press
+  double edge_slope_ = 1;
+  double edge_precision_ = 0;
   double slip_rate_ = 0;
   Overstress::AtRate at_rate_;
   double relaxing_ = 0;
-  double largest_stress_ = 0;
-  std::size_t points_ = 0;    ///< of the contact integral in this trial
+  double largest_ratio_ = 0;
+  std::size_t points_ = 0;    ///< columns looked at in this trial
   std::size_t stations_ = 0;  ///< the most of them since the start
   std::size_t updates_ = 0;
 };

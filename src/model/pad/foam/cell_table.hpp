@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace dashpad {
@@ -21,14 +22,16 @@ struct CellPlace {
 /// Cells from strain 0 to `last_strain`.
 struct Cells {
   static constexpr std::size_t count = 256;
-  double width = 1;  ///< of a cell, in the root of the strain
+  double width = 1;      ///< of a cell, in the root of the strain
+  double per_width = 1;  ///< 1 / width
 
   Cells() = default;
-  explicit Cells(double last_strain) : width(std::sqrt(last_strain) / count) {}
+  explicit Cells(double last_strain)
+      : width(std::sqrt(last_strain) / count), per_width(count / std::sqrt(last_strain)) {}
 
   [[nodiscard]] CellPlace place(double root) const {
-    const double x = root / width;
-    const double cell = std::min(std::floor(x), double(count - 1));
+    const double x = root * per_width;
+    const auto cell = std::min(static_cast<std::int32_t>(x), static_cast<std::int32_t>(count - 1));
     return {static_cast<std::size_t>(cell), x - cell};
   }
 };

@@ -43,6 +43,9 @@ FoamCurve::FoamCurve(const BaseCurve& base, double continuation_exponent)
   work_.assign(Cells::count, 0);
   for (std::size_t i = 0; i + 1 < Cells::count; ++i) work_[i + 1] = within({i, 1}).work;
   last_.work = within({Cells::count - 1, 1}).work;
+  moment_.assign(Cells::count, 0);
+  for (std::size_t i = 0; i + 1 < Cells::count; ++i) moment_[i + 1] = moment_within({i, 1});
+  last_moment_ = moment_within({Cells::count - 1, 1});
   last_power_ = std::pow(last_complement_, -exponent_);
   growth_ = last_slope * last_complement_ / (exponent_ * last_power_);
 }

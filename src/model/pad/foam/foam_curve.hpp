@@ -37,23 +37,34 @@ class FoamCurve {
     const double t = place.t;
     const double h = cells_.width;
     const double x = h * static_cast<double>(place.cell);
-    const double area = x * (a + t * (b / 2 + t * (c / 3 + t * d / 4))) +
-                        h * t * (a / 2 + t * (b / 3 + t * (c / 4 + t * d / 5)));
+    constexpr double third = 1.0 / 3;
+    const double area = x * (a + t * (b * 0.5 + t * (c * third + t * d * 0.25))) +
+                        h * t * (a * 0.5 + t * (b * third + t * (c * 0.25 + t * d * 0.2)));
     return {a + t * (b + t * (c + t * d)), work_[place.cell] + 2 * h * t * area};
   }
   [[nodiscard]] Point beyond(Strain e) const {
-    const double n = exponent_;
     const double power = inverse_power(e.complement);
-    const double integral = std::abs(n - 1) < 1e-9
-                                ? -std::log(e.complement / last_complement_)
-                                : (power * e.complement - last_power_ * last_complement_) / (n - 1);
-    return {
-        last_.stress + growth_ * (power - last_power_),
-        last_.work + (last_.stress - growth_ * last_power_) * (e.value - last_strain_) + growth_ * integral};
+    return {last_.stress + growth_ * (power - last_power_),
+            last_.work + (last_.stress - growth_ * last_power_) * (e.value - last_strain_) +
+                growth_ * area_of_power(exponent_, e.complement, power, last_power_)};
   }
   [[nodiscard]] Point at(Strain e) const {
     if (e.value >= last_strain_) return beyond(e);
     return within(cells_.place(std::sqrt(std::max(e.value, 0.0))));
+  }
+  /// Integral of e s(e) from 0 to a strain, J per m3 of foam.
+  [[nodiscard]] double moment(Strain e) const {
+    if (e.value >= last_strain_) return moment_beyond(e);
+    return moment_within(cells_.place(std::sqrt(std::max(e.value, 0.0))));
+  }
+  [[nodiscard]] double moment_within(CellPlace place) const {
+    const auto& [a, b, c, d] = stress_.cubic(place.cell);
+    const double t = place.t;
+    const double x = cells_.width * static_cast<double>(place.cell);
+    const double y = cells_.width * t;
+    const auto mean = [&](int k) { return a / k + t * (b / (k + 1) + t * (c / (k + 2) + t * d / (k + 3))); };
+    return moment_[place.cell] +
+           2 * y * (x * x * (x * mean(1) + 3 * y * mean(2)) + y * y * (3 * x * mean(3) + y * mean(4)));
   }
   /// Slope of the stress beyond the last tested strain, Pa; 0 up to it.
   [[nodiscard]] double slope_beyond(Strain e) const {
@@ -75,6 +86,21 @@ class FoamCurve {
     return std::pow(q, -exponent_);
   }
 
+  /// Integral of p^-k for p from q to the complement of the last tested strain; `power` and
+  /// `last_power` are the powers at both ends.
+  [[nodiscard]] double area_of_power(double k, double q, double power, double last_power) const {
+    if (std::abs(k - 1) < 1e-9) return -std::log(q / last_complement_);
+    return (power * q - last_power * last_complement_) / (k - 1);
+  }
+  [[nodiscard]] double moment_beyond(Strain e) const {
+    const double q = e.complement;
+    const double power = inverse_power(q);
+    const double even = last_.stress - growth_ * last_power_;
+    return last_moment_ + even * (e.value * e.value - last_strain_ * last_strain_) / 2 +
+           growth_ * (area_of_power(exponent_, q, power, last_power_) -
+                      area_of_power(exponent_ - 1, q, power * q, last_power_ * last_complement_));
+  }
+
   double exponent_ = 2;
   double last_strain_ = 1;
   double last_complement_ = 0;
@@ -83,7 +109,9 @@ class FoamCurve {
   Point last_;
   Cells cells_;
   CellTable stress_;
-  std::vector<double> work_;  ///< at the start of each cell
+  double last_moment_ = 0;
+  std::vector<double> work_;    ///< at the start of each cell
+  std::vector<double> moment_;  ///< the same of e s
 };
 
 }  // namespace dashpad

@@ -43,30 +43,42 @@ class FoamStress {
     return within(std::sqrt(std::max(strain.value, 0.0)));
   }
 
-  /// The part that does not know the rate; `largest` >= the strain. A crushed foam that has come back leaves
-  /// a gap: `least` 0, or the line of its unloading goes on.
-  [[nodiscard]] double lasting(const Place& place, Strain largest, double least = 0) const {
-    const double most = (1 - friction_) * place.base.stress;
-    if (unloading_ == Unloading::none || largest.value <= place.strain.value) return most;
-    const FoamCurve::Point top = curve_.at(largest);
-    if (unloading_ == Unloading::elastic) {
-      // Where the crush curve is steeper than the unloading, the foam comes back as steeply as it went.
-      const double slope = std::max(modulus_, curve_.slope_beyond(largest));
-      return std::max(top.stress - slope * (largest.value - place.strain.value), least);
-    }
-    return most * remaining_.at(Cells(1).place(std::sqrt(place.base.work / top.work)));
-  }
-  struct Rate {
-    double stress = 0;    ///< Pa
-    double relaxing = 0;  ///< its change with time while the strain is held, Pa/s
+  /// The strain that leads a column whose largest strain lies `ahead` of its strain: of a crushed foam that
+  /// largest strain, since it comes back along a line from there; of any other its own.
+  [[nodiscard]] double lead(double ahead) const { return stays_crushed() ? std::max(ahead, 0.0) : 0; }
+
+  /// The stress of a column over that of the base curve at the strain that leads it.
+  struct Ratio {
+    double stress = 0;
+    double relaxing = 0;  ///< its change with time while the strain is held, 1/s
   };
-  /// The part of the rate.
-  [[nodiscard]] Rate of_rate(const Place& place, const Overstress::AtRate& at, double slip_rate) const {
-    const Overstress::Value q = overstress_.of(at, place.strain.value, place.cell);
-    const double u = std::abs(slip_rate);
-    const double side = slip_rate < 0 ? 1 : -1;
-    return {place.base.stress * q.stress,
-            side * place.base.stress * q.rise * (u + slip_.rate) / slip_.strain};
+  /// A crushed foam that has come back leaves a gap: `least` 0, or the line of its unloading goes on.
+  [[nodiscard]] Ratio ratio(const Place& leading, double ahead, const Overstress::AtRate& at,
+                            double slip_rate, double least = 0) const {
+    const double relaxation = (slip_rate < 0 ? 1 : -1) * (std::abs(slip_rate) + slip_.rate) / slip_.strain;
+    if (!stays_crushed() || ahead <= 0) {
+      const Overstress::Value q = overstress_.of(at, leading.strain.value, leading.cell);
+      return {(1 - friction_) * remaining(leading, ahead) + q.stress, relaxation * q.rise};
+    }
+    // Where the crush curve is steeper than the unloading, the foam comes back as steeply as it went.
+    const double slope = std::max(modulus_, curve_.slope_beyond(leading.strain));
+    const double lasting = std::max(1 - slope * ahead / leading.base.stress, least);
+    if (slip_rate <= 0) return {lasting, 0};
+    const Place own = this->at({leading.strain.value - ahead, leading.strain.complement + ahead});
+    const Overstress::Value q = overstress_.of(at, own.strain.value, own.cell);
+    const double share = own.base.stress / leading.base.stress;
+    return {lasting + share * q.stress, relaxation * share * q.rise};
+  }
+  /// The stress of one column, Pa, with the elastic strain g (theory.md, Eq. 34).
+  [[nodiscard]] double stress(Strain strain, double ahead, double g) const {
+    const double beyond = lead(ahead);
+    const Place leading = at({strain.value + beyond, strain.complement - beyond});
+    const double u = slip_.slip_rate(g);
+    return leading.base.stress * ratio(leading, ahead, overstress_.at(u), u).stress;
+  }
+  /// Whether the ratio is the same at all strains.
+  [[nodiscard]] bool is_even(double ahead, const Overstress::AtRate& at) const {
+    return (ahead <= 0 || unloading_ == Unloading::none) && at.even;
   }
 
   [[nodiscard]] const FoamCurve& curve() const { return curve_; }
@@ -81,8 +93,15 @@ class FoamStress {
 
  private:
   enum class Unloading { none, damage, elastic };
+  inline static const Cells whole{1};  ///< of x, the share of the work
   static constexpr CellPlace last_cell{Cells::count - 1, 1};
 
+  /// D(W(e) / W(e*)).
+  [[nodiscard]] double remaining(const Place& place, double ahead) const {
+    if (unloading_ == Unloading::none || ahead <= 0) return 1;
+    const double most = curve_.at({place.strain.value + ahead, place.strain.complement - ahead}).work;
+    return remaining_.at(whole.place(std::sqrt(place.base.work / most)));
+  }
   /// D where the foam comes back along a curve, x in [0, 1].
   [[nodiscard]] double share_of(const MonotoneCurve& back, double x) const;
 

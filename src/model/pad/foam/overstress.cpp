@@ -50,6 +50,14 @@ Overstress::Overstress(const FoamCurves& curves, const FoamCurve& base, double f
 }
 
 Overstress::AtRate Overstress::at(double slip_rate) const {
+  AtRate result = rates_at(slip_rate);
+  const bool without = result.share == 0 && result.log_rate == 0;
+  result.even = without || (kind_ == Kind::power ? exponent_slope_ == 0 : tables_.empty());
+  if (result.even) result.at_all_strains = at_strain(result, 0, {});
+  return result;
+}
+
+Overstress::AtRate Overstress::rates_at(double slip_rate) const {
   const double u = std::abs(slip_rate);
   AtRate result;
   result.friction = friction_ * slip_rate / (u + 2 * slip_rate_);
@@ -77,7 +85,7 @@ Overstress::AtRate Overstress::at(double slip_rate) const {
   return result;
 }
 
-Overstress::Value Overstress::of(const AtRate& rate, double strain, CellPlace place) const {
+Overstress::Value Overstress::at_strain(const AtRate& rate, double strain, CellPlace place) const {
   Value value{rate.friction, rate.friction_rise};
   if (rate.share == 0 && rate.log_rate == 0) return value;
   const double share = std::abs(rate.share);
@@ -88,7 +96,8 @@ Overstress::Value Overstress::of(const AtRate& rate, double strain, CellPlace pl
     over = std::exp(exponent * rate.log_rate) - 1;
     rise = rate.weight_rise * exponent * (over + 1);
   } else {
-    // Cubics of curves that touch may cross by rounding; the proof of Eq. 36 wants a stress that does not fall.
+    // Cubics of curves that touch may cross by rounding; the proof of Eq. 36 wants a stress that does not
+    // fall.
     const double low = std::max(log_ratio(rate.segment, place), 0.0);
     const double high = std::max(log_ratio(rate.segment + 1, place), low);
     if (linear_) {

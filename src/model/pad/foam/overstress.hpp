@@ -21,6 +21,10 @@ class Overstress {
   Overstress(const FoamCurves& curves, const FoamCurve& base, double friction, double recoil,
              double slip_rate);
 
+  struct Value {
+    double stress = 0;  ///< q
+    double rise = 0;    ///< by ln |u|, without its sign
+  };
   /// What is the same for all strains at a slip rate.
   struct AtRate {
     double friction = 0;       ///< with its sign
@@ -30,14 +34,13 @@ class Overstress {
     double weight = 0;         ///< of the next
     double weight_rise = 0;    ///< by ln u
     double log_rate = 0;       ///< of the rate over the slowest one, for a power
+    bool even = false;         ///< the same at all strains:
+    Value at_all_strains;
   };
   [[nodiscard]] AtRate at(double slip_rate) const;
-
-  struct Value {
-    double stress = 0;  ///< q
-    double rise = 0;    ///< by ln |u|, without its sign
-  };
-  [[nodiscard]] Value of(const AtRate& rate, double strain, CellPlace place) const;
+  [[nodiscard]] Value of(const AtRate& rate, double strain, CellPlace place) const {
+    return rate.even ? rate.at_all_strains : at_strain(rate, strain, place);
+  }
 
   /// ln m at a tested rate (0: the slowest).
   [[nodiscard]] double log_ratio(std::size_t rate, CellPlace place) const {
@@ -47,6 +50,8 @@ class Overstress {
 
  private:
   enum class Kind { none, power, tested };
+  [[nodiscard]] AtRate rates_at(double slip_rate) const;
+  [[nodiscard]] Value at_strain(const AtRate& rate, double strain, CellPlace place) const;
 
   Kind kind_ = Kind::none;
   bool linear_ = false;
