@@ -1,105 +1,97 @@
 #include "dashpad/study/application.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
+#include <iterator>
 #include <stdexcept>
+#include <string_view>
+#include <variant>
 
+#include <fmt/format.h>
+
+#include "dashpad/impact/case_quantity.hpp"
 #include "dashpad/study/design.hpp"
-#include "model/parameter_values.hpp"
+#include "input/spelling.hpp"
 
 namespace dashpad::study {
 namespace {
 
-const std::string parameter_prefix = "pad.parameters.";
+/// Whether the key is in a table of the case, or is the table itself, which TOML opens only for known keys.
+bool is_in(const std::string& key, std::string_view table) { return (key + ".").starts_with(table); }
 
-const std::string nose_prefix = "impactor.";
-
-/// Of a law or of a nose.
 template <class Variant>
-double& parameter(Variant& variant, std::size_t index) {
-  return std::visit([index]<class Of>(Of& of) -> double& { return of.*(Of::parameters.at(index).member); },
-                    variant);
+const char* form_of(const Variant& variant) {
+  return std::visit([](const auto& form) { return form.name; }, variant);
 }
 
-std::optional<std::size_t> place_of(const std::string& key, const std::string& prefix,
-                                    const std::vector<ParameterValue>& parameters) {
-  if (!key.starts_with(prefix)) return std::nullopt;
-  const auto found = std::ranges::find(parameters, key.substr(prefix.size()), &ParameterValue::key);
-  if (found == parameters.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - parameters.begin());
-}
-
-/// The forces of a support times a factor. NaN, zero and less make no support: its stiffness then breaks the
-/// rules of the case.
-Support scaled(const Support& support, double factor) {
-  std::vector<Support::Point> points = support.points();
-  for (Support::Point& point : points) point.force *= factor;
-  return Support::through(std::move(points));
+/// What the pad has in place of a number of its curve or of its rate effect.
+std::string rule_for_curves(const std::string& table, const PadLaw& law,
+                            const std::vector<std::string>& known) {
+  const auto there_are = [&](std::string_view prefix) {
+    std::vector<std::string> names;
+    std::ranges::copy_if(known, std::back_inserter(names),
+                         [&](const std::string& name) { return name.starts_with(prefix); });
+    return names.empty() ? ", which has no numbers that can vary" : "; there are " + input::listing(names);
+  };
+  return std::visit(
+      [&]<class Law>(const Law& of) {
+        if constexpr (SharesSlip<Law>)
+          return (table == "pad.curve."
+                      ? fmt::format("the curve of the pad has the form {}", form_of(of.curves.base))
+                      : fmt::format("the rate effect of the pad has the form {}",
+                                    form_of(of.curves.rate_effect))) +
+                 there_are(table);
+        else
+          return fmt::format("the law of the pad, {}, is not made of curves", Law::name) +
+                 there_are("pad.parameters.");
+      },
+      law);
 }
 
 }  // namespace
 
 std::vector<FactorKey> factor_keys(const ImpactCase& base) {
-  std::vector<FactorKey> keys{{"impactor.mass", "kg"}, {"impactor.weight", "N"}};
-  for (const ParameterValue& of : parameter_values(base.impactor.nose))
-    keys.push_back({nose_prefix + of.key, of.unit});
-  keys.insert(keys.end(),
-              {{"impactor.speed", "m/s"}, {"pad.thickness", "m"}, {"pad.material", ""}, {"pad.scale", "1"}});
-  const Material& material = base.pad.material;
-  if (material.density_exponent) keys.push_back({"pad.density", "kg/m3"});
-  if (!material.temperature_table.temperature.empty()) keys.push_back({"pad.temperature", "K"});
-  for (const ParameterValue& of : parameter_values(base.pad.material.law))
-    keys.push_back({parameter_prefix + of.key, of.unit});
-  if (base.support.points().size() == 1) keys.push_back({"support.stiffness", "N/m"});
-  if (!base.support.is_rigid()) keys.push_back({"support.scale", "1"});
+  std::vector<FactorKey> keys;
+  for (const CaseQuantity& of : quantities_of(base)) keys.push_back({of.key, of.unit});
+  keys.push_back({"pad.material", ""});
   return keys;
 }
 
-Application::Application(const Study& study) : study_(&study) {
-  for (const Factor& factor : study.factors) steps_.push_back(step_for(factor.key));
+std::string rule_for_unknown(const std::string& key, const ImpactCase& base) {
+  if (key == "support.stiffness" || key == "support.scale")
+    return base.support.is_rigid()
+               ? "the support of the case is rigid"
+               : "the support of the case is a curve: vary support.scale, which multiplies its forces";
+  std::vector<std::string> known;
+  for (const FactorKey& of : factor_keys(base)) known.push_back(of.key);
+  for (const char* table : {"pad.curve.", "pad.rate."})
+    if (is_in(key, table)) return rule_for_curves(table, base.pad.material.law, known);
+  const std::string meant = input::did_you_mean(key, known);
+  return "is no quantity of the case that can vary" +
+         (meant.empty() ? "; there are " + input::listing(known) : meant);
 }
 
-Application::Step Application::step_for(const std::string& key) const {
-  static const std::vector<std::pair<std::string, Place>> places{
-      {"impactor.mass", Place::mass},          {"impactor.weight", Place::weight},
-      {"impactor.speed", Place::speed},        {"pad.thickness", Place::thickness},
-      {"pad.material", Place::material},       {"pad.scale", Place::scale},
-      {"pad.density", Place::density},         {"pad.temperature", Place::temperature},
-      {"support.stiffness", Place::stiffness}, {"support.scale", Place::support_scale}};
-  const auto keys = factor_keys(study_->base);
-  if (!std::ranges::count(keys, key, &FactorKey::key))
-    throw std::invalid_argument("no quantity of the case: " + key);
-  for (const auto& [name, place] : places)
-    if (name == key) return {place, 0};
-  if (const auto place = place_of(key, nose_prefix, parameter_values(study_->base.impactor.nose)))
-    return {Place::nose, *place};
-  return {Place::parameter,
-          *place_of(key, parameter_prefix, parameter_values(study_->base.pad.material.law))};
+bool is_of_law(const std::string& key) {
+  return is_in(key, "pad.parameters.") || is_in(key, "pad.curve.") || is_in(key, "pad.rate.");
+}
+
+Application::Application(const Study& study) {
+  const std::vector<CaseQuantity> quantities = quantities_of(study.base);
+  for (const Factor& factor : study.factors) {
+    if (factor.key == "pad.material") {
+      steps_.emplace_back([&study](ImpactCase& into, double value) {
+        const Material& chosen = study.materials.at(static_cast<std::size_t>(value));
+        if (into.pad.material.name != chosen.name) into.pad.material = chosen;
+      });
+      continue;
+    }
+    const auto found = std::ranges::find(quantities, factor.key, &CaseQuantity::key);
+    if (found == quantities.end()) throw std::invalid_argument("no quantity of the case: " + factor.key);
+    steps_.push_back(found->set);
+  }
 }
 
 void Application::operator()(std::span<const double> values, ImpactCase& into) const {
-  for (std::size_t i = 0; i < steps_.size(); ++i) {
-    const double value = values[i];
-    switch (steps_[i].place) {
-      case Place::mass: into.impactor.mass = value; break;
-      case Place::weight: into.impactor.mass = value / standard_gravity; break;
-      case Place::nose: parameter(into.impactor.nose, steps_[i].parameter) = value; break;
-      case Place::speed: into.impactor.speed = value; break;
-      case Place::thickness: into.pad.thickness = value; break;
-      case Place::parameter: parameter(into.pad.material.law, steps_[i].parameter) = value; break;
-      case Place::material: {
-        const Material& chosen = study_->materials.at(static_cast<std::size_t>(value));
-        if (into.pad.material.name != chosen.name) into.pad.material = chosen;
-        break;
-      }
-      case Place::scale: into.pad.condition.scale = value; break;
-      case Place::density: into.pad.condition.density = value; break;
-      case Place::temperature: into.pad.condition.temperature = value; break;
-      case Place::stiffness: into.support = Support::linear(value); break;
-      case Place::support_scale: into.support = scaled(study_->base.support, value); break;
-    }
-  }
+  for (std::size_t i = 0; i < steps_.size(); ++i) steps_[i](into, values[i]);
 }
 
 void apply(const Study& study, std::span<const double> values, ImpactCase& into) {

@@ -24,10 +24,13 @@ const Factor* factor_behind(const Study& study, const std::string& key) {
   if (key == "impactor.mass") return find([](const std::string& of) { return of == "impactor.weight"; });
   if (key.starts_with("support."))
     return find([](const std::string& of) { return of.starts_with("support."); });
-  if (key.starts_with("pad."))
-    return find(
-        [](const std::string& of) { return of == "pad.material" || of.starts_with("pad.parameters."); });
-  return nullptr;
+  if (!key.starts_with("pad.")) return nullptr;
+  // A rule between several numbers is told of one of them: rather of another one in the same table.
+  const std::string table = key.substr(0, key.rfind('.') + 1);
+  const Factor* of_table =
+      find([&](const std::string& of) { return is_of_law(of) && of.starts_with(table); });
+  if (of_table) return of_table;
+  return find([](const std::string& of) { return of == "pad.material" || is_of_law(of); });
 }
 
 class Checker {

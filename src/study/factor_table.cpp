@@ -100,21 +100,9 @@ Factor read_factor(const FactorKey& key, input::TableReader& table, const Factor
   return factor;
 }
 
-std::string rule_for_unknown(const std::string& key, const ImpactCase& base,
-                             const std::vector<std::string>& known) {
-  if (key == "support.stiffness" || key == "support.scale")
-    return base.support.is_rigid()
-               ? "the support of the case is rigid"
-               : "the support of the case is a curve: vary support.scale, which multiplies its forces";
-  const std::string meant = input::did_you_mean(key, known);
-  return "is no quantity of the case that can vary" +
-         (meant.empty() ? "; there are " + input::listing(known) : meant);
-}
-
 /// What can vary.
 struct Known {
   const std::vector<FactorKey>& keys;
-  const std::vector<std::string>& names;
   bool has_base;
 };
 
@@ -124,10 +112,8 @@ bool read_entry(const Entry& entry, const std::string& path, const Known& known,
   const auto& [key, node] = entry;
   const auto found = std::ranges::find(known.keys, key, &FactorKey::key);
   if (found == known.keys.end()) {
-    const bool on_trust =
-        !known.has_base && (key.starts_with("pad.parameters.") || key.starts_with("support."));
-    if (!on_trust)
-      faults.add(node->line, path, node->written(), rule_for_unknown(key, study.base, known.names));
+    const bool on_trust = !known.has_base && (is_of_law(key) || key.starts_with("support."));
+    if (!on_trust) faults.add(node->line, path, node->written(), rule_for_unknown(key, study.base));
     return false;
   }
   if (node->kind != input::TomlNode::Kind::table) {
@@ -156,7 +142,7 @@ FactorLines read_factors(input::TableReader& top, bool has_base, const FactorFol
   for (const FactorKey& key : keys) names.push_back(key.key);
   std::vector<Entry> entries;
   collect(table->node(), "", names, entries);
-  const Known known{keys, names, has_base};
+  const Known known{keys, has_base};
   for (const Entry& entry : entries) {
     const std::string path = "factors." + entry.key;
     lines.lines.emplace(path, entry.node->line);

@@ -18,11 +18,8 @@ namespace dashpad::study {
 namespace {
 
 void check_key(const Study& study, const Factor& factor, std::vector<Violation>& broken) {
-  std::vector<std::string> names;
-  for (const FactorKey& of : factor_keys(study.base)) names.push_back(of.key);
-  if (!std::ranges::count(names, factor.key))
-    broken.push_back({"factors." + factor.key, input::no_value,
-                      "is no quantity of the case that can vary" + input::did_you_mean(factor.key, names)});
+  if (!std::ranges::count(factor_keys(study.base), factor.key, &FactorKey::key))
+    broken.push_back({"factors." + factor.key, input::no_value, rule_for_unknown(factor.key, study.base)});
   const auto first = std::ranges::find(study.factors, factor.key, &Factor::key);
   if (&*first != &factor) broken.push_back({"factors." + factor.key, input::no_value, "is given twice"});
 }
@@ -37,10 +34,12 @@ void check_conflicts(const Study& study, std::vector<Violation>& broken) {
   if (has("support.stiffness") && has("support.scale"))
     broken.push_back(
         {"factors.support.scale", input::no_value, "give support.stiffness or support.scale, not both"});
-  if (has("pad.material") && has("pad.parameters."))
-    broken.push_back(
-        {"factors.pad.material", input::no_value,
-         "parameters belong to the law of the case: vary the material or its parameters, not both"});
+  const bool varies_law =
+      std::ranges::any_of(study.factors, [](const Factor& of) { return is_of_law(of.key); });
+  if (has("pad.material") && varies_law)
+    broken.push_back({"factors.pad.material", input::no_value,
+                      "parameters and curves belong to the material of the case: vary the material or its "
+                      "numbers, not both"});
 }
 
 void check_materials(const Study& study, const Factor& factor, std::vector<Violation>& broken) {

@@ -70,6 +70,17 @@ TEST_F(StoredStudyTest, EveryCard) {
   }
 }
 
+TEST_F(StoredStudyTest, NumbersOfCurves) {
+  Study study = small_study(3);
+  study.base.pad.material = input::read_material(source / "materials/plastazote-ld33.toml");
+  study.factors.push_back({.key = "pad.curve.plateau_stress",
+                           .unit = "Pa",
+                           .spread = study::Levels{{4e3, 6e3}},
+                           .lowest = {},
+                           .highest = {}});
+  expect_same_rows(study, "curves.db");
+}
+
 TEST_F(StoredStudyTest, ADamagedStudyIsRefused) {
   { Store::open_for(small_study(10), file("small.db")); }
   edit(file("small.db"), "UPDATE study SET value = replace(value, '0.08', '0.09') WHERE key = 'resolved'");

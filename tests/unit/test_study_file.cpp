@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "dashpad/study/batch.hpp"
 #include "dashpad/study/design.hpp"
 #include "dashpad/study/responses.hpp"
 #include "dashpad/study/study_file.hpp"
@@ -39,6 +40,23 @@ spread = 0.1
 between = ["pad.thickness", "support.stiffness"]
 value = 0.4
 )";
+
+/// In place of the card of the case.
+const std::string foam_in_line = R"(law = "foam"
+[pad.curve]
+form = "avalle"
+rate = "0.01 1/s"
+plateau_stress = "100 kPa"
+modulus = "2 MPa"
+plateau_exponent = 1
+densification_stress = "40 kPa"
+densification_exponent = 2
+highest_strain = 0.8
+[pad.rate]
+form = "power"
+exponent = 0.1
+exponent_slope = 0
+highest_rate = "1000 1/s")";
 
 /// A grid of one factor, whose lines these are.
 std::string grid_of(const std::string& key, const std::string& lines) {
@@ -133,6 +151,32 @@ TEST_F(StudyFile, has_ranges) {
   EXPECT_NEAR(logarithmic[1], std::pow(10, -0.5), 1e-15);
   EXPECT_NEAR(logarithmic[2], 1, 1e-15);
   EXPECT_EQ(logarithmic.back(), 10);
+}
+
+TEST_F(StudyFile, varies_the_numbers_of_curves) {
+  case_ = edited(case_, "material = \"ensolite-aac-9\"", foam_in_line);
+  const Study study = read(R"(case = "case.toml"
+responses = ["peak_force"]
+[factors."pad.curve.plateau_stress"]
+values = ["100 kPa", "0.2 MPa"]
+[factors.pad.rate.exponent]
+values = [0, 0.1]
+)");
+  ASSERT_EQ(study.factors.size(), 2u);
+  EXPECT_EQ(study.factors[0].unit, "Pa");
+  EXPECT_EQ(std::get<Levels>(study.factors[0].spread).values, (std::vector<double>{1e5, 2e5}));
+  EXPECT_EQ(study.factors[1].key, "pad.rate.exponent");
+  const Design design(study);
+  Worker worker(study, design);
+  for (std::uint64_t row = 0; row < 4; ++row) {
+    Foam expected = std::get<Foam>(study.base.pad.material.law);
+    std::get<AvalleCurve>(expected.curves.base).plateau_stress = row < 2 ? 1e5 : 2e5;
+    std::get<PowerRateEffect>(expected.curves.rate_effect).exponent = row % 2 == 0 ? 0 : 0.1;
+    EXPECT_EQ(std::get<Foam>(worker.case_of(row).pad.material.law), expected) << row;
+  }
+  const auto rows = worker.compute(0, 4);
+  for (const std::size_t row : {0U, 1U, 2U})
+    EXPECT_NE(rows[row].outcome.values.at(0), rows[row + 1].outcome.values.at(0)) << row;
 }
 
 TEST_F(StudyFile, takes_a_weight_for_a_mass) {
@@ -287,6 +331,32 @@ TEST_F(StudyFile, refuses_levels_and_ends_that_make_no_case) {
                3, "factors.impactor.speed", "the lower end");
 }
 
+/// Of a rule between several numbers that one is named which stands in the same table.
+TEST_F(StudyFile, refuses_numbers_that_make_no_curve) {
+  case_ = edited(case_, "material = \"ensolite-aac-9\"", foam_in_line);
+  expect_fault(grid_of("pad.curve.densification_exponent", "values = [2, 30]"), 2,
+               "factors.pad.curve.densification_exponent",
+               "pad.curve.densification_exponent = 30: must be at least 0.5 and at most 20");
+  expect_fault(grid_of("pad.curve.modulus", "values = [\"100 kg\"]"), 3,
+               "factors.pad.curve.modulus.values[1]", "");
+  expect_fault(grid_of("pad.rate.highest_rate", "values = [\"1e-3 1/s\"]"), 2,
+               "factors.pad.rate.highest_rate", "more than the rate before");
+  expect_fault(R"(case = "case.toml"
+[factors."pad.parameters.friction"]
+values = [0.1]
+[factors."pad.rate.exponent"]
+values = [0.1]
+[factors."pad.curve.densification_stress"]
+values = ["0 Pa"]
+)",
+               6, "factors.pad.curve.densification_stress", "pad.curve.highest_strain = 0.8: the curve must");
+  case_ = edited(case_, "[pad.curve]",
+                 "[pad.unloading]\nstress_unit = \"kPa\"\nstrain = [0.2, 0.5, 0.8]\nstress = [50, 60, 70]\n"
+                 "[pad.curve]");
+  expect_fault(grid_of("pad.curve.plateau_stress", "values = [\"20 kPa\"]"), 2,
+               "factors.pad.curve.plateau_stress", "pad.unloading.stress[1] = 50000: must not be above");
+}
+
 TEST_F(StudyFile, refuses_bad_sizes) {
   const std::string thousand = "from = 1\nto = 2\ncount = 1000000\n";
   expect_fault("case = \"case.toml\"\n[factors.\"support.scale\"]\n" + thousand +
@@ -356,6 +426,9 @@ TEST_F(StudyFile, refuses_factors_that_contradict) {
   const std::string scale = "[factors.\"support.scale\"]\nvalues = [2]\n";
   expect_fault(two(mass, weight), 4, "factors.impactor.weight", "not both");
   expect_fault(two(exponent, material), 4, "factors.pad.material", "not both");
+  case_ = edited(case_, "material = \"ensolite-aac-9\"", foam_in_line);
+  const std::string modulus = "[factors.\"pad.curve.modulus\"]\nvalues = [\"1 MPa\"]\n";
+  expect_fault(two(modulus, material), 4, "factors.pad.material", "not both");
   expect_fault(two(stiffness, scale), 4, "factors.support.scale", "not both");
   expect_fault(two(mass, "[factors.impactor.mass]\nvalues = [\"1 kg\"]\n"), 2, "factors.impactor.mass",
                "twice");
@@ -372,12 +445,39 @@ TEST_F(StudyFile, refuses_what_the_case_has_not) {
   EXPECT_NO_THROW(read(grid_of("support.scale", "values = [2]")));
 }
 
+TEST_F(StudyFile, says_which_curves_the_pad_has) {
+  const std::string key = "factors.pad.curve.contact_exponent", rate_key = "factors.pad.rate.exponents";
+  const std::string curve = grid_of("pad.curve.contact_exponent", "values = [0.5]");
+  const std::string rate = grid_of("pad.rate.exponents", "values = [0.1]");
+  expect_fault(curve, 2, key,
+               "the law of the pad, nine-parameter, is not made of curves; there are "
+               "pad.parameters.asymptotic_modulus, pad.parameters.contact_exponent, ");
+  case_ = edited(case_, "material = \"ensolite-aac-9\"", foam_in_line);
+  expect_fault(curve, 2, key,
+               "the curve of the pad has the form avalle; there are pad.curve.plateau_stress, "
+               "pad.curve.modulus, pad.curve.plateau_exponent, pad.curve.densification_stress, "
+               "pad.curve.densification_exponent, pad.curve.highest_strain");
+  expect_fault(rate, 2, rate_key,
+               "the rate effect of the pad has the form power; there are pad.rate.exponent, "
+               "pad.rate.exponent_slope, pad.rate.highest_rate");
+  case_ = edited(test::good_case, "ensolite-aac-9", "ff-leap");
+  expect_fault(curve, 2, key, "the curve of the pad has the form table, which has no numbers that can vary");
+  expect_fault(rate, 2, rate_key,
+               "the rate effect of the pad has the form none, which has no numbers that can vary");
+  expect_fault("case = \"case.toml\"\n[factors.pad.curve.modulus]\nvalues = [\"1 MPa\"]\n", 2,
+               "factors.pad.curve", "the form table");
+}
+
 TEST_F(StudyFile, reports_faults_of_the_case_and_of_cards) {
   case_ = edited(case_, "20 mph", "20");
   const auto faults = faults_in(grid_of("pad.material", "values = [\"ensolite-aac-8\"]"));
   ASSERT_EQ(faults.size(), 2u);
   EXPECT_NE(faults[0].rule.find("did you mean"), std::string::npos);
   EXPECT_EQ(faults[1].key, "impactor.speed");
+  // What the case would have is not known.
+  for (const char* key : {"pad.parameters.x", "pad.curve.x", "pad.rate.x", "support.x"})
+    expect_fault(grid_of(key, "values = [1]"), 5, "impactor.speed", "");
+  expect_fault("case = \"case.toml\"\n[factors.pad.curve.x]\nvalues = [1]\n", 5, "impactor.speed", "");
   expect_fault("case = \"none.toml\"\n[factors.\"impactor.speed\"]\nvalues = [\"1 m/s\"]\n", 0, "", "");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Which quantities of a case can vary, and how the values of a row get into a case.
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,8 +16,16 @@ struct FactorKey {
   std::string unit;  ///< SI; "1" for a pure number, "" for a material
 };
 
-/// All that a case with this law and this support offers.
+/// All that a case with this law and this support offers: its quantities (dashpad/impact/case_quantity.hpp)
+/// and its material.
 std::vector<FactorKey> factor_keys(const ImpactCase& base);
+
+/// What is said about a factor whose key is none of factor_keys(): what was meant, or what there is instead.
+std::string rule_for_unknown(const std::string& key, const ImpactCase& base);
+
+/// Whether a key is that of a number of the pad's law or of the curves it is made of. Which of them there are
+/// depends on the material.
+bool is_of_law(const std::string& key);
 
 /// Knows where each factor goes. Made once, used for many rows, by several threads at once if need be.
 class Application {
@@ -29,28 +38,7 @@ class Application {
   void operator()(std::span<const double> values, ImpactCase& into) const;
 
  private:
-  enum class Place {
-    mass,
-    weight,
-    nose,
-    speed,
-    thickness,
-    parameter,
-    material,
-    scale,
-    density,
-    temperature,
-    stiffness,
-    support_scale
-  };
-  struct Step {
-    Place place = Place::mass;
-    std::size_t parameter = 0;  ///< of the law or the nose
-  };
-  Step step_for(const std::string& key) const;
-
-  const Study* study_;
-  std::vector<Step> steps_;
+  std::vector<std::function<void(ImpactCase&, double)>> steps_;
 };
 
 }  // namespace dashpad::study

@@ -39,7 +39,7 @@ using Spread = std::variant<Levels, Normal, Lognormal, Uniform, Triangular, Empi
 
 /// A quantity of the case that varies. SI.
 struct Factor {
-  std::string key;   ///< as in case files: "impactor.speed", "pad.parameters.relaxation_time", "pad.material"
+  std::string key;   ///< as in case files: "impactor.speed", "pad.curve.modulus", "pad.material"
   std::string unit;  ///< SI: "m/s"; "" for a material
   Spread spread;
   /// Values outside are never drawn: the distribution is cut off there and made whole again.

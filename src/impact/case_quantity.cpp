@@ -1,0 +1,121 @@
+#include "dashpad/impact/case_quantity.hpp"
+
+#include <limits>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "dashpad/impact/solution.hpp"
+
+namespace dashpad {
+namespace {
+
+/// `place` gives a reference to the number, of a case that may be constant.
+template <class Place>
+CaseQuantity quantity_at(const std::string& key, const std::string& unit, Place place) {
+  return {.key = key,
+          .unit = unit,
+          .get =
+              [place](const ImpactCase& impact) {
+                const std::optional<double> value = place(impact);
+                return value.value_or(std::numeric_limits<double>::quiet_NaN());
+              },
+          .set = [place](ImpactCase& impact, double value) { place(impact) = value; }};
+}
+
+/// Adds every number of what `place` finds: a nose, a law, a form of a curve. The points of a table are not
+/// among them.
+template <class Place>
+void add_parameters(const ImpactCase& base, const std::string& prefix, Place place,
+                    std::vector<CaseQuantity>& into) {
+  std::visit(
+      [&]<class Of>(const Of&) {
+        if constexpr (requires { Of::parameters; })
+          for (const Parameter<Of>& parameter : Of::parameters)
+            into.push_back(quantity_at(
+                prefix + parameter.key, parameter.unit,
+                [ place, member = parameter.member ](auto& impact) -> auto& {
+                  return std::get<Of>(place(impact)).*member;
+                }));
+      },
+      place(base));
+}
+
+void add_pad(const ImpactCase& base, std::vector<CaseQuantity>& into) {
+  into.push_back(quantity_at(
+      "pad.thickness", "m", [](auto& impact) -> auto& { return impact.pad.thickness; }));
+  into.push_back(quantity_at(
+      "pad.scale", "1", [](auto& impact) -> auto& { return impact.pad.condition.scale; }));
+  const Material& material = base.pad.material;
+  if (material.density_exponent)
+    into.push_back(quantity_at(
+        "pad.density", "kg/m3", [](auto& impact) -> auto& { return impact.pad.condition.density; }));
+  if (!material.temperature_table.temperature.empty())
+    into.push_back(quantity_at(
+        "pad.temperature", "K", [](auto& impact) -> auto& { return impact.pad.condition.temperature; }));
+  const auto law_in = [](auto& impact) -> auto& { return impact.pad.material.law; };
+  add_parameters(base, "pad.parameters.", law_in, into);
+  std::visit(
+      [&]<class Law>(const Law&) {
+        if constexpr (SharesSlip<Law>) {
+          const auto curves_in = [law_in](auto& impact) -> auto& {
+            return std::get<Law>(law_in(impact)).curves;
+          };
+          add_parameters(
+              base, "pad.curve.", [curves_in](auto& impact) -> auto& { return curves_in(impact).base; },
+              into);
+          add_parameters(
+              base, "pad.rate.", [curves_in](auto& impact) -> auto& { return curves_in(impact).rate_effect; },
+              into);
+        }
+      },
+      material.law);
+}
+
+void add_support(const Support& base, std::vector<CaseQuantity>& into) {
+  if (base.points().size() == 1)
+    into.push_back(
+        {.key = "support.stiffness",
+         .unit = "N/m",
+         .get =
+             [](const ImpactCase& impact) {
+               const Support::Point& point = impact.support.points().front();
+               return point.force / point.deflection;
+             },
+         .set = [](ImpactCase& impact, double value) { impact.support = Support::linear(value); }});
+  if (!base.is_rigid())
+    into.push_back({.key = "support.scale",
+                    .unit = "1",
+                    .get =
+                        [base](const ImpactCase& impact) {
+                          return impact.support.points().back().force / base.points().back().force;
+                        },
+                    .set =
+                        [base](ImpactCase& impact, double factor) {
+                          std::vector<Support::Point> points = base.points();
+                          for (Support::Point& point : points) point.force *= factor;
+                          impact.support = Support::through(std::move(points));
+                        }});
+}
+
+}  // namespace
+
+std::vector<CaseQuantity> quantities_of(const ImpactCase& base) {
+  std::vector<CaseQuantity> all;
+  all.push_back(quantity_at(
+      "impactor.mass", "kg", [](auto& impact) -> auto& { return impact.impactor.mass; }));
+  all.push_back(
+      {.key = "impactor.weight",
+       .unit = "N",
+       .get = [](const ImpactCase& impact) { return impact.impactor.mass * standard_gravity; },
+       .set = [](ImpactCase& impact, double value) { impact.impactor.mass = value / standard_gravity; }});
+  add_parameters(
+      base, "impactor.", [](auto& impact) -> auto& { return impact.impactor.nose; }, all);
+  all.push_back(quantity_at(
+      "impactor.speed", "m/s", [](auto& impact) -> auto& { return impact.impactor.speed; }));
+  add_pad(base, all);
+  add_support(base.support, all);
+  return all;
+}
+
+}  // namespace dashpad
