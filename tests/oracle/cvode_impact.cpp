@@ -10,6 +10,7 @@
 #include "oracle/elastic_phase.hpp"
 #include "oracle/foam_impact.hpp"
 #include "oracle/loading_phase.hpp"
+#include "oracle/maxwell_impact.hpp"
 #include "oracle/unloading_phase.hpp"
 
 namespace dashpad::oracle {
@@ -31,9 +32,6 @@ void solve_law(ImpactRun& run, const LinearViscoelastic& law) { solve_columns(ru
 void solve_law(ImpactRun&, const RigidFoam&) {
   throw std::invalid_argument("CVODE oracle: rigid foam is not covered");
 }
-void solve_law(ImpactRun&, const ViscoelasticFoam&) {
-  throw std::invalid_argument("CVODE oracle: viscoelastic foam is not covered");
-}
 void solve_law(ImpactRun& run, const NineParameter& law) { solve_columns(run, NineFormulas(law)); }
 void solve_law(ImpactRun& run, const TwentyOneParameter& law) { solve_columns(run, TwentyOneFormulas(law)); }
 
@@ -54,6 +52,8 @@ CvodeImpact solve_with_cvode(const ImpactCase& impact, const CvodeOptions& optio
   const auto solve = [&]<class Law>(const Law& law) {
     if constexpr (by_curves<Law>) {
       solve_foam(run, FoamFormulas(law), impact.impactor.nose);
+    } else if constexpr (std::is_same_v<Law, ViscoelasticFoam>) {
+      solve_maxwell(run, MaxwellFormulas(law), impact.impactor.nose);
     } else {
       if (!std::holds_alternative<Sphere>(impact.impactor.nose))
         throw std::invalid_argument("CVODE oracle: for this law a sphere only");

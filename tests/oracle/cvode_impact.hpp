@@ -13,9 +13,9 @@
 /// Turning point: loading ends when the force of holding Y (zero rate) changes at the rate of the support's
 ///   force, D = Ks V - d(force of holding)/dt = 0. From there v is the negative root of the same equation.
 ///
-/// Laws 1, 2, 4 and 5 of the report, below a sphere, whose penetration must stay below its radius; rigid, linear
-/// and piecewise linear supports. Bottoming ends the run. Foams by curves are solved in another form
-/// (foam_impact.hpp), also below a flat disc and beyond the radius.
+/// Laws 1, 2, 4 and 5 of the report, below a sphere, whose penetration must stay below its radius; rigid,
+/// linear and piecewise linear supports. Bottoming ends the run. Foams by curves and viscoelastic foams are
+/// solved in other forms (foam_impact.hpp, maxwell_impact.hpp), also below a flat disc and beyond the radius.
 
 #include <optional>
 #include <string>
@@ -64,7 +64,7 @@ struct CvodeImpact {
   double wall_time = 0;  ///< s
 };
 
-/// Throws std::invalid_argument for a law or a nose that it does not know, or, but for foams by curves, a pad
+/// Throws std::invalid_argument for a law or a nose that it does not know, or, but for foams, a pad
 /// thicker than the sphere's radius.
 CvodeImpact solve_with_cvode(const ImpactCase& impact, const CvodeOptions& options = {});
 
