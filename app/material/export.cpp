@@ -30,6 +30,8 @@ Formats for the law crushable-foam:
   ls-dyna-063   *MAT_CRUSHABLE_FOAM: one curve, no rates
   ls-dyna-163   *MAT_MODIFIED_CRUSHABLE_FOAM: curves over rates
   radioss-33    /MAT/LAW33: one curve, no rates
+Format for the law viscoelastic-foam:
+  radioss-62    /MAT/LAW62: one or two terms and branches
 
 CARD is the name of a card, as dashpad materials lists them, or a file that ends in .toml. The numbers of the card
 are in the deck with all their digits, so that dashpad material import reads them again; a curve that is a formula is

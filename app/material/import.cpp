@@ -27,8 +27,8 @@ constexpr const char* import_footer = R"(Examples:
   dashpad material import tests.csv --rate "0.01 1/s" -o my-foam.toml
 
 Decks: LS-DYNA keywords *MAT_057 (LOW_DENSITY_FOAM), 063 (CRUSHABLE_FOAM), 083 (FU_CHANG_FOAM) and 163
-(MODIFIED_CRUSHABLE_FOAM) with their *DEFINE_CURVE and *DEFINE_TABLE; Radioss starter blocks /MAT/LAW33, LAW70 and
-LAW90 with their /FUNCT. A deck does not say its units: --units does.
+(MODIFIED_CRUSHABLE_FOAM) with their *DEFINE_CURVE and *DEFINE_TABLE; Radioss starter blocks /MAT/LAW33, LAW62, LAW70
+and LAW90 with their /FUNCT. A deck does not say its units: --units does.
 
 Tables (a name that ends in .csv): a column strain, or strain_percent, and a column of stress with its unit, such as
 stress_kPa; --rate says how fast the test was. Or several columns that say their rates: "stress_kPa @ 10 1/s".
@@ -125,6 +125,15 @@ std::string understood(const input::DeckMaterial& found) {
           else
             text += fmt::format("  unloads with factor {:g} and shape {:g}\n", law.unloading_factor,
                                 law.unloading_shape);
+        } else if constexpr (std::is_same_v<Law, ViscoelasticFoam>) {
+          text += fmt::format("  law {}, moduli {:g} and {:g} kPa, exponents {:g} and {:g}\n", Law::name,
+                              law.first_modulus / 1000, law.second_modulus / 1000, law.first_exponent,
+                              law.second_exponent);
+          for (const auto& [share, time] :
+               {std::pair{law.first_share, law.first_time}, std::pair{law.second_share, law.second_time}})
+            if (share > 0)
+              text +=
+                  fmt::format("  a branch of {:g} times the lasting stress relaxes in {:g} s\n", share, time);
         }
       },
       material.law);

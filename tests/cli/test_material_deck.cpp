@@ -203,6 +203,23 @@ TEST_F(MaterialCommandTest, ExportsACardThatIsImportedAsTheSame) {
   }
 }
 
+TEST_F(MaterialCommandTest, ExportsAndImportsAViscoelasticFoam) {
+  write_file(
+      file("foam.toml"),
+      "title = \"Slow foam\"\nlaw = \"viscoelastic-foam\"\nsource = \"a test\"\ndensity = \"60 kg/m3\"\n"
+      "[parameters]\nfirst_modulus = \"30 kPa\"\nfirst_exponent = 6\nfirst_share = 3\n"
+      "first_time = \"20 ms\"\nsecond_share = 1\nsecond_time = \"0.3 s\"\n");
+  const Outcome outcome = export_as("radioss-62", {"-o", file("out.rad")});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome again = import({file("out.rad"), "--units", "t-mm-s"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.out,
+              AllOf(HasSubstr("law = \"viscoelastic-foam\""), HasSubstr("first_modulus = \"30000 Pa\""),
+                    HasSubstr("first_share = 3"), HasSubstr("second_time = \"0.3 s\"")));
+  EXPECT_THAT(again.err, AllOf(HasSubstr("law viscoelastic-foam, moduli 30 and 0 kPa"),
+                               HasSubstr("a branch of 3 times the lasting stress relaxes in 0.02 s")));
+}
+
 TEST_F(MaterialCommandTest, ADeckSaysWhatItDoesNotSay) {
   const Outcome outcome = export_as("ls-dyna-057");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -16,6 +16,7 @@ namespace {
 /// Whether a deck of this format says all numbers of the law that its reader has found.
 bool says_all(const Material& material, const std::string& format) {
   const auto* const foam = std::get_if<Foam>(&material.law);
+  if (std::holds_alternative<ViscoelasticFoam>(material.law)) return format == "radioss-62";
   if (foam == nullptr) return format == "ls-dyna-163";
   return format == (foam->unloading_curve ? "radioss-70" : "ls-dyna-083");
 }
@@ -24,6 +25,8 @@ void require_same_law(const Material& material, const Material& again, const cha
   require(material.law.index() == again.law.index(), rule);
   if (const auto* const foam = std::get_if<Foam>(&material.law)) {
     require(*foam == std::get<Foam>(again.law), rule);
+  } else if (const auto* const slow = std::get_if<ViscoelasticFoam>(&material.law)) {
+    require(*slow == std::get<ViscoelasticFoam>(again.law), rule);
   } else {
     require(std::get<CrushableFoam>(material.law) == std::get<CrushableFoam>(again.law), rule);
   }

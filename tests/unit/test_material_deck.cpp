@@ -308,6 +308,72 @@ TEST_F(MaterialDeckTest, Law33ByItsFormula) {
   EXPECT_TRUE(violations(all[0].material).empty());
 }
 
+std::string law_62(const std::string& flags,
+                   const std::string& ratios = "                 0.6                 0.2\n") {
+  return "/MAT/LAW62/7\nSlow foam\n#              RHO_I\n             6.0E-11\n" + flags +
+         "                0.15                0.04\n                 6.0                -1.0\n" + ratios +
+         "                0.02                 0.3\n";
+}
+const std::string law_62_flags = "                 0.0         2         2                 0.0         1\n";
+
+TEST_F(MaterialDeckTest, Law62GivesTheModuliOfASuddenStrain) {
+  const auto all = read(law_62(law_62_flags));
+  EXPECT_EQ(all[0].material.density, 60);
+  const ViscoelasticFoam sample{30e3, 6, 8e3, -1, 3, 0.02, 1, 0.3};
+  EXPECT_EQ(std::get<ViscoelasticFoam>(all[0].material.law), sample);
+  EXPECT_THAT(all[0].assumptions, IsEmpty());
+  EXPECT_THAT(all[0].differences, ElementsAre(HasSubstr("second Piola-Kirchhoff")));
+  // Flag_Rigi 2: the moduli are those of the lasting stress.
+  ViscoelasticFoam lasting = sample;
+  lasting.first_modulus = 0.15e6, lasting.second_modulus = 0.04e6;
+  EXPECT_EQ(std::get<ViscoelasticFoam>(read(law_62(
+                "                 0.0         2         2                 0.0         1         2\n"))[0]
+                                           .material.law),
+            lasting);
+  // Times are in the unit of the deck.
+  const auto in_ms = read(law_62(law_62_flags), "kg-mm-ms");
+  EXPECT_EQ(std::get<ViscoelasticFoam>(in_ms[0].material.law).first_time, 0.02e-3);
+  EXPECT_EQ(std::get<ViscoelasticFoam>(in_ms[0].material.law).first_modulus, 30e6);
+}
+
+TEST_F(MaterialDeckTest, Law62WithoutBranchesIsElastic) {
+  const auto all = read(
+      "/MAT/VISC_HYP/7\nFoam\n             6.0E-11\n                 0.0         1         0\n"
+      "                0.15\n                 0.0\n");
+  EXPECT_EQ(std::get<ViscoelasticFoam>(all[0].material.law), (ViscoelasticFoam{0.15e6, 1, 0, 1, 0, 1, 0, 1}));
+  EXPECT_THAT(all[0].assumptions, ElementsAre(HasSubstr("alpha_i"), HasSubstr("M = 0")));
+}
+
+TEST_F(MaterialDeckTest, WhatLaw62SaysMoreIsListed) {
+  const auto all = read(law_62("                 0.3         2         2                 5.0         0\n",
+                               "                 0.6                 0.2\n") +
+                        "                 0.1                 0.2\n");
+  EXPECT_THAT(all[0].differences,
+              ElementsAre(HasSubstr("Nu = 0.3"), HasSubstr("mu_max = 5"), HasSubstr("nu_1 = 0.1"),
+                          HasSubstr("nu_2 = 0.2"), HasSubstr("Flag_Visc = 0"), HasSubstr("Piola")));
+  const std::string without_times = law_62(law_62_flags);
+  const auto frozen = read(without_times.substr(0, without_times.size() - 41) + "                0.02\n");
+  EXPECT_EQ(std::get<ViscoelasticFoam>(frozen[0].material.law).second_time, 1e15);
+  EXPECT_THAT(frozen[0].assumptions, ElementsAre(HasSubstr("tau_i")));
+}
+
+TEST_F(MaterialDeckTest, Law62ThatACardCannotSayIsRefused) {
+  EXPECT_THAT(faults(law_62("                 0.0         3         2\n")),
+              ElementsAre(HasSubstr("5: /MAT/LAW62: N = 3: must be between 1 and 2")));
+  EXPECT_THAT(faults(law_62("                 0.0         2         3\n")),
+              ElementsAre(HasSubstr("5: /MAT/LAW62: M = 3: must be between 0 and 2")));
+  for (const char* const ratios : {"                 0.6                 0.4\n", "                 1.1\n",
+                                   "                -0.1                 0.2\n"})
+    EXPECT_THAT(faults(law_62(law_62_flags, ratios)), ElementsAre(HasSubstr("8: /MAT/LAW62: gamma_i = ")));
+  EXPECT_THAT(faults(law_62(law_62_flags, "                 0.6                   x\n")),
+              ElementsAre(HasSubstr("8: /MAT/LAW62: gamma_2 = x")));
+  EXPECT_THAT(faults("/MAT/LAW62/7\nFoam\n             6.0E-11\n" + law_62_flags),
+              ElementsAre(HasSubstr("ends after 2 lines")));
+  std::string negative = law_62(law_62_flags);
+  negative.replace(negative.find(" 0.04"), 5, "-0.04");
+  EXPECT_THAT(faults(negative), ElementsAre(HasSubstr("1: /MAT/LAW62: parameters.second_modulus")));
+}
+
 TEST_F(MaterialDeckTest, TheUnitsOfARadiossDeckMustBeThoseStated) {
   const std::string begin =
       "/BEGIN\nrun\n      2022         0\n                  kg                  mm                  ms\n"
@@ -470,6 +536,29 @@ TEST_P(RoundTrip, CrushableFoams) {
   EXPECT_EQ(there_and_back(foam, "ls-dyna-163"), foam);
 }
 
+TEST_P(RoundTrip, ViscoelasticFoams) {
+  ViscoelasticFoam foam{.first_modulus = 31234.5678,
+                        .first_exponent = 17.3,
+                        .second_modulus = 7654.321,
+                        .second_exponent = -1.0 / 3,
+                        .first_share = 2.718281828,
+                        .first_time = 0.0123456789012345,
+                        .second_share = 0.577215665,
+                        .second_time = 0.3};
+  EXPECT_EQ(there_and_back(foam, "radioss-62"), foam);
+  const std::string deck =
+      output::material_deck(material_of(foam), {"radioss-62", consistent_system(GetParam())});
+  EXPECT_THAT(read(deck, GetParam())[0].differences, ElementsAre(HasSubstr("Piola")));  // Flag_Visc is 1
+  EXPECT_THAT(deck, HasSubstr("# Not in this deck: The solver relaxes the second Piola-Kirchhoff stress"));
+  foam.first_share = 987.654321, foam.second_share = 0.123456789;
+  EXPECT_EQ(there_and_back(foam, "radioss-62"), foam);
+  foam.second_share = 0, foam.second_time = 1;
+  foam.second_modulus = 0, foam.second_exponent = 1;
+  EXPECT_EQ(there_and_back(foam, "radioss-62"), foam);
+  foam.first_share = 0, foam.first_time = 1;
+  EXPECT_EQ(there_and_back(foam, "radioss-62"), foam);
+}
+
 INSTANTIATE_TEST_SUITE_P(InEachSystem, RoundTrip, testing::Values("kg-mm-ms", "kg-m-s", "t-mm-s"),
                          [](const auto& of) {
                            std::string name = of.param;
@@ -516,6 +605,7 @@ TEST_F(MaterialDeckTest, OnlyWhatFitsIsExported) {
   EXPECT_EQ(why(foam, "ls-dyna-083"), "");
   EXPECT_THAT(why(foam, "ls-dyna-063"), HasSubstr("crushable-foam"));
   EXPECT_THAT(why(material_of(Elastic{}), "radioss-90"), HasSubstr("elastic"));
+  EXPECT_THAT(why(foam, "radioss-62"), HasSubstr("viscoelastic-foam"));
   EXPECT_THAT(why(foam, "abaqus"), HasSubstr("abaqus"));
   Material weightless = foam;
   weightless.density.reset();

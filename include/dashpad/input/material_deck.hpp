@@ -22,9 +22,9 @@ struct DeckMaterial {
   std::vector<std::string> differences;  ///< what the card cannot say or what is solved otherwise here
 };
 
-/// The foams of a deck, in its order: *MAT_057, 063, 083 and 163 of LS-DYNA, /MAT/LAW33, LAW70 and LAW90 of
-/// Radioss, with the curves that they name. `units` are those of the deck, which does not say them itself.
-/// Throws InputError with all faults, or the first 200; a deck without such a material is a fault.
+/// The foams of a deck, in its order: *MAT_057, 063, 083 and 163 of LS-DYNA, /MAT/LAW33, LAW62, LAW70 and
+/// LAW90 of Radioss, with the curves that they name. `units` are those of the deck, which does not say them
+/// itself. Throws InputError with all faults, or the first 200; a deck without such a material is a fault.
 std::vector<DeckMaterial> read_material_deck(const std::filesystem::path& file, const UnitSystem& units);
 
 /// The consistent system of that name, or of its units in another order: "mm-t-s" is "t-mm-s". Throws

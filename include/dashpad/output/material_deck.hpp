@@ -14,7 +14,7 @@ namespace dashpad::output {
 struct MaterialDeckFormat {
   const char* name;  ///< as on the command line: "ls-dyna-083"
   const char* card;  ///< "*MAT_FU_CHANG_FOAM"
-  bool crushable;    ///< for crushable-foam, else for foam
+  const char* law;   ///< that it is for: "foam", "crushable-foam", "viscoelastic-foam"
   bool has_rates;
 };
 std::span<const MaterialDeckFormat> material_deck_formats();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dashpad/input/material_deck.hpp"
+#include "dashpad/model/pad/viscoelastic_foam.hpp"
 #include "input/material_deck/deck_unit.hpp"
 #include "input/measurement/measurement_text.hpp"
 
@@ -47,6 +48,7 @@ struct DeckFoam {
   std::optional<DeckCurve> unloading;
   DeckAir air;
   bool linear_in_rate = true;
+  std::optional<ViscoelasticFoam> viscoelastic;  ///< the whole law; then there are no curves
   std::string basis = "solver card";
   std::string source;
   std::vector<std::string> assumptions, differences;

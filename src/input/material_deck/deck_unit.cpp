@@ -134,7 +134,8 @@ DeckUnit deck_unit(const std::string& unit, const std::string& si_unit) {
 DeckUnits::DeckUnits(const UnitSystem& system)
     : stress(deck_unit(system.pressure, "Pa")),
       density(deck_unit("(" + system.mass + ")/" + system.length + "3", "kg/m3")),
-      rate(deck_unit("1/" + system.time, "1/s")) {}
+      rate(deck_unit("1/" + system.time, "1/s")),
+      time(deck_unit(system.time, "s")) {}
 
 ReadNumber read_deck_number(std::string_view text, const DeckUnit& unit) {
   text = without_blanks(text);

@@ -27,6 +27,7 @@ struct DeckUnits {
   DeckUnit stress;   ///< Pa
   DeckUnit density;  ///< kg/m3
   DeckUnit rate;     ///< 1/s
+  DeckUnit time;     ///< s
 };
 
 /// The number in SI. As Fortran reads it: 1.5E-3, 1.5D-3 and 1.5-3 are one number.

@@ -180,8 +180,23 @@ PadLaw crushable_law(const DeckFoam& foam, FoamCurves curves, std::vector<std::s
   return law;
 }
 
+/// The law of a foam that the deck describes by curves; absent after a fault.
+std::optional<PadLaw> law_by_curves(DeckFoam& foam, CurveLines& lines, MeasurementFaults& faults) {
+  if (foam.crushable && !(foam.modulus > 0)) {
+    faults.add(foam.line, foam.card + ": E", fmt::format("{:.6g}", foam.modulus),
+               "must be more than 0: the foam unloads with it");
+    return std::nullopt;
+  }
+  if (foam.loading.empty() || !settle_rates(foam, faults)) return std::nullopt;
+  auto curves = curves_of(foam, lines, faults, foam.differences);
+  if (!curves) return std::nullopt;
+  if (foam.crushable) return crushable_law(foam, *std::move(curves), foam.assumptions);
+  return foam_law(foam, *std::move(curves), lines, faults, foam.differences);
+}
+
 /// What holds for every deck, and what its cards cannot tell.
 void tell_common_differences(const DeckFoam& foam, std::vector<std::string>& differences) {
+  if (foam.viscoelastic) return;
   differences.emplace_back("Between its points a curve is a monotone cubic here, not straight lines.");
   differences.emplace_back(
       "Beyond its last strain a curve is continued until the foam is compressed to nothing.");
@@ -199,17 +214,8 @@ void tell_common_differences(const DeckFoam& foam, std::vector<std::string>& dif
 std::optional<DeckMaterial> material_of(const DeckFoam& given, MeasurementFaults& faults) {
   DeckFoam foam = given;
   CurveLines lines{.material = foam.line, .loading = {}, .of_rates = {}};
-  if (foam.crushable && !(foam.modulus > 0)) {
-    faults.add(foam.line, foam.card + ": E", fmt::format("{:.6g}", foam.modulus),
-               "must be more than 0: the foam unloads with it");
-    return std::nullopt;
-  }
-  if (foam.loading.empty() || !settle_rates(foam, faults)) return std::nullopt;
-  auto curves = curves_of(foam, lines, faults, foam.differences);
-  if (!curves) return std::nullopt;
-  std::optional<PadLaw> law = foam.crushable
-                                  ? crushable_law(foam, *std::move(curves), foam.assumptions)
-                                  : foam_law(foam, *std::move(curves), lines, faults, foam.differences);
+  std::optional<PadLaw> law =
+      foam.viscoelastic ? std::optional<PadLaw>(*foam.viscoelastic) : law_by_curves(foam, lines, faults);
   if (!law) return std::nullopt;
 
   DeckMaterial result;

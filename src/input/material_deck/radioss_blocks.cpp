@@ -12,7 +12,8 @@ namespace dashpad::input {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> names_of_laws{"LAW33", "FOAM_PLAS", "LAW70", "FOAM_TAB", "LAW90"};
+constexpr std::array<std::string_view, 7> names_of_laws{"LAW33", "FOAM_PLAS", "LAW62", "VISC_HYP",
+                                                        "LAW70", "FOAM_TAB",  "LAW90"};
 constexpr std::size_t most_laws_listed = 10;
 
 std::string keyword_in_capitals(std::string_view line) {

@@ -15,14 +15,15 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr std::array<MaterialDeckFormat, 7> formats_of_materials{{
-    {"ls-dyna-057", "*MAT_LOW_DENSITY_FOAM", false, false},
-    {"ls-dyna-083", "*MAT_FU_CHANG_FOAM", false, true},
-    {"ls-dyna-063", "*MAT_CRUSHABLE_FOAM", true, false},
-    {"ls-dyna-163", "*MAT_MODIFIED_CRUSHABLE_FOAM", true, true},
-    {"radioss-70", "/MAT/LAW70", false, true},
-    {"radioss-90", "/MAT/LAW90", false, true},
-    {"radioss-33", "/MAT/LAW33", true, false},
+constexpr std::array<MaterialDeckFormat, 8> formats_of_materials{{
+    {"ls-dyna-057", "*MAT_LOW_DENSITY_FOAM", Foam::name, false},
+    {"ls-dyna-083", "*MAT_FU_CHANG_FOAM", Foam::name, true},
+    {"ls-dyna-063", "*MAT_CRUSHABLE_FOAM", CrushableFoam::name, false},
+    {"ls-dyna-163", "*MAT_MODIFIED_CRUSHABLE_FOAM", CrushableFoam::name, true},
+    {"radioss-70", "/MAT/LAW70", Foam::name, true},
+    {"radioss-90", "/MAT/LAW90", Foam::name, true},
+    {"radioss-33", "/MAT/LAW33", CrushableFoam::name, false},
+    {"radioss-62", "/MAT/LAW62", ViscoelasticFoam::name, true},
 }};
 
 const MaterialDeckFormat* format_named(const std::string& name) {
@@ -59,7 +60,7 @@ void tell_of_rates(const FoamCurves& curves, const MaterialDeckFormat& format, c
   if (points.linear_in_rate || std::string(format.name) != "ls-dyna-083")
     remarks.emplace_back(
         "Above the highest rate the solver extrapolates; the card keeps the curve of that rate.");
-  if (!format.crushable)
+  if (std::string(format.law) == Foam::name)
     remarks.emplace_back("recoil and lag_strain are left out: where loading ends the solver's stress jumps.");
 }
 
@@ -84,9 +85,8 @@ std::string why_no_material_deck(const Material& material, const MaterialDeckOpt
   const MaterialDeckFormat* const format = format_named(options.format);
   if (format == nullptr) return fmt::format("format \"{}\": is none", options.format);
   const std::string law = name_of(material.law);
-  const std::string wanted = format->crushable ? CrushableFoam::name : Foam::name;
-  if (law != wanted)
-    return fmt::format("{} is a card for the law {}, and {} has the law {}", format->card, wanted,
+  if (law != format->law)
+    return fmt::format("{} is a card for the law {}, and {} has the law {}", format->card, format->law,
                        material.name, law);
   if (!material.density)
     return fmt::format("{} has no density, which {} needs; add density = \"... kg/m3\" to the card",
@@ -100,6 +100,10 @@ std::string why_no_material_deck(const Material& material, const MaterialDeckOpt
 std::vector<std::string> not_in_material_deck(const Material& material, const MaterialDeckOptions& options) {
   const MaterialDeckFormat* const format = format_named(options.format);
   if (format == nullptr) return {};
+  if (std::holds_alternative<ViscoelasticFoam>(material.law))
+    return {
+        "The solver relaxes the second Piola-Kirchhoff stress, the card the nominal stress: the same for a "
+        "sudden strain and after long times, not for a strain that changes in between."};
   const MaterialPoints points = points_for(material, *format);
   std::vector<std::string> remarks = points.remarks;
   std::visit(
@@ -111,7 +115,7 @@ std::vector<std::string> not_in_material_deck(const Material& material, const Ma
   remarks.emplace_back(
       "Between its points the card's curve is a monotone cubic, the solver's straight lines; beyond "
       "the last one each goes on in its own way (continuation_exponent).");
-  if (!format->crushable)
+  if (std::string(format->law) == Foam::name)
     remarks.emplace_back(
         "The modulus is the steepest line of the curves; the solver uses it for tension, contact "
         "and the time step.");

@@ -38,6 +38,7 @@ class DeckNumbers {
   std::string stress(double value, std::size_t width) { return field(value, units_.stress, width); }
   std::string density(double value, std::size_t width) { return field(value, units_.density, width); }
   std::string rate(double value, std::size_t width) { return field(value, units_.rate, width); }
+  std::string time(double value, std::size_t width) { return field(value, units_.time, width); }
   [[nodiscard]] std::size_t rounded() const { return rounded_; }
 
  private:

@@ -1,5 +1,7 @@
 // Foams as /MAT blocks of the Radioss starter.
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "output/deck/material_points.hpp"
@@ -98,12 +100,47 @@ std::string law_33(const Material& material, const CrushableFoam& foam, const Ma
                               numbers);
 }
 
+/// The moduli are those of a sudden strain, and the ratios are shares of it: Flag_Rigi 0, which every version
+/// understands. Flag_Visc 1: the whole stress relaxes.
+std::string law_62(const Material& material, const ViscoelasticFoam& foam, int id, DeckNumbers& numbers) {
+  const double sudden = 1 + foam.first_share + foam.second_share;
+  using Rows = std::vector<std::pair<double, double>>;
+  Rows terms, branches;
+  for (const auto& [modulus, exponent] : {std::pair{foam.first_modulus, foam.first_exponent},
+                                          std::pair{foam.second_modulus, foam.second_exponent}})
+    if (modulus > 0) terms.emplace_back(modulus * sudden, exponent);
+  for (const auto& [share, time] :
+       {std::pair{foam.first_share, foam.first_time}, std::pair{foam.second_share, foam.second_time}})
+    if (share > 0) branches.emplace_back(share / sudden, time);
+
+  std::string text = head_text(material, "LAW62", id, numbers);
+  text += fmt::format(
+      "#                 Nu         N         M              mu_max Flag_Visc Flag_Rigi\n"
+      "{:>20}{:>10}{:>10}{:>20}{:>10}{:>10}\n",
+      "0.0", terms.size(), branches.size(), "0.0", 1, 0);
+  text += "#               mu_i\n";
+  for (const auto& [modulus, exponent] : terms) text += numbers.stress(modulus, 20);
+  text += "\n#            alpha_i\n";
+  for (const auto& [modulus, exponent] : terms) text += numbers.plain(exponent, 20);
+  if (!branches.empty()) {
+    text += "\n#            gamma_i\n";
+    for (const auto& [ratio, time] : branches) text += numbers.plain(ratio, 20);
+    text += "\n#              tau_i\n";
+    for (const auto& [ratio, time] : branches) text += numbers.time(time, 20);
+  }
+  text += "\n#               nu_i\n";
+  for (std::size_t i = 0; i < terms.size(); ++i) text += fmt::format("{:>20}", "0.0");
+  return text + "\n";
+}
+
 }  // namespace
 
 std::string radioss_material(const Material& material, const MaterialPoints& points,
                              const MaterialDeckOptions& options, DeckNumbers& numbers) {
   if (const auto* const crushable = std::get_if<CrushableFoam>(&material.law))
     return law_33(material, *crushable, points, options.first_id, numbers);
+  if (const auto* const slow = std::get_if<ViscoelasticFoam>(&material.law))
+    return law_62(material, *slow, options.first_id, numbers);
   const Foam& foam = std::get<Foam>(material.law);
   return options.format == "radioss-70" ? law_70(material, foam, points, options.first_id, numbers)
                                         : law_90(material, foam, points, options.first_id, numbers);

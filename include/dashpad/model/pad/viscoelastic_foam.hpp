@@ -31,6 +31,7 @@ struct ViscoelasticFoam {
   static constexpr const char* name = "viscoelastic-foam";
   static constexpr bool memoryless = false;
   static const std::array<Parameter<ViscoelasticFoam>, 8> parameters;
+  friend bool operator==(const ViscoelasticFoam&, const ViscoelasticFoam&) = default;
 
   struct RatePart {};
   /// Lengths of a step in relaxation times.
