@@ -30,6 +30,7 @@ constexpr const char* main_footer = R"(Start here:
   dashpad material --help                        cards from other solvers' decks, and back
   dashpad run --help                             files, units, tolerance
   dashpad spit1984 --help                        the program of the 1986 report, digit for digit
+  dashpad compare CASE --pulse FILE              a measured pulse over the computed one
   dashpad compare examples/dashboard-20mph.toml  the solver and the program of 1984 side by side
   dashpad validate                               both beside the validation tests of that report
   dashpad study --help                           many impacts: curves, maps, probabilities
@@ -54,11 +55,11 @@ constexpr Command commands[]{{"Every day", add_run},
                              {"Every day", add_pulse},
                              {"Every day", add_export},
                              {"Every day", add_post_impact},
+                             {"Every day", add_compare},
                              {"Foams", add_materials},
                              {"Foams", add_material},
                              {"Foams", add_material_test},
                              {"Many impacts", add_study},
-                             {"The report of 1986", add_compare},
                              {"The report of 1986", add_spit1984},
                              {"The report of 1986", add_validate}};
 

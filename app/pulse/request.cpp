@@ -43,7 +43,7 @@ std::optional<std::pair<double, double>> interval_of(const std::string& text,
   }
 }
 
-/// What --speed or --drop-height tells.
+/// What --speed, --drop-height or a case tells.
 std::optional<injury::MeasuredImpact> impact_of(const PulseRequest& request,
                                                 std::vector<std::string>& wrong) {
   const auto positive = [&](const char* option, const std::optional<std::string>& text, const char* unit) {
@@ -56,6 +56,8 @@ std::optional<injury::MeasuredImpact> impact_of(const PulseRequest& request,
   if (request.speed && request.drop_height)
     wrong.emplace_back("--drop-height: is for a speed that is not known; give --speed or --drop-height");
   if (height && *height > 0) return injury::after_fall(*height);
+  if (!request.speed && !request.drop_height && request.case_speed)
+    return injury::MeasuredImpact{.speed = *request.case_speed};
   return speed ? std::optional{injury::MeasuredImpact{.speed = *speed}} : std::nullopt;
 }
 
@@ -184,6 +186,9 @@ void add_processing_options(CLI::App& sub, PulseRequest& request) {
       ->type_name("SPEED");
   sub.add_option("--drop-height", request.drop_height, "The same from a free fall, such as \"1.5 m\"")
       ->type_name("LENGTH");
+}
+
+void add_figure_options(CLI::App& sub, PulseRequest& request) {
   sub.add_option("--window", request.windows_ms, "One more HIC, with a window of at most MS")
       ->allow_extra_args(false)
       ->type_name("MS");

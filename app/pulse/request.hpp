@@ -29,6 +29,8 @@ struct PulseRequest {
   std::vector<std::string> sensitivities;
   std::optional<std::string> speed;
   std::optional<std::string> drop_height;
+  /// m/s, of a case beside which the pulse is laid: where neither --speed nor --drop-height is given.
+  std::optional<double> case_speed = {};
   std::vector<double> windows_ms;
   std::vector<std::string> dwells;
   std::optional<std::string> json;
@@ -59,7 +61,9 @@ std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test)
 
 /// Options for the choice of columns or channels.
 void add_source_options(CLI::App& sub, PulseRequest& request);
-/// Options for what is done to the pulse and which figures are wanted.
+/// Options for what is done to the pulse, and for its impact speed.
 void add_processing_options(CLI::App& sub, PulseRequest& request);
+/// Options for further figures.
+void add_figure_options(CLI::App& sub, PulseRequest& request);
 
 }  // namespace dashpad::app

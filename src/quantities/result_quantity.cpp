@@ -62,6 +62,13 @@ const std::vector<ResultQuantity>& result_quantities() {
        "injury.md, Severity index and velocity change", true},
       {"dwell_time", "Dwell time", "", "s",
        "how long the magnitude of the acceleration is above a level, in all", "injury.md, Dwell", true},
+      {"time_to_peak", "Time to peak", "", "s",
+       "from where the acceleration first reaches 5 % of its peak to the peak; of pulses that are not "
+       "aligned, time of the peak",
+       "injury.md, Two pulses", true},
+      {"half_peak_width", "Width at half the peak", "", "s",
+       "how long the magnitude of the acceleration is above half its peak, in all", "injury.md, Two pulses",
+       true},
       // --- Energies, at the end of the run or over time ---
       {"impact_energy", "Impact energy", "", "J", "kinetic energy of the impactor at first contact", "Eq. 30",
        false},

@@ -48,9 +48,12 @@ void note(Found& found, const ResultQuantity* quantity, const std::string& word)
 // --- JSON ---
 
 /// What stands inside a quantity, or beside its value.
-const std::set<std::string> attributes{"time_s",          "velocity_m_per_s", "begin_s", "end_s",
-                                       "error",           "lower_bound",      "level_g", "longest_s",
-                                       "longest_window_s"};
+const std::set<std::string> attributes{
+    "time_s",  "velocity_m_per_s", "begin_s",          "end_s",           "error", "lower_bound",
+    "level_g", "longest_s",        "longest_window_s", "difference_share"};
+
+/// What a part of a quantity that carries its unit may be called.
+const Names values{"value", "measured", "computed", "difference"};
 
 /// The quantity whose key this is: with its unit where a number follows, without where a number follows that
 /// is an error, and where its parts do.
@@ -63,11 +66,14 @@ const ResultQuantity* keyed(const std::string& key, const json& value, bool of_e
 }
 
 void walk_parts(const ResultQuantity& of, const json& value, Found& found) {
-  const std::string own = name_with_unit("value", scaled_unit(of.si_unit, plain_si()).unit);
+  const std::string unit = scaled_unit(of.si_unit, plain_si()).unit;
+  const std::string own = name_with_unit("value", unit);
+  std::set<std::string> carriers{"value"};
+  for (const std::string& name : values) carriers.insert(name_with_unit(name, unit));
   for (const auto& [key, part] : value.items()) {
     if (value.is_array())
       walk_parts(of, part, found);
-    else if (value.is_object() && key != own && key != "value" && !attributes.contains(key))
+    else if (value.is_object() && !carriers.contains(key) && !attributes.contains(key))
       found.foreign.push_back(std::string{of.key} + "." + key);
     if (key == "value" && own != "value" && !value.contains("lower_bound"))
       found.foreign.push_back(std::string{of.key} + ".value without its unit");
@@ -222,6 +228,18 @@ TEST_F(NamesTest, OfAPulseAreThoseOfTheTable) {
   EXPECT_EQ(heading_of(read_file(file("again.csv")), plain_si()).known, (Names{"time", "acceleration"}));
 }
 
+TEST_F(NamesTest, OfAComparisonOfPulsesAreThoseOfTheTable) {
+  const Outcome outcome = dashpad({"compare", examples + "helmet-pad-10fps.toml", "--pulse",
+                                   examples + "pulses/synthetic-helmet-pad.csv", "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Names all{"peak_acceleration", "time_to_peak", "half_peak_width",
+                  "velocity_change",   "hic15",        "restitution"};
+  expect_table_only(
+      walk(json::parse(outcome.out), {"figures"}, {"answer", "alignment", "case", "pulse", "program"}), all,
+      "JSON");
+  expect_table_only(rows_of(outcome.err, "Error of computed\n"), all, "text");
+}
+
 TEST_F(NamesTest, OfStandardsAndTheirAssessmentsAreThoseOfTheTable) {
   std::set<std::string> metric_keys, used;
   for (const injury::Metric metric : injury::metrics()) metric_keys.insert(injury::quantity_of(metric).key);
@@ -316,7 +334,7 @@ TEST_F(NamesTest, ThatAreForeignAreNoticed) {
        {R"({"peak_farce_N": 1})", R"({"peak_acceleration": 1})", R"({"peak_force_lbf": 1})",
         R"({"injury": {"clip_3ms_contiguous": {"value_g": 1}}})", R"({"errors": {"weight": 1}})",
         R"({"injury": {"clip_3ms": {"value": 1}}})", R"({"injury": {"clip_3ms": {"level": 1}}})",
-        R"({"energy": {"pad_J": 1}})"})
+        R"({"energy": {"pad_J": 1}})", R"({"hic15": {"measured_g": 1}})"})
     EXPECT_EQ(foreign(text).size(), 1U) << text;
   EXPECT_THAT(rows_of("\n\n  3 ms level   5 g\n  Peak force   2 N\n\n  x\n", "\n\n").foreign,
               testing::ElementsAre("3 ms level"));

@@ -37,7 +37,9 @@ void expect_strict(const json& schema, const std::string& place) {
   for (const json& part : schema.value("oneOf", json::array())) expect_strict(part, place + "|");
 }
 
-TEST(Schema, DescribesEveryKeyAndItsUnit) { expect_strict(summary_schema(), "summary"); }
+TEST(Schema, DescribesEveryKeyAndItsUnit) {
+  for (const char* name : {"summary", "pulse-comparison"}) expect_strict(schema_of(name), name);
+}
 
 class SchemaTest : public CommandTest {};
 

@@ -43,32 +43,6 @@ std::string offset_line(const injury::PulseReport& report, const UnitSystem& uni
                      injury::change_of_hic15(*report.offset));
 }
 
-std::string source(const injury::PulseReport& report, const UnitSystem& units) {
-  const input::MeasuredPulse& measured = report.measured;
-  const Pulse& pulse = measured.pulse;
-  std::string text = fmt::format("  time          {}\n", origin(measured.time, "s"));
-  for (const input::MeasuredColumn& column : measured.acceleration)
-    text += fmt::format("  acceleration  {}\n", origin(column, "m/s2"));
-  if (measured.resultant)
-    text += fmt::format("  resultant of {} directions{}\n", measured.acceleration.size(),
-                        report.filter ? ", each filtered, then combined" : "");
-  text += fmt::format("  {} samples {}\n", pulse.time.size(),
-                      stretch_of(pulse.time.front(), pulse.time.back(), units));
-  if (report.resampled_to)
-    text += fmt::format("  resampled every {}: {} samples\n",
-                        brief_quantity(*report.resampled_to, "s", units), report.pulse.time.size());
-  text += offset_line(report, units);
-  return text + fmt::format("  filter        {}\n", report.filter ? filter_words(*report.filter) : "none");
-}
-
-/// What the figures leave in doubt.
-std::string reservations(const injury::PulseReport& report) {
-  std::string text;
-  for (const Flag& flag : report.flags) text += flag.text + "\n";
-  for (const std::string& remark : report.measured.remarks) text += "REMARK: " + one_line(remark) + "\n";
-  return text;
-}
-
 /// Restitution, HIC with windows of one's own and dwell times. Without `all` no level that is not reached.
 std::vector<ResultRow> further_rows(const injury::PulseReport& report, const UnitSystem& units,
                                     Detail detail) {
@@ -101,13 +75,39 @@ std::string filter_words(const injury::PulseFilter& filter) {
                      to_string(filter.ends));
 }
 
+std::string pulse_source(const injury::PulseReport& report, const UnitSystem& units) {
+  const input::MeasuredPulse& measured = report.measured;
+  const Pulse& pulse = measured.pulse;
+  std::string text = fmt::format("  time          {}\n", origin(measured.time, "s"));
+  for (const input::MeasuredColumn& column : measured.acceleration)
+    text += fmt::format("  acceleration  {}\n", origin(column, "m/s2"));
+  if (measured.resultant)
+    text += fmt::format("  resultant of {} directions{}\n", measured.acceleration.size(),
+                        report.filter ? ", each filtered, then combined" : "");
+  text += fmt::format("  {} samples {}\n", pulse.time.size(),
+                      stretch_of(pulse.time.front(), pulse.time.back(), units));
+  if (report.resampled_to)
+    text += fmt::format("  resampled every {}: {} samples\n",
+                        brief_quantity(*report.resampled_to, "s", units), report.pulse.time.size());
+  text += offset_line(report, units);
+  return text + fmt::format("  filter        {}\n", report.filter ? filter_words(*report.filter) : "none");
+}
+
+std::vector<std::string> reservations(const injury::PulseReport& report) {
+  std::vector<std::string> lines;
+  for (const Flag& flag : report.flags) lines.push_back(flag.text);
+  for (const std::string& remark : report.measured.remarks) lines.push_back("REMARK: " + one_line(remark));
+  return lines;
+}
+
 std::string pulse_text(const injury::PulseReport& report, const UnitSystem& units, Detail detail) {
   std::string text = fmt::format("{} ({})\n", one_line(report.file), report.measured.format);
-  text += wrapped_lines(reservations(report)) + "\n";
+  for (const std::string& line : reservations(report)) text += wrapped(line, 2) + "\n";
+  text += "\n";
   std::vector<ResultRow> rows = pulse_rows(report.figures, units, detail);
   for (ResultRow& row : further_rows(report, units, detail)) rows.push_back(std::move(row));
   for (const ResultRow& row : rows) text += laid_out(row);
-  text += "\nThe pulse:\n" + wrapped_lines(source(report, units));
+  text += "\nThe pulse:\n" + wrapped_lines(pulse_source(report, units));
   return text + fmt::format(
                     "HIC and severity index in g^2.5 s; the pulse is linear between its samples "
                     "(dashpad {})\n",

@@ -1,13 +1,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "dashpad/injury/pulse_report.hpp"
+#include "dashpad/quantities/unit_system.hpp"
 #include "injury/pulse_words.hpp"
 
 namespace dashpad::output {
 
 /// "CFC1000, corner of SAE J211, ends mirrored".
 std::string filter_words(const injury::PulseFilter& filter);
+
+/// What the figures leave in doubt: flags and remarks, a line each.
+std::vector<std::string> reservations(const injury::PulseReport& report);
+
+/// Where the pulse comes from and what was done to it, indented lines.
+std::string pulse_source(const injury::PulseReport& report, const UnitSystem& units);
 
 }  // namespace dashpad::output

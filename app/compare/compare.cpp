@@ -1,4 +1,4 @@
-// dashpad compare: the accurate solver and the program of 1984 on one case, in a table and a picture.
+// dashpad compare: the accurate solver beside the program of 1984, or beside a measured pulse.
 
 #include <cmath>
 #include <memory>
@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
+#include "compare/with_pulse.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/report1986/comparison.hpp"
 #include "dashpad/spit1984/deck.hpp"
@@ -22,31 +23,25 @@ constexpr const char* compare_footer = R"(Examples:
   dashpad compare examples/dashboard-20mph.toml --units us
   dashpad compare examples/dashboard-20mph.toml --picture comparison.svg
   dashpad compare examples/dashboard-20mph.toml --time-step 0.05 --json -
+  dashpad compare examples/helmet-pad-10fps.toml --pulse examples/pulses/synthetic-helmet-pad.csv
+  dashpad compare examples/helmet-pad-10fps.toml --pulse my-drop.csv --zero auto --filter CFC1000
+  dashpad compare examples/helmet-pad-10fps.toml --pulse my-drop.csv --report comparison.html
 
-Rows: the accurate solver (exact units, and with the constants of 1984), the program of 1984 in the arithmetic
-of its machine, in single and in double precision, and with its defects mended. docs/spit1984.md explains what
-to believe. --picture draws force and penetration over time; the ending of FILE says what it becomes: .svg,
-.png or .pdf. Drawing needs gnuplot (Debian package gnuplot-nox).
+Without --pulse, rows: the accurate solver (exact units, and with the constants of 1984), the program of 1984 in
+the arithmetic of its machine, in single and in double precision, and with its defects mended. docs/spit1984.md
+explains what to believe. --picture draws force and penetration over time; the ending of FILE says what it
+becomes: .svg, .png or .pdf. Drawing needs gnuplot (Debian package gnuplot-nox).
+
+With --pulse FILE, a measured pulse is laid over the computed deceleration, and the differences are named: peak,
+time to peak, width (all time above half the peak), velocity change over contact, HIC15, restitution. FILE is
+what dashpad pulse reads, with its options. --align says what coincides: the onset (default: where each pulse
+first reaches 5 % of its own peak), the peak, or none. With --filter the computed pulse is filtered alike. The
+restitution of the measured pulse is of the case's speed, unless --speed or --drop-height says otherwise. A
+pulse without acceleration is refused, and so is one without an onset: above 5 % of its peak from its first
+sample on. docs/pulses.md has the rules, and what the flags of a pulse mean.
 
 Exit codes: 0 done (whatever became of the runs of 1984), 1 a result could not be written, 2 refused and
 nothing was run, 3 the accurate solver missed the tolerance.)";
-
-struct CompareRequest {
-  std::string case_file;
-  std::optional<std::string> picture;
-  std::optional<std::string> json;
-  std::string units;
-  double time_step_ms = 0.1;
-  std::string materials;
-  bool force = false;
-};
-
-std::vector<Target> targets(const CompareRequest& request) {
-  std::vector<Target> wanted;
-  if (request.picture) wanted.push_back({"--picture", *request.picture});
-  if (request.json) wanted.push_back({"--json", *request.json});
-  return wanted;
-}
 
 input::CaseFile read_and_check(const CompareRequest& request, const std::filesystem::path& materials) {
   std::vector<std::string> wrong;
@@ -86,23 +81,28 @@ int run_comparison(const CompareRequest& request, const std::filesystem::path& m
 }  // namespace
 
 void add_compare(CLI::App& app, Action& action, const std::filesystem::path& executable) {
-  CLI::App* sub = app.add_subcommand("compare", "The accurate solver and the program of 1984 side by side");
+  CLI::App* sub =
+      app.add_subcommand("compare", "A case beside a measured pulse, or beside the program of 1984");
   const auto request = std::make_shared<CompareRequest>();
   sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
-  sub->add_option("--picture", request->picture, "Draw force and penetration over time (.svg, .png, .pdf)")
+  sub->add_option("--picture", request->picture, "Draw the curves over time (.svg, .png, .pdf)")
       ->type_name("FILE");
   sub->add_option("--json", request->json, "Write the table as JSON, SI (- for standard output)")
       ->type_name("FILE");
   add_units(*sub, request->units);
-  sub->add_option("--time-step", request->time_step_ms, "Of the 1984 program, ms (default 0.1)")
-      ->check(CLI::Range(1e-6, 1e3))
-      ->type_name("MS");
+  CLI::Option* time_step =
+      sub->add_option("--time-step", request->time_step_ms, "Of the 1984 program, ms (default 0.1)")
+          ->check(CLI::Range(1e-6, 1e3))
+          ->type_name("MS");
   add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);
+  add_pulse_options(*sub, *request, time_step);
   sub->footer(compare_footer);
-  sub->callback([request, &action, executable] {
-    action = [request, executable] {
-      return run_comparison(*request, chosen_folder(request->materials, executable));
+  sub->callback([request, sub, &action, executable] {
+    action = [request, sub, executable] {
+      const std::filesystem::path materials = chosen_folder(request->materials, executable);
+      return sub->count("--pulse") == 0 ? run_comparison(*request, materials)
+                                        : compare_with_pulse(*request, materials);
     };
   });
 }

@@ -1,0 +1,144 @@
+// A measured pulse, read and processed as the options ask, with its figures.
+
+#include "pulse/report.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/injury/dwell.hpp"
+#include "dashpad/input/iso_mme/iso_mme.hpp"
+#include "dashpad/input/measurement/pulse_csv.hpp"
+#include "progress_line.hpp"
+
+namespace dashpad::app {
+
+namespace {
+
+constexpr double hic15_window = 15e-3;  // s
+constexpr double usual_speed = 15e6;    // bytes of a table read and computed in a second, on one core of 2020
+
+input::MeasuredPulse read(const PulseRequest& request, const PulseSettings& settings, bool is_test) {
+  if (is_test)
+    return input::read_iso_mme(request.file, {request.channel, request.table.acceleration_unit,
+                                              request.resultant, settings.sensitivities});
+  input::PulseCsvOptions options = request.table;
+  options.resultant = request.resultant;
+  options.interval = settings.interval_of_samples;
+  options.sensitivity = settings.sensitivities;
+  return input::read_pulse_csv(request.file, options);
+}
+
+/// Resampled and filtered as asked for; `wrong` is told where that cannot be.
+Pulse processed(const input::MeasuredPulse& measured, const PulseSettings& settings,
+                const std::optional<injury::PulseFilter>& filter, std::vector<std::string>& wrong) {
+  try {
+    return injury::processed_pulse(measured, settings.interval, filter);
+  } catch (const std::invalid_argument& error) {
+    const char* advice =
+        filter && !settings.interval ? "; --resample INTERVAL makes samples of another interval" : "";
+    wrong.push_back(fmt::format("{}: {}{}", filter ? "--filter" : "--resample", error.what(), advice));
+    return {};
+  }
+}
+
+/// The offset in the interval of --zero, else in the quiet part before the impact; `wrong` is told where
+/// --zero wants one and there is none.
+std::optional<input::SensorOffset> offset_of(const PulseRequest& request, const PulseSettings& settings,
+                                             const input::MeasuredPulse& measured,
+                                             std::vector<std::string>& wrong) {
+  if (!settings.zero_interval) {
+    std::optional<input::SensorOffset> offset = input::offset_before_impact(measured);
+    if (request.zero && !offset)
+      wrong.emplace_back(
+          "--zero auto: there is no quiet part before the impact; give its interval, --zero BEGIN,END");
+    return offset;
+  }
+  try {
+    return input::offset_between(measured, settings.zero_interval->first, settings.zero_interval->second);
+  } catch (const std::invalid_argument& error) {
+    const std::vector<double>& time = measured.pulse.time;
+    wrong.push_back(fmt::format("--zero {}: {}; the samples are from {:.6g} to {:.6g} ms", *request.zero,
+                                error.what(), 1e3 * time.front(), 1e3 * time.back()));
+    return std::nullopt;
+  }
+}
+
+/// How long it takes to read a file and to compute its figures, s.
+double expected_time(const std::string& file) {
+  std::error_code error;
+  const auto bytes = static_cast<double>(std::filesystem::file_size(file, error));
+  return error ? 0 : bytes / usual_speed;
+}
+
+/// Adds the remarks on what was done and found.
+void remark_on(injury::PulseReport& report) {
+  std::vector<std::string>& remarks = report.measured.remarks;
+  if (report.filter)
+    if (auto remark = injury::sampled_too_slowly(report.measured, report.resampled_to, *report.filter))
+      remarks.push_back(std::move(*remark));
+  if (report.offset)
+    for (std::string& remark : injury::offset_remarks(*report.offset, report.figures.peak.magnitude))
+      remarks.push_back(std::move(remark));
+}
+
+}  // namespace
+
+injury::PulseReport pulse_report(
+    const PulseRequest& request, std::vector<std::string> wrong,
+    const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge) {
+  const bool is_test = input::is_iso_mme(request.file);
+  for (std::string& line : out_of_place(request, is_test)) wrong.push_back(std::move(line));
+  const PulseSettings settings = settings_of(request, wrong);
+  injury::PulseReport report{.file = request.file,
+                             .measured = {},
+                             .resampled_to = settings.interval,
+                             .filter = filter_of(request),
+                             .offset = {},
+                             .pulse = {},
+                             .figures = {},
+                             .impact = settings.impact,
+                             .windows = {},
+                             .dwells = {},
+                             .flags = {}};
+  ProgressLine waiting("Reading " + request.file);
+  if (wrong.empty()) waiting.expect(expected_time(request.file));
+  try {
+    report.measured = read(request, settings, is_test);
+  } catch (const input::InputError& error) {
+    report.measured.files.push_back({"the measurement", request.file});
+    add_lines(error.faults(), wrong);
+  }
+  judge(report.measured.files, wrong);
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  waiting.now(fmt::format("Computing figures of {} samples", report.measured.pulse.time.size()));
+  report.pulse = processed(report.measured, settings, report.filter, wrong);
+  const std::optional<input::SensorOffset> offset = offset_of(request, settings, report.measured, wrong);
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  Pulse zero = offset ? processed(input::zeroed(report.measured, *offset), settings, report.filter, wrong)
+                      : report.pulse;
+  Pulse& other = request.zero ? report.pulse : zero;
+  const double hic15_of_other = offset ? injury::hic(other, hic15_window).value : 0;
+  if (request.zero) std::swap(report.pulse, zero);
+  report.figures = injury::injury_figures(report.pulse);
+  if (offset) {
+    report.offset = {*offset, settings.zero_interval.has_value(), request.zero.has_value(),
+                     report.figures.hic15.value, hic15_of_other};
+    if (request.zero) std::swap(report.offset->hic15_with, report.offset->hic15_without);
+  }
+  for (const double window : settings.windows)
+    report.windows.push_back({window, injury::hic(report.pulse, window)});
+  for (const double level : settings.levels)
+    report.dwells.push_back(
+        {level, injury::cumulative_dwell(report.pulse, level), injury::longest_dwell(report.pulse, level)});
+  remark_on(report);
+  report.flags = injury::flags(report, request.zero ? report.pulse : zero);
+  return report;
+}
+
+}  // namespace dashpad::app

@@ -1,0 +1,227 @@
+#include "dashpad/injury/pulse_comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "dashpad/impact/flags.hpp"
+#include "dashpad/injury/dwell.hpp"
+#include "dashpad/injury/figures.hpp"
+#include "injury/magnitude.hpp"
+#include "injury/thinned.hpp"
+
+namespace dashpad::injury {
+
+namespace {
+
+constexpr double hic15_window = 15e-3;            // s
+constexpr double free_flight = 20e-3;             // s: longer than a filter of class 60 looks
+constexpr double rounding_of_restitution = 1e-3;  // of the impact speed, as in IMPOSSIBLE VELOCITY CHANGE
+
+std::optional<double> onset_of(const Pulse& pulse, double level) {
+  const Magnitude line = magnitude_of(pulse);
+  const auto first = std::ranges::find_if(line, [&](const LinePoint& at) { return at.value >= level; });
+  if (first == line.begin()) return std::nullopt;
+  return passing(*(first - 1), *first, level);
+}
+
+/// The samples around the one at `peak` with the sign of that one, and the zeros at both ends.
+Pulse contact_of(const Pulse& pulse, std::size_t peak, double side) {
+  const std::vector<double>&time = pulse.time, &a = pulse.acceleration;
+  std::size_t first = peak, last = peak;
+  while (first > 0 && side * a[first - 1] > 0) --first;
+  while (last + 1 < a.size() && side * a[last + 1] > 0) ++last;
+  const auto zero = [&](std::size_t outside, std::size_t inside) {
+    return std::lerp(time[outside], time[inside], a[outside] / (a[outside] - a[inside]));
+  };
+  Pulse contact;
+  const auto add = [&contact](double when, double value) {
+    if (!contact.time.empty() && when <= contact.time.back()) return;  // a zero that rounds onto a sample
+    contact.time.push_back(when);
+    contact.acceleration.push_back(value);
+  };
+  if (first > 0) add(zero(first - 1, first), 0);
+  for (std::size_t i = first; i <= last; ++i) add(time[i], a[i]);
+  if (last + 1 < a.size()) add(zero(last + 1, last), 0);
+  return contact;
+}
+
+/// The computed pulse with its peak, which the solver knows to lie between two samples.
+Pulse with_peak(Pulse pulse, const Summary& summary) {
+  if (!summary.peak_acceleration || !summary.time_of_peak_force) return pulse;
+  const double when = *summary.time_of_peak_force;
+  const auto place = std::ranges::lower_bound(pulse.time, when);
+  const auto index = place - pulse.time.begin();
+  if (place != pulse.time.end() && *place == when) {
+    pulse.acceleration[static_cast<std::size_t>(index)] = -*summary.peak_acceleration;
+  } else {
+    pulse.time.insert(place, when);
+    pulse.acceleration.insert(pulse.acceleration.begin() + index, -*summary.peak_acceleration);
+  }
+  return pulse;
+}
+
+/// Filtered as the measured pulse is, if that is.
+Pulse filtered_like(const PulseReport& report, const Pulse& pulse) {
+  if (!report.filter) return pulse;
+  const std::vector<double>& time = report.pulse.time;
+  const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  const double begin = pulse.time.front(), end = pulse.time.back();
+  Pulse flight{{begin - free_flight - interval, begin - interval}, {0, 0}};
+  flight.time.insert(flight.time.end(), pulse.time.begin(), pulse.time.end());
+  flight.acceleration.insert(flight.acceleration.end(), pulse.acceleration.begin(), pulse.acceleration.end());
+  flight.time.insert(flight.time.end(), {end + interval, end + free_flight + interval});
+  flight.acceleration.insert(flight.acceleration.end(), {0, 0});
+  return cfc_filtered(resampled(flight, interval), report.filter->channel_frequency_class,
+                      report.filter->corner, report.filter->ends);
+}
+
+/// The history as far as it is finite.
+Pulse finite_pulse(const History& history) {
+  Pulse pulse = pulse_of(history);
+  const auto finite = [](double value) { return std::isfinite(value); };
+  const auto end = std::ranges::find_if_not(pulse.acceleration, finite) - pulse.acceleration.begin();
+  pulse.time.resize(static_cast<std::size_t>(end));
+  pulse.acceleration.resize(static_cast<std::size_t>(end));
+  return pulse;
+}
+
+std::optional<double> time_to_peak(const PulseShape& of, Alignment alignment) {
+  if (alignment == Alignment::none) return of.peak.time;
+  return of.onset ? std::optional{of.peak.time - *of.onset} : std::nullopt;
+}
+
+double shift_of(const PulseShape& measured, const std::optional<PulseShape>& computed, Alignment alignment) {
+  switch (alignment) {
+    case Alignment::onset: return (computed ? computed->onset.value_or(0) : 0) - *measured.onset;
+    case Alignment::peak: return (computed ? computed->peak.time : 0) - measured.peak.time;
+    case Alignment::none: return 0;
+  }
+  return 0;
+}
+
+/// The solver's own relative error of a figure, from that of the force, to the power that it has in it, or
+/// from those of its times.
+double error_of_solver(std::string_view key, double value, const Summary& summary) {
+  const ErrorEstimates& errors = summary.errors;
+  const double contact_end = summary.contact_end ? summary.contact_end->time : 0;
+  if (key == "time_to_peak") return (errors.time_of_peak_force + errors.contact_end) * contact_end / value;
+  if (key == "half_peak_width") return errors.contact_end;
+  if (key == "hic15") return 2.5 * errors.peak_force;
+  if (key == "restitution") return (1 + 1 / value) * errors.peak_force;  // e = dV / v - 1
+  return errors.peak_force;
+}
+
+/// Adds to that what the steps of the history leave, from every second of them.
+void estimate_errors(std::array<ComparedFigure, 6>& figures, const std::array<ComparedFigure, 6>& coarser,
+                     const Summary& summary) {
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    if (const std::optional<double> value = figures[i].computed)
+      figures[i].error = chord_error(*value, coarser[i].computed.value_or(0)) +
+                         error_of_solver(figures[i].quantity->key, *value, summary);
+}
+
+}  // namespace
+
+const char* to_string(Alignment alignment) {
+  switch (alignment) {
+    case Alignment::onset: return "onset";
+    case Alignment::peak: return "peak";
+    case Alignment::none: return "none";
+  }
+  return "";
+}
+
+PulseShape pulse_shape(const Pulse& pulse, std::optional<double> impact_speed) {
+  PulseShape shape;
+  shape.peak = peak(pulse);
+  if (!(shape.peak.magnitude > 0)) throw std::invalid_argument("its acceleration is 0 throughout");
+  const auto place = std::ranges::find(pulse.time, shape.peak.time) - pulse.time.begin();
+  const auto index = static_cast<std::size_t>(place);
+  shape.side = pulse.acceleration[index] < 0 ? -1 : 1;
+  shape.onset = onset_of(pulse, onset_share * shape.peak.magnitude);
+  shape.width = cumulative_dwell(pulse, shape.peak.magnitude / 2);
+  const Pulse contact = contact_of(pulse, index, shape.side);
+  shape.contact_begin = contact.time.front();
+  shape.contact_end = contact.time.back();
+  shape.velocity_change = contact.time.size() < 2 ? 0 : velocity_change(contact);
+  shape.hic15 = hic(pulse, hic15_window).value;
+  if (impact_speed) {
+    const double restitution = shape.velocity_change / *impact_speed - 1;
+    if (restitution >= -rounding_of_restitution && restitution <= 1 + 2 * rounding_of_restitution)
+      shape.restitution = restitution;
+  }
+  return shape;
+}
+
+void check_alignment(const PulseShape& measured, Alignment alignment) {
+  if (alignment != Alignment::onset || measured.onset) return;
+  throw std::invalid_argument(
+      fmt::format("its first sample is above {:.0f} % of its peak already, so that its onset is not in it; "
+                  "--align peak or --align none does without",
+                  100 * onset_share));
+}
+
+std::optional<double> ComparedFigure::difference() const {
+  return measured && computed ? std::optional{*computed - *measured} : std::nullopt;
+}
+
+std::optional<double> ComparedFigure::share() const {
+  return measured && computed && *measured > 0 ? std::optional{(*computed - *measured) / *measured}
+                                               : std::nullopt;
+}
+
+std::array<ComparedFigure, 6> compared_figures(const PulseShape& measured,
+                                               const std::optional<PulseShape>& computed,
+                                               Alignment alignment) {
+  const auto figure = [&](const char* key, auto value) {
+    return ComparedFigure{.quantity = &result_quantity(key),
+                          .measured = value(measured),
+                          .computed = computed ? value(*computed) : std::nullopt};
+  };
+  using Value = std::optional<double>;
+  return {figure("peak_acceleration", [](const PulseShape& of) -> Value { return of.peak.magnitude; }),
+          figure("time_to_peak", [&](const PulseShape& of) { return time_to_peak(of, alignment); }),
+          figure("half_peak_width", [](const PulseShape& of) -> Value { return of.width; }),
+          figure("velocity_change", [](const PulseShape& of) -> Value { return of.velocity_change; }),
+          figure("hic15", [](const PulseShape& of) -> Value { return of.hic15; }),
+          figure("restitution", [](const PulseShape& of) { return of.restitution; })};
+}
+
+PulseComparison compare_pulses(const PulseReport& report, const Solution& solution, double impact_speed,
+                               Alignment alignment) {
+  PulseComparison comparison;
+  comparison.alignment = alignment;
+  comparison.measured =
+      pulse_shape(report.pulse, report.impact ? report.impact->speed : std::optional<double>{});
+  check_alignment(comparison.measured, alignment);
+  const Pulse history = finite_pulse(solution.history);
+  comparison.computed_pulse = history;
+  const auto shape_of = [&](const Pulse& pulse) {
+    PulseShape shape = pulse_shape(pulse, impact_speed);
+    if (!shape.onset) shape.onset = pulse.time.front();  // a foam that answers at first contact
+    return shape;
+  };
+  const auto processed = [&](const Pulse& pulse) {
+    return filtered_like(report, with_peak(pulse, solution.summary));
+  };
+  const bool is_whole = pulse_is_whole(solution.summary) && history.time.size() == solution.history.size() &&
+                        history.time.size() >= fewest_to_compare;
+  if (is_whole) {
+    comparison.computed_pulse = processed(history);
+    comparison.computed = shape_of(comparison.computed_pulse);
+  }
+  comparison.figures = compared_figures(comparison.measured, comparison.computed, alignment);
+  if (is_whole)
+    estimate_errors(comparison.figures,
+                    compared_figures(comparison.measured, shape_of(processed(thinned(history))), alignment),
+                    solution.summary);
+  comparison.shift = shift_of(comparison.measured, comparison.computed, alignment);
+  return comparison;
+}
+
+}  // namespace dashpad::injury

@@ -1,0 +1,42 @@
+// A measured pulse over the computed one, as a page.
+
+#include "dashpad/output/pulse_comparison.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/text/case.hpp"
+#include "output/result_rows.hpp"
+#include "output/text/pulse_comparison_words.hpp"
+#include "output/text/pulse_words.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+std::string pulse_comparison_page(const PulseComparisonReport& report, const UnitSystem& units) {
+  CaptionedPlot figure;
+  figure.plot = pulse_comparison_plot(report, units);
+  FiguresPage page;
+  page.title = comparison_answer(report);
+  page.summary = {fmt::format("{} over {}.", report.pulse.file, report.case_file)};
+  page.warnings = comparison_reservations(report, units);
+  ImpactCase untitled = report.impact;  // the title is that of the figure
+  untitled.title.clear();
+  std::vector<std::string> basis = comparison_notes(report, units);
+  basis.push_back(case_text(untitled, units) + numbers_text(report.solution.summary) + ".");
+  std::string source = "The pulse:" + pulse_source(report.pulse, units);
+  source.back() = '.';
+  replace_all(source, "\n", ";");
+  basis.push_back(std::move(source));
+  page.sections = {
+      {.heading = "Measured over computed", .paragraphs = {}, .tables = {}, .figures = {std::move(figure)}},
+      {.heading = "Figures", .paragraphs = {}, .tables = {comparison_table(report, units)}, .figures = {}},
+      {.heading = "What it rests on", .paragraphs = std::move(basis), .tables = {}, .figures = {}}};
+  return figures_page(page);
+}
+
+}  // namespace dashpad::output

@@ -1,0 +1,60 @@
+// A measured pulse over the computed one, as a picture.
+
+#include "dashpad/output/pulse_comparison.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "dashpad/version.hpp"
+#include "output/plot/axis_with_unit.hpp"
+#include "output/text/pulse_words.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+constexpr std::size_t turn_of_computed = 0, turn_of_measured = 1;
+constexpr double room = 0.1;  // of the contact, beside it
+
+/// The pulse with its peak upwards, `shift` s later.
+Series deceleration(const std::string& label, const Pulse& pulse, double side, double shift,
+                    const UnitSystem& units) {
+  Series series{.label = label};
+  for (std::size_t i = 0; i < pulse.time.size(); ++i) {
+    series.x.push_back(value_in(units, pulse.time[i] + shift, "s"));
+    series.y.push_back(side * pulse.acceleration[i] / standard_gravity);
+  }
+  return series;
+}
+
+}  // namespace
+
+Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem& units) {
+  const injury::PulseComparison& of = report.comparison;
+  Series measured = deceleration("measured", report.pulse.pulse, of.measured.side, of.shift, units);
+  measured.style = SeriesStyle::line;
+  measured.turn = turn_of_measured;
+  Series computed =
+      deceleration("computed", of.computed_pulse, of.computed ? of.computed->side : -1, 0, units);
+  computed.style = SeriesStyle::solid_line;
+  computed.turn = turn_of_computed;
+  double begin = of.measured.contact_begin + of.shift, end = of.measured.contact_end + of.shift;
+  if (!of.computed_pulse.time.empty()) {
+    begin = std::min(begin, of.computed ? of.computed->contact_begin : of.computed_pulse.time.front());
+    end = std::max(end, of.computed ? of.computed->contact_end : of.computed_pulse.time.back());
+  }
+  Panel panel{.title = {}, .x = axis_of("time", units), .y = axis_of("deceleration", units), .series = {}};
+  panel.x.low = value_in(units, begin - room * (end - begin), "s");
+  panel.x.high = value_in(units, end + room * (end - begin), "s");
+  panel.series = {std::move(computed), std::move(measured)};
+  return {.title = one_line(report.impact.title.empty() ? report.case_file : report.impact.title),
+          .panels = {std::move(panel)},
+          .source = fmt::format("dashpad {}; {} over {}; filter of both: {}; alignment: {}", version(),
+                                one_line(report.pulse.file), one_line(report.case_file),
+                                report.pulse.filter ? filter_words(*report.pulse.filter) : "none",
+                                injury::to_string(of.alignment))};
+}
+
+}  // namespace dashpad::output

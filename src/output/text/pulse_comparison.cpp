@@ -1,0 +1,162 @@
+#include "dashpad/output/pulse_comparison.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/output/text/case.hpp"
+#include "dashpad/version.hpp"
+#include "output/result_rows.hpp"
+#include "output/text/pulse_comparison_words.hpp"
+#include "output/text/pulse_words.hpp"
+#include "output/text/table.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+using injury::Alignment;
+using injury::ComparedFigure;
+
+constexpr int compared_digits = 4;
+constexpr double next_to_nothing = 5e-3;  // of the measured figure: the same, for a person
+constexpr double rounding_of_figures = 1e-6;
+
+const ComparedFigure& figure_of(const PulseComparisonReport& report, std::string_view key) {
+  for (const ComparedFigure& figure : report.comparison.figures)
+    if (key == figure.quantity->key) return figure;
+  return report.comparison.figures.front();
+}
+
+/// "12 %": two digits, and all before the point.
+std::string in_percent(double share) {
+  const double percent = 100 * std::abs(share);
+  return percent < 99.5 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+}
+
+/// "12 % above", or "" for next to nothing.
+std::string more_or_less(double share, const char* more, const char* less) {
+  if (std::abs(share) < next_to_nothing) return "";
+  return fmt::format("{} {}", in_percent(share), share > 0 ? more : less);
+}
+
+/// A figure in the unit that people see.
+std::string shown(const std::optional<double>& value, double scale) {
+  return value ? significant(scale * *value, compared_digits) : "-";
+}
+
+std::string shown_difference(const ComparedFigure& figure, double scale) {
+  if (!figure.difference()) return "-";
+  if (std::abs(*figure.difference()) <= rounding_of_figures * std::abs(*figure.computed)) return "0";
+  return fmt::format("{:+.3g}", scale * *figure.difference());
+}
+
+std::string shown_share(const ComparedFigure& figure) {
+  const std::optional<double> share = figure.share();
+  if (!share) return "-";
+  if (std::abs(*share) <= rounding_of_figures) return "0 %";
+  return (*share < 0 ? "-" : "+") + in_percent(*share);
+}
+
+std::string alignment_note(const PulseComparisonReport& report, const UnitSystem& units) {
+  const injury::PulseComparison& comparison = report.comparison;
+  const std::string shift = fmt::format(
+      "{} {} the measured times", brief_quantity(std::abs(comparison.shift), "s", units, compared_digits),
+      comparison.shift < 0 ? "taken off" : "added to");
+  switch (comparison.alignment) {
+    case Alignment::onset:
+      return fmt::format(
+          "Aligned at the onset, where each pulse first reaches {:.0f} % of its own peak: {}. The time to "
+          "the peak counts from there.",
+          100 * injury::onset_share, shift);
+    case Alignment::peak:
+      return fmt::format(
+          "Aligned at the peak: {}. The time to the peak counts from where each pulse first reaches {:.0f} % "
+          "of its own.",
+          shift, 100 * injury::onset_share);
+    case Alignment::none:
+      return "Not aligned: the time to the peak counts from first contact, and from the zero of the "
+             "measured times.";
+  }
+  return "";
+}
+
+std::string restitution_note(const PulseComparisonReport& report, const UnitSystem& units) {
+  const injury::PulseShape& measured = report.comparison.measured;
+  const std::string over =
+      fmt::format("Velocity change: while the acceleration keeps the sign of its peak, measured {}",
+                  stretch(measured.contact_begin, measured.contact_end, units, compared_digits));
+  if (!report.pulse.impact) return over + ".";
+  const std::string speed = brief_quantity(report.pulse.impact->speed, "m/s", units, compared_digits);
+  return measured.restitution
+             ? fmt::format("{}; its restitution is of an impact at {}.", over, speed)
+             : fmt::format("{}; of an impact at {} that leaves no restitution between 0 and 1.", over, speed);
+}
+
+std::string indented(const std::string& lines) {
+  std::string text = "  " + lines;
+  text.pop_back();
+  replace_all(text, "\n", "\n  ");
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string comparison_answer(const PulseComparisonReport& report) {
+  if (!report.comparison.computed)
+    return "There is no whole computed pulse to compare with. " + outcome(report.solution.summary);
+  const std::string peak = more_or_less(*figure_of(report, "peak_acceleration").share(), "above", "below");
+  std::string text = peak.empty() ? "The case predicts the peak of the measured pulse to within 0.5 %"
+                                  : "The case predicts a peak " + peak + " that of the measured pulse";
+  if (const auto share = figure_of(report, "time_to_peak").share()) {
+    const std::string time = more_or_less(*share, "later", "earlier");
+    text += ", " + (time.empty() ? "at the same time" : time);
+  }
+  const std::string hic = more_or_less(*figure_of(report, "hic15").share(), "higher", "lower");
+  return text + (hic.empty() ? "; HIC15 agrees as well." : "; HIC15 is " + hic + ".");
+}
+
+std::vector<std::string> comparison_reservations(const PulseComparisonReport& report,
+                                                 const UnitSystem& units) {
+  std::vector<std::string> lines;
+  for (const std::string& line : warnings(report.solution.summary, units))
+    lines.push_back(line + " (the case)");
+  for (const std::string& line : reservations(report.pulse)) lines.push_back(line + " (the pulse)");
+  return lines;
+}
+
+Table comparison_table(const PulseComparisonReport& report, const UnitSystem& units) {
+  Table table{.columns = {"Figure", "Unit", "Measured", "Computed", "Difference", "of measured",
+                          "Error of computed"}};
+  for (const ComparedFigure& figure : report.comparison.figures) {
+    const auto [scale, unit] = shown_as(figure.quantity->si_unit, units);
+    table.rows.push_back({figure.quantity->title, unit, shown(figure.measured, scale),
+                          shown(figure.computed, scale), shown_difference(figure, scale), shown_share(figure),
+                          figure.computed ? shown_error(figure.error) : "-"});
+  }
+  return table;
+}
+
+std::vector<std::string> comparison_notes(const PulseComparisonReport& report, const UnitSystem& units) {
+  std::vector<std::string> notes{alignment_note(report, units),
+                                 "Width: all time above half the peak. HIC15 is in g^2.5 s.",
+                                 restitution_note(report, units)};
+  if (report.pulse.filter) notes.emplace_back("The computed pulse has the filter of the measured one.");
+  return notes;
+}
+
+std::string pulse_comparison_text(const PulseComparisonReport& report, const UnitSystem& units) {
+  std::string text = wrapped(comparison_answer(report), 2) + "\n";
+  for (const std::string& line : comparison_reservations(report, units)) text += wrapped(line, 2) + "\n";
+  text += "\n" + indented(plain_text(comparison_table(report, units))) + "\n";
+  for (const std::string& line : comparison_notes(report, units)) text += wrapped(line, 2) + "\n";
+  text += fmt::format("\nThe case ({}):\n", one_line(report.case_file));
+  text += indented(case_text(report.impact, units));
+  text += wrapped("  " + numbers_text(report.solution.summary), 4) + "\n";
+  return text +
+         fmt::format("\nThe pulse ({}, {}):\n", one_line(report.pulse.file), report.pulse.measured.format) +
+         wrapped_lines(pulse_source(report.pulse, units));
+}
+
+}  // namespace dashpad::output

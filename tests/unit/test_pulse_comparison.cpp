@@ -1,0 +1,213 @@
+/// A measured pulse beside a computed one: shapes against closed forms, alignment, and what is refused.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "dashpad/impact/solve.hpp"
+#include "dashpad/injury/pulse_comparison.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "shared/samples.hpp"
+
+namespace dashpad::test {
+namespace {
+
+using injury::Alignment;
+using injury::compare_pulses;
+using injury::compared_figures;
+using injury::ComparedFigure;
+using injury::pulse_shape;
+using injury::PulseComparison;
+using injury::PulseReport;
+using injury::PulseShape;
+
+constexpr double height = 400;  // m/s2
+
+/// A triangle from 0 to 10 ms with its peak at 4 ms, free flight before and after, times `later` by so much.
+Pulse triangle(double factor = 1, double later = 0) {
+  Pulse pulse{{-5e-3, 0, 4e-3, 10e-3, 30e-3}, {0, 0, height, 0, 0}};
+  for (double& time : pulse.time) time += later;
+  for (double& value : pulse.acceleration) value *= factor;
+  return pulse;
+}
+
+PulseReport report_of(Pulse pulse) {
+  PulseReport report;
+  report.measured.pulse = pulse;
+  report.pulse = std::move(pulse);
+  return report;
+}
+
+ImpactCase case_of(const char* example) {
+  return input::read_case(source_folder / "examples" / example, source_folder / "materials").impact;
+}
+
+const Solution& solved() {
+  static const Solution solution = solve(case_of("dashboard-20mph.toml"), {});
+  return solution;
+}
+const double speed = case_of("dashboard-20mph.toml").impactor.speed;
+
+/// The history, as a sensor that is mounted the other way round and triggered 13 ms earlier sees it.
+Pulse measured_alike() {
+  Pulse pulse = injury::pulse_of(solved().history);
+  for (double& time : pulse.time) time += 13e-3;
+  for (double& value : pulse.acceleration) value = -value;
+  return pulse;
+}
+
+const ComparedFigure& figure(const PulseComparison& of, const std::string& key) {
+  for (const ComparedFigure& each : of.figures)
+    if (each.quantity->key == key) return each;
+  throw std::invalid_argument(key);
+}
+
+TEST(PulseShape, OfATriangle) {
+  for (const double factor : {1.0, -1.0}) {
+    const PulseShape shape = pulse_shape(triangle(factor, 50e-3), {});
+    EXPECT_EQ(shape.peak.magnitude, height);
+    EXPECT_EQ(shape.side, factor);
+    EXPECT_NEAR(*shape.onset, 50e-3 + 0.05 * 4e-3, 1e-15);
+    EXPECT_NEAR(shape.width, 5e-3, 1e-15);
+    EXPECT_NEAR(shape.contact_begin, 50e-3, 1e-15);
+    EXPECT_NEAR(shape.contact_end, 60e-3, 1e-15);
+    EXPECT_NEAR(shape.velocity_change, height * 10e-3 / 2, 1e-12);
+    EXPECT_FALSE(shape.restitution);
+  }
+}
+
+/// An undershoot and a second impact are not of the contact; its ends lie between samples.
+TEST(PulseShape, ContactKeepsTheSignOfThePeak) {
+  const Pulse pulse{{0, 1e-3, 2e-3, 4e-3, 6e-3, 8e-3, 9e-3}, {-100, -100, 300, 400, -400, 100, 0}};
+  const PulseShape shape = pulse_shape(pulse, {});
+  EXPECT_NEAR(shape.contact_begin, 1.25e-3, 1e-15);
+  EXPECT_NEAR(shape.contact_end, 5e-3, 1e-15);
+  EXPECT_NEAR(shape.velocity_change, 300 * 0.75e-3 / 2 + 350 * 2e-3 + 400 * 1e-3 / 2, 1e-12);
+  const PulseShape all = pulse_shape({{0, 1e-3}, {100, 300}}, {});
+  EXPECT_EQ(all.contact_begin, 0);
+  EXPECT_EQ(all.contact_end, 1e-3);
+}
+
+TEST(PulseShape, RestitutionIsThatOfTheVelocityChange) {
+  const double change = height * 10e-3 / 2;
+  EXPECT_NEAR(*pulse_shape(triangle(), change / 1.4).restitution, 0.4, 1e-12);
+  EXPECT_TRUE(pulse_shape(triangle(), change / 1.999).restitution);
+  for (const double factor : {2.01, 0.99})
+    EXPECT_FALSE(pulse_shape(triangle(), change / factor).restitution) << factor;
+}
+
+TEST(PulseShape, RefusesAPulseWithoutAcceleration) {
+  try {
+    pulse_shape(triangle(0), {});
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("0 throughout"));
+  }
+  EXPECT_THROW(pulse_shape({{0, 1}, {0, NAN}}, {}), std::invalid_argument);
+}
+
+TEST(PulseShape, WithoutAnOnsetCanBeAlignedOtherwise) {
+  const PulseShape late = pulse_shape({{0, 1e-3, 2e-3}, {21, 400, 0}}, {});
+  EXPECT_FALSE(late.onset);
+  EXPECT_THROW(injury::check_alignment(late, Alignment::onset), std::invalid_argument);
+  for (const Alignment alignment : {Alignment::peak, Alignment::none}) {
+    EXPECT_NO_THROW(injury::check_alignment(late, alignment));
+    EXPECT_EQ(compared_figures(late, late, alignment)[1].measured.has_value(), alignment == Alignment::none);
+  }
+  EXPECT_NEAR(*pulse_shape({{0, 1e-3, 2e-3}, {19, 400, 0}}, {}).onset, 1e-3 / 381, 1e-15);
+}
+
+TEST(PulseComparison, OfAPulseWithItselfIsZero) {
+  const PulseShape shape = pulse_shape(triangle(), 1.5);
+  for (const Alignment alignment : injury::all_alignments)
+    for (const ComparedFigure& each : compared_figures(shape, shape, alignment)) {
+      EXPECT_EQ(each.difference(), 0.0) << each.quantity->key;
+      EXPECT_EQ(each.share(), 0.0) << each.quantity->key;
+    }
+}
+
+TEST(PulseComparison, NamesTheDifferences) {
+  Pulse longer = triangle(1.5, 2e-3);
+  longer.time[2] += 1e-3;  // the peak 5 ms after the beginning
+  for (const Alignment alignment : {Alignment::onset, Alignment::none}) {
+    const auto figures = compared_figures(pulse_shape(triangle(), {}), pulse_shape(longer, {}), alignment);
+    EXPECT_NEAR(*figures[0].difference(), 0.5 * height, 1e-9);
+    EXPECT_NEAR(*figures[0].share(), 0.5, 1e-12);
+    EXPECT_NEAR(*figures[1].difference(), alignment == Alignment::onset ? 0.95e-3 : 3e-3, 1e-15);
+    EXPECT_NEAR(*figures[2].difference(), 0, 1e-15);
+    EXPECT_NEAR(*figures[3].share(), 0.5, 1e-12);
+    EXPECT_NEAR(*figures[4].share(), std::pow(1.5, 2.5) - 1, 1e-3);
+    EXPECT_FALSE(figures[5].difference());
+  }
+}
+
+/// But for the peak, which lies between two samples of the history.
+TEST(PulseComparison, AlignsAMeasuredPulseWithTheComputedOne) {
+  constexpr double half_a_step = 5e-5;
+  for (const auto& [alignment, shift] :
+       {std::pair{Alignment::onset, -13e-3}, {Alignment::peak, -13e-3}, {Alignment::none, 0.0}}) {
+    const PulseComparison of = compare_pulses(report_of(measured_alike()), solved(), speed, alignment);
+    EXPECT_NEAR(of.shift, shift, alignment == Alignment::peak ? half_a_step : 1e-7)
+        << injury::to_string(alignment);
+    EXPECT_NEAR(*figure(of, "time_to_peak").difference(), alignment == Alignment::none ? -13e-3 : 0,
+                half_a_step);
+    for (const char* key : {"peak_acceleration", "half_peak_width", "velocity_change", "hic15"})
+      EXPECT_NEAR(*figure(of, key).share(), 0, 1e-4) << key;
+    EXPECT_EQ(figure(of, "peak_acceleration").computed, solved().summary.peak_acceleration);
+    EXPECT_NEAR(*figure(of, "restitution").computed, *solved().summary.restitution, 1e-3);
+  }
+}
+
+/// Against a run 1,000 times as accurate.
+TEST(PulseComparison, ComputedFiguresAreWithinTheirErrors) {
+  Options options;
+  const auto at = [&](double tolerance) {
+    options.tolerance = tolerance;
+    return compare_pulses(report_of(triangle()), solve(case_of("dashboard-20mph.toml"), options), speed,
+                          Alignment::onset);
+  };
+  const PulseComparison exact = at(1e-6);
+  for (const double tolerance : {1e-3, 1e-4}) {
+    const PulseComparison now = at(tolerance);
+    for (std::size_t i = 0; i < now.figures.size(); ++i) {
+      const ComparedFigure& of = now.figures[i];
+      const double off = std::abs(*of.computed / *exact.figures[i].computed - 1);
+      EXPECT_LE(off, of.error) << of.quantity->key << " at " << tolerance;
+      EXPECT_LE(of.error, 100 * tolerance) << of.quantity->key << " at " << tolerance;
+    }
+  }
+}
+
+/// Both pulses get the filter: the history as a sensor sees it, in free flight before and after, agrees with
+/// it, and the peak is lower than without.
+TEST(PulseComparison, FiltersBothPulsesAlike) {
+  Pulse flight = measured_alike();
+  flight.time.insert(flight.time.begin(), {-20e-3, 13e-3 - 1e-6});
+  flight.acceleration.insert(flight.acceleration.begin(), {0, 0});
+  flight.time.insert(flight.time.end(), {flight.time.back() + 1e-6, flight.time.back() + 50e-3});
+  flight.acceleration.insert(flight.acceleration.end(), {0, 0});
+  PulseReport report = report_of(flight);
+  report.filter = injury::PulseFilter{.channel_frequency_class = 60};
+  report.pulse = injury::processed_pulse(report.measured, 1e-5, report.filter);
+  const PulseComparison of = compare_pulses(report, solved(), speed, Alignment::onset);
+  for (const ComparedFigure& each : of.figures)
+    EXPECT_NEAR(each.share().value_or(0), 0, 1e-3) << each.quantity->key;
+  EXPECT_LT(*figure(of, "peak_acceleration").computed, 0.999 * *solved().summary.peak_acceleration);
+  EXPECT_NEAR(of.shift, -13e-3, 1e-5);
+}
+
+TEST(PulseComparison, WithoutAWholeComputedPulseComparesNothing) {
+  const ImpactCase impact = case_of("rigid-floor-bottoming.toml");
+  const PulseComparison of = compare_pulses(report_of(triangle(1, 7e-3)), solve(impact, {}),
+                                            impact.impactor.speed, Alignment::onset);
+  EXPECT_FALSE(of.computed);
+  EXPECT_NEAR(of.shift, -7.2e-3, 1e-12);  // the onset is where the computed times begin
+  EXPECT_GT(of.computed_pulse.time.size(), 2U);
+  for (const ComparedFigure& each : of.figures) EXPECT_FALSE(each.computed) << each.quantity->key;
+  EXPECT_EQ(of.figures[0].measured, height);
+}
+
+}  // namespace
+}  // namespace dashpad::test
