@@ -98,7 +98,7 @@ class FoamContact {
   }
   [[nodiscard]] double largest_stress(const PadTrial& trial) {
     recall(trial);
-    return trial_penetration_ > 0 ? largest_ratio_ : -std::numeric_limits<double>::min();
+    return trial_penetration_ > 0 ? most_pressed_ : -std::numeric_limits<double>::min();
   }
 
   void accept(const PadTrial& trial) {
@@ -142,7 +142,7 @@ class FoamContact {
   /// The force at the end of the trial; on the way what else is asked for.
   double integrate() {
     relaxing_ = 0;
-    largest_ratio_ = -std::numeric_limits<double>::infinity();
+    most_pressed_ = -std::numeric_limits<double>::infinity();
     trial_pressing_ = 0;
     points_ = 0;
     const double Y = trial_penetration_;
@@ -196,7 +196,7 @@ class FoamContact {
   double pressure(double top) {
     const FoamStress::Place place = stress_.at(leading(top, top));
     const FoamStress::Ratio of = ratio(place);
-    largest_ratio_ = std::max(largest_ratio_, of.stress);
+    press(place, of);
     if (of.stress <= 0) return 0;
     relaxing_ += nose_.tip * place.base.stress * of.relaxing;
     return place.base.stress * of.stress;
@@ -215,13 +215,13 @@ class FoamContact {
     const double base = thickness * base_force(outer, inner);
     double force = base * common.stress;
     relaxing_ += base * common.relaxing;
-    largest_ratio_ = std::max(largest_ratio_, common.stress);
+    press(inner, common);
     if (stress_.is_even(ahead_, at_rate_)) return force;
 
     const double last = stress_.curve().last_strain();
     const auto root = [&](double strain) { return std::sqrt(std::min(strain + lead_, last)); };
     const double share = (root(to) - root(from)) / (root(top) - root(edge));
-    visit_work_nodes(stress_, first, end, panels_ * share, panels_, from <= edge,
+    visit_work_nodes(stress_, first, end, panels_ * share, panels_ * 0.35, from <= edge,
                      [&](const FoamStress::Place& place, double work) {
                        const FoamStress::Ratio of = ratio(place);
                        const double area = thickness * work * nose_.rate(depth_of(place.strain.value));
@@ -250,13 +250,17 @@ class FoamContact {
     stations_ = std::max(stations_, points_);
     return stress_.ratio(leading, ahead_, at_rate_, slip_rate_, least);
   }
-  /// The ratio of a column, which is smooth to the edge. Without its floor that of a crushed foam changes its
-  /// sign at the gap.
+  /// Whose sign is that of the stress: the ratio, which is smooth to the edge; of a crushed foam the stress,
+  /// which without its floor changes its sign at the gap.
+  double press(const FoamStress::Place& place, FoamStress::Ratio of) {
+    const double value = stress_.stays_crushed() ? of.stress * place.base.stress : of.stress;
+    most_pressed_ = std::max(most_pressed_, value);
+    return value;
+  }
   double sign_at(double strain, double top) {
     const double least = slip_rate_ <= 0 ? -std::numeric_limits<double>::infinity() : 0;
-    const double value = ratio(stress_.at(leading(strain, top)), least).stress;
-    largest_ratio_ = std::max(largest_ratio_, value);
-    return value;
+    const FoamStress::Place place = stress_.at(leading(strain, top));
+    return press(place, ratio(place, least));
   }
   /// The strain at which a crushed foam presses longest: beyond, its unloading is as steep as its crush
   /// curve.
@@ -291,11 +295,11 @@ class FoamContact {
       if (low < next && next < high) look(next);
       side = 0;
     }
-    for (int i = 0; i < 60 && high - low > precision; ++i)
-      if (look((low * f_high - high * f_low) / (f_high - f_low)) == 0) break;
+    const auto root = [&] { return (low * f_high - high * f_low) / (f_high - f_low); };
+    for (int i = 0; i < 60 && high - low > precision && f_low != f_high; ++i) look(root());
+    if (f_low == f_high) return edge_ = low;
     edge_slope_ = (f_high - f_low) / (high - low);
-    edge_ = (low * f_high - high * f_low) / (f_high - f_low);
-    return edge_;
+    return edge_ = root();
   }
 
   Law law_;
@@ -325,7 +329,7 @@ class FoamContact {
   double slip_rate_ = 0;
   Overstress::AtRate at_rate_;
   double relaxing_ = 0;
-  double largest_ratio_ = 0;
+  double most_pressed_ = 0;   ///< the largest of press() in this trial
   std::size_t points_ = 0;    ///< columns looked at in this trial
   std::size_t stations_ = 0;  ///< the most of them since the start
   std::size_t updates_ = 0;
