@@ -55,7 +55,7 @@ class March {
       if (now_.time > before) record(track);
       if (next.event != Event::none && phase_ != Phase::over) track.begin_stretch();
       control_.learn(phase_, now_, predictor_);
-      step = std::min(control_.next(phase_, motion_, predictor_, just_turned()),
+      step = std::min(control_.next(phase_, motion_, predictor_, now_.time - turning_time_),
                       options_.time_limit - now_.time);
     }
     return read_figures(track);

@@ -65,19 +65,22 @@ class StepControl {
   void learn_force(double force) { largest_force_ = std::max(largest_force_, force); }
 
   /// The next step: grown from the last by no more than a half, and shorter where something is approached.
-  /// `just_turned`: the loading has ended at this moment.
+  /// `since_turning`: time since the loading ended last, below 0 if it has not.
   template <class Contact>
   [[nodiscard]] double next(Phase phase, const Motion<Contact>& motion, const Predictor& predictor,
-                            bool just_turned) const {
+                            double since_turning) const {
     const State& now = motion.now();
     double step = usual_;
-    if (phase == Phase::loading && support_.is_rigid()) step = std::min(step, turning_limit(now, predictor));
+    if (phase == Phase::loading && support_.is_rigid())
+      step = std::min(step, turning_limit(now, predictor, rate_is_felt<Contact>));
+    if (phase == Phase::unloading && support_.is_rigid() && rate_is_felt<Contact> && since_turning > 0)
+      step = std::min(step, logarithm_limit(since_turning));
     if (phase == Phase::unloading) {
       step = std::min(step, end_of_unloading_limit(now, predictor));
       if (motion.force_rate() < 0) step = std::min(step, release_limit(now, motion.force_rate(), step));
     }
     // On a rigid support the pad turns at rate zero, about which the force has a power of the time.
-    const double last = just_turned && support_.is_rigid() ? 0 : motion.last_step();
+    const double last = since_turning == 0 && support_.is_rigid() ? 0 : motion.last_step();
     return std::min(numerics.growth * std::max(last, resolution_ * usual_), step);
   }
 
@@ -99,11 +102,21 @@ class StepControl {
     const double least = numerics.least_closing * resolution_ * resolution_ * thickness_;
     return (share * (lock_ - state.penetration) + least) / std::abs(pad_rate);
   }
-  [[nodiscard]] double turning_limit(const State& now, const Predictor& predictor) const {
+  /// Whether the force follows the rate at once, as that of foams by their curves does.
+  template <class Contact>
+  static constexpr bool rate_is_felt = requires(Contact contact, PadTrial trial) {
+    contact.lasting_stiffness(trial);
+  };
+  [[nodiscard]] double turning_limit(const State& now, const Predictor& predictor, bool rate_is_felt) const {
     const double left = predictor.time_to_turning(now);
     if (!(left > 0)) return std::numeric_limits<double>::infinity();
-    return std::max(numerics.towards_turning * left, resolution_ * usual_);
+    double step = numerics.towards_turning * left;
+    if (rate_is_felt) step = std::min(step, logarithm_limit(left));
+    return std::max(step, resolution_ * usual_);
   }
+  /// About the turning point the force has the logarithm of the time to it: steps that grow with its root
+  /// keep the error of second order.
+  [[nodiscard]] double logarithm_limit(double time) const { return std::sqrt(resolution_ * usual_ * time); }
   /// Where the unloading may end any moment, the pad's rate changes with the square root of the time left.
   [[nodiscard]] double end_of_unloading_limit(const State& now, const Predictor& predictor) const {
     if (now.drive <= 0) return std::numeric_limits<double>::infinity();
