@@ -82,6 +82,27 @@ void times(FoamCurves& curves, double factor) {
     for (auto& faster : effect->curves) times(faster.curve, factor);
 }
 
+/// A foam that returns next to nothing lets go from the edge on to the axis: a ring may press nowhere but
+/// where it is looked at.
+TEST(FoamImpacts, ThatReturnNextToNothingAreSolved) {
+  Foam foam;
+  foam.curves.base = AvalleCurve{297.7e3, 4.137e6, 0, 87.26e3, 2.101, 0.97};
+  foam.curves.slowest_rate = 0.01;
+  foam.continuation_exponent = 2.101;
+  foam.unloading_factor = 0;
+  ImpactCase impact;
+  impact.impactor = {.mass = 1.873, .nose = Sphere{0.0508}, .speed = 7.957};
+  impact.pad.thickness = 0.03048;
+  impact.support = Support::through({{0.002428, 3826}, {0.004968, 43860}});
+  for (const double shape : {15.0, 20.0, 22.236809307078609, 30.0}) {
+    foam.unloading_shape = shape;
+    impact.pad.material.law = foam;
+    const Summary s = solve(impact, {.tolerance = 1e-3}).summary;
+    EXPECT_EQ(s.status, Status::released) << "SHAPE " << shape;
+    EXPECT_GT(s.energy_absorbed_fraction, 0.5);
+  }
+}
+
 /// Twice the stress, twice the mass and twice as stiff a support: the same motion under twice the force.
 TEST(FoamImpacts, OfTwiceTheMassOnTwiceTheStressMoveTheSame) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {

@@ -48,7 +48,7 @@ const Solution& solved() {
   static const Solution solution = solve(case_of("dashboard-20mph.toml"), {});
   return solution;
 }
-const double speed = case_of("dashboard-20mph.toml").impactor.speed;
+double speed() { return case_of("dashboard-20mph.toml").impactor.speed; }
 
 /// The history, as a sensor that is mounted the other way round and triggered 13 ms earlier sees it.
 Pulse measured_alike() {
@@ -148,7 +148,7 @@ TEST(PulseComparison, AlignsAMeasuredPulseWithTheComputedOne) {
   constexpr double half_a_step = 5e-5;
   for (const auto& [alignment, shift] :
        {std::pair{Alignment::onset, -13e-3}, {Alignment::peak, -13e-3}, {Alignment::none, 0.0}}) {
-    const PulseComparison of = compare_pulses(report_of(measured_alike()), solved(), speed, alignment);
+    const PulseComparison of = compare_pulses(report_of(measured_alike()), solved(), speed(), alignment);
     EXPECT_NEAR(of.shift, shift, alignment == Alignment::peak ? half_a_step : 1e-7)
         << injury::to_string(alignment);
     EXPECT_NEAR(*figure(of, "time_to_peak").difference(), alignment == Alignment::none ? -13e-3 : 0,
@@ -165,7 +165,7 @@ TEST(PulseComparison, ComputedFiguresAreWithinTheirErrors) {
   Options options;
   const auto at = [&](double tolerance) {
     options.tolerance = tolerance;
-    return compare_pulses(report_of(triangle()), solve(case_of("dashboard-20mph.toml"), options), speed,
+    return compare_pulses(report_of(triangle()), solve(case_of("dashboard-20mph.toml"), options), speed(),
                           Alignment::onset);
   };
   const PulseComparison exact = at(1e-6);
@@ -191,7 +191,7 @@ TEST(PulseComparison, FiltersBothPulsesAlike) {
   PulseReport report = report_of(flight);
   report.filter = injury::PulseFilter{.channel_frequency_class = 60};
   report.pulse = injury::processed_pulse(report.measured, 1e-5, report.filter);
-  const PulseComparison of = compare_pulses(report, solved(), speed, Alignment::onset);
+  const PulseComparison of = compare_pulses(report, solved(), speed(), Alignment::onset);
   for (const ComparedFigure& each : of.figures)
     EXPECT_NEAR(each.share().value_or(0), 0, 1e-3) << each.quantity->key;
   EXPECT_LT(*figure(of, "peak_acceleration").computed, 0.999 * *solved().summary.peak_acceleration);

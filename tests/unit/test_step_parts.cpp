@@ -205,9 +205,9 @@ TEST(StepControl, GrowsByHalf) {
   const double usual = control.usual();
   motion.start(2, 0);
   motion.accept({}, 0.3 * usual, true);
-  EXPECT_NEAR(control.next(Phase::loading, motion, predictor, false), 0.45 * usual, 1e-15);
+  EXPECT_NEAR(control.next(Phase::loading, motion, predictor, -1), 0.45 * usual, 1e-15);
   motion.accept({}, usual, true);
-  EXPECT_NEAR(control.next(Phase::loading, motion, predictor, false), usual, 1e-15);
+  EXPECT_NEAR(control.next(Phase::loading, motion, predictor, -1), usual, 1e-15);
 }
 
 /// The impactor comes to rest in the time that is left, and goes back from there by a short step.
@@ -229,8 +229,8 @@ TEST(StepControl, ShrinksAboutTheTurningPointOnARigidSupport) {
     predictor.learn(Phase::loading, before, trial, Event::none);
     motion.start(2, 0);
     motion.accept(now, usual, true);
-    return std::array{control.next(Phase::loading, motion, predictor, false) / usual,
-                      control.next(Phase::unloading, motion, predictor, true) / usual};
+    return std::array{control.next(Phase::loading, motion, predictor, -1) / usual,
+                      control.next(Phase::unloading, motion, predictor, 0) / usual};
   };
   const auto [towards, back] = steps_on(rigid);
   EXPECT_NEAR(towards, numerics.towards_turning * 0.2, 1e-9) << "as long as the last step took, by the drive";
@@ -251,7 +251,7 @@ TEST(StepControl, ShrinksTowardsTheRelease) {
   motion.accept(now, 1e-3, true);
   now.force = 5;
   motion.accept(now, 1e-4, true);
-  EXPECT_NEAR(control.next(Phase::unloading, motion, predictor, false), 0.7 * 1e-4, 1e-12)
+  EXPECT_NEAR(control.next(Phase::unloading, motion, predictor, -1), 0.7 * 1e-4, 1e-12)
       << "seven tenths of the force";
 }
 

@@ -267,15 +267,15 @@ class FoamContact {
   [[nodiscard]] double most_pressing(double top) const {
     return stress_.stays_crushed() ? stress_.longest_pressed(ahead_) - ahead_ : top;
   }
-  /// A root of f between two places with values of unlike signs, by the rule of Illinois, from the place of
-  /// the last root on. The stress is nothing there: an error of the root counts by its square.
+  /// A root of f between two places, of which one has a value above 0, by the rule of Illinois, from the
+  /// place of the last root on. The stress is nothing there: an error of the root counts by its square.
   template <class F>
   double crossing(F&& f, double low, double f_low, double high, double f_high) {
     const double precision = edge_precision_ * (high - low);
     int side = 0;
     const auto look = [&](double place) {
       const double value = f(place);
-      if ((value < 0) == (f_low < 0)) {
+      if ((value > 0) == (f_low > 0)) {
         low = place;
         f_low = value;
         if (side < 0) f_high /= 2;
@@ -296,8 +296,11 @@ class FoamContact {
       side = 0;
     }
     const auto root = [&] { return (low * f_high - high * f_low) / (f_high - f_low); };
-    for (int i = 0; i < 60 && high - low > precision && f_low != f_high; ++i) look(root());
-    if (f_low == f_high) return edge_ = low;
+    for (int i = 0; i < 60 && high - low > precision; ++i) {
+      const double place = root();
+      if (!(place > low && place < high)) break;
+      look(place);
+    }
     edge_slope_ = (f_high - f_low) / (high - low);
     return edge_ = root();
   }

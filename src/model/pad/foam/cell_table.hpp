@@ -31,7 +31,8 @@ struct Cells {
 
   [[nodiscard]] CellPlace place(double root) const {
     const double x = root * per_width;
-    const auto cell = std::min(static_cast<std::int32_t>(x), static_cast<std::int32_t>(count - 1));
+    // What is no number stays none, in the last cell.
+    const auto cell = x < count ? static_cast<std::int32_t>(x) : static_cast<std::int32_t>(count - 1);
     return {static_cast<std::size_t>(cell), x - cell};
   }
 };
