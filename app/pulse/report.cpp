@@ -12,6 +12,7 @@
 
 #include "command.hpp"
 #include "dashpad/injury/dwell.hpp"
+#include "dashpad/injury/hic.hpp"
 #include "dashpad/input/iso_mme/iso_mme.hpp"
 #include "dashpad/input/measurement/pulse_csv.hpp"
 #include "progress_line.hpp"
@@ -20,8 +21,7 @@ namespace dashpad::app {
 
 namespace {
 
-constexpr double hic15_window = 15e-3;  // s
-constexpr double usual_speed = 15e6;    // bytes of a table read and computed in a second, on one core of 2020
+constexpr double usual_speed = 15e6;  // bytes of a table read and computed in a second, on one core of 2020
 
 input::MeasuredPulse read(const PulseRequest& request, const PulseSettings& settings, bool is_test) {
   if (is_test)
@@ -123,7 +123,7 @@ injury::PulseReport pulse_report(
   Pulse zero = offset ? processed(input::zeroed(report.measured, *offset), settings, report.filter, wrong)
                       : report.pulse;
   Pulse& other = request.zero ? report.pulse : zero;
-  const double hic15_of_other = offset ? injury::hic(other, hic15_window).value : 0;
+  const double hic15_of_other = offset ? injury::hic(other, injury::hic15_window).value : 0;
   if (request.zero) std::swap(report.pulse, zero);
   report.figures = injury::injury_figures(report.pulse);
   if (offset) {

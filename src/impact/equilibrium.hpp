@@ -159,13 +159,12 @@ class Equilibrium {
                                                 allowed_residual(std::max(now().motion, end.motion));
   }
 
-  /// The trial with its drive (Eq. 26) at the end of the step, m/s. Over a short step the force of a pad that
-  /// knows the rate changes as if it were stiffer the shorter the step is; steps that resolve this as a
-  /// spring would become shorter without end.
+  /// The trial with its drive (Eq. 26) at the end of the step, m/s. Steps that resolved as a spring what a
+  /// change of the rate adds would become shorter without end.
   Trial finished(Trial trial) {
     const double rate = contact_.force_rate_when_held(trial.pad);
     trial.end.drive = trial.end.velocity - support_.compliance(trial.end.force) * rate;
-    if constexpr (requires { contact_.lasting_stiffness(trial.pad); }) {
+    if constexpr (FollowsRate<Contact>) {
       trial.lasting_stiffness = contact_.lasting_stiffness(trial.pad);
       if (trial.pad.advance < 0)
         trial.lasting_stiffness =

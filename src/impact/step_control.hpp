@@ -72,8 +72,8 @@ class StepControl {
     const State& now = motion.now();
     double step = usual_;
     if (phase == Phase::loading && support_.is_rigid())
-      step = std::min(step, turning_limit(now, predictor, rate_is_felt<Contact>));
-    if (phase == Phase::unloading && support_.is_rigid() && rate_is_felt<Contact> && since_turning > 0)
+      step = std::min(step, turning_limit(now, predictor, FollowsRate<Contact>));
+    if (phase == Phase::unloading && support_.is_rigid() && FollowsRate<Contact> && since_turning > 0)
       step = std::min(step, logarithm_limit(since_turning));
     if (phase == Phase::unloading) {
       step = std::min(step, end_of_unloading_limit(now, predictor));
@@ -102,16 +102,11 @@ class StepControl {
     const double least = numerics.least_closing * resolution_ * resolution_ * thickness_;
     return (share * (lock_ - state.penetration) + least) / std::abs(pad_rate);
   }
-  /// Whether the force follows the rate at once, as that of foams by their curves does.
-  template <class Contact>
-  static constexpr bool rate_is_felt = requires(Contact contact, PadTrial trial) {
-    contact.lasting_stiffness(trial);
-  };
-  [[nodiscard]] double turning_limit(const State& now, const Predictor& predictor, bool rate_is_felt) const {
+  [[nodiscard]] double turning_limit(const State& now, const Predictor& predictor, bool follows_rate) const {
     const double left = predictor.time_to_turning(now);
     if (!(left > 0)) return std::numeric_limits<double>::infinity();
     double step = numerics.towards_turning * left;
-    if (rate_is_felt) step = std::min(step, logarithm_limit(left));
+    if (follows_rate) step = std::min(step, logarithm_limit(left));
     return std::max(step, resolution_ * usual_);
   }
   /// About the turning point the force has the logarithm of the time to it: steps that grow with its root

@@ -25,7 +25,7 @@ InjuryFigures injury_figures(const Pulse& pulse) {
   check(pulse);
   InjuryFigures figures;
   figures.peak = peak(pulse);
-  figures.hic15 = hic(pulse, 15e-3);
+  figures.hic15 = hic(pulse, hic15_window);
   figures.hic36 = hic(pulse, 36e-3);
   figures.hic_unlimited = hic(pulse, unlimited_window);
   figures.hic_d = hic_d(figures.hic36.value);

@@ -18,7 +18,6 @@ namespace dashpad::injury {
 
 namespace {
 
-constexpr double hic15_window = 15e-3;            // s
 constexpr double free_flight = 20e-3;             // s: longer than a filter of class 60 looks
 constexpr double rounding_of_restitution = 1e-3;  // of the impact speed, as in IMPOSSIBLE VELOCITY CHANGE
 

@@ -26,7 +26,7 @@ struct PulseRecipe {
   EstimatedValue (*of)(PulseFigures&);
 };
 constexpr PulseRecipe of_pulses[] = {
-    {"hic15", [](PulseFigures& of) { return of.hic(15e-3); }},
+    {"hic15", [](PulseFigures& of) { return of.hic(injury::hic15_window); }},
     {"hic36", [](PulseFigures& of) { return of.hic(36e-3); }},
     {"hic_unlimited", [](PulseFigures& of) { return of.hic(injury::unlimited_window); }},
     {"hic_d", [](PulseFigures& of) { return of.hic_d(); }},

@@ -6,15 +6,12 @@
 #include <limits>
 #include <numbers>
 
+#include "oracle/gauss.hpp"
+
 namespace dashpad::oracle {
 
 namespace {
 
-// Eight points of Gauss on [-1, 1]: places and weights of one half.
-constexpr std::array<double, 4> gauss_place{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
-                                            0.9602898564975363};
-constexpr std::array<double, 4> gauss_weight{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                             0.1012285362903763};
 constexpr int looks = 96;   ///< where the sign of the stress is asked
 constexpr int panels = 16;  ///< of the whole contact
 
@@ -158,15 +155,7 @@ class FoamImpact final : public OdeSystem {
     };
     const auto integral = [&](double from, double to) {
       const int count = std::max(static_cast<int>(std::ceil(panels * (to - from))), 1);
-      const double half = (to - from) / count / 2;
-      double sum = 0;
-      for (int i = 0; i < count; ++i) {
-        const double middle = from + half * (2 * i + 1);
-        for (std::size_t k = 0; k < gauss_place.size(); ++k)
-          sum +=
-              gauss_weight[k] * (part(middle - half * gauss_place[k]) + part(middle + half * gauss_place[k]));
-      }
-      return sum * half;
+      return gauss(from, to, count, part);
     };
     // Also where the tested curve ends, and its continuation begins.
     const double corner = law_.last_strain() < top ? std::sqrt(law_.last_strain() / top) : 1;

@@ -1,33 +1,19 @@
 #include "oracle/maxwell_impact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "oracle/gauss.hpp"
 
 namespace dashpad::oracle {
 
 namespace {
 
-// Eight points of Gauss on [-1, 1]: places and weights of one half.
-constexpr std::array<double, 4> gauss_place{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
-                                            0.9602898564975363};
-constexpr std::array<double, 4> gauss_weight{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                             0.1012285362903763};
 constexpr int panels = 12;           ///< of the whole contact
 constexpr std::size_t columns = 48;  ///< of unloading
 constexpr auto branches = MaxwellFormulas::branches;
-
-template <class Function>
-auto gauss(double from, double to, int count, const Function& f) {
-  const double half = (to - from) / count / 2;
-  auto sum = 0 * f(from + half);
-  for (int i = 0; i < count; ++i) {
-    const double middle = from + half * (2 * i + 1);
-    for (std::size_t k = 0; k < gauss_place.size(); ++k)
-      sum = sum + gauss_weight[k] * (f(middle - half * gauss_place[k]) + f(middle + half * gauss_place[k]));
-  }
-  return half * sum;
-}
 
 /// A force and its slope over the penetration at fixed memory.
 struct Force {

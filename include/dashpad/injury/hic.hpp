@@ -20,6 +20,7 @@ struct Hic {
   double end = 0;    ///< s
 };
 
+inline constexpr double hic15_window = 15e-3;  // s
 inline constexpr double unlimited_window = std::numeric_limits<double>::infinity();
 
 /// `longest_window` in s, > 0; unlimited_window for none. Of several windows with the same value (to 1e-13)

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dashpad/model/pad/material.hpp"
@@ -12,9 +13,9 @@ namespace dashpad::output {
 
 /// A material of another solver.
 struct MaterialDeckFormat {
-  const char* name;  ///< as on the command line: "ls-dyna-083"
-  const char* card;  ///< "*MAT_FU_CHANG_FOAM"
-  const char* law;   ///< that it is for: "foam", "crushable-foam", "viscoelastic-foam"
+  const char* name;      ///< as on the command line: "ls-dyna-083"
+  const char* card;      ///< "*MAT_FU_CHANG_FOAM"
+  std::string_view law;  ///< that it is for: "foam", "crushable-foam", "viscoelastic-foam"
   bool has_rates;
 };
 std::span<const MaterialDeckFormat> material_deck_formats();

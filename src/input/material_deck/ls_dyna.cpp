@@ -59,9 +59,8 @@ void tell_if_set(DeckFields& card, std::size_t field, const MaterialCards& of, c
 void tell_of_true_rates(DeckFields& second, const MaterialCards& of, DeckFoam& foam) {
   if (second.number(1, of.key("SFLAG")) == 0 && foam.loading.size() > 1)
     foam.differences.emplace_back(
-        "SFLAG = 0: the rates of the table are those of the true strain; here they are taken for rates of "
-        "the "
-        "nominal strain.");
+        "SFLAG = 0: the rates of the table are those of the true strain; here they are taken for rates "
+        "of the nominal strain.");
 }
 
 /// What 057 and 083 leave to a default.

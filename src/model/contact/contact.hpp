@@ -59,4 +59,11 @@ concept HasEnergy = IsContact<C> && requires(const C contact, double x) {
   { contact.energy(x) } -> std::same_as<double>;
 };
 
+/// The force of the pad follows the rate at once. Over a short step it then changes as if the pad were
+/// stiffer the shorter the step is; lasting_stiffness is dF/dY without that, N/m.
+template <class C>
+concept FollowsRate = IsContact<C> && requires(C contact, const PadTrial& trial) {
+  { contact.lasting_stiffness(trial) } -> std::same_as<double>;
+};
+
 }  // namespace dashpad

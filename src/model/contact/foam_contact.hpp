@@ -129,9 +129,12 @@ class FoamContact {
  private:
   /// Panels times the root of the resolution: the rule is of the fourth order, twice that of the step.
   static constexpr double panels_at_one = 1.8;
+  /// Share of them over a factor of e in the complement of the strain, beyond the tested strains.
+  static constexpr double panels_beyond = 0.35;
   /// Of the edge, in the resolution.
   static constexpr double precision_of_edge = 5e-3;
   static constexpr std::size_t looks = 12;  ///< for rings, where the axis does not press
+
   static FoamStress made_of(const Law& law) {
     return std::visit([](const auto& of) { return FoamStress(of); }, law);
   }
@@ -221,7 +224,7 @@ class FoamContact {
     const double last = stress_.curve().last_strain();
     const auto root = [&](double strain) { return std::sqrt(std::min(strain + lead_, last)); };
     const double share = (root(to) - root(from)) / (root(top) - root(edge));
-    visit_work_nodes(stress_, first, end, panels_ * share, panels_ * 0.35, from <= edge,
+    visit_work_nodes(stress_, first, end, panels_ * share, panels_ * panels_beyond, from <= edge,
                      [&](const FoamStress::Place& place, double work) {
                        const FoamStress::Ratio of = ratio(place);
                        const double area = thickness * work * nose_.rate(depth_of(place.strain.value));
@@ -338,6 +341,6 @@ class FoamContact {
   std::size_t updates_ = 0;
 };
 
-static_assert(IsContact<FoamContact>);
+static_assert(FollowsRate<FoamContact>);
 
 }  // namespace dashpad

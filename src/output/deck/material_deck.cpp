@@ -60,7 +60,7 @@ void tell_of_rates(const FoamCurves& curves, const MaterialDeckFormat& format, c
   if (points.linear_in_rate || std::string(format.name) != "ls-dyna-083")
     remarks.emplace_back(
         "Above the highest rate the solver extrapolates; the card keeps the curve of that rate.");
-  if (std::string(format.law) == Foam::name)
+  if (format.law == Foam::name)
     remarks.emplace_back("recoil and lag_strain are left out: where loading ends the solver's stress jumps.");
 }
 
@@ -115,7 +115,7 @@ std::vector<std::string> not_in_material_deck(const Material& material, const Ma
   remarks.emplace_back(
       "Between its points the card's curve is a monotone cubic, the solver's straight lines; beyond "
       "the last one each goes on in its own way (continuation_exponent).");
-  if (std::string(format->law) == Foam::name)
+  if (format->law == Foam::name)
     remarks.emplace_back(
         "The modulus is the steepest line of the curves; the solver uses it for tension, contact "
         "and the time step.");

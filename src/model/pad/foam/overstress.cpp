@@ -53,7 +53,10 @@ Overstress::AtRate Overstress::at(double slip_rate) const {
   AtRate result = rates_at(slip_rate);
   const bool without = result.share == 0 && result.log_rate == 0;
   result.even = without || (kind_ == Kind::power ? exponent_slope_ == 0 : tables_.empty());
-  if (result.even) result.at_all_strains = at_strain(result, 0, {});
+  if (without)
+    result.at_all_strains = {result.friction, result.friction_rise};
+  else if (result.even)
+    result.at_all_strains = at_strain(result, 0, {});
   return result;
 }
 
@@ -86,8 +89,6 @@ Overstress::AtRate Overstress::rates_at(double slip_rate) const {
 }
 
 Overstress::Value Overstress::at_strain(const AtRate& rate, double strain, CellPlace place) const {
-  Value value{rate.friction, rate.friction_rise};
-  if (rate.share == 0 && rate.log_rate == 0) return value;
   const double share = std::abs(rate.share);
   double over = 0;  // m - 1
   double rise = 0;
@@ -109,7 +110,7 @@ Overstress::Value Overstress::at_strain(const AtRate& rate, double strain, CellP
       rise = rate.weight_rise * (high - low) * (over + 1);
     }
   }
-  return {value.stress + rate.share * over, value.rise + share * rise};
+  return {rate.friction + rate.share * over, rate.friction_rise + share * rise};
 }
 
 }  // namespace dashpad
