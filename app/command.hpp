@@ -40,6 +40,7 @@ void add_pulse(CLI::App& app, Action& action, const std::filesystem::path& execu
 void add_export(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_post_impact(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_validate(CLI::App& app, Action& action, const std::filesystem::path& executable);
+void add_fit(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_study(CLI::App& app, Action& action, const std::filesystem::path& executable);
 
 /// Adds --units; the help names the systems on offer.

@@ -28,6 +28,7 @@ constexpr const char* main_footer = R"(Start here:
   dashpad materials                              which foams there are
   dashpad material-test ensolite-aac-9           one of them in the laboratory
   dashpad material --help                        cards from other solvers' decks, and back
+  dashpad fit --help                             a card from measurements, and how sure it is
   dashpad run --help                             files, units, tolerance
   dashpad spit1984 --help                        the program of the 1986 report, digit for digit
   dashpad compare CASE --pulse FILE              a measured pulse over the computed one
@@ -59,6 +60,7 @@ constexpr Command commands[]{{"Every day", add_run},
                              {"Foams", add_materials},
                              {"Foams", add_material},
                              {"Foams", add_material_test},
+                             {"Foams", add_fit},
                              {"Many impacts", add_study},
                              {"The report of 1986", add_spit1984},
                              {"The report of 1986", add_validate}};

@@ -24,6 +24,8 @@ void check(const ImpactCase& impact, const Options& options) {
     broken.push_back({"tolerance", options.tolerance, "must be from 1e-8 to 1e-2"});
   if (!(options.time_limit > 0 && std::isfinite(options.time_limit)))
     broken.push_back({"time_limit", options.time_limit, "must be greater than 0"});
+  if (options.fixed_runs < 0 || options.fixed_runs > numerics.most_runs)
+    broken.push_back({"fixed_runs", double(options.fixed_runs), "must be from 0 to 10"});
   if (broken.empty()) return;
   std::string message = "invalid impact case";
   for (const auto& v : broken) message += fmt::format("\n  {} = {}: {}", v.key, v.value, v.rule);
@@ -39,8 +41,11 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
   Refinement refinement(impact.impactor, options.tolerance);
   March<Contact> march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
   double expected = impact.pad.thickness;
-  for (double resolution = numerics.first_resolution;
-       !refinement.settled() && refinement.runs() < numerics.most_runs; resolution /= 2) {
+  const auto done = [&] {
+    if (options.fixed_runs > 0) return refinement.runs() >= options.fixed_runs;
+    return refinement.settled() || refinement.runs() >= numerics.most_runs;
+  };
+  for (double resolution = numerics.first_resolution; !done(); resolution /= 2) {
     const Figures run = march.run(resolution, track, expected);
     refinement.add(run);
     if (run.peak_penetration > 0) expected = run.peak_penetration;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "input/law_table.hpp"
+#include "input/pad_table.hpp"
 #include "input/parameter_table.hpp"
 #include "input/spelling.hpp"
 #include "input/support_table.hpp"
@@ -113,16 +114,10 @@ struct PadEntry {
 PadEntry read_pad(TableReader& table, const Folders& folders) {
   PadEntry entry;
   entry.pad.thickness = table.quantity("thickness", "m");
-  const bool named = table.has("material");
-  const bool in_line = table.has("law") || table.has("parameters") || table.has("curve");
-  if (named && in_line) table.fault("material", "give a material or a law with parameters, not both");
-  if (!named && !in_line)
-    table.fault("material", "is missing; give the name of a card, or a law with parameters");
-  std::optional<Material> material;
-  if (named && !in_line) material = read_named_material(table, folders, entry.card);
-  if (in_line && !named) material = read_material_in_line(table);
-  entry.material_to_check = in_line && material.has_value();
-  entry.pad.material = material.value_or(Material());
+  PadMaterial of = read_pad_material(table, folders.of_case, folders.materials);
+  entry.card = std::move(of.card);
+  entry.material_to_check = of.is_in_line && of.material.has_value();
+  entry.pad.material = std::move(of.material).value_or(Material());
   PadCondition& condition = entry.pad.condition;
   if (table.has("scale")) condition.scale = table.number("scale");
   if (table.has("density")) condition.density = table.quantity("density", "kg/m3");
@@ -165,6 +160,19 @@ std::vector<Violation> violations_in_terms_of(const TomlNode& root, const Impact
 }
 
 }  // namespace
+
+PadMaterial read_pad_material(TableReader& pad, const std::filesystem::path& folder,
+                              const std::filesystem::path& materials) {
+  PadMaterial of;
+  const bool named = pad.has("material");
+  of.is_in_line = pad.has("law") || pad.has("parameters") || pad.has("curve");
+  if (named && of.is_in_line) pad.fault("material", "give a material or a law with parameters, not both");
+  if (!named && !of.is_in_line)
+    pad.fault("material", "is missing; give the name of a card, or a law with parameters");
+  if (named && !of.is_in_line) of.material = read_named_material(pad, {folder, materials}, of.card);
+  if (of.is_in_line && !named) of.material = read_material_in_line(pad);
+  return of;
+}
 
 CaseFile read_case(const std::filesystem::path& file, const std::filesystem::path& materials) {
   const TomlNode root = read_toml(file);

@@ -119,24 +119,59 @@ class Drive {
   int course_ = 0;  ///< of the strain, when it last was not still
 };
 
+/// Gives `use` a column of the law.
+template <class Use>
+auto with_column(const PadLaw& law, Use&& use) {
+  return std::visit(
+      [&](const auto& alternative) {
+        using Law = std::decay_t<decltype(alternative)>;
+        if constexpr (IsMemoryless<Law>)
+          return use(CurveColumn<Law>(alternative));
+        else if constexpr (SharesSlip<Law>)
+          return use(FoamColumn(alternative));
+        else if constexpr (std::is_same_v<Law, ViscoelasticFoam>)
+          return use(MaxwellColumn(alternative));
+        else
+          return use(ViscousColumn<Law>(alternative));
+      },
+      law);
+}
+
+/// Takes a column through an arc; the stress at its end, Pa.
+template <class Column>
+double stress_at_end(Column& column, const Arc& arc) {
+  if constexpr (requires { column.pass(arc); }) {
+    return column.pass(arc);
+  } else {
+    const Contact contact = column.enter(arc);
+    const bool presses = contact.any && contact.to >= arc.duration && !contact.lost;
+    const double stress = presses ? std::max(column.at(arc.duration).value, 0.0) : 0;
+    column.leave();
+    return stress;
+  }
+}
+
 }  // namespace
 
 ColumnTest drive(const PadLaw& law, const StrainHistory& history, int places) {
   check(law, history, places);
   const std::vector<Arc> arcs = arcs_of(history);
-  return std::visit(
-      [&](const auto& alternative) {
-        using Law = std::decay_t<decltype(alternative)>;
-        if constexpr (IsMemoryless<Law>)
-          return Drive(CurveColumn<Law>(alternative), places).through(arcs);
-        else if constexpr (SharesSlip<Law>)
-          return Drive(FoamColumn(alternative), places).through(arcs);
-        else if constexpr (std::is_same_v<Law, ViscoelasticFoam>)
-          return Drive(MaxwellColumn(alternative), places).through(arcs);
-        else
-          return Drive(ViscousColumn<Law>(alternative), places).through(arcs);
-      },
-      law);
+  return with_column(law, [&](auto column) { return Drive(std::move(column), places).through(arcs); });
+}
+
+std::vector<double> stress_at_ends(const PadLaw& law, const StrainHistory& history) {
+  check(law, history, fewest_places);
+  const std::vector<Arc> arcs = arcs_of(history);
+  return with_column(law, [&](auto column) {
+    std::vector<double> stresses;
+    stresses.reserve(history.pieces.size());
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      const double stress = stress_at_end(column, arcs[i]);
+      const bool ends_piece = i + 1 == arcs.size() || arcs[i + 1].offset == 0;
+      if (ends_piece) stresses.push_back(stress);
+    }
+    return stresses;
+  });
 }
 
 }  // namespace dashpad::laboratory

@@ -19,6 +19,10 @@ struct Options {
   /// Computes column by column, without vectors and short cuts: many times slower, to check the fast path
   /// against.
   bool plain = false;
+  /// Number of runs at successively halved resolution whatever the tolerance, in [0, 10]; 0: as many as the
+  /// tolerance asks for. With a fixed number the results are as smooth in the numbers of the case as the
+  /// equations, which fits need; the status then says whether the tolerance is met, and decides nothing.
+  int fixed_runs = 0;
 };
 
 /// Contact ends where the force falls below this share of its peak (theory.md, Eq. 28).

@@ -66,6 +66,10 @@ struct ColumnTest {
 /// history, and for places beyond these numbers.
 ColumnTest drive(const PadLaw& law, const StrainHistory& history, int places = 200);
 
+/// Stress of a column, Pa, at the end of each piece of a history: that of drive(), without places of output
+/// in between and without estimated errors, for fits, which ask often. Throws as drive() does.
+std::vector<double> stress_at_ends(const PadLaw& law, const StrainHistory& history);
+
 /// Loaded at a constant rate until a stress is reached, then held at that stress: creep.
 struct CreepTest {
   double stress = 0;        ///< Pa, > 0

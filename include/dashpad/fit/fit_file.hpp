@@ -1,0 +1,21 @@
+#pragma once
+/// Fit files: TOML in, a checked fit out. docs/fits.md has the keys.
+
+#include <filesystem>
+#include <vector>
+
+#include "dashpad/fit/fit.hpp"
+#include "dashpad/input/input_file.hpp"
+
+namespace dashpad::fit {
+
+struct FitFile {
+  Fit fit;
+  std::vector<input::InputFile> files;  ///< that it was read from
+};
+
+/// `materials` is the folder in which material names are looked up; other files are looked for beside the fit
+/// file. Throws InputError with every fault of it and of the files that it names.
+FitFile read_fit(const std::filesystem::path& file, const std::filesystem::path& materials);
+
+}  // namespace dashpad::fit

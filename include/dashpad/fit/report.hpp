@@ -1,0 +1,111 @@
+#pragma once
+/// What a fit found, with its uncertainty. SI throughout.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dashpad/fit/fit.hpp"
+
+namespace dashpad::fit {
+
+/// What was found of one unknown.
+struct FittedUnknown {
+  std::string key;
+  std::string unit;
+  double value = 0;
+  double lowest = 0, highest = 0;  ///< its bounds
+  /// Standard error; absent at a bound, and where the data do not say anything of it.
+  std::optional<double> standard_error;
+  /// 95 % interval by profile likelihood; an end is absent where the misfit does not rise enough within the
+  /// bounds.
+  std::optional<double> low, high;
+  bool is_at_lowest = false, is_at_highest = false;
+  bool is_nuisance = false;  ///< of a test, not of the material: the shift of its force zero
+
+  /// Whether its interval ends within the bounds on both sides.
+  [[nodiscard]] bool is_identified() const { return low && high; }
+  /// "no", "below", "above" or "both".
+  [[nodiscard]] std::string open() const { return low ? (high ? "no" : "above") : (high ? "below" : "both"); }
+};
+
+/// Two unknowns whose errors are correlated by more than 0.95.
+struct StrongCorrelation {
+  std::string first, second;
+  double value = 0;
+};
+
+/// One way up and one way down of a test.
+struct Loop {
+  double largest_strain = 0;
+  double measured_return = 0;  ///< energy given back over energy taken in
+  double computed_return = 0;
+};
+
+/// How the model meets a test.
+struct MetTest {
+  std::string file;
+  bool is_held_out = false;
+  std::size_t points = 0;     ///< that count
+  double largest_stress = 0;  ///< Pa, measured
+  double lowest_rate = 0;     ///< 1/s, magnitude, of the pieces between points that count
+  double highest_rate = 0;
+  double noise = 0;  ///< standard deviation that was used, Pa
+  bool noise_is_stated = false;
+  std::optional<double> offset;  ///< Pa, where it was fitted
+  /// Root mean square of model minus measurement, Pa; absent where the test has no such part.
+  std::optional<double> rms_loading, rms_unloading;
+  std::vector<Loop> loops;
+  double autocorrelation = 0;   ///< lag-1 rho of the residuals
+  double effective_points = 0;  ///< n (1 - rho) / (1 + rho) where rho is clearly above 0, else n
+  std::vector<double> strain, measured, computed;  ///< of the points that count
+};
+
+/// How the model meets a figure of an impact.
+struct MetFigure {
+  std::string file;
+  ImpactFigure figure = ImpactFigure::peak_force;
+  bool is_held_out = false;
+  double measured = 0, deviation = 0;
+  std::optional<double> computed;  ///< absent where the impact has no such figure
+};
+
+struct FitReport {
+  std::string title;
+  bool converged = false;
+  std::string why_not;  ///< if it did not converge
+  Material material;    ///< the card, where it converged
+  std::vector<FittedUnknown> unknowns;
+  std::vector<StrongCorrelation> correlations;
+  std::vector<std::vector<std::string>> flat_directions;  ///< unknowns that are not told apart, or alone
+  std::vector<MetTest> tests;
+  std::vector<MetFigure> figures;
+  std::size_t points = 0;  ///< fitted residuals, without priors
+  std::size_t priors = 0;
+  double degrees_of_freedom = 0;
+  double misfit = 0;             ///< sum of squared residuals over deviations, priors included
+  bool noise_is_stated = false;  ///< by all tests and impacts
+  /// Of the misfit per degree of freedom, by which squared errors are multiplied: 1 or more where all noise
+  /// is stated, else 1, since the noise is estimated from the misfit.
+  double variance_scale = 1;
+  double largest_widening = 1;  ///< of a standard error, by residuals that are correlated along a test
+  int starts = 0;
+  int starts_at_best = 0;  ///< that came to the same misfit
+  int starts_failed = 0;   ///< that met no valid material or did not converge
+  int solver_runs = 0;     ///< of each impact, fixed; 0 without impacts
+  std::size_t evaluations = 0;
+  double wall_time = 0;  ///< s
+  /// A sample of the unknowns, in their order, if asked for.
+  std::vector<std::vector<double>> posterior;
+
+  [[nodiscard]] double misfit_per_degree() const {
+    return degrees_of_freedom > 0 ? misfit / degrees_of_freedom : 0;
+  }
+};
+
+/// Fits. `posterior` is how many draws of the unknowns to give. Throws std::invalid_argument with all
+/// violations() of the fit.
+FitReport run_fit(const Fit& fit, std::size_t posterior = 0);
+
+}  // namespace dashpad::fit

@@ -1,0 +1,18 @@
+#pragma once
+/// A fit for people and for programs.
+
+#include <string>
+
+#include "dashpad/fit/report.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+
+namespace dashpad::output {
+
+/// What was found and how sure it is, what the data leave open, how the model meets each test.
+std::string fit_text(const fit::FitReport& report, const UnitSystem& units);
+/// Everything, in SI: schema/fit.schema.json.
+std::string fit_json(const fit::FitReport& report);
+/// The sample of the unknowns as CSV: a header of keys with SI units, a row a draw.
+std::string posterior_csv(const fit::FitReport& report);
+
+}  // namespace dashpad::output

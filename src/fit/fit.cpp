@@ -1,0 +1,187 @@
+#include "dashpad/fit/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/study/application.hpp"
+#include "fit/met.hpp"
+#include "fit/problem.hpp"
+#include "input/special_numbers.hpp"
+
+namespace dashpad::fit {
+
+namespace {
+
+using Broken = std::vector<Violation>;
+
+/// Tests whose rates differ by less than this factor have one rate.
+constexpr double one_rate = 2;
+
+void check_key_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
+  const std::string key = "unknowns." + unknown.key;
+  const auto has = [&](const ImpactCase& impact) {
+    return std::ranges::count(quantities_of(impact), unknown.key, &CaseQuantity::key) > 0;
+  };
+  if (!has(fit.base)) {
+    broken.push_back({key, input::no_value,
+                      unknown.key == "pad.material"
+                          ? "is no number; its numbers are, such as pad.curve.modulus"
+                          : study::rule_for_unknown(unknown.key, fit.base)});
+    return;
+  }
+  if (&*std::ranges::find(fit.unknowns, unknown.key, &Unknown::key) != &unknown)
+    broken.push_back({key, input::no_value, "is given twice"});
+  const bool has_impact = std::ranges::any_of(fit.impacts, [](const auto& of) { return !of.is_held_out; });
+  if (!study::is_of_law(unknown.key) && !has_impact)
+    broken.push_back({key, input::no_value,
+                      "is no number of the pad's law, which is all that material tests see: it needs "
+                      "[[impacts]]"});
+  for (const ImpactMeasurement& impact : fit.impacts) {
+    ImpactCase of = impact.impact;
+    of.pad.material = fit.base.pad.material;
+    if (!has(of))
+      broken.push_back({key, input::no_value,
+                        impact.file + " has no such quantity: " + study::rule_for_unknown(unknown.key, of)});
+  }
+}
+
+/// The rule that the base case breaks with this value of the unknown.
+std::string rule_at(const Fit& fit, const Unknown& unknown, double value) {
+  const std::vector<CaseQuantity> quantities = quantities_of(fit.base);
+  const auto quantity = std::ranges::find(quantities, unknown.key, &CaseQuantity::key);
+  if (quantity == quantities.end()) return "";
+  ImpactCase impact = fit.base;
+  quantity->set(impact, value);
+  for (const Violation& violation : violations(impact))
+    if (violation.key == unknown.key && !violation.rule.starts_with("the curve must rise"))
+      return violation.rule;
+  return "";
+}
+
+void check_numbers_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
+  const std::string key = "unknowns." + unknown.key;
+  const auto add = [&](const char* part, double value, std::string rule) {
+    broken.push_back({key + part, value, std::move(rule)});
+  };
+  if (!(std::isfinite(unknown.lowest) && std::isfinite(unknown.highest) && unknown.lowest < unknown.highest))
+    return add(".bounds", unknown.lowest, "must be two values, the lower one first");
+  if (unknown.is_logarithmic && !(unknown.lowest > 0))
+    return add(".scale", input::no_value, "needs bounds above 0 for \"log\"");
+  for (const double bound : {unknown.lowest, unknown.highest})
+    if (const std::string rule = rule_at(fit, unknown, bound); !rule.empty())
+      add(".bounds", bound,
+          fmt::format("the {} bound {:.6g}: {}", bound == unknown.lowest ? "lower" : "upper", bound, rule));
+  const auto inside = [&](double value) { return value >= unknown.lowest && value <= unknown.highest; };
+  if (!inside(unknown.start))
+    add(".start", unknown.start,
+        fmt::format("the starting value {:.6g} must lie within the bounds, {:.6g} to {:.6g}", unknown.start,
+                    unknown.lowest, unknown.highest));
+  if (!unknown.prior) return;
+  if (!(unknown.prior->deviation > 0)) add(".prior", unknown.prior->deviation, "needs a deviation above 0");
+  if (!inside(unknown.prior->mean))
+    add(".prior", unknown.prior->mean,
+        fmt::format("its mean {:.6g} must lie within the bounds, {:.6g} to {:.6g}", unknown.prior->mean,
+                    unknown.lowest, unknown.highest));
+}
+
+std::size_t points_of(const MaterialMeasurement& test) {
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < test.strain.size(); ++i) points += counts(test, i) ? 1 : 0;
+  return points;
+}
+
+void check_amount(const Fit& fit, Broken& broken) {
+  std::size_t data = 0;
+  std::size_t unknowns = fit.unknowns.size();
+  for (const MaterialMeasurement& test : fit.tests)
+    if (!test.is_held_out) {
+      data += points_of(test);
+      unknowns += test.has_offset ? 1 : 0;
+    }
+  for (const ImpactMeasurement& impact : fit.impacts)
+    if (!impact.is_held_out) data += impact.figures.size();
+  if (data == 0) {
+    broken.push_back({"tests", input::no_value,
+                      "there is nothing to fit: give [[tests]] or [[impacts]] "
+                      "that are not held out"});
+    return;
+  }
+  for (const Unknown& unknown : fit.unknowns) data += unknown.prior ? 1 : 0;
+  if (data < unknowns)
+    broken.push_back({"unknowns", input::no_value,
+                      fmt::format("are {} with the offsets, for {} measured numbers and priors: there must "
+                                  "be as many data at least",
+                                  unknowns, data)});
+}
+
+bool is_of_the_rate(const std::string& key) {
+  return key.starts_with("pad.rate.") || key == "pad.parameters.rate_modulus" ||
+         key == "pad.parameters.rate_exponent";
+}
+
+/// One rate says nothing about a rate effect.
+void check_rates(const Fit& fit, Broken& broken) {
+  double lowest = input::infinite;
+  double highest = 0;
+  for (const ImpactMeasurement& impact : fit.impacts)
+    if (!impact.is_held_out) return;
+  for (const MaterialMeasurement& test : fit.tests) {
+    if (test.is_held_out) continue;
+    const RateRange rates = rates_of(test);
+    lowest = std::min(lowest, rates.lowest);
+    highest = std::max(highest, rates.highest);
+  }
+  if (!(highest < one_rate * lowest)) return;
+  for (const Unknown& unknown : fit.unknowns)
+    if (is_of_the_rate(unknown.key) && !unknown.prior)
+      broken.push_back({"unknowns." + unknown.key, input::no_value,
+                        fmt::format("all tests have one rate, {:.3g} 1/s: they say nothing about how the "
+                                    "stress depends on it; leave it fixed, give a prior, or add a test at "
+                                    "another rate",
+                                    highest)});
+}
+
+void check_test(const MaterialMeasurement& test, std::size_t i, Broken& broken) {
+  const std::string key = fmt::format("tests[{}]", i + 1);
+  if (test.noise && !(*test.noise > 0))
+    broken.push_back({key + ".noise", *test.noise, "must be more than 0"});
+  if (test.strain.size() < 2 || test.strain.size() != test.stress.size() ||
+      test.strain.size() != test.time.size())
+    broken.push_back({key + ".file", input::no_value, "needs two points or more, each with its time"});
+  else if (points_of(test) < 2)
+    broken.push_back({key + ".range", input::no_value,
+                      fmt::format("fewer than two points have a strain from {:g} to {:g}", test.lowest_strain,
+                                  test.highest_strain)});
+}
+
+}  // namespace
+
+std::vector<Violation> violations(const Fit& fit) {
+  Broken broken;
+  if (fit.unknowns.empty())
+    broken.push_back({"unknowns", input::no_value, "a fit needs one unknown or more"});
+  for (const Unknown& unknown : fit.unknowns) {
+    check_key_of(fit, unknown, broken);
+    check_numbers_of(fit, unknown, broken);
+  }
+  for (std::size_t i = 0; i < fit.tests.size(); ++i) check_test(fit.tests[i], i, broken);
+  for (std::size_t i = 0; i < fit.impacts.size(); ++i) {
+    const std::string key = fmt::format("impacts[{}]", i + 1);
+    if (fit.impacts[i].figures.empty())
+      broken.push_back({key, input::no_value, "names no measured figure, such as peak_force"});
+    for (const MeasuredFigure& figure : fit.impacts[i].figures)
+      if (!(figure.deviation > 0 && std::isfinite(figure.deviation) && std::isfinite(figure.value)))
+        broken.push_back({key, figure.deviation, "a figure needs a value and a deviation above 0"});
+  }
+  if (fit.starts < 1 || fit.starts > 1000)
+    broken.push_back({"fit.starts", double(fit.starts), "must be from 1 to 1000"});
+  if (!broken.empty()) return broken;
+  check_amount(fit, broken);
+  check_rates(fit, broken);
+  return broken;
+}
+
+}  // namespace dashpad::fit

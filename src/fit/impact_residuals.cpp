@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/impact/solver.hpp"
+#include "fit/problem.hpp"
+
+namespace dashpad::fit {
+
+namespace {
+
+std::optional<double> figure_in(const Summary& summary, ImpactFigure figure) {
+  switch (figure) {
+    case ImpactFigure::peak_force: return summary.peak_force;
+    case ImpactFigure::peak_acceleration: return summary.peak_acceleration;
+    case ImpactFigure::time_of_peak: return summary.time_of_peak_force;
+    case ImpactFigure::rebound_speed: return summary.rebound_speed;
+    case ImpactFigure::peak_penetration: return summary.peak_penetration;
+    case ImpactFigure::contact_time:
+      if (summary.contact_end) return summary.contact_end->time;
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+const std::vector<ImpactFigureName>& impact_figure_names() {
+  static const std::vector<ImpactFigureName> names{
+      {ImpactFigure::peak_force, "peak_force", "N"},
+      {ImpactFigure::peak_acceleration, "peak_acceleration", "m/s2"},
+      {ImpactFigure::time_of_peak, "time_of_peak", "s"},
+      {ImpactFigure::rebound_speed, "rebound_speed", "m/s"},
+      {ImpactFigure::peak_penetration, "peak_penetration", "m"},
+      {ImpactFigure::contact_time, "contact_time", "s"},
+  };
+  return names;
+}
+
+Predict prediction_of(const Fit& fit, const ImpactMeasurement& measured, int runs) {
+  ImpactCase impact = measured.impact;
+  impact.pad.material = fit.base.pad.material;
+  std::vector<std::function<void(ImpactCase&, double)>> setters;
+  const std::vector<CaseQuantity> quantities = quantities_of(impact);
+  for (const Unknown& unknown : fit.unknowns) {
+    const auto found = std::ranges::find(quantities, unknown.key, &CaseQuantity::key);
+    if (found == quantities.end()) throw std::invalid_argument(measured.file + " has no " + unknown.key);
+    setters.push_back(found->set);
+  }
+  Options options = measured.options;
+  options.fixed_runs = runs;
+  return [impact, options, setters, figures = measured.figures](std::span<const double> values,
+                                                                std::span<double> predicted) {
+    try {
+      ImpactCase with_values = impact;
+      for (std::size_t i = 0; i < setters.size(); ++i) setters[i](with_values, values[i]);
+      Solver solver;
+      const Summary& summary = solver.solve(with_values, options).summary;
+      for (std::size_t i = 0; i < figures.size(); ++i) {
+        const auto found = figure_in(summary, figures[i].figure);
+        if (!found) return false;  // such as a peak force where the pad bottoms out
+        predicted[i] = *found;
+      }
+      return true;
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+  };
+}
+
+}  // namespace dashpad::fit

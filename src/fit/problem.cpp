@@ -1,0 +1,109 @@
+#include "fit/problem.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace dashpad::fit {
+namespace {
+
+/// Share of the largest stress that an unstated noise is taken to be, until the misfit tells.
+constexpr double first_guess_of_noise = 0.01;
+/// Steps for derivatives, of coordinates. Material tests are exact to rounding or to a quadrature of 1e-9;
+/// impacts of a fixed number of runs to the choice of steps, some 1e-6.
+constexpr double step_with_tests = 1e-4;
+constexpr double step_with_impacts = 3e-3;
+
+Block block_of(const Fit& fit, const MaterialMeasurement& test) {
+  Block block;
+  for (std::size_t i = 0; i < test.strain.size(); ++i)
+    if (counts(test, i)) block.measured.push_back(test.stress[i]);
+  const double largest = std::ranges::max(block.measured);
+  block.deviation.assign(block.size(), test.noise.value_or(first_guess_of_noise * largest));
+  block.noise_is_stated = test.noise.has_value();
+  block.is_curve = true;
+  block.predict = prediction_of(fit, test);
+  return block;
+}
+
+Block block_of(const Fit& fit, const ImpactMeasurement& impact, int runs) {
+  Block block;
+  for (const MeasuredFigure& figure : impact.figures) {
+    block.measured.push_back(figure.value);
+    block.deviation.push_back(figure.deviation);
+  }
+  block.predict = prediction_of(fit, impact, runs);
+  return block;
+}
+
+/// A shift of the force zero by up to half of the largest stress.
+Coordinate offset_of(const Block& block, std::size_t test) {
+  const double most = std::ranges::max(block.measured) / 2;
+  Coordinate offset;
+  offset.key = fmt::format("tests[{}].offset", test + 1);
+  offset.unit = "Pa";
+  offset.lowest = -most;
+  offset.highest = most;
+  offset.is_nuisance = true;
+  return offset;
+}
+
+}  // namespace
+
+std::size_t Problem::residuals() const {
+  return points() + static_cast<std::size_t>(std::ranges::count_if(
+                        coordinates, [](const Coordinate& of) { return of.prior.has_value(); }));
+}
+
+std::vector<double> Problem::values(std::span<const double> x) const {
+  std::vector<double> values(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) values[i] = coordinates[i].value(x[i]);
+  return values;
+}
+
+bool Problem::evaluate(std::span<const double> x, std::span<double> residuals) const {
+  const std::vector<double> at = values(x);
+  for (const Block& block : blocks) {
+    const std::span<double> own = residuals.subspan(block.first, block.size());
+    if (!block.predict(at, own)) return false;
+    const double shift = block.offset ? at[*block.offset] : 0;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      own[i] = (own[i] + shift - block.measured[i]) / block.deviation[i];
+      if (!std::isfinite(own[i])) return false;
+    }
+  }
+  std::size_t next = points();
+  for (std::size_t i = 0; i < coordinates.size(); ++i)
+    if (const auto& prior = coordinates[i].prior)
+      residuals[next++] = (at[i] - prior->mean) / prior->deviation;
+  return true;
+}
+
+Problem problem_of(const Fit& fit, int runs) {
+  Problem problem;
+  for (const Unknown& unknown : fit.unknowns)
+    problem.coordinates.push_back({unknown.key, unknown.unit, unknown.lowest, unknown.highest, unknown.start,
+                                   unknown.is_logarithmic, false, unknown.prior});
+  const auto add = [&](Block block) {
+    block.first = problem.points();
+    problem.blocks.push_back(std::move(block));
+  };
+  for (std::size_t i = 0; i < fit.tests.size(); ++i) {
+    if (fit.tests[i].is_held_out) continue;
+    Block block = block_of(fit, fit.tests[i]);
+    if (fit.tests[i].has_offset) {
+      block.offset = problem.coordinates.size();
+      problem.coordinates.push_back(offset_of(block, i));
+    }
+    add(std::move(block));
+  }
+  problem.derivative_step = step_with_tests;
+  for (const ImpactMeasurement& impact : fit.impacts) {
+    if (impact.is_held_out) continue;
+    problem.derivative_step = step_with_impacts;
+    add(block_of(fit, impact, runs));
+  }
+  return problem;
+}
+
+}  // namespace dashpad::fit

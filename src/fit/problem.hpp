@@ -1,0 +1,85 @@
+#pragma once
+/// A fit as least squares: coordinates in [0, 1] in, residuals out.
+///
+///   residual = (predicted - measured) / deviation,  misfit = sum of squared residuals
+///
+/// Each unknown, and each shift of a force zero, is a coordinate: 0 at its lowest and 1 at its highest
+/// value, by the logarithm where it is sought so. A source of data is a block of residuals that knows how to
+/// predict itself; whole pulses would be another one.
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dashpad/fit/fit.hpp"
+
+namespace dashpad::fit {
+
+struct Coordinate {
+  std::string key;
+  std::string unit;
+  double lowest = 0, highest = 1;
+  double start = 0;  ///< a value
+  bool is_logarithmic = false;
+  bool is_nuisance = false;
+  std::optional<Prior> prior;
+
+  [[nodiscard]] double value(double x) const {
+    return is_logarithmic ? lowest * std::pow(highest / lowest, x) : lowest + x * (highest - lowest);
+  }
+  [[nodiscard]] double place(double value) const {
+    return is_logarithmic ? std::log(value / lowest) / std::log(highest / lowest)
+                          : (value - lowest) / (highest - lowest);
+  }
+  /// Change of the value with the coordinate.
+  [[nodiscard]] double slope(double x) const {
+    return is_logarithmic ? value(x) * std::log(highest / lowest) : highest - lowest;
+  }
+};
+
+/// Predicts from the values of all coordinates, SI. False where they make no material that can be tested.
+using Predict = std::function<bool(std::span<const double> values, std::span<double> predicted)>;
+
+/// One source of data.
+struct Block {
+  std::size_t first = 0;  ///< of its residuals
+  std::vector<double> measured;
+  std::vector<double> deviation;
+  std::optional<std::size_t> offset;  ///< the coordinate that is added to what is predicted
+  Predict predict;
+  bool is_curve = false;  ///< its residuals follow each other along a curve
+  bool noise_is_stated = true;
+
+  [[nodiscard]] std::size_t size() const { return measured.size(); }
+};
+
+struct Problem {
+  std::vector<Coordinate> coordinates;
+  std::vector<Block> blocks;
+  double derivative_step = 1e-4;  ///< of a coordinate, for central differences
+
+  [[nodiscard]] std::size_t points() const {
+    return blocks.empty() ? 0 : blocks.back().first + blocks.back().size();
+  }
+  [[nodiscard]] std::size_t residuals() const;  ///< points, then priors
+  /// `x` in [0, 1]; false where the model cannot be evaluated.
+  bool evaluate(std::span<const double> x, std::span<double> residuals) const;
+  [[nodiscard]] std::vector<double> values(std::span<const double> x) const;
+};
+
+/// `runs`: of the solver, for each impact.
+Problem problem_of(const Fit& fit, int runs);
+
+/// What predicts the points of a test that count, from the values of the unknowns.
+Predict prediction_of(const Fit& fit, const MaterialMeasurement& test);
+/// What predicts the figures of an impact: by `runs` runs, or to the tolerance of the case with 0.
+Predict prediction_of(const Fit& fit, const ImpactMeasurement& impact, int runs);
+
+/// The material with these values of the unknowns.
+Material material_with(const Fit& fit, std::span<const double> values);
+
+}  // namespace dashpad::fit

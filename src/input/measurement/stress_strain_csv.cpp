@@ -1,0 +1,211 @@
+#include "dashpad/input/measurement/stress_strain_csv.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "dashpad/quantities/quantity.hpp"
+#include "input/measurement/csv_columns.hpp"
+#include "input/measurement/csv_rows.hpp"
+
+namespace dashpad::input {
+
+namespace {
+
+constexpr std::size_t most_rows_of_a_test = 10'000;
+
+/// "stress_kPa", "stress [kPa]" and "stress (kPa)" are "stress" in "kPa".
+struct TestHeader {
+  std::string name, unit;
+};
+
+TestHeader without_unit(const MeasuredColumn& column) {
+  const std::string& text = column.name;
+  for (const auto& [open, close] : {std::pair('[', ']'), std::pair('(', ')')})
+    if (const auto begin = text.find(open); begin != std::string::npos && text.ends_with(close))
+      return {std::string(without_blanks(std::string_view(text).substr(0, begin))),
+              std::string(without_blanks(std::string_view(text).substr(begin + 1, text.size() - begin - 2)))};
+  const auto mark = text.find_last_of("_ ");
+  if (!column.unit.empty() || mark == std::string::npos) return {text, column.unit};
+  return {text.substr(0, mark), text.substr(mark + 1)};
+}
+
+/// What the columns of one test are, and 1 of each in SI.
+struct TestColumn {
+  std::string name;
+  std::size_t place = 0;
+  double factor = 1;
+};
+struct TestColumns {
+  TestColumn strain, stress;
+  std::optional<TestColumn> time;
+};
+
+struct FoundColumn {
+  MeasuredColumn column;
+  std::string unit;
+};
+
+/// By its whole header, else by its name without the unit.
+std::optional<FoundColumn> find_column(const std::vector<MeasuredColumn>& all, const std::string& wanted,
+                                       const char* kind, std::size_t line, MeasurementFaults& faults) {
+  std::string names;
+  std::vector<FoundColumn> found;
+  for (const MeasuredColumn& column : all) {
+    const TestHeader header = without_unit(column);
+    names += (names.empty() ? "" : ", ") + column.name;
+    const std::string whole = lower_case(wanted);
+    const bool exact = lower_case(column.name) == whole;
+    if (exact || lower_case(header.name) == whole) {
+      found.push_back({column, header.unit});
+      if (exact) return found.back();
+    }
+  }
+  if (found.size() == 1) return found.front();
+  faults.add(line, wanted, "",
+             found.empty() ? fmt::format("no such column for the {}; there are {}", kind, names)
+                           : fmt::format("several columns may be the {}: {}", kind, names));
+  return std::nullopt;
+}
+
+std::optional<double> factor_of_strain(const std::string& unit) {
+  const std::string word = lower_case(unit);
+  if (word == "fraction" || word == "1" || word == "-") return 1;
+  if (word == "percent" || word == "%") return 0.01;
+  return std::nullopt;
+}
+
+std::optional<double> factor_of(const std::string& unit, const std::string& si_unit) {
+  try {
+    return to_si("1 " + unit, si_unit);
+  } catch (const UnitError&) {
+    return std::nullopt;
+  }
+}
+
+TestColumn settle_strain(const FoundColumn& found, const StressStrainColumns& wanted, std::size_t line,
+                         MeasurementFaults& faults) {
+  const auto factor = factor_of_strain(wanted.strain_unit.empty() ? found.unit : wanted.strain_unit);
+  if (!factor)
+    faults.add(line, found.column.name, "",
+               "its unit is not stated: say strain_unit = \"fraction\" or strain_unit = \"percent\"");
+  return {found.column.name, static_cast<std::size_t>(found.column.number - 1), factor.value_or(1)};
+}
+
+TestColumn settle_quantity(const FoundColumn& found, const std::string& given, const std::string& si_unit,
+                           const char* key, std::size_t line, MeasurementFaults& faults) {
+  const std::string unit = given.empty() ? found.unit : given;
+  const auto factor = unit.empty() ? std::nullopt : factor_of(unit, si_unit);
+  if (!factor)
+    faults.add(
+        line, found.column.name, unit,
+        fmt::format("its unit is not stated: put it into the header, such as {0}, or say {1} = \"{2}\"",
+                    si_unit == "Pa" ? "stress_kPa" : "time_s", key, si_unit == "Pa" ? "kPa" : "s"));
+  return {found.column.name, static_cast<std::size_t>(found.column.number - 1), factor.value_or(1)};
+}
+
+TestColumns columns_of_test(const CsvHeader& header, const StressStrainColumns& wanted,
+                            MeasurementFaults& faults) {
+  const CsvColumns named = name_columns(header);
+  const std::size_t line = named.names != nullptr ? named.names->line : header.first_line;
+  if (named.names == nullptr)
+    faults.refuse(line, "", "", "needs a line above the numbers that names the columns: strain,stress_kPa");
+  TestColumns columns;
+  if (const auto strain = find_column(named.all, wanted.strain, "strain", line, faults))
+    columns.strain = settle_strain(*strain, wanted, line, faults);
+  if (const auto stress = find_column(named.all, wanted.stress, "stress", line, faults))
+    columns.stress = settle_quantity(*stress, wanted.stress_unit, "Pa", "stress_unit", line, faults);
+  if (!wanted.time.empty())
+    if (const auto time = find_column(named.all, wanted.time, "time", line, faults))
+      columns.time = settle_quantity(*time, wanted.time_unit, "s", "time_unit", line, faults);
+  faults.throw_if_any();
+  return columns;
+}
+
+class TestReader {
+ public:
+  TestReader(const TestColumns& columns, char separator, MeasurementFaults& faults)
+      : columns_(columns), separator_(separator), faults_(faults) {}
+
+  void add(const CsvRow& row) {
+    if (!row.fault.empty()) return faults_.add(row.line, "", "", std::string(row.fault));
+    if (table.strain.size() == most_rows_of_a_test)
+      faults_.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", most_rows_of_a_test));
+    const auto strain = value(row, columns_.strain);
+    const auto stress = value(row, columns_.stress);
+    double time = 0;
+    if (columns_.time) {
+      const auto read = value(row, *columns_.time);
+      if (!read) return;
+      time = *read;
+    }
+    if (!strain || !stress) return;
+    if (*strain >= 1) {
+      faults_.add(row.line, columns_.strain.name, field(row, columns_.strain),
+                  columns_.strain.factor == 1
+                      ? "a strain is below 1: is it in per cent? Then say strain_unit = \"percent\""
+                      : "a strain is below 100 %");
+      return;
+    }
+    if (columns_.time && !table.time.empty() && time <= table.time.back()) {
+      faults_.add(row.line, columns_.time->name, field(row, *columns_.time),
+                  "must be later than the time before");
+      return;
+    }
+    if (columns_.time) table.time.push_back(time);
+    table.strain.push_back(*strain);
+    table.stress.push_back(*stress);
+  }
+
+  void finish() {
+    faults_.throw_if_any();
+    if (table.strain.size() < 2) faults_.refuse(0, "", "", "has fewer than two rows");
+    const auto [least, largest] = std::ranges::minmax(table.strain);
+    if (!(largest > 0) || -least > largest)
+      faults_.refuse(0, columns_.strain.name, "",
+                     "is negative: compression counts positive here, strain and stress alike");
+    if (!(std::ranges::max(table.stress) > 0))
+      faults_.refuse(0, columns_.stress.name, "", "is nowhere above 0: compression counts positive here");
+  }
+
+  StressStrainTable table;
+
+ private:
+  static std::string_view field(const CsvRow& row, const TestColumn& column) {
+    return column.place < row.fields.size() ? without_blanks(row.fields[column.place]) : std::string_view{};
+  }
+  std::optional<double> value(const CsvRow& row, const TestColumn& column) {
+    const ReadNumber read = read_csv_number(field(row, column), separator_);
+    if (read.kind == NumberKind::number && std::isfinite(read.value)) return read.value * column.factor;
+    faults_.add(row.line, column.name, field(row, column), rule_for(read.kind));
+    return std::nullopt;
+  }
+
+  const TestColumns& columns_;
+  char separator_;
+  MeasurementFaults& faults_;
+};
+
+}  // namespace
+
+StressStrainTable read_stress_strain_csv(const std::filesystem::path& file,
+                                         const StressStrainColumns& wanted) {
+  MeasurementFaults faults(file.string());
+  const std::string content = read_measurement(file);
+  const std::string_view text = text_in(content, faults);
+  if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
+  const char separator = find_separator(text);
+  const CsvHeader header = read_csv_header(text, separator);
+  if (header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
+  const TestColumns columns = columns_of_test(header, wanted, faults);
+  TestReader reader(columns, separator, faults);
+  CsvRows rows(text, separator);
+  for (CsvRow row; rows.next(row);)
+    if (row.line >= header.first_line) reader.add(row);
+  reader.finish();
+  return std::move(reader.table);
+}
+
+}  // namespace dashpad::input

@@ -1,0 +1,109 @@
+// A fit for programs.
+
+#include "dashpad/output/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/json/material.hpp"
+#include "quantities/json_values.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+Json unknown_json(const fit::FittedUnknown& of) {
+  return {{"key", of.key},
+          {"unit", of.unit},
+          {"value", number(of.value)},
+          {"standard_error", number(of.standard_error)},
+          {"interval", {{"low", number(of.low)}, {"high", number(of.high)}, {"open", of.open()}}},
+          {"bounds", {{"lowest", number(of.lowest)}, {"highest", number(of.highest)}}},
+          {"at_bound", of.is_at_lowest    ? "lowest"
+                       : of.is_at_highest ? "highest"
+                                          : "no"},
+          {"nuisance", of.is_nuisance}};
+}
+
+Json met_test_json(const fit::MetTest& of) {
+  Json loops = Json::array();
+  for (const fit::Loop& loop : of.loops)
+    loops.push_back({{"largest_strain", number(loop.largest_strain)},
+                     {"measured_return", number(loop.measured_return)},
+                     {"computed_return", number(loop.computed_return)}});
+  return {{"file", of.file},
+          {"held_out", of.is_held_out},
+          {"points", of.points},
+          {"largest_stress_Pa", number(of.largest_stress)},
+          {"lowest_rate_per_s", number(of.lowest_rate)},
+          {"highest_rate_per_s", number(of.highest_rate)},
+          {"noise_Pa", number_if(of.noise > 0, of.noise)},
+          {"noise_stated", of.noise_is_stated},
+          {"offset_Pa", number(of.offset)},
+          {"rms_loading_Pa", number(of.rms_loading)},
+          {"rms_unloading_Pa", number(of.rms_unloading)},
+          {"loops", loops},
+          {"autocorrelation", number_if(!of.is_held_out, of.autocorrelation)},
+          {"effective_points", number(of.effective_points)},
+          {"strain", numbers(of.strain)},
+          {"measured_stress_Pa", numbers(of.measured)},
+          {"computed_stress_Pa", numbers(of.computed)}};
+}
+
+Json met_figure_json(const fit::MetFigure& of) {
+  const auto& names = fit::impact_figure_names();
+  const auto name = std::ranges::find(names, of.figure, &fit::ImpactFigureName::figure);
+  return {{"case", of.file},
+          {"figure", name->key},
+          {"unit", name->unit},
+          {"held_out", of.is_held_out},
+          {"measured", number(of.measured)},
+          {"deviation", number(of.deviation)},
+          {"computed", number(of.computed)}};
+}
+
+Json left_open_json(const fit::FitReport& report) {
+  Json correlations = Json::array();
+  for (const fit::StrongCorrelation& of : report.correlations)
+    correlations.push_back({{"first", of.first}, {"second", of.second}, {"correlation", number(of.value)}});
+  Json flat = Json::array();
+  for (const std::vector<std::string>& keys : report.flat_directions) flat.push_back(keys);
+  return {{"correlations", correlations}, {"flat_directions", flat}};
+}
+
+}  // namespace
+
+std::string fit_json(const fit::FitReport& report) {
+  Json unknowns = Json::array(), tests = Json::array(), figures = Json::array();
+  for (const fit::FittedUnknown& of : report.unknowns) unknowns.push_back(unknown_json(of));
+  for (const fit::MetTest& of : report.tests) tests.push_back(met_test_json(of));
+  for (const fit::MetFigure& of : report.figures) figures.push_back(met_figure_json(of));
+  return json_text(
+      {{"title", report.title},
+       {"converged", report.converged},
+       {"why_not", report.why_not},
+       {"unknowns", unknowns},
+       {"left_open", left_open_json(report)},
+       {"misfit",
+        {{"points", report.points},
+         {"priors", report.priors},
+         {"degrees_of_freedom", number(report.degrees_of_freedom)},
+         {"sum_of_squares", number(report.misfit)},
+         {"per_degree_of_freedom", number_if(report.degrees_of_freedom > 0, report.misfit_per_degree())},
+         {"noise_stated", report.noise_is_stated},
+         {"error_factor", number(std::sqrt(report.variance_scale))},
+         {"largest_widening", number(report.largest_widening)}}},
+       {"tests", tests},
+       {"impacts", figures},
+       {"search",
+        {{"starts", report.starts},
+         {"starts_at_best", report.starts_at_best},
+         {"starts_failed", report.starts_failed},
+         {"solver_runs", report.solver_runs},
+         {"evaluations", report.evaluations},
+         {"wall_time_s", number(report.wall_time)}}},
+       {"material", report.converged ? material_json(report.material) : Json(nullptr)},
+       {"program", program_json()}});
+}
+
+}  // namespace dashpad::output
