@@ -50,9 +50,19 @@ Coordinate offset_of(const Block& block, std::size_t test) {
 
 }  // namespace
 
+std::size_t Problem::points() const {
+  std::size_t points = 0;
+  for (const Block& block : blocks) points += block.is_rule ? 0 : block.size();
+  return points;
+}
+
+std::size_t Problem::priors() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(coordinates, [](const Coordinate& of) { return of.prior.has_value(); }));
+}
+
 std::size_t Problem::residuals() const {
-  return points() + static_cast<std::size_t>(std::ranges::count_if(
-                        coordinates, [](const Coordinate& of) { return of.prior.has_value(); }));
+  return priors() + (blocks.empty() ? 0 : blocks.back().first + blocks.back().size());
 }
 
 std::vector<double> Problem::values(std::span<const double> x) const {
@@ -72,7 +82,7 @@ bool Problem::evaluate(std::span<const double> x, std::span<double> residuals) c
       if (!std::isfinite(own[i])) return false;
     }
   }
-  std::size_t next = points();
+  std::size_t next = residuals.size() - priors();
   for (std::size_t i = 0; i < coordinates.size(); ++i)
     if (const auto& prior = coordinates[i].prior)
       residuals[next++] = (at[i] - prior->mean) / prior->deviation;
@@ -85,7 +95,7 @@ Problem problem_of(const Fit& fit, int runs) {
     problem.coordinates.push_back({unknown.key, unknown.unit, unknown.lowest, unknown.highest, unknown.start,
                                    unknown.is_logarithmic, false, unknown.prior});
   const auto add = [&](Block block) {
-    block.first = problem.points();
+    block.first = problem.residuals() - problem.priors();
     problem.blocks.push_back(std::move(block));
   };
   for (std::size_t i = 0; i < fit.tests.size(); ++i) {
@@ -103,6 +113,7 @@ Problem problem_of(const Fit& fit, int runs) {
     problem.derivative_step = step_with_impacts;
     add(block_of(fit, impact, runs));
   }
+  if (auto rule = rule_of_rising(fit)) add(*std::move(rule));
   return problem;
 }
 

@@ -53,6 +53,8 @@ struct Block {
   Predict predict;
   bool is_curve = false;  ///< its residuals follow each other along a curve
   bool noise_is_stated = true;
+  /// No data: what keeps a base curve rising, as a material must.
+  bool is_rule = false;
 
   [[nodiscard]] std::size_t size() const { return measured.size(); }
 };
@@ -62,10 +64,9 @@ struct Problem {
   std::vector<Block> blocks;
   double derivative_step = 1e-4;  ///< of a coordinate, for central differences
 
-  [[nodiscard]] std::size_t points() const {
-    return blocks.empty() ? 0 : blocks.back().first + blocks.back().size();
-  }
-  [[nodiscard]] std::size_t residuals() const;  ///< points, then priors
+  [[nodiscard]] std::size_t points() const;     ///< measured numbers
+  [[nodiscard]] std::size_t priors() const;
+  [[nodiscard]] std::size_t residuals() const;  ///< of all blocks, then priors
   /// `x` in [0, 1]; false where the model cannot be evaluated.
   bool evaluate(std::span<const double> x, std::span<double> residuals) const;
   [[nodiscard]] std::vector<double> values(std::span<const double> x) const;
@@ -78,6 +79,9 @@ Problem problem_of(const Fit& fit, int runs);
 Predict prediction_of(const Fit& fit, const MaterialMeasurement& test);
 /// What predicts the figures of an impact: by `runs` runs, or to the tolerance of the case with 0.
 Predict prediction_of(const Fit& fit, const ImpactMeasurement& impact, int runs);
+
+/// What keeps the base curve of a foam rising; nothing for a law whose curves are no formulas.
+std::optional<Block> rule_of_rising(const Fit& fit);
 
 /// The material with these values of the unknowns.
 Material material_with(const Fit& fit, std::span<const double> values);

@@ -80,10 +80,10 @@ class Profiler {
         guess[i] = std::clamp(guess[i] + request_.side * distance * request_.direction[i], 0.0, 1.0);
     guess[request_.coordinate] = place;
     last_[request_.coordinate] = place;
-    Minimum found = minimise(problem_, guess, held_);
+    Minimum found = minimise(problem_, guess, coarse, held_);
     // The last place may be nearer, or the only one with a material.
     if (!found.converged) {
-      const Minimum other = minimise(problem_, last_, held_);
+      const Minimum other = minimise(problem_, last_, coarse, held_);
       if (other.converged) found = other;
     }
     if (!found.converged) return std::nullopt;

@@ -75,7 +75,7 @@ Minimum search(const Fit& fit, const Problem& problem, const LeastSquares& resid
   const std::vector<std::vector<double>> starts = starts_of(fit, problem, residuals);
   std::vector<Minimum> found(starts.size());
   tbb::parallel_for(std::size_t{0}, starts.size(),
-                    [&](std::size_t i) { found[i] = minimise(residuals, starts[i]); });
+                    [&](std::size_t i) { found[i] = minimise(residuals, starts[i], coarse); });
   const auto better = [](const Minimum& a, const Minimum& b) {
     if (a.converged != b.converged) return a.converged;
     if (a.x.empty() || b.x.empty()) return !a.x.empty();
@@ -91,7 +91,7 @@ Minimum search(const Fit& fit, const Problem& problem, const LeastSquares& resid
     else if (each.misfit <= best.misfit * (1 + same_misfit) + 1e-12)
       ++report.starts_at_best;
   }
-  return best;
+  return best.converged ? minimise(residuals, best.x) : best;
 }
 
 /// Noise that nobody stated: one share of the largest stress for all such tests, from what the fit leaves.
@@ -100,26 +100,22 @@ void estimate_noise(Problem& problem, const LeastSquares& residuals, Minimum& mi
   std::size_t unstated = 0;
   for (const Block& block : problem.blocks) unstated += block.noise_is_stated ? 0 : block.size();
   if (unstated == 0) return;
-  const bool alone = unstated == residuals.residuals;
+  const auto all = static_cast<double>(problem.points() + problem.priors());
+  const double share_left = 1 - static_cast<double>(problem.coordinates.size()) / all;
+  const bool is_alone = unstated == problem.points() + problem.priors();
   std::vector<double> r(residuals.residuals);
-  for (int pass = 0; pass < (alone ? 1 : 4); ++pass) {
+  for (int pass = 0; pass < (is_alone ? 1 : 4); ++pass) {
     residuals.evaluate(minimum.x, r);
     double squares = 0;
     for (const Block& block : problem.blocks)
       if (!block.noise_is_stated)
         for (std::size_t i = 0; i < block.size(); ++i) squares += r[block.first + i] * r[block.first + i];
-    const double all = static_cast<double>(residuals.residuals);
-    const double share_left = 1 - static_cast<double>(problem.coordinates.size()) / all;
-    const double noise = std::sqrt(squares / static_cast<double>(unstated) / std::max(share_left, 1 / all));
+    const double noise =
+        std::sqrt(squares / static_cast<double>(unstated) / std::max(share_left, 1 / all));
     for (Block& block : problem.blocks)
       if (!block.noise_is_stated)
         for (double& deviation : block.deviation) deviation *= std::max(noise, 1e-9);
-    if (alone) {
-      residuals.evaluate(minimum.x, r);
-      minimum.misfit = std::inner_product(r.begin(), r.end(), r.begin(), 0.0);
-    } else {
-      minimum = minimise(residuals, minimum.x);
-    }
+    minimum = minimise(residuals, minimum.x);
   }
 }
 
@@ -168,9 +164,9 @@ std::optional<Minimum> better_of(const Solved& solved) {
 
 void weigh(const Problem& problem, const Minimum& minimum, FitReport& report) {
   report.points = problem.points();
-  report.priors = problem.residuals() - problem.points();
+  report.priors = problem.priors();
   report.degrees_of_freedom =
-      static_cast<double>(problem.residuals()) - static_cast<double>(problem.coordinates.size());
+      static_cast<double>(problem.points() + problem.priors()) - static_cast<double>(problem.coordinates.size());
   report.misfit = minimum.misfit;
   report.noise_is_stated = std::ranges::all_of(problem.blocks, &Block::noise_is_stated);
   report.variance_scale = report.noise_is_stated ? std::max(report.misfit_per_degree(), 1.0) : 1;
@@ -290,6 +286,12 @@ FitReport run_fit(const Fit& fit, std::size_t posterior) {
     if (has_impacts && runs < most_runs && !runs_suffice(fit, problem.values(solved.minimum.x), runs))
       continue;
     describe(fit, problem, solved, report);
+    if (const auto broken = violations(report.material); !broken.empty()) {
+      report.converged = false;
+      report.why_not = fmt::format("the best values make no valid card: {} = {:.6g}: {}", broken.front().key,
+                                   broken.front().value, broken.front().rule);
+      break;
+    }
     if (posterior > 0)
       for (const std::vector<double>& x : laplace_sample(solved.minimum.x, solved.uncertainty.precision,
                                                          solved.uncertainty.gradient, posterior, fit.seed))

@@ -13,9 +13,7 @@ namespace dashpad::fit {
 
 namespace {
 
-/// Relative changes of the misfit and of the coordinates at which a fit has converged: far below what the
-/// noise of the data moves.
-constexpr double least_change_of_misfit = 1e-10;
+/// Relative change of the coordinates at which a fit has converged: far below what noise moves.
 constexpr double least_change_of_place = 1e-9;
 constexpr int most_iterations = 300;
 
@@ -91,7 +89,8 @@ bool derivatives(const LeastSquares& problem, std::span<const double> x, std::sp
   return true;
 }
 
-Minimum minimise(const LeastSquares& problem, std::vector<double> start, const std::vector<bool>& held) {
+Minimum minimise(const LeastSquares& problem, std::vector<double> start, double tolerance,
+                 const std::vector<bool>& held) {
   FLAGS_minloglevel = google::FATAL;  // what goes wrong is in the result
   Minimum minimum{false, "", std::move(start), 0};
   std::vector<double> residuals(problem.residuals);
@@ -119,7 +118,7 @@ Minimum minimise(const LeastSquares& problem, std::vector<double> start, const s
   options.logging_type = ceres::SILENT;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = most_iterations;
-  options.function_tolerance = least_change_of_misfit;
+  options.function_tolerance = tolerance;
   options.parameter_tolerance = least_change_of_place;
   options.gradient_tolerance = 1e-12;
   options.num_threads = 1;

@@ -28,7 +28,11 @@ struct Minimum {
   double misfit = 0;  ///< sum of squares
 };
 
+/// Relative change of the misfit at which a search has converged: for a comparison, and for the result.
+inline constexpr double coarse = 1e-6, fine = 1e-10;
+
 /// From a start, by Levenberg-Marquardt within [0, 1]. Coordinates that are `held` (empty: none) stay.
-Minimum minimise(const LeastSquares& problem, std::vector<double> start, const std::vector<bool>& held = {});
+Minimum minimise(const LeastSquares& problem, std::vector<double> start, double tolerance = fine,
+                 const std::vector<bool>& held = {});
 
 }  // namespace dashpad::fit

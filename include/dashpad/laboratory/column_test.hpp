@@ -67,7 +67,8 @@ struct ColumnTest {
 ColumnTest drive(const PadLaw& law, const StrainHistory& history, int places = 200);
 
 /// Stress of a column, Pa, at the end of each piece of a history: that of drive(), without places of output
-/// in between and without estimated errors, for fits, which ask often. Throws as drive() does.
+/// in between and without estimated errors, for fits, which ask often. Neither law nor history is checked:
+/// they must have no violations(), but a base curve may fall, as it does while a fit searches.
 std::vector<double> stress_at_ends(const PadLaw& law, const StrainHistory& history);
 
 /// Loaded at a constant rate until a stress is reached, then held at that stress: creep.

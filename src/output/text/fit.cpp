@@ -44,7 +44,7 @@ std::string fit_answer(const fit::FitReport& report) {
     return text + "The best fit was met away from all starts, on the way along a profile.\n";
   return text + fmt::format(
                     "{} of {} starts came to the same misfit{}.\n", report.starts_at_best,
-                    count_of(static_cast<std::size_t>(report.starts), "start"),
+                    report.starts,
                     report.starts_failed > 0
                         ? fmt::format("; {} made no valid material or did not converge", report.starts_failed)
                         : "");
