@@ -115,7 +115,7 @@ bool find_uncertainty(const Problem& problem, const LeastSquares& residuals, std
   if (free_count > 0) {
     const Curvature curvature = curvature_of(own);
     const Matrix naive = scale * curvature.inverse;
-    const Matrix covariance = scale * (curvature.inverse * own_widened * curvature.inverse);
+    const Matrix covariance = naive + scale * (curvature.inverse * (own_widened - own) * curvature.inverse);
     for (Eigen::Index i = 0; i < free_count; ++i) {
       const std::size_t at = free[static_cast<std::size_t>(i)];
       into.widening[at] = std::max(covariance(i, i) / naive(i, i), 1.0);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/quantities/quantity.hpp"
+#include "input/measurement/column_units.hpp"
 #include "input/measurement/csv_columns.hpp"
 #include "input/measurement/csv_rows.hpp"
 
@@ -27,8 +28,9 @@ TestHeader without_unit(const MeasuredColumn& column) {
     if (const auto begin = text.find(open); begin != std::string::npos && text.ends_with(close))
       return {std::string(without_blanks(std::string_view(text).substr(0, begin))),
               std::string(without_blanks(std::string_view(text).substr(begin + 1, text.size() - begin - 2)))};
+  if (!column.unit.empty()) return {split_header(text).name, column.unit};
   const auto mark = text.find_last_of("_ ");
-  if (!column.unit.empty() || mark == std::string::npos) return {text, column.unit};
+  if (mark == std::string::npos) return {text, ""};
   return {text.substr(0, mark), text.substr(mark + 1)};
 }
 
@@ -140,6 +142,12 @@ class TestReader {
       const auto read = value(row, *columns_.time);
       if (!read) return;
       time = *read;
+      if (rows_with_time_++ > 0 && !(time > last_time_)) {
+        faults_.add(row.line, columns_.time->name, field(row, *columns_.time),
+                    "must be later than the time before");
+        return;
+      }
+      last_time_ = time;
     }
     if (!strain || !stress) return;
     if (*strain >= 1) {
@@ -147,11 +155,6 @@ class TestReader {
                   columns_.strain.factor == 1
                       ? "a strain is below 1: is it in per cent? Then say strain_unit = \"percent\""
                       : "a strain is below 100 %");
-      return;
-    }
-    if (columns_.time && !table.time.empty() && time <= table.time.back()) {
-      faults_.add(row.line, columns_.time->name, field(row, *columns_.time),
-                  "must be later than the time before");
       return;
     }
     if (columns_.time) table.time.push_back(time);
@@ -186,6 +189,8 @@ class TestReader {
   const TestColumns& columns_;
   char separator_;
   MeasurementFaults& faults_;
+  std::size_t rows_with_time_ = 0;
+  double last_time_ = 0;
 };
 
 }  // namespace
