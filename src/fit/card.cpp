@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/solve.hpp"
+#include "dashpad/study/application.hpp"
 #include "fit/problem.hpp"
 
 namespace dashpad::fit {
@@ -45,6 +46,10 @@ std::vector<std::string> reservations_of(const Fit& fit, const FitReport& report
     if (!unknown.is_identified() && !unknown.is_nuisance)
       all.push_back(fmt::format("The data do not determine {}: its 95 % interval is open {}.", unknown.key,
                                 unknown.open()));
+  for (const FittedUnknown& unknown : report.unknowns)
+    if (!study::is_of_law(unknown.key) && !unknown.is_nuisance)
+      all.push_back(fmt::format("Found together with {} = {:.4g}{}, which a card does not hold.", unknown.key,
+                                unknown.value, unknown.unit == "1" ? "" : " " + unknown.unit));
   const bool unloads = std::ranges::any_of(
       report.tests, [](const MetTest& test) { return !test.is_held_out && test.rms_unloading.has_value(); });
   const bool strikes = std::ranges::any_of(fit.impacts, [](const auto& of) { return !of.is_held_out; });

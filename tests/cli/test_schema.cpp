@@ -38,7 +38,7 @@ void expect_strict(const json& schema, const std::string& place) {
 }
 
 TEST(Schema, DescribesEveryKeyAndItsUnit) {
-  for (const char* name : {"summary", "pulse-comparison"}) expect_strict(schema_of(name), name);
+  for (const char* name : {"summary", "pulse-comparison", "fit"}) expect_strict(schema_of(name), name);
 }
 
 class SchemaTest : public CommandTest {};

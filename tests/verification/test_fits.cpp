@@ -37,21 +37,29 @@ TEST_P(FitsOfMadeUpData, FindTheTruthFromElsewhere) {
   }
 }
 
-/// Of 12 data sets; a share of 0.95 of some 60 intervals scatters by 0.03. bench_fit counts 200 data sets of
-/// each kind.
-TEST_P(FitsOfMadeUpData, HoldTheTruthInTheirIntervals) {
-  Coverage coverage;
-  for (std::uint64_t seed = 101; seed <= 112; ++seed) count(GetParam()(seed), coverage);
-  EXPECT_EQ(coverage.failed, 0);
-  EXPECT_GE(coverage.share(), 0.86) << coverage.hold << " of " << coverage.intervals;
-  EXPECT_GE(coverage.intervals, 40);
+std::string name_of_kind(const testing::TestParamInfo<Make>& of) {
+  static const std::vector<std::string> names{"avalle", "hyperfoam", "nine_parameter"};
+  return names[of.index];
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Fits, FitsOfMadeUpData, testing::Values(avalle_loops, hyperfoam_rates, nine_parameter_impacts),
-    [](const auto& info) {
-      return std::vector<std::string>{"avalle", "hyperfoam", "nine_parameter"}[info.index];
-    });
+INSTANTIATE_TEST_SUITE_P(Fits, FitsOfMadeUpData,
+                         testing::Values(avalle_loops, hyperfoam_rates, nine_parameter_impacts),
+                         name_of_kind);
+
+/// 40 data sets; a share of 0.95 of some 220 intervals, several from each data set, scatters by some 0.02.
+/// bench_fit counts more.
+TEST(Fits, HoldTheTruthInTheirIntervals) {
+  Coverage coverage;
+  for (std::uint64_t seed = 101; seed <= 116; ++seed) {
+    count(avalle_loops(seed), coverage);
+    count(hyperfoam_rates(seed), coverage);
+    if (seed <= 108) count(nine_parameter_impacts(seed), coverage);
+  }
+  EXPECT_EQ(coverage.failed, 0);
+  EXPECT_GE(coverage.intervals, 200);
+  EXPECT_GE(coverage.share(), 0.90) << coverage.hold << " of " << coverage.intervals;
+  EXPECT_LT(coverage.share(), 1) << "intervals that are never wrong are too wide";
+}
 
 /// One rate does not tell the share of a branch from its time (only their product): the fit has to say so.
 TEST(Fits, SayWhatTheDataDoNotTellApart) {

@@ -1,0 +1,126 @@
+// dashpad fit as a user runs it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "command.hpp"
+#include "schema.hpp"
+
+namespace dashpad::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// 100 kPa e^0.8 / (1 - e) with an alternating error of 1 kPa.
+std::string power_csv() {
+  std::string csv = "strain,stress_kPa\n";
+  for (int i = 1; i <= 40; ++i) {
+    const double e = 0.015 * i;
+    csv += std::to_string(e) + "," +
+           std::to_string(100 * std::pow(e, 0.8) / (1 - e) + (i % 2 == 0 ? 1 : -1)) + "\n";
+  }
+  return csv;
+}
+
+const std::string power_fit = R"(title = "A made-up foam"
+[pad]
+law = "foam"
+[pad.curve]
+form = "power"
+rate = "0.01 1/s"
+modulus = "50 kPa"
+contact_exponent = 1
+compaction_exponent = 0.5
+highest_strain = 0.6
+[unknowns]
+"pad.curve.modulus" = {bounds = ["1 kPa", "1 MPa"]}
+"pad.curve.contact_exponent" = {bounds = [0.1, 1.5]}
+"pad.curve.compaction_exponent" = {bounds = [0, 4]}
+[[tests]]
+file = "test.csv"
+strain_unit = "fraction"
+rate = "0.01 1/s"
+noise = "1 kPa"
+[fit]
+starts = 2
+)";
+
+class FitTest : public CommandTest {
+ protected:
+  void SetUp() override {
+    CommandTest::SetUp();
+    write_file(file("test.csv"), power_csv());
+    write_file(file("fit.toml"), power_fit);
+  }
+};
+
+TEST_F(FitTest, AnswersFirstAndWritesACardThatSolves) {
+  const Outcome outcome = dashpad({"fit", file("fit.toml"), "--output", file("card.toml")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::StartsWith("A made-up foam\n3 unknowns from 40 points of 1 test: the "
+                                               "data determine all of them.\n2 of 2 starts"));
+  const std::string with_card =
+      with(elastic_case(), "law = \"elastic\"\n[pad.parameters]\nmodulus = \"300 kPa\"",
+           "material = \"card.toml\"");
+  write_file(file("with-card.toml"), with_card);
+  EXPECT_EQ(dashpad({"run", file("with-card.toml")}).exit_code, 0);
+}
+
+TEST_F(FitTest, JsonIsAsTheSchemaSays) {
+  const Outcome outcome = dashpad({"fit", file("fit.toml"), "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json result = json::parse(outcome.out);
+  EXPECT_EQ(schema_faults(result, "fit"), "");
+  EXPECT_NEAR(result["unknowns"][0]["value"].get<double>(), 100e3, 3e3);
+  EXPECT_EQ(result["unknowns"][0]["interval"]["open"], "no");
+}
+
+TEST_F(FitTest, WritesASampleWithinTheBounds) {
+  const Outcome outcome = dashpad({"fit", file("fit.toml"), "--posterior", "50", file("draws.csv")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string draws = read_file(file("draws.csv"));
+  EXPECT_THAT(draws, testing::StartsWith("pad.curve.modulus [Pa],"));
+  EXPECT_EQ(std::ranges::count(draws, '\n'), 51);
+  EXPECT_THAT(outcome.out, HasSubstr("Laplace approximation"));
+}
+
+TEST_F(FitTest, RefusesFaultsAndWritesNothing) {
+  write_file(file("fit.toml"), with(power_fit, "[0, 4]", "[4, 0]"));
+  const auto before = other_files();
+  const Outcome outcome =
+      dashpad({"fit", file("fit.toml"), "--output", file("card.toml"), "--posterior", "none", file("x.csv")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("fit.toml:14: unknowns.pad.curve.compaction_exponent.bounds"));
+  EXPECT_THAT(outcome.err, HasSubstr("--posterior none"));
+  EXPECT_EQ(other_files(), before);
+}
+
+TEST_F(FitTest, GoesThroughImpacts) {
+  const std::string of_the_case = R"(case = "case.toml"
+[unknowns]
+"pad.parameters.modulus" = {bounds = ["50 kPa", "2 MPa"]}
+[[impacts]]
+case = "case.toml"
+peak_acceleration = {value = "30 g", deviation = "5 %"}
+)";
+  write_file(file("fit.toml"), of_the_case);
+  const Outcome outcome = dashpad({"fit", file("fit.toml"), "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json result = json::parse(outcome.out);
+  EXPECT_EQ(schema_faults(result, "fit"), "");
+  EXPECT_NEAR(result["impacts"][0]["computed"].get<double>(), 30 * 9.80665, 0.05);
+}
+
+TEST_F(FitTest, TheExampleWorks) {
+  const Outcome outcome = dashpad({"fit", examples + "fits/vn600.toml"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("vn600-quasi-static.csv  127"));
+}
+
+}  // namespace
+}  // namespace dashpad::test
