@@ -95,7 +95,9 @@ Minimum minimise(const LeastSquares& problem, std::vector<double> start, double 
   Minimum minimum{false, "", std::move(start), 0};
   std::vector<double> residuals(problem.residuals);
   if (!problem.evaluate(minimum.x, residuals)) {
-    minimum.why_not = "the starting values make no material that can be tested";
+    minimum.why_not =
+        "the model cannot be evaluated at the starting values: they make no valid material, or an impact "
+        "without the measured figure, as where the pad bottoms out";
     return minimum;
   }
   minimum.misfit = sum_of_squares(residuals);
