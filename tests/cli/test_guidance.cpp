@@ -111,7 +111,7 @@ TEST_F(GuidanceTest, WithoutACommandTheCommandsAreListed) {
 TEST_F(GuidanceTest, TheExamplesOfTheHelpWork) {
   fs::create_directory_symlink(fs::path{DASHPAD_SOURCE_DIR} / "examples", file("examples"));
   for (const char* subcommand :
-       {"run", "check", "materials", "material-test", "assess", "standards", "post-impact", "export",
+       {"run", "check", "materials", "material-test", "fit", "assess", "standards", "post-impact", "export",
         "compare", "spit1984", "validate", "study", "study summary", "study replay", "study export"}) {
     std::istringstream help(shell(std::string{"$DASHPAD "} + subcommand + " --help").out);
     for (std::string line; std::getline(help, line);) {

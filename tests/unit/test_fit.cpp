@@ -9,6 +9,7 @@
 
 #include "dashpad/fit/fit_file.hpp"
 #include "dashpad/fit/report.hpp"
+#include "dashpad/impact/solve.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/input/fault.hpp"
 #include "dashpad/laboratory/column_test.hpp"
@@ -153,6 +154,53 @@ TEST(StressAtEnds, IsWhatDriveSaysForEveryKindOfLaw) {
         }
     }
   }
+}
+
+// --- The solver at a fixed resolution ---
+
+struct FixedRunsTest : testing::Test {
+  FixedRunsTest() {
+    impact.impactor = {5, Sphere{.radius = 0.1}, 3};
+    impact.pad.thickness = 0.05;
+    Foam foam;
+    foam.friction = 0.1;
+    foam.unloading_factor = 0.4;
+    foam.curves.base = HyperfoamCurve{60e3, 8, 8e3, -1, 0.7};
+    foam.curves.slowest_rate = 0.01;
+    foam.curves.rate_effect = PowerRateEffect{0.1, 0, 1000};
+    impact.pad.material.law = foam;
+  }
+  ImpactCase impact;
+};
+
+TEST_F(FixedRunsTest, AreAsManyAsAskedFor) {
+  for (const int runs : {1, 3, 5}) {
+    const Summary summary = solve(impact, {.fixed_runs = runs}).summary;
+    EXPECT_EQ(summary.runs, runs);
+    ASSERT_TRUE(summary.peak_force);
+  }
+  const double exact = *solve(impact, {.tolerance = 1e-6}).summary.peak_force;
+  EXPECT_NEAR(*solve(impact, {.fixed_runs = 3}).summary.peak_force, exact, 2e-3 * exact);
+  EXPECT_THROW(solve(impact, {.fixed_runs = 11}), std::invalid_argument);
+}
+
+/// Derivatives by differences over a hundredth of the bounds need that. It is the number of steps, which
+/// changes, that is seen.
+TEST_F(FixedRunsTest, MakeFiguresSmooth) {
+  std::vector<double> peak, rebound;
+  for (int i = 0; i < 40; ++i) {
+    std::get<HyperfoamCurve>(std::get<Foam>(impact.pad.material.law).curves.base).first_modulus =
+        60e3 * (1 + 1e-3 * i);
+    const Summary summary = solve(impact, {.fixed_runs = 3}).summary;
+    peak.push_back(*summary.peak_force);
+    rebound.push_back(*summary.rebound_speed);
+  }
+  double roughest = 0;
+  for (const auto* figure : {&peak, &rebound})
+    for (std::size_t i = 1; i + 1 < figure->size(); ++i)
+      roughest =
+          std::max(roughest, std::abs((*figure)[i - 1] - 2 * (*figure)[i] + (*figure)[i + 1]) / (*figure)[i]);
+  EXPECT_LT(roughest, 2e-4);
 }
 
 // --- Fit files ---
