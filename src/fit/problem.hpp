@@ -64,7 +64,7 @@ struct Problem {
   std::vector<Block> blocks;
   double derivative_step = 1e-4;  ///< of a coordinate, for central differences
 
-  [[nodiscard]] std::size_t points() const;     ///< measured numbers
+  [[nodiscard]] std::size_t points() const;  ///< measured numbers
   [[nodiscard]] std::size_t priors() const;
   [[nodiscard]] std::size_t residuals() const;  ///< of all blocks, then priors
   /// `x` in [0, 1]; false where the model cannot be evaluated.

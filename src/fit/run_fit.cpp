@@ -110,8 +110,7 @@ void estimate_noise(Problem& problem, const LeastSquares& residuals, Minimum& mi
     for (const Block& block : problem.blocks)
       if (!block.noise_is_stated)
         for (std::size_t i = 0; i < block.size(); ++i) squares += r[block.first + i] * r[block.first + i];
-    const double noise =
-        std::sqrt(squares / static_cast<double>(unstated) / std::max(share_left, 1 / all));
+    const double noise = std::sqrt(squares / static_cast<double>(unstated) / std::max(share_left, 1 / all));
     for (Block& block : problem.blocks)
       if (!block.noise_is_stated)
         for (double& deviation : block.deviation) deviation *= std::max(noise, 1e-9);
@@ -165,8 +164,8 @@ std::optional<Minimum> better_of(const Solved& solved) {
 void weigh(const Problem& problem, const Minimum& minimum, FitReport& report) {
   report.points = problem.points();
   report.priors = problem.priors();
-  report.degrees_of_freedom =
-      static_cast<double>(problem.points() + problem.priors()) - static_cast<double>(problem.coordinates.size());
+  report.degrees_of_freedom = static_cast<double>(problem.points() + problem.priors()) -
+                              static_cast<double>(problem.coordinates.size());
   report.misfit = minimum.misfit;
   report.noise_is_stated = std::ranges::all_of(problem.blocks, &Block::noise_is_stated);
   report.variance_scale = report.noise_is_stated ? std::max(report.misfit_per_degree(), 1.0) : 1;

@@ -64,11 +64,12 @@ TestPath path_of(const MaterialMeasurement& test) {
 }
 
 std::optional<Block> rule_of_rising(const Fit& fit) {
-  const FoamCurves* const curves =
-      std::visit([]<class Law>(const Law& law) -> const FoamCurves* {
+  const FoamCurves* const curves = std::visit(
+      []<class Law>(const Law& law) -> const FoamCurves* {
         if constexpr (SharesSlip<Law>) return &law.curves;
         return nullptr;
-      }, fit.base.pad.material.law);
+      },
+      fit.base.pad.material.law);
   if (curves == nullptr || std::holds_alternative<TableCurve>(curves->base)) return std::nullopt;
   Block block;
   block.is_rule = true;
@@ -78,20 +79,26 @@ std::optional<Block> rule_of_rising(const Fit& fit) {
                                                                 std::span<double> predicted) {
     ImpactCase impact = base;
     for (const LawSetter& setter : setters) setter.set(impact, values[setter.place]);
-    std::visit([&]<class Law>(const Law& law) {
-      if constexpr (SharesSlip<Law>) std::visit([&]<class Form>(const Form& form) {
-        if constexpr (!std::is_same_v<Form, TableCurve>) {
-          const auto count = static_cast<double>(predicted.size());
-          const double mean_rise = form.stress(form.highest_strain) / count;
-          double before = 0;
-          for (std::size_t i = 0; i < predicted.size(); ++i) {
-            const double stress = form.stress(form.highest_strain * static_cast<double>(i + 1) / count);
-            predicted[i] = std::max(least_rise - (stress - before) / mean_rise, 0.0);
-            before = stress;
-          }
-        }
-      }, law.curves.base);
-    }, impact.pad.material.law);
+    std::visit(
+        [&]<class Law>(const Law& law) {
+          if constexpr (SharesSlip<Law>)
+            std::visit(
+                [&]<class Form>(const Form& form) {
+                  if constexpr (!std::is_same_v<Form, TableCurve>) {
+                    const auto count = static_cast<double>(predicted.size());
+                    const double mean_rise = form.stress(form.highest_strain) / count;
+                    double before = 0;
+                    for (std::size_t i = 0; i < predicted.size(); ++i) {
+                      const double stress =
+                          form.stress(form.highest_strain * static_cast<double>(i + 1) / count);
+                      predicted[i] = std::max(least_rise - (stress - before) / mean_rise, 0.0);
+                      before = stress;
+                    }
+                  }
+                },
+                law.curves.base);
+        },
+        impact.pad.material.law);
     return true;
   };
   return block;
@@ -116,8 +123,7 @@ Predict prediction_of(const Fit& fit, const MaterialMeasurement& test) {
     // A foam's numbers are within their bounds, and rule_of_rising() sees to its curve.
     if (!std::holds_alternative<Foam>(law) && !violations(law).empty()) return false;
     const std::vector<double> stress = laboratory::stress_at_ends(law, history);
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-      predicted[i] = pieces[i] == 0 ? 0 : stress[pieces[i] - 1];
+    for (std::size_t i = 0; i < pieces.size(); ++i) predicted[i] = pieces[i] == 0 ? 0 : stress[pieces[i] - 1];
     return true;
   };
 }

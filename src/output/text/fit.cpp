@@ -43,8 +43,7 @@ std::string fit_answer(const fit::FitReport& report) {
   if (report.starts_at_best == 0)
     return text + "The best fit was met away from all starts, on the way along a profile.\n";
   return text + fmt::format(
-                    "{} of {} starts came to the same misfit{}.\n", report.starts_at_best,
-                    report.starts,
+                    "{} of {} starts came to the same misfit{}.\n", report.starts_at_best, report.starts,
                     report.starts_failed > 0
                         ? fmt::format("; {} made no valid material or did not converge", report.starts_failed)
                         : "");
@@ -70,9 +69,9 @@ Table table_of_unknowns(const fit::FitReport& report, const UnitSystem& units) {
   return table;
 }
 
-std::string rms_text(const std::optional<double>& rms, double largest) {
+std::string rms_text(const std::optional<double>& rms, double largest, const UnitSystem& units) {
   if (!rms) return "not tested";
-  return fmt::format("{:.3g} kPa, {:.2g} %", *rms / 1000, 100 * *rms / largest);
+  return fmt::format("{}, {:.2g} %", brief_quantity(*rms, "Pa", units, 3), 100 * *rms / largest);
 }
 
 std::string loops_text(const fit::MetTest& test) {
@@ -83,12 +82,12 @@ std::string loops_text(const fit::MetTest& test) {
   return text.empty() ? "no loop" : text;
 }
 
-Table table_of_tests(const fit::FitReport& report) {
+Table table_of_tests(const fit::FitReport& report, const UnitSystem& units) {
   Table table{.columns = {"test", "points", "loading", "unloading", "energy return, test and model", ""}};
   for (const fit::MetTest& test : report.tests)
     table.rows.push_back({test.file, fmt::format("{}", test.points),
-                          rms_text(test.rms_loading, test.largest_stress),
-                          rms_text(test.rms_unloading, test.largest_stress), loops_text(test),
+                          rms_text(test.rms_loading, test.largest_stress, units),
+                          rms_text(test.rms_unloading, test.largest_stress, units), loops_text(test),
                           test.is_held_out ? "held out" : ""});
   return table;
 }
@@ -167,7 +166,7 @@ std::string fit_text(const fit::FitReport& report, const UnitSystem& units) {
   }
   if (!report.tests.empty())
     text += "\nModel minus test, root mean square, and its share of the largest stress\n" +
-            plain_text(table_of_tests(report));
+            plain_text(table_of_tests(report, units));
   if (!report.figures.empty()) text += "\n" + plain_text(table_of_figures(report, units));
   text += "\n";
   for (const std::string& line : notes_on_noise(report)) text += wrapped(line, 2) + "\n";
