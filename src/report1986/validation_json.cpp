@@ -85,6 +85,13 @@ Json criterion_json(const RadiusCriterion& criterion) {
           {"of_the_report", criterion.of_the_report}};
 }
 
+Json error_json(const TestError& error) {
+  return {{"test", error.test},
+          {"measured", number(error.measured)},
+          {"predicted", number(error.predicted)},
+          {"error", number(error.error)}};
+}
+
 Json verdict_json(const Verdict& verdict) {
   const Score& score = verdict.score;
   return {{"program", to_string(score.program)},
@@ -100,12 +107,7 @@ Json verdict_json(const Verdict& verdict) {
           {"radii", verdict.radii},
           {"passed", score.passed},
           {"missing", score.missing},
-          {"errors", array(score.errors, [](const TestError& error) -> Json {
-             return {{"test", error.test},
-                     {"measured", number(error.measured)},
-                     {"predicted", number(error.predicted)},
-                     {"error", number(error.error)}};
-           })}};
+          {"errors", array(score.errors, error_json)}};
 }
 
 Json placed_json(const PlacedScore& placed) {
@@ -130,6 +132,31 @@ Json rebound_json(const Admissible& rebound) {
           {"too_low", rebound.too_low},
           {"too_high", rebound.too_high},
           {"passed", rebound.passed}};
+}
+
+Json foam_json(const FittedFoam& foam) {
+  return {{"plateau_stress_psi", number(foam.plateau_stress_psi)},
+          {"densification_stress_psi", number(foam.densification_stress_psi)},
+          {"densification_exponent", number(foam.densification_exponent)},
+          {"unloading_shape", number(foam.unloading_shape)},
+          {"misfit", number(foam.misfit)},
+          {"converged", foam.converged}};
+}
+
+Json held_out_json(const HeldOut& held_out) {
+  Json result{{"note", seen_data},
+              {"radius_in", number(held_out_radius_in)},
+              {"foam", foam_json(held_out.foam)},
+              {"folds", array(held_out.folds, foam_json)}};
+  for (const HeldOutScore& score : held_out.scores)
+    result[score.name] = {{"bias", score.errors.empty() ? Json(nullptr) : number(score.bias)},
+                          {"standard_error", number(score.standard_error)},
+                          {"scatter", number(score.scatter)},
+                          {"tests", score.errors.size()},
+                          {"missing", score.missing},
+                          {"passed", score.passed},
+                          {"errors", array(score.errors, error_json)}};
+  return result;
 }
 
 Json trend_json(const ForceTrend& trend) {
@@ -194,6 +221,7 @@ std::string validation_json(const Study& study) {
                     {"radius",
                      {{"radii_in", numbers(study.radius.radii_in)},
                       {"criteria", array(study.radius.criteria, criterion_json)}}},
+                    {"held_out", held_out_json(study.held_out)},
                     {"constants", array(study.constants, constant_json)},
                     {"nominal_stress", nominal_stress_json(study.nominal_stress)},
                     {"claims", array(check_claims(study.data), claim_json)},

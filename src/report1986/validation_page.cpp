@@ -62,6 +62,18 @@ output::PageSection verdict_section(const Study& study, const std::vector<Valida
       .figures = chosen(figures, {"force-ratio"})};
 }
 
+output::PageSection held_out_section(const Study& study) {
+  return {.heading = "The tests predicted by a foam",
+          .paragraphs = {fmt::format(
+                             "The law foam with {} fitted numbers, at a nose radius of {} in, instead of the "
+                             "report's law. On the load cell five folds by speed, on the plate test by test.",
+                             fitted_foam_table(study).rows.size(), brief(held_out_radius_in)),
+                         seen_data},
+          .tables = {captioned("Predictions of tests that the fit has not seen", held_out_table(study)),
+                     captioned("The foam", fitted_foam_table(study)),
+                     captioned("Test by test", held_out_errors_table(study))}};
+}
+
 output::PageSection error_section(const Study& study) {
   output::PageSection section{.heading = "Errors test by test"};
   for (const Quantity quantity : quantities)
@@ -102,6 +114,7 @@ output::FiguresPage validation_page(const Study& study) {
       .warnings = warnings(study)};
   page.sections = {
       verdict_section(study, figures),
+      held_out_section(study),
       error_section(study),
       {.heading = "Measurements", .figures = chosen(figures, {"figure-3-3", "figure-3-6", "figure-3-7"})},
       {.heading = "Regressions",

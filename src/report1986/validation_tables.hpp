@@ -26,11 +26,29 @@ output::Table anomaly_table(const Study& study, const AnomalyVerdict& anomaly);
 /// The three conditions and the conclusion.
 output::Table anomaly_rules_table(const AnomalyVerdict& anomaly);
 
+/// Each quantity of each support as predicted by a foam that has not seen the test.
+output::Table held_out_table(const Study& study);
+/// What stands beside these scores.
+inline constexpr const char* seen_data =
+    "Seen data, no blind test: each test is predicted by a foam that was fitted without it, but the form of "
+    "the foam was chosen with all tests in sight.";
+/// The same test by test.
+output::Table held_out_errors_table(const Study& study);
+/// The fitted foam: by all readings, and from which to which value without those of a fold.
+output::Table fitted_foam_table(const Study& study);
+
 output::Table constants_table(const Study& study);
 output::Table claims_table(const Study& study);
 output::Table radius_table(const Study& study);
 /// Readings whose test is lost.
 output::Table unplaced_table(const Study& study);
+
+/// "+12.3 %"; of strains the difference, "+0.012".
+std::string bias_text(double value, Quantity quantity);
+std::string scatter_text(double value, Quantity quantity);
+/// With the digits that a reading of the quantity has.
+std::string with_digits(double value, Quantity quantity);
+const char* passed_or_not(bool passed);
 
 struct NamedTable {
   std::string name;  ///< of its block in docs/validation.md

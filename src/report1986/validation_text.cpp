@@ -37,6 +37,11 @@ std::string validation_text(const Study& study) {
       study.radius.criteria.front().at_an_end ? " (the end of the range: a bound, no estimate)" : "",
       brief(least_radius_in), brief(greatest_radius_in));
   text += output::plain_text(narrow(radius_table(study), {0, 1, 2, 3}));
+  text += fmt::format(
+              "\nA foam fitted to the tests ({} numbers, nose radius {} in), each predicted by a fit without "
+              "it:\n",
+              fitted_foam_table(study).rows.size(), brief(held_out_radius_in)) +
+          output::plain_text(held_out_table(study)) + seen_data + "\n";
   text += "\nRebound on the load cell, between what was measured and what Table 3-2 admits:\n" +
           output::plain_text(rebound_table(study));
   text += "\nThe anomaly of section 4, predicted over measured force:\n" +

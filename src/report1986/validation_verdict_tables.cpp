@@ -15,23 +15,6 @@ namespace {
 
 bool is_logarithmic(Quantity quantity) { return rule_of(quantity).logarithmic; }
 
-/// A bias or an error: "+12.3 %"; of strains the difference, "+0.012".
-std::string bias_text(double value, Quantity quantity) {
-  return is_logarithmic(quantity) ? fmt::format("{:+.1f} %", 100 * value) : fmt::format("{:+.3f}", value);
-}
-
-std::string scatter_text(double value, Quantity quantity) {
-  return is_logarithmic(quantity) ? fmt::format("{:.1f} %", 100 * value) : fmt::format("{:.3f}", value);
-}
-
-std::string with_digits(double value, Quantity quantity) {
-  switch (quantity) {
-    case Quantity::peak_force: return fmt::format("{:.0f}", value);
-    case Quantity::peak_strain: return fmt::format("{:.3f}", value);
-    default: return fmt::format("{:.2f}", value);
-  }
-}
-
 /// NaN where predictions are missing.
 std::string decimals(double value) { return std::isfinite(value) ? fmt::format("{:.2f}", value) : "-"; }
 std::string with_sign(double value) { return std::isfinite(value) ? fmt::format("{:+.2f}", value) : "-"; }
@@ -39,8 +22,6 @@ std::string with_signs(const Interval& interval) {
   if (!std::isfinite(interval.low) || !std::isfinite(interval.high)) return "-";
   return fmt::format("{:+.2f} to {:+.2f}", interval.low, interval.high);
 }
-
-const char* passed_or_not(bool passed) { return passed ? "pass" : "FAIL"; }
 
 /// Without readings there is nothing to judge.
 bool is_judged(const Verdict& verdict) { return !verdict.score.errors.empty() || verdict.score.missing > 0; }
@@ -95,6 +76,24 @@ output::Table table_of(const std::vector<Verdict>& verdicts) {
 }
 
 }  // namespace
+
+std::string bias_text(double value, Quantity quantity) {
+  return is_logarithmic(quantity) ? fmt::format("{:+.1f} %", 100 * value) : fmt::format("{:+.3f}", value);
+}
+
+std::string scatter_text(double value, Quantity quantity) {
+  return is_logarithmic(quantity) ? fmt::format("{:.1f} %", 100 * value) : fmt::format("{:.3f}", value);
+}
+
+std::string with_digits(double value, Quantity quantity) {
+  switch (quantity) {
+    case Quantity::peak_force: return fmt::format("{:.0f}", value);
+    case Quantity::peak_strain: return fmt::format("{:.3f}", value);
+    default: return fmt::format("{:.2f}", value);
+  }
+}
+
+const char* passed_or_not(bool passed) { return passed ? "pass" : "FAIL"; }
 
 Tally tally(const Study& study, Program program) {
   Tally tally;

@@ -1,7 +1,7 @@
 #pragma once
 /// A small validation study with values that are easy to recognise. Nothing of it was measured or computed.
 
-#include "dashpad/report1986/validation/verdict.hpp"
+#include "dashpad/report1986/validation/study.hpp"
 
 namespace dashpad::test {
 
@@ -161,6 +161,14 @@ inline v::Study made_up_study() {
                            .steel_low = 1.3,
                            .steel_high = 0.6}};
   study.anomaly.slope_halves = true;
+  study.held_out.foam = {.plateau_stress_psi = 43, .densification_exponent = 2.1, .converged = true};
+  study.held_out.folds = {{.plateau_stress_psi = 41, .converged = true}, {.plateau_stress_psi = 44}};
+  study.held_out.scores = {{.name = "rebound_plate",
+                            .support = v::TestSupport::plate,
+                            .quantity = v::Quantity::rebound_speed,
+                            .errors = {{.test = 3, .measured = 9.5, .predicted = 10.45, .error = 0.1}},
+                            .missing = 1,
+                            .bias = 0.1}};
   return study;
 }
 

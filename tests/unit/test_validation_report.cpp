@@ -105,6 +105,28 @@ TEST(ValidationJson, HasWhatTheStudyHas) {
   EXPECT_EQ(json["lost_readings"][0]["readings"][1], 636);
 }
 
+/// With one test there is neither a scatter nor a standard error.
+TEST(ValidationJson, HasTheTestsHeldOut) {
+  const auto json = nlohmann::json::parse(report1986::validation_json(test::made_up_study()))["held_out"];
+  EXPECT_EQ(json["rebound_plate"]["bias"], 0.1);
+  EXPECT_EQ(json["rebound_plate"]["standard_error"], nullptr);
+  EXPECT_EQ(json["rebound_plate"]["scatter"], nullptr);
+  EXPECT_EQ(json["rebound_plate"]["tests"], 1);
+  EXPECT_EQ(json["rebound_plate"]["missing"], 1);
+  EXPECT_EQ(json["rebound_plate"]["passed"], false);
+  EXPECT_EQ(json["rebound_plate"]["errors"][0]["predicted"], 10.45);
+  EXPECT_EQ(json["foam"]["plateau_stress_psi"], 43);
+  EXPECT_EQ(json["folds"][1]["converged"], false);
+  EXPECT_THAT(json["note"].get<std::string>(), HasSubstr("no blind test"));
+}
+
+TEST(ValidationText, SaysThatTheTestsWereSeen) {
+  const std::string text = report1986::validation_text(test::made_up_study());
+  EXPECT_THAT(text, HasSubstr("1, 1 without prediction"));
+  EXPECT_THAT(text, HasSubstr("+10.0 %"));
+  EXPECT_THAT(text, HasSubstr("no blind test"));
+}
+
 TEST(ValidationVerdict, NeedsEveryRule) {
   report1986::Study study = test::made_up_study();
   EXPECT_FALSE(report1986::passes(study));  // the rebounds

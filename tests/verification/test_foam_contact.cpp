@@ -191,30 +191,38 @@ TEST(FoamOrder, OfTheTimeStepsIsTwoAtLeast) {
     }
 }
 
-/// The force of one path by ever more panels. On loading it is far better than what the steps ask for, and a
-/// closed form for a foam whose rate effect is the same at all strains; on the way back, where every column
-/// has lost another share of its stress, it is of the order of the steps.
-TEST(FoamOrder, OfThePanelsIsHigh) {
+/// The force of one path by ever more panels. On loading it is a closed form for a foam whose rate effect is
+/// the same at all strains. Where it is not, and on the way back, where every column has lost another share
+/// of its stress, it is of the order of the steps.
+TEST(FoamOrder, OfThePanelsIsThatOfTheSteps) {
   const Sections nose = Sphere{0.08}.sections();
-  Foam uneven = smooth_foam();
+  const auto force_at = [&](const Foam& law, double resolution, bool back) {
+    FoamContact contact(law, thickness, nose);
+    contact.start(resolution, thickness);
+    const PadTrial loaded = contact.trial(0.6 * thickness, 0, 0.01);
+    if (!back) return loaded.force;
+    contact.accept(loaded);
+    return contact.trial(-0.02 * thickness, 0.01, 0.01).force;
+  };
+  const auto error_at = [&](const Foam& law, double resolution, bool back) {
+    return relative_error(force_at(law, resolution, back), force_at(law, 1e-6, back));
+  };
+  const Foam even = smooth_foam();
+  EXPECT_LT(error_at(even, 0.1, false), 1e-14);
+  Foam uneven = even;
   std::get<PowerRateEffect>(uneven.curves.rate_effect).exponent_slope = -0.05;
-  for (const Foam& law : {smooth_foam(), uneven}) {
-    const auto force_at = [&](double resolution, bool back) {
-      FoamContact contact(law, thickness, nose);
-      contact.start(resolution, thickness);
-      const PadTrial loaded = contact.trial(0.6 * thickness, 0, 0.01);
-      if (!back) return loaded.force;
-      contact.accept(loaded);
-      return contact.trial(-0.02 * thickness, 0.01, 0.01).force;
-    };
-    const double fine = force_at(1e-6, false);
-    EXPECT_LT(relative_error(force_at(0.1, false), fine), 1e-5);
-    EXPECT_LT(relative_error(force_at(0.01, false), fine), 1e-8);
-    const double fine_back = force_at(1e-6, true);
-    const double coarse = relative_error(force_at(0.01, true), fine_back);
+  struct Path {
+    const Foam& law;
+    bool back;
+    double error;  ///< at the resolution of 0.1
+  };
+  for (const auto& [law, back, error] :
+       {Path{uneven, false, 1e-5}, {even, true, 1e-3}, {uneven, true, 1e-3}}) {
+    EXPECT_LT(error_at(law, 0.1, back), error);
+    const double coarse = error_at(law, 0.01, back);
     EXPECT_LT(coarse, 1e-5);
     EXPECT_GT(coarse, 0) << "no panel was needed";
-    EXPECT_LT(relative_error(force_at(0.001, true), fine_back), coarse / 50);
+    EXPECT_LT(error_at(law, 0.001, back), coarse / 50);
   }
 }
 

@@ -9,7 +9,7 @@
 
 #include "dashpad/output/page/figures_page.hpp"
 #include "dashpad/output/plot/plot.hpp"
-#include "dashpad/report1986/validation/verdict.hpp"
+#include "dashpad/report1986/validation/study.hpp"
 
 namespace dashpad::report1986 {
 

@@ -9,6 +9,7 @@
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/report1986/validation/energy.hpp"
 #include "dashpad/spit1984/run.hpp"
+#include "report1986/validation/readings.hpp"
 
 namespace dashpad::report1986 {
 
@@ -23,19 +24,6 @@ Support support_of(const ValidationData& data, TestSupport support, bool first_s
     points.push_back({point.deflection_in * inch, point.force_lb * pound});
   if (first_slope) points.resize(1);
   return Support::through(std::move(points));
-}
-
-void solve_it(const ImpactCase& impact, Prediction& prediction) {
-  const Summary summary = solve(impact).summary;
-  if (summary.peak_force) prediction.peak_force_lb = *summary.peak_force / to_si("1 lbf", "N");
-  if (summary.time_of_peak_force) prediction.time_to_peak_ms = 1e3 * *summary.time_of_peak_force;
-  if (summary.force_below_weight)
-    prediction.rebound_mph = -summary.force_below_weight->velocity / to_si("1 mph", "m/s");
-  prediction.peak_strain = summary.peak_strain;
-  prediction.bottomed = summary.bottomed.has_value();
-  prediction.error = summary.errors.peak_force;
-  if (!summary.trustworthy() || summary.status == Status::time_limit)
-    prediction.remark = to_string(summary.status);
 }
 
 std::string remark_on(const spit1984::Run& run) {
@@ -103,6 +91,20 @@ void run_the_program(const ImpactCase& impact, Program program, Prediction& pred
 
 }  // namespace
 
+Prediction figures_of(const Summary& summary) {
+  Prediction prediction;
+  if (summary.peak_force) prediction.peak_force_lb = *summary.peak_force / to_si("1 lbf", "N");
+  if (summary.time_of_peak_force) prediction.time_to_peak_ms = 1e3 * *summary.time_of_peak_force;
+  if (summary.force_below_weight)
+    prediction.rebound_mph = -summary.force_below_weight->velocity / to_si("1 mph", "m/s");
+  prediction.peak_strain = summary.peak_strain;
+  prediction.bottomed = summary.bottomed.has_value();
+  prediction.error = summary.errors.peak_force;
+  if (!summary.trustworthy() || summary.status == Status::time_limit)
+    prediction.remark = to_string(summary.status);
+  return prediction;
+}
+
 const char* to_string(Program program) {
   switch (program) {
     case Program::printed_1984: return "1984 program";
@@ -136,7 +138,9 @@ Prediction predict(const ValidationData& data, const Material& ensolite, Program
     run_the_program(impact, program, prediction);
   } else {
     if (program == Program::accurate_first_slope) impact.support = support_of(data, setup.support, true);
-    solve_it(impact, prediction);
+    prediction = figures_of(solve(impact).summary);
+    prediction.program = program;
+    prediction.setup = setup;
   }
   return prediction;
 }

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "dashpad/report1986/validation/verdict.hpp"
+#include "dashpad/report1986/validation/study.hpp"
 
 namespace dashpad::report1986 {
 
@@ -142,6 +142,7 @@ Study run_study(const ValidationData& data, const Material& ensolite, const Prog
                                 progress);
   judge_all(study);
   judge_anomaly_of(study, others);
+  study.held_out = hold_out(data, progress);
   return study;
 }
 
