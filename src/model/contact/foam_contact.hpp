@@ -52,7 +52,7 @@ class FoamContact {
     edge_precision_ = precision_of_edge * resolution;
     edge_ = 0;
     penetration_ = largest_ = pressing_ = 0;
-    elastic_strain_ = 0;
+    slip_ = {};
     rate_ = rate_step_ = 0;
     stations_ = updates_ = 0;
     last_ = {};
@@ -67,7 +67,7 @@ class FoamContact {
     const double trend = rate_step_ > 0 ? (trial_rate_ - rate_) * step / (step + rate_step_) : 0;
     const double at_end =
         std::clamp(trial_rate_ + trend, std::min(0.0, 2 * trial_rate_), std::max(0.0, 2 * trial_rate_));
-    trial_strain_ = stress_.slip().after(elastic_strain_, 2 * trial_rate_ - at_end, at_end, step);
+    trial_slip_ = stress_.slip().after(slip_, 2 * trial_rate_ - at_end, at_end, step);
     last_.force = factor_ * integrate();
     updates_ += points_;
     return last_;
@@ -105,7 +105,7 @@ class FoamContact {
     recall(trial);
     penetration_ = trial_penetration_;
     largest_ = trial_largest_;
-    elastic_strain_ = trial_strain_;
+    slip_ = trial_slip_;
     rate_ = trial_rate_;
     rate_step_ = trial.step;
     pressing_ = trial_pressing_;
@@ -123,7 +123,8 @@ class FoamContact {
   [[nodiscard]] Column column(double depth) const {
     const double strain = (penetration_ - depth) / thickness_;
     const Strain at{strain, ((thickness_ - penetration_) + depth) / thickness_};
-    return {strain, factor_ * stress_.stress(at, (largest_ - penetration_) / thickness_, elastic_strain_)};
+    return {strain, factor_ * stress_.stress(at, (largest_ - penetration_) / thickness_,
+                                             stress_.slip().strain_of(slip_))};
   }
 
  private:
@@ -150,7 +151,7 @@ class FoamContact {
     points_ = 0;
     const double Y = trial_penetration_;
     if (Y <= 0) return 0;
-    slip_rate_ = stress_.slip().slip_rate(trial_strain_);
+    slip_rate_ = stress_.slip().slip_rate(trial_slip_);
     at_rate_ = stress_.overstress().at(slip_rate_);
     ahead_ = (trial_largest_ - Y) / thickness_;
     lead_ = stress_.lead(ahead_);
@@ -315,15 +316,15 @@ class FoamContact {
   double factor_ = 1;
   double panels_ = 8;
   double penetration_ = 0;
-  double largest_ = 0;         ///< penetration so far
-  double elastic_strain_ = 0;  ///< g of theory.md, Eq. 34
-  double rate_ = 0;            ///< of the last step, 1/s
-  double rate_step_ = 0;       ///< its length, s; 0: there was none
-  double pressing_ = 0;        ///< depth up to which columns press, m
+  double largest_ = 0;     ///< penetration so far
+  SlipScale::State slip_;  ///< theory.md, Eq. 34
+  double rate_ = 0;        ///< of the last step, 1/s
+  double rate_step_ = 0;   ///< its length, s; 0: there was none
+  double pressing_ = 0;    ///< depth up to which columns press, m
   PadTrial last_;
   double trial_penetration_ = 0;
   double trial_largest_ = 0;
-  double trial_strain_ = 0;
+  SlipScale::State trial_slip_;
   double trial_rate_ = 0;
   double trial_pressing_ = 0;
   double ahead_ = 0;  ///< of the largest strain, over the strain
