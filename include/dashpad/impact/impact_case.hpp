@@ -33,5 +33,7 @@ struct ImpactCase {
 /// Every physical rule that the case breaks; empty for a case that can be solved. Keys are those of case
 /// files, such as `impactor.mass` and `pad.parameters.modulus`.
 std::vector<Violation> violations(const ImpactCase& impact);
+/// The same but for the law of the pad, where that is known to keep its rules.
+std::vector<Violation> violations_beside_law(const ImpactCase& impact);
 
 }  // namespace dashpad

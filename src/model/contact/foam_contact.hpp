@@ -41,6 +41,15 @@ class FoamContact {
     factor_ = factor;
   }
 
+  [[nodiscard]] bool is_of(const PadLaw& law) const {
+    return std::visit(
+        [&]<class Of>(const Of& of) {
+          const Of* same = std::get_if<Of>(&law);
+          return same != nullptr && *same == of;
+        },
+        law_);
+  }
+
   [[nodiscard]] bool recovers() const { return true; }
   [[nodiscard]] double first_force() const { return 0; }
   [[nodiscard]] double lock_penetration() const { return thickness_ * (1 - 1e-9); }

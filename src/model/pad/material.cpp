@@ -80,6 +80,13 @@ std::vector<Violation> violations(const Material& material) {
   std::vector<Violation> broken = violations(material.law);
   for (Violation& violation : broken)
     if (is_of_parameters(violation.key)) violation.key = "parameters." + violation.key;
+  const std::vector<Violation> others = violations_beside_law(material);
+  broken.insert(broken.end(), others.begin(), others.end());
+  return broken;
+}
+
+std::vector<Violation> violations_beside_law(const Material& material) {
+  std::vector<Violation> broken;
   if (material.fitted) check_fit(*material.fitted, broken);
   check_conditions(material, broken);
   return broken;

@@ -49,6 +49,8 @@ bool is_of_parameters(std::string_view key);
 /// Every rule that the law or its fitted range breaks. Keys are those of cards: `parameters.modulus`,
 /// `fitted.highest_rate`.
 std::vector<Violation> violations(const Material& material);
+/// The same but for the law, where that is known to keep its rules.
+std::vector<Violation> violations_beside_law(const Material& material);
 
 /// Why a result with these largest strain and strain rate (1/s) is extrapolated, a reason each: beyond the
 /// fitted range, or where the law is not defined. Empty if it is not.
