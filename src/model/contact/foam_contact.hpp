@@ -218,10 +218,8 @@ class FoamContact {
   double integral(double edge, double from, double to, double top) {
     if (to <= from) return 0;
     if (trial_pressing_ == 0) trial_pressing_ = trial_penetration_ - from * thickness_;
-    const Strain first = leading(from, top);
-    const Strain end = leading(to, top);
-    const FoamStress::Place outer = stress_.at(first);
-    const FoamStress::Place inner = stress_.at(end);
+    const FoamStress::Place outer = stress_.at(leading(from, top));
+    const FoamStress::Place inner = stress_.at(leading(to, top));
     // What all columns have in common is known in closed form; the rest is smaller, and often nothing.
     const FoamStress::Ratio common = ratio(inner);
     const double thickness = 2 * std::numbers::pi * thickness_;
@@ -234,7 +232,7 @@ class FoamContact {
     const double last = stress_.curve().last_strain();
     const auto root = [&](double strain) { return std::sqrt(std::min(strain + lead_, last)); };
     const double share = (root(to) - root(from)) / (root(top) - root(edge));
-    visit_work_nodes(stress_, first, end, panels_ * share, panels_ * panels_beyond, from <= edge,
+    visit_work_nodes(stress_, outer, inner, panels_ * share, panels_ * panels_beyond, from <= edge,
                      [&](const FoamStress::Place& place, double work) {
                        const FoamStress::Ratio of = ratio(place);
                        const double area = thickness * work * nose_.rate(depth_of(place.strain.value));

@@ -33,53 +33,59 @@ inline PanelWeights line(double g, double h) {
   return {0, g + h - last, last};
 }
 
-/// Calls visit(place, weight in J/m3) for every node between two strains. `panels`: over the whole range of
-/// the root of the strain, and over a factor of e in its complement. `from_edge`: f may jump at the first
-/// strain.
+/// Calls visit(place, weight in J/m3) for every node from one place to another but the last, where f is
+/// nothing. `panels`: over the whole range of the root of the strain, and over a factor of e in its
+/// complement. `from_edge`: f may jump at the first place.
 template <class Visit>
-void visit_work_nodes(const FoamStress& stress, Strain first, Strain end, double panels_of_contact,
-                      double panels_beyond, bool from_edge, Visit&& visit) {
+void visit_work_nodes(const FoamStress& stress, const FoamStress::Place& first, const FoamStress::Place& end,
+                      double panels_of_contact, double panels_beyond, bool from_edge, Visit&& visit) {
   const auto count = [](double wanted, double least) {
     constexpr double most_panels = 2000;
     return std::clamp(std::ceil(wanted), least, most_panels);
   };
-  FoamStress::Place before = stress.at(first);
+  FoamStress::Place before = first;
   double weight = 0;  // of `before`, from the panel that ends there
   bool at_edge = from_edge;
   const auto add = [&](const FoamStress::Place& middle, const FoamStress::Place& now) {
     const double g = middle.base.work - before.base.work;
     const double h = now.base.work - middle.base.work;
     const PanelWeights of = !(g > 0 && h > 0) ? PanelWeights{} : at_edge ? line(g, h) : parabola(g, h);
-    visit(before, weight + of.first);
+    if (!at_edge) visit(before, weight + of.first);
     visit(middle, of.middle);
     weight = of.last;
     before = now;
     at_edge = false;
   };
-  const double last = stress.curve().last_strain();
-  if (first.value < last) {
-    const double low = std::sqrt(first.value);
-    const double high = std::sqrt(std::min(end.value, last));
+  const FoamCurve& curve = stress.curve();
+  const double last = curve.last_strain();
+  if (first.strain.value < last) {
+    const bool ends = end.strain.value <= last;
+    const double low = std::sqrt(first.strain.value);
+    const double high = std::sqrt(std::min(end.strain.value, last));
     const double panels = count(panels_of_contact, 2);
     for (double i = 1, z = low; i <= panels; ++i) {
       const double next = i == panels ? high : low + (high - low) * i / panels;
-      add(stress.within(std::sqrt((z * z + next * next) / 2)), stress.within(next));
+      const FoamStress::Place middle = stress.within(std::sqrt((z * z + next * next) / 2));
+      add(middle, i == panels && ends ? end : stress.within(next));
       z = next;
     }
   }
-  if (end.value > last) {
-    const double outer = std::min(first.complement, 1 - last);
-    const double range = std::log(outer / end.complement);
+  if (end.strain.value > last) {
+    const double outer = std::min(first.strain.complement, 1 - last);
+    const double range = std::log(outer / end.strain.complement);
     const double panels = count(panels_beyond * range, 1);
     const double half = std::exp(-range / (2 * panels));
+    const double growth = curve.inverse_power(half);
     double q = outer;
+    double power = curve.inverse_power(outer);
     for (double i = 1; i <= panels; ++i) {
       const double middle = q * half;
-      q = i == panels ? end.complement : middle * half;
-      add(stress.beyond({1 - middle, middle}), stress.beyond({1 - q, q}));
+      q = middle * half;
+      const FoamStress::Place at_middle = stress.beyond({1 - middle, middle}, power * growth);
+      power *= growth * growth;
+      add(at_middle, i == panels ? end : stress.beyond({1 - q, q}, power));
     }
   }
-  visit(before, weight);
 }
 
 }  // namespace dashpad

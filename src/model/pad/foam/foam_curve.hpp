@@ -42,8 +42,9 @@ class FoamCurve {
                         h * t * (a * 0.5 + t * (b * third + t * (c * 0.25 + t * d * 0.2)));
     return {a + t * (b + t * (c + t * d)), work_[place.cell] + 2 * h * t * area};
   }
-  [[nodiscard]] Point beyond(Strain e) const {
-    const double power = inverse_power(e.complement);
+  [[nodiscard]] Point beyond(Strain e) const { return beyond(e, inverse_power(e.complement)); }
+  /// `power`: (1 - e)^-n.
+  [[nodiscard]] Point beyond(Strain e, double power) const {
     return {last_.stress + growth_ * (power - last_power_),
             last_.work + (last_.stress - growth_ * last_power_) * (e.value - last_strain_) +
                 growth_ * area_of_power(exponent_, e.complement, power, last_power_)};
@@ -79,13 +80,13 @@ class FoamCurve {
     return std::max(1 - std::min(steep, (exponent_ + 1) * ahead), last_strain_);
   }
 
- private:
   /// q^-n; a whole exponent, as most cards have it, needs no logarithm.
   [[nodiscard]] double inverse_power(double q) const {
     if (exponent_ == 2) return 1 / (q * q);
     return std::pow(q, -exponent_);
   }
 
+ private:
   /// Integral of p^-k for p from q to the complement of the last tested strain; `power` and
   /// `last_power` are the powers at both ends.
   [[nodiscard]] double area_of_power(double k, double q, double power, double last_power) const {
