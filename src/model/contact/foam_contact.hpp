@@ -138,7 +138,7 @@ class FoamContact {
 
  private:
   /// Panels times the root of the resolution: the rule is of the fourth order, twice that of the step.
-  static constexpr double panels_at_one = 1.8;
+  static constexpr double panels_at_one = 1.75;
   /// Share of them over a factor of e in the complement of the strain, beyond the tested strains.
   static constexpr double panels_beyond = 0.35;
   /// Of the edge, in the resolution.
