@@ -30,28 +30,30 @@ Overstress::Overstress(const FoamCurves& curves, const FoamCurve& base, double f
             rates_.push_back(rate);
             const MonotoneCurve curve(table);
             const double last = std::min(curve.last_strain(), base.last_strain());
-            const auto log_ratio = [&](double root) {
+            const auto ratio = [&](double root) {
               // Both curves begin at nothing; their ratio is that of the first cell's end.
               const double e = std::clamp(root * root, base.cells().width * base.cells().width, last);
-              return std::log(curve.stress(e) / base.at(strain_of(e)).stress);
+              const double m = curve.stress(e) / base.at(strain_of(e)).stress;
+              return linear_ ? m : std::log(m);
             };
             // Curves that touch must not cross between their points.
             const CellTable* slower = tables_.empty() ? nullptr : &tables_.back();
             CellTable table_of_rate;
             table_of_rate.fill(base.cells(), [&](double root) {
-              const double least = slower ? slower->at(base.cells().place(std::abs(root))) : 0;
-              return std::max(log_ratio(root), least);
+              const double least = slower ? slower->at(base.cells().place(std::abs(root))) : factor(0, {});
+              return std::max(ratio(root), least);
             });
             tables_.push_back(std::move(table_of_rate));
           }
         }
       },
       curves.rate_effect);
+  for (const double rate : rates_) log_rates_.push_back(std::log(rate));
 }
 
 Overstress::AtRate Overstress::at(double slip_rate) const {
   AtRate result = rates_at(slip_rate);
-  const bool without = result.share == 0 && result.log_rate == 0;
+  const bool without = result.share == 0;
   result.even = without || (kind_ == Kind::power ? exponent_slope_ == 0 : tables_.empty());
   if (without)
     result.at_all_strains = {result.friction, result.friction_rise};
@@ -67,9 +69,11 @@ Overstress::AtRate Overstress::rates_at(double slip_rate) const {
   result.friction_rise = friction_ * 2 * slip_rate_ * u / ((u + 2 * slip_rate_) * (u + 2 * slip_rate_));
   if (kind_ == Kind::none || u <= rates_.front()) return result;
   result.share = slip_rate > 0 ? 1 : -recoil_;
-  result.log_rate = std::log(std::min(u, rates_.back()) / rates_.front());
-  result.weight_rise = u < rates_.back() ? 1 : 0;
-  if (kind_ == Kind::power) return result;
+  if (kind_ == Kind::power) {
+    result.log_rate = std::log(std::min(u, rates_.back())) - log_rates_.front();
+    result.weight_rise = u < rates_.back() ? 1 : 0;
+    return result;
+  }
   const auto next = std::upper_bound(rates_.begin(), rates_.end(), u);
   if (next == rates_.end()) {
     result.segment = rates_.size() - 2;
@@ -82,14 +86,14 @@ Overstress::AtRate Overstress::rates_at(double slip_rate) const {
     result.weight = (u - before) / (*next - before);
     result.weight_rise = u / (*next - before);
   } else {
-    result.weight_rise = 1 / std::log(*next / before);
-    result.weight = std::log(u / before) * result.weight_rise;
+    const double* log_rate = &log_rates_[result.segment];
+    result.weight_rise = 1 / (log_rate[1] - log_rate[0]);
+    result.weight = (std::log(u) - log_rate[0]) * result.weight_rise;
   }
   return result;
 }
 
 Overstress::Value Overstress::at_strain(const AtRate& rate, double strain, CellPlace place) const {
-  const double share = std::abs(rate.share);
   double over = 0;  // m - 1
   double rise = 0;
   if (kind_ == Kind::power) {
@@ -99,18 +103,13 @@ Overstress::Value Overstress::at_strain(const AtRate& rate, double strain, CellP
   } else {
     // Cubics of curves that touch may cross by rounding; the proof of Eq. 36 wants a stress that does not
     // fall.
-    const double low = std::max(log_ratio(rate.segment, place), 0.0);
-    const double high = std::max(log_ratio(rate.segment + 1, place), low);
-    if (linear_) {
-      const double step = std::exp(high) - std::exp(low);
-      over = std::exp(low) - 1 + rate.weight * step;
-      rise = rate.weight_rise * step;
-    } else {
-      over = std::exp(low + rate.weight * (high - low)) - 1;
-      rise = rate.weight_rise * (high - low) * (over + 1);
-    }
+    const double least = linear_ ? 1 : 0;
+    const double low = std::max(factor(rate.segment, place), least);
+    const double step = std::max(factor(rate.segment + 1, place) - low, 0.0);
+    over = linear_ ? low - 1 + rate.weight * step : std::exp(low + rate.weight * step) - 1;
+    rise = rate.weight_rise * step * (linear_ ? 1 : over + 1);
   }
-  return {rate.friction + rate.share * over, rate.friction_rise + share * rise};
+  return {rate.friction + rate.share * over, rate.friction_rise + std::abs(rate.share) * rise};
 }
 
 }  // namespace dashpad

@@ -42,16 +42,15 @@ class Overstress {
     return rate.even ? rate.at_all_strains : at_strain(rate, strain, place);
   }
 
-  /// ln m at a tested rate (0: the slowest).
-  [[nodiscard]] double log_ratio(std::size_t rate, CellPlace place) const {
-    if (rate == 0) return 0;
-    return tables_.empty() ? log_factors_[rate] : tables_[rate - 1].at(place);
-  }
-
  private:
   enum class Kind { none, power, tested };
   [[nodiscard]] AtRate rates_at(double slip_rate) const;
   [[nodiscard]] Value at_strain(const AtRate& rate, double strain, CellPlace place) const;
+  /// ln m at a tested rate (0: the slowest), or m, of which the mean of two rates is taken.
+  [[nodiscard]] double factor(std::size_t rate, CellPlace place) const {
+    if (rate == 0) return linear_ ? 1 : 0;
+    return tables_.empty() ? log_factors_[rate] : tables_[rate - 1].at(place);
+  }
 
   Kind kind_ = Kind::none;
   bool linear_ = false;
@@ -61,8 +60,9 @@ class Overstress {
   double exponent_ = 0;
   double exponent_slope_ = 0;
   std::vector<double> rates_{1};     ///< tested, the slowest first
+  std::vector<double> log_rates_;    ///< their logarithms
   std::vector<double> log_factors_;  ///< ln m, the same at all strains
-  std::vector<CellTable> tables_;    ///< ln m over the strain, from the second rate on
+  std::vector<CellTable> tables_;    ///< factor() over the strain, from the second rate on
 };
 
 }  // namespace dashpad
