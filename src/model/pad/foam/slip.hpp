@@ -43,6 +43,7 @@ struct SlipScale {
     return strain_of(after(state_of(g), from_rate, to_rate, time));
   }
   [[nodiscard]] State after(State state, double from_rate, double to_rate, double time) const {
+    if (state.z == 1) state.side = from_rate < 0 ? -1 : 1;
     const double from = state.side * from_rate + rate;
     const double to = state.side * to_rate + rate;
     const double change = strain * (to - from) / time;
