@@ -4,41 +4,24 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <iterator>
-#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
-#include <boost/math/distributions/students_t.hpp>
 
 #include "dashpad/fit/report.hpp"
-#include "fit/card.hpp"
-#include "fit/met.hpp"
+#include "fit/describe.hpp"
+#include "fit/determine.hpp"
 #include "fit/posterior.hpp"
 #include "fit/problem.hpp"
-#include "fit/profile.hpp"
 #include "fit/solve.hpp"
-#include "fit/uncertainty.hpp"
-#include "study/sobol.hpp"
 
 namespace dashpad::fit {
 
 namespace {
 
-/// Starts that make no valid material are replaced by further points of the design, so many for each.
-constexpr std::uint64_t tries_for_a_start = 20;
-/// Starts keep this far from the bounds.
-constexpr double margin_of_starts = 0.02;
-/// Relative difference of misfits that count as the same.
-constexpr double same_misfit = 1e-3;
-/// Rise of twice the log likelihood at the ends of a 95 % interval: that of chi-squared, one degree.
-constexpr double threshold_of_95 = 3.841458820694124;
 constexpr int first_runs = 3, most_runs = 7;
 /// Figures by a fixed number of runs may be off by this share of their deviations.
 constexpr double most_off = 0.1;
-/// Better minima that profiles may meet before the search is given up.
-constexpr int most_better = 5;
 
 LeastSquares least_squares_of(const Problem& problem, std::atomic<std::size_t>& evaluations) {
   return {problem.coordinates.size(), problem.residuals(), problem.derivative_step,
@@ -47,185 +30,6 @@ LeastSquares least_squares_of(const Problem& problem, std::atomic<std::size_t>& 
             return problem.evaluate(x, residuals);
           }};
 }
-
-std::vector<double> first_start(const Problem& problem) {
-  std::vector<double> x;
-  for (const Coordinate& of : problem.coordinates) x.push_back(std::clamp(of.place(of.start), 0.0, 1.0));
-  return x;
-}
-
-/// The given start, then points of a scrambled Sobol design that make a material. Offsets start at 0.
-std::vector<std::vector<double>> starts_of(const Fit& fit, const Problem& problem,
-                                           const LeastSquares& residuals) {
-  std::vector<std::vector<double>> starts{first_start(problem)};
-  const study::Sobol design(fit.unknowns.size(), fit.seed);
-  std::vector<double> r(residuals.residuals);
-  const auto wanted = static_cast<std::size_t>(fit.starts);
-  for (std::uint64_t k = 0; starts.size() < wanted && k < tries_for_a_start * wanted; ++k) {
-    std::vector<double> x = starts.front();
-    for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
-      x[i] = margin_of_starts + (1 - 2 * margin_of_starts) * design.at(k, i);
-    if (residuals.evaluate(x, r)) starts.push_back(std::move(x));
-  }
-  return starts;
-}
-
-/// The best of the starts that converged, or the best of all.
-Minimum search(const Fit& fit, const Problem& problem, const LeastSquares& residuals, FitReport& report) {
-  const std::vector<std::vector<double>> starts = starts_of(fit, problem, residuals);
-  std::vector<Minimum> found(starts.size());
-  tbb::parallel_for(std::size_t{0}, starts.size(),
-                    [&](std::size_t i) { found[i] = minimise(residuals, starts[i], coarse); });
-  const auto better = [](const Minimum& a, const Minimum& b) {
-    if (a.converged != b.converged) return a.converged;
-    if (a.x.empty() || b.x.empty()) return !a.x.empty();
-    return a.misfit < b.misfit;
-  };
-  const Minimum best = *std::ranges::min_element(found, better);
-  report.starts = fit.starts;
-  report.starts_at_best = 0;
-  report.starts_failed = fit.starts - static_cast<int>(found.size());
-  for (const Minimum& each : found) {
-    if (!each.converged)
-      ++report.starts_failed;
-    else if (each.misfit <= best.misfit * (1 + same_misfit) + 1e-12)
-      ++report.starts_at_best;
-  }
-  return best.converged ? minimise(residuals, best.x) : best;
-}
-
-/// Noise that nobody stated: one share of the largest stress for all such tests, from what the fit leaves.
-/// Refits where that changes the weights.
-void estimate_noise(Problem& problem, const LeastSquares& residuals, Minimum& minimum) {
-  std::size_t unstated = 0;
-  for (const Block& block : problem.blocks) unstated += block.noise_is_stated ? 0 : block.size();
-  if (unstated == 0) return;
-  const auto all = static_cast<double>(problem.points() + problem.priors());
-  const double share_left = 1 - static_cast<double>(problem.coordinates.size()) / all;
-  const bool is_alone = unstated == problem.points() + problem.priors();
-  std::vector<double> r(residuals.residuals);
-  for (int pass = 0; pass < (is_alone ? 1 : 4); ++pass) {
-    residuals.evaluate(minimum.x, r);
-    double squares = 0;
-    for (const Block& block : problem.blocks)
-      if (!block.noise_is_stated)
-        for (std::size_t i = 0; i < block.size(); ++i) squares += r[block.first + i] * r[block.first + i];
-    const double noise = std::sqrt(squares / static_cast<double>(unstated) / std::max(share_left, 1 / all));
-    for (Block& block : problem.blocks)
-      if (!block.noise_is_stated)
-        for (double& deviation : block.deviation) deviation *= std::max(noise, 1e-9);
-    minimum = minimise(residuals, minimum.x);
-  }
-}
-
-/// The minimum with its uncertainty.
-struct Solved {
-  Minimum minimum;
-  Uncertainty uncertainty;
-  std::vector<ProfileEnd> below, above;  ///< of each coordinate
-};
-
-/// Of the misfit, at the ends of an interval.
-double threshold_of(const FitReport& report) {
-  if (report.noise_is_stated || report.degrees_of_freedom < 1) return threshold_of_95;
-  const boost::math::students_t student(report.degrees_of_freedom);
-  const double t = boost::math::quantile(student, 0.975);
-  return t * t;
-}
-
-void find_profiles(const LeastSquares& residuals, const FitReport& report, Solved& solved) {
-  const std::size_t n = residuals.unknowns;
-  solved.below.assign(n, {});
-  solved.above.assign(n, {});
-  const Uncertainty& of = solved.uncertainty;
-  tbb::parallel_for(std::size_t{0}, 2 * n, [&](std::size_t task) {
-    const std::size_t i = task / 2;
-    ProfileRequest request;
-    request.coordinate = i;
-    request.side = task % 2 == 0 ? -1 : 1;
-    request.threshold = threshold_of(report) * report.variance_scale * of.widening[i];
-    request.guess = of.error[i] ? std::sqrt(threshold_of(report)) * *of.error[i] : 0.2;
-    if (of.error[i])
-      for (std::size_t j = 0; j < n; ++j)
-        request.direction.push_back(of.covariance[j * n + i] / of.covariance[i * n + i]);
-    (task % 2 == 0 ? solved.below : solved.above)[i] = profile(residuals, solved.minimum, request);
-  });
-}
-
-/// A better minimum that a profile met.
-std::optional<Minimum> better_of(const Solved& solved) {
-  std::optional<Minimum> best;
-  for (const auto* ends : {&solved.below, &solved.above})
-    for (const ProfileEnd& end : *ends)
-      if (end.better && (!best || end.better->misfit < best->misfit)) best = end.better;
-  return best;
-}
-
-void weigh(const Problem& problem, const Minimum& minimum, FitReport& report) {
-  report.points = problem.points();
-  report.priors = problem.priors();
-  report.degrees_of_freedom = static_cast<double>(problem.points() + problem.priors()) -
-                              static_cast<double>(problem.coordinates.size());
-  report.misfit = minimum.misfit;
-  report.noise_is_stated = std::ranges::all_of(problem.blocks, &Block::noise_is_stated);
-  report.variance_scale = report.noise_is_stated ? std::max(report.misfit_per_degree(), 1.0) : 1;
-}
-
-FittedUnknown unknown_of(const Problem& problem, const Solved& solved, std::size_t i) {
-  const Coordinate& coordinate = problem.coordinates[i];
-  const double x = solved.minimum.x[i];
-  FittedUnknown found;
-  found.key = coordinate.key;
-  found.unit = coordinate.unit;
-  found.value = coordinate.value(x);
-  found.lowest = coordinate.lowest;
-  found.highest = coordinate.highest;
-  found.is_nuisance = coordinate.is_nuisance;
-  found.is_at_lowest = is_at_bound(x) && x < 0.5;
-  found.is_at_highest = is_at_bound(x) && x > 0.5;
-  if (solved.uncertainty.error[i])
-    found.standard_error = *solved.uncertainty.error[i] * std::abs(coordinate.slope(x));
-  if (const auto& low = solved.below[i].x) found.low = coordinate.value(*low);
-  if (const auto& high = solved.above[i].x) found.high = coordinate.value(*high);
-  return found;
-}
-
-/// What is said of the minimum, its uncertainty and the data, but for the time.
-void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitReport& report) {
-  const Uncertainty& uncertainty = solved.uncertainty;
-  for (std::size_t i = 0; i < problem.coordinates.size(); ++i)
-    report.unknowns.push_back(unknown_of(problem, solved, i));
-  const auto key = [&](std::size_t i) { return problem.coordinates[i].key; };
-  for (std::size_t k = 0; k < uncertainty.correlations.size(); ++k) {
-    const auto& [i, j] = uncertainty.strongly_correlated[k];
-    report.correlations.push_back({key(i), key(j), uncertainty.correlations[k]});
-  }
-  for (const std::vector<std::size_t>& members : uncertainty.flat_directions) {
-    std::vector<std::string> keys;
-    for (const std::size_t i : members) keys.push_back(key(i));
-    if (!keys.empty()) report.flat_directions.push_back(keys);
-  }
-  for (std::size_t i = 0; i < problem.coordinates.size(); ++i)
-    if (uncertainty.error[i])
-      report.largest_widening = std::max(report.largest_widening, std::sqrt(uncertainty.widening[i]));
-  const std::vector<double> values = problem.values(solved.minimum.x);
-  std::size_t next = 0;  // block
-  for (const MaterialMeasurement& test : fit.tests) {
-    const Block* const block = test.is_held_out ? nullptr : &problem.blocks[next];
-    MetTest met = met_test(fit, test, values, block && block->offset ? values[*block->offset] : 0);
-    if (block) {
-      met.noise = block->deviation.front();
-      met.autocorrelation = uncertainty.blocks[next].rho;
-      met.effective_points = uncertainty.blocks[next].effective_points;
-      ++next;
-    }
-    report.tests.push_back(std::move(met));
-  }
-  for (const ImpactMeasurement& impact : fit.impacts)
-    std::ranges::move(met_figures(fit, impact, values), std::back_inserter(report.figures));
-  report.material = card_of(fit, values, report);
-}
-
 /// Whether the figures of all fitted impacts, by a fixed number of runs, are those of the full tolerance.
 bool runs_suffice(const Fit& fit, std::span<const double> values, int runs) {
   for (const ImpactMeasurement& impact : fit.impacts) {
@@ -238,30 +42,6 @@ bool runs_suffice(const Fit& fit, std::span<const double> values, int runs) {
   }
   return true;
 }
-
-/// From the starts to a minimum with its profiles; report.converged says whether it is one.
-Solved solve_with(const Fit& fit, Problem& problem, const LeastSquares& residuals, FitReport& report) {
-  Solved solved;
-  solved.minimum = search(fit, problem, residuals, report);
-  for (int round = 0;; ++round) {
-    if (solved.minimum.converged) estimate_noise(problem, residuals, solved.minimum);
-    report.converged = solved.minimum.converged;
-    report.why_not = solved.minimum.why_not;
-    weigh(problem, solved.minimum, report);
-    if (!report.converged) return solved;
-    if (!find_uncertainty(problem, residuals, solved.minimum.x, report.variance_scale, solved.uncertainty)) {
-      report.converged = false;
-      report.why_not = "the best values lie where the model ends, and a step beside them makes no material";
-      return solved;
-    }
-    find_profiles(residuals, report, solved);
-    const std::optional<Minimum> better = better_of(solved);
-    if (!better || round == most_better) return solved;
-    report.starts_at_best = 0;
-    solved.minimum = minimise(residuals, better->x);
-  }
-}
-
 }  // namespace
 
 FitReport run_fit(const Fit& fit, std::size_t posterior) {
@@ -280,7 +60,7 @@ FitReport run_fit(const Fit& fit, std::size_t posterior) {
     report.solver_runs = runs;
     Problem problem = problem_of(fit, runs);
     const LeastSquares residuals = least_squares_of(problem, evaluations);
-    const Solved solved = solve_with(fit, problem, residuals, report);
+    const Solved solved = determine(fit, problem, residuals, report);
     if (!report.converged) break;
     if (has_impacts && runs < most_runs && !runs_suffice(fit, problem.values(solved.minimum.x), runs))
       continue;

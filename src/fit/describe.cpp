@@ -1,0 +1,69 @@
+#include "fit/describe.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "fit/card.hpp"
+#include "fit/met.hpp"
+
+namespace dashpad::fit {
+
+namespace {
+
+FittedUnknown unknown_of(const Problem& problem, const Solved& solved, std::size_t i) {
+  const Coordinate& coordinate = problem.coordinates[i];
+  const double x = solved.minimum.x[i];
+  FittedUnknown found;
+  found.key = coordinate.key;
+  found.unit = coordinate.unit;
+  found.value = coordinate.value(x);
+  found.lowest = coordinate.lowest;
+  found.highest = coordinate.highest;
+  found.is_nuisance = coordinate.is_nuisance;
+  found.is_at_lowest = is_at_bound(x) && x < 0.5;
+  found.is_at_highest = is_at_bound(x) && x > 0.5;
+  if (solved.uncertainty.error[i])
+    found.standard_error = *solved.uncertainty.error[i] * std::abs(coordinate.slope(x));
+  if (const auto& low = solved.below[i].x) found.low = coordinate.value(*low);
+  if (const auto& high = solved.above[i].x) found.high = coordinate.value(*high);
+  return found;
+}
+}  // namespace
+
+void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitReport& report) {
+  const Uncertainty& uncertainty = solved.uncertainty;
+  for (std::size_t i = 0; i < problem.coordinates.size(); ++i)
+    report.unknowns.push_back(unknown_of(problem, solved, i));
+  const auto key = [&](std::size_t i) { return problem.coordinates[i].key; };
+  for (std::size_t k = 0; k < uncertainty.correlations.size(); ++k) {
+    const auto& [i, j] = uncertainty.strongly_correlated[k];
+    report.correlations.push_back({key(i), key(j), uncertainty.correlations[k]});
+  }
+  for (const std::vector<std::size_t>& members : uncertainty.flat_directions) {
+    std::vector<std::string> keys;
+    for (const std::size_t i : members) keys.push_back(key(i));
+    if (!keys.empty()) report.flat_directions.push_back(keys);
+  }
+  for (std::size_t i = 0; i < problem.coordinates.size(); ++i)
+    if (uncertainty.error[i])
+      report.largest_widening = std::max(report.largest_widening, std::sqrt(uncertainty.widening[i]));
+  const std::vector<double> values = problem.values(solved.minimum.x);
+  std::size_t next = 0;  // block
+  for (const MaterialMeasurement& test : fit.tests) {
+    const Block* const block = test.is_held_out ? nullptr : &problem.blocks[next];
+    MetTest met = met_test(fit, test, values, block && block->offset ? values[*block->offset] : 0);
+    if (block) {
+      met.noise = block->deviation.front();
+      met.autocorrelation = uncertainty.blocks[next].rho;
+      met.effective_points = uncertainty.blocks[next].effective_points;
+      ++next;
+    }
+    report.tests.push_back(std::move(met));
+  }
+  for (const ImpactMeasurement& impact : fit.impacts)
+    std::ranges::move(met_figures(fit, impact, values), std::back_inserter(report.figures));
+  report.material = card_of(fit, values, report);
+}
+
+}  // namespace dashpad::fit

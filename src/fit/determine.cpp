@@ -1,0 +1,113 @@
+#include "fit/determine.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tbb/parallel_for.h>
+#include <boost/math/distributions/students_t.hpp>
+
+#include "fit/search.hpp"
+
+namespace dashpad::fit {
+
+namespace {
+
+/// Rise of twice the log likelihood at the ends of a 95 % interval: that of chi-squared, one degree.
+constexpr double threshold_of_95 = 3.841458820694124;
+/// Better minima that profiles may meet before the search is given up.
+constexpr int most_better = 5;
+
+/// Noise that nobody stated: one share of the largest stress for all such tests, from what the fit leaves.
+/// Refits where that changes the weights.
+void estimate_noise(Problem& problem, const LeastSquares& residuals, Minimum& minimum) {
+  std::size_t unstated = 0;
+  for (const Block& block : problem.blocks) unstated += block.noise_is_stated ? 0 : block.size();
+  if (unstated == 0) return;
+  const auto all = static_cast<double>(problem.points() + problem.priors());
+  const double share_left = 1 - static_cast<double>(problem.coordinates.size()) / all;
+  const bool is_alone = unstated == problem.points() + problem.priors();
+  std::vector<double> r(residuals.residuals);
+  for (int pass = 0; pass < (is_alone ? 1 : 4); ++pass) {
+    residuals.evaluate(minimum.x, r);
+    double squares = 0;
+    for (const Block& block : problem.blocks)
+      if (!block.noise_is_stated)
+        for (std::size_t i = 0; i < block.size(); ++i) squares += r[block.first + i] * r[block.first + i];
+    const double noise = std::sqrt(squares / static_cast<double>(unstated) / std::max(share_left, 1 / all));
+    for (Block& block : problem.blocks)
+      if (!block.noise_is_stated)
+        for (double& deviation : block.deviation) deviation *= std::max(noise, 1e-9);
+    minimum = minimise(residuals, minimum.x);
+  }
+}
+
+/// Of the misfit, at the ends of an interval.
+double threshold_of(const FitReport& report) {
+  if (report.noise_is_stated || report.degrees_of_freedom < 1) return threshold_of_95;
+  const boost::math::students_t student(report.degrees_of_freedom);
+  const double t = boost::math::quantile(student, 0.975);
+  return t * t;
+}
+
+void find_profiles(const LeastSquares& residuals, const FitReport& report, Solved& solved) {
+  const std::size_t n = residuals.unknowns;
+  solved.below.assign(n, {});
+  solved.above.assign(n, {});
+  const Uncertainty& of = solved.uncertainty;
+  tbb::parallel_for(std::size_t{0}, 2 * n, [&](std::size_t task) {
+    const std::size_t i = task / 2;
+    ProfileRequest request;
+    request.coordinate = i;
+    request.side = task % 2 == 0 ? -1 : 1;
+    request.threshold = threshold_of(report) * report.variance_scale * of.widening[i];
+    request.guess = of.error[i] ? std::sqrt(threshold_of(report)) * *of.error[i] : 0.2;
+    if (of.error[i])
+      for (std::size_t j = 0; j < n; ++j)
+        request.direction.push_back(of.covariance[j * n + i] / of.covariance[i * n + i]);
+    (task % 2 == 0 ? solved.below : solved.above)[i] = profile(residuals, solved.minimum, request);
+  });
+}
+
+/// A better minimum that a profile met.
+std::optional<Minimum> better_of(const Solved& solved) {
+  std::optional<Minimum> best;
+  for (const auto* ends : {&solved.below, &solved.above})
+    for (const ProfileEnd& end : *ends)
+      if (end.better && (!best || end.better->misfit < best->misfit)) best = end.better;
+  return best;
+}
+
+void weigh(const Problem& problem, const Minimum& minimum, FitReport& report) {
+  report.points = problem.points();
+  report.priors = problem.priors();
+  report.degrees_of_freedom = static_cast<double>(problem.points() + problem.priors()) -
+                              static_cast<double>(problem.coordinates.size());
+  report.misfit = minimum.misfit;
+  report.noise_is_stated = std::ranges::all_of(problem.blocks, &Block::noise_is_stated);
+  report.variance_scale = report.noise_is_stated ? std::max(report.misfit_per_degree(), 1.0) : 1;
+}
+}  // namespace
+
+Solved determine(const Fit& fit, Problem& problem, const LeastSquares& residuals, FitReport& report) {
+  Solved solved;
+  solved.minimum = search(fit, problem, residuals, report);
+  for (int round = 0;; ++round) {
+    if (solved.minimum.converged) estimate_noise(problem, residuals, solved.minimum);
+    report.converged = solved.minimum.converged;
+    report.why_not = solved.minimum.why_not;
+    weigh(problem, solved.minimum, report);
+    if (!report.converged) return solved;
+    if (!find_uncertainty(problem, residuals, solved.minimum.x, report.variance_scale, solved.uncertainty)) {
+      report.converged = false;
+      report.why_not = "the best values lie where the model ends, and a step beside them makes no material";
+      return solved;
+    }
+    find_profiles(residuals, report, solved);
+    const std::optional<Minimum> better = better_of(solved);
+    if (!better || round == most_better) return solved;
+    report.starts_at_best = 0;
+    solved.minimum = minimise(residuals, better->x);
+  }
+}
+
+}  // namespace dashpad::fit

@@ -1,0 +1,43 @@
+#pragma once
+/// The tables of a fit file, each read by a function of its own.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dashpad/fit/fit.hpp"
+#include "dashpad/input/input_file.hpp"
+#include "input/table_reader.hpp"
+
+namespace dashpad::fit {
+
+struct FitFolders {
+  std::filesystem::path of_fit;
+  std::filesystem::path materials;
+};
+
+/// Where what a broken rule is about stands, by its key.
+using Lines = std::map<std::string, int>;
+
+/// [unknowns]. Without a sound base, names of the law are taken on trust.
+void read_unknowns(input::TableReader& top, bool has_base, Fit& fit, Lines& lines);
+/// One of [[tests]] and [[impacts]]; the files that they name are added to `files`.
+MaterialMeasurement read_test(input::TableReader& table, const FitFolders& folders,
+                              std::vector<input::InputFile>& files);
+ImpactMeasurement read_impact(input::TableReader& table, const FitFolders& folders,
+                              std::vector<input::InputFile>& files);
+
+// Values. SI; NaN after a fault.
+
+/// Of a node that the caller knows to be there. A pure number is written without quotes.
+double value_of(const input::TomlNode& node, const std::string& key, const std::string& unit,
+                input::FaultList& faults);
+double value_in(input::TableReader& table, const std::string& key, const std::string& unit);
+/// A quantity, or a share in % of `whole`.
+double value_or_share(input::TableReader& table, const std::string& key, const std::string& unit,
+                      double whole);
+/// False where it is absent.
+bool flag_in(input::TableReader& table, const std::string& key);
+
+}  // namespace dashpad::fit

@@ -1,0 +1,67 @@
+// [[impacts]] of a fit file.
+
+#include <algorithm>
+#include <iterator>
+
+#include "dashpad/input/case_file.hpp"
+#include "fit/fit_tables.hpp"
+
+namespace dashpad::fit {
+
+using input::Presence;
+using input::TableReader;
+using input::TomlNode;
+
+namespace {
+
+/// Of an acceleration, g is standard gravity.
+double figure_value(TableReader& table, const std::string& key, const ImpactFigureName& name) {
+  if (name.figure == ImpactFigure::peak_acceleration && table.has(key)) {
+    const TomlNode& node = *table.node().child(key);
+    if (node.kind == TomlNode::Kind::text && node.text.ends_with(" g"))
+      return value_of({.kind = node.kind,
+                       .line = node.line,
+                       .key = node.key,
+                       .text = node.text.substr(0, node.text.size() - 2) + " gravity",
+                       .number = 0,
+                       .children = {}},
+                      table.full_key(key), "m/s2", table.faults());
+  }
+  return value_in(table, key, name.unit);
+}
+
+MeasuredFigure read_figure(TableReader& table, const ImpactFigureName& name) {
+  MeasuredFigure figure{name.figure, 0, 0};
+  figure.value = figure_value(table, "value", name);
+  const TomlNode* deviation = table.node().child("deviation");
+  figure.deviation = deviation != nullptr && deviation->text.ends_with('%')
+                         ? value_or_share(table, "deviation", name.unit, figure.value)
+                         : figure_value(table, "deviation", name);
+  table.refuse_others();
+  return figure;
+}
+}  // namespace
+
+ImpactMeasurement read_impact(TableReader& table, const FitFolders& folders,
+                              std::vector<input::InputFile>& files) {
+  ImpactMeasurement impact;
+  impact.file = table.text("case");
+  if (!impact.file.empty()) {
+    try {
+      input::CaseFile read = input::read_case(folders.of_fit / impact.file, folders.materials);
+      impact.impact = std::move(read.impact);
+      impact.options = read.options;
+      std::ranges::move(read.files, std::back_inserter(files));
+    } catch (const input::InputError& error) {
+      table.faults().add(error.faults());
+    }
+  }
+  for (const ImpactFigureName& name : impact_figure_names())
+    if (auto figure = table.table(name.key, Presence::optional))
+      impact.figures.push_back(read_figure(*figure, name));
+  impact.is_held_out = flag_in(table, "hold_out");
+  table.refuse_others();
+  return impact;
+}
+
+}  // namespace dashpad::fit

@@ -1,0 +1,13 @@
+#pragma once
+/// From the starts to the best minimum.
+
+#include "dashpad/fit/report.hpp"
+#include "fit/problem.hpp"
+#include "fit/solve.hpp"
+
+namespace dashpad::fit {
+
+/// The best of the starts that converged, or the best of all. The report gets how many came to it.
+Minimum search(const Fit& fit, const Problem& problem, const LeastSquares& residuals, FitReport& report);
+
+}  // namespace dashpad::fit
