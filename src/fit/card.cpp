@@ -22,6 +22,21 @@ std::string rms_words(const MetTest& test) {
   return words;
 }
 
+/// "3 figures; pulse drop.csv, rms 2.1 % of its peak".
+std::string impact_words(const ImpactMeasurement& impact, const FitReport& report) {
+  std::string words;
+  if (!impact.figures.empty())
+    words = fmt::format("{} figure{}", impact.figures.size(), impact.figures.size() == 1 ? "" : "s");
+  if (!impact.pulse) return words;
+  words += fmt::format("{}pulse {}", words.empty() ? "" : "; ", impact.pulse->file);
+  for (const MetPulse& met : report.pulses)
+    if (met.file == impact.file && met.pulse_file == impact.pulse->file && met.rms) {
+      words += fmt::format(", rms {:.2g} % of its peak", 100 * *met.rms / met.measured_peak);
+      break;
+    }
+  return words;
+}
+
 std::string origin_of(const Fit& fit, const FitReport& report) {
   std::string origin = "dashpad fit to ";
   std::string separator;
@@ -33,7 +48,7 @@ std::string origin_of(const Fit& fit, const FitReport& report) {
   }
   for (const ImpactMeasurement& impact : fit.impacts) {
     if (impact.is_held_out) continue;
-    origin += fmt::format("{}{} ({} figures)", separator, impact.file, impact.figures.size());
+    origin += fmt::format("{}{} ({})", separator, impact.file, impact_words(impact, report));
     separator = "; ";
   }
   return origin + fmt::format("; misfit {:.3g} per degree of freedom{}", report.misfit_per_degree(),

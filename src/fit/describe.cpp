@@ -6,6 +6,7 @@
 
 #include "fit/card.hpp"
 #include "fit/met.hpp"
+#include "fit/prediction.hpp"
 
 namespace dashpad::fit {
 
@@ -29,6 +30,42 @@ FittedUnknown unknown_of(const Problem& problem, const Solved& solved, std::size
   if (const auto& high = solved.above[i].x) found.high = coordinate.value(*high);
   return found;
 }
+/// How each test, figure and pulse is met.
+void describe_measurements(const Fit& fit, const Problem& problem, const Solved& solved, FitReport& report) {
+  const Uncertainty& uncertainty = solved.uncertainty;
+  const std::vector<double> values = problem.values(solved.minimum.x);
+  std::size_t next = 0;  // block: those of fitted tests, then those of fitted impacts
+  for (const MaterialMeasurement& test : fit.tests) {
+    const Block* const block = test.is_held_out ? nullptr : &problem.blocks[next];
+    MetTest met = met_test(fit, test, values, block && block->offset ? values[*block->offset] : 0);
+    if (block) {
+      met.noise = block->deviation.front();
+      met.autocorrelation = uncertainty.blocks[next].rho;
+      met.effective_points = uncertainty.blocks[next].effective_points;
+      ++next;
+    }
+    report.tests.push_back(std::move(met));
+  }
+  for (const ImpactMeasurement& impact : fit.impacts) {
+    const Block* const block = impact.is_held_out ? nullptr : &problem.blocks[next];
+    std::vector<MetFigure> figures = met_figures(fit, impact, values);
+    for (std::size_t i = 0; i < figures.size(); ++i)
+      if (figures[i].computed)
+        figures[i].prediction_deviation =
+            prediction_deviation(fit, impact, impact.figures[i], problem, solved.minimum.x, uncertainty);
+    std::ranges::move(figures, std::back_inserter(report.figures));
+    if (impact.pulse) {
+      MetPulse met = met_pulse(fit, impact, values, block ? block->shift : std::nullopt);
+      if (block) {
+        met.autocorrelation = uncertainty.blocks[next].rho;
+        met.effective_points = uncertainty.blocks[next].effective_points;
+      }
+      report.pulses.push_back(std::move(met));
+    }
+    next += block ? 1 : 0;
+  }
+}
+
 }  // namespace
 
 void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitReport& report) {
@@ -48,22 +85,8 @@ void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitR
   for (std::size_t i = 0; i < problem.coordinates.size(); ++i)
     if (uncertainty.error[i])
       report.largest_widening = std::max(report.largest_widening, std::sqrt(uncertainty.widening[i]));
-  const std::vector<double> values = problem.values(solved.minimum.x);
-  std::size_t next = 0;  // block
-  for (const MaterialMeasurement& test : fit.tests) {
-    const Block* const block = test.is_held_out ? nullptr : &problem.blocks[next];
-    MetTest met = met_test(fit, test, values, block && block->offset ? values[*block->offset] : 0);
-    if (block) {
-      met.noise = block->deviation.front();
-      met.autocorrelation = uncertainty.blocks[next].rho;
-      met.effective_points = uncertainty.blocks[next].effective_points;
-      ++next;
-    }
-    report.tests.push_back(std::move(met));
-  }
-  for (const ImpactMeasurement& impact : fit.impacts)
-    std::ranges::move(met_figures(fit, impact, values), std::back_inserter(report.figures));
-  report.material = card_of(fit, values, report);
+  describe_measurements(fit, problem, solved, report);
+  report.material = card_of(fit, problem.values(solved.minimum.x), report);
 }
 
 }  // namespace dashpad::fit

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <boost/math/distributions/students_t.hpp>
-
-#include "fit/search.hpp"
 
 namespace dashpad::fit {
 
@@ -49,11 +48,13 @@ double threshold_of(const FitReport& report) {
   return t * t;
 }
 
-void find_profiles(const LeastSquares& residuals, const FitReport& report, Solved& solved) {
+void find_profiles(const LeastSquares& residuals, const FitReport& report, int round, Session& session,
+                   Solved& solved) {
   const std::size_t n = residuals.unknowns;
   solved.below.assign(n, {});
   solved.above.assign(n, {});
   const Uncertainty& of = solved.uncertainty;
+  session.begin("Finding intervals", 2 * n);
   tbb::parallel_for(std::size_t{0}, 2 * n, [&](std::size_t task) {
     const std::size_t i = task / 2;
     ProfileRequest request;
@@ -64,7 +65,9 @@ void find_profiles(const LeastSquares& residuals, const FitReport& report, Solve
     if (of.error[i])
       for (std::size_t j = 0; j < n; ++j)
         request.direction.push_back(of.covariance[j * n + i] / of.covariance[i * n + i]);
-    (task % 2 == 0 ? solved.below : solved.above)[i] = profile(residuals, solved.minimum, request);
+    (task % 2 == 0 ? solved.below : solved.above)[i] =
+        session.piece(fmt::format("runs {}, round {}, end {}", report.solver_runs, round, task),
+                      [&] { return profile(residuals, solved.minimum, request); });
   });
 }
 
@@ -88,21 +91,26 @@ void weigh(const Problem& problem, const Minimum& minimum, FitReport& report) {
 }
 }  // namespace
 
-Solved determine(const Fit& fit, Problem& problem, const LeastSquares& residuals, FitReport& report) {
+Solved determine(Problem& problem, const LeastSquares& residuals, Minimum minimum, Session& session,
+                 FitReport& report) {
   Solved solved;
-  solved.minimum = search(fit, problem, residuals, report);
+  solved.minimum = std::move(minimum);
   for (int round = 0;; ++round) {
     if (solved.minimum.converged) estimate_noise(problem, residuals, solved.minimum);
     report.converged = solved.minimum.converged;
     report.why_not = solved.minimum.why_not;
     weigh(problem, solved.minimum, report);
+    session.throw_if_stopped();
     if (!report.converged) return solved;
-    if (!find_uncertainty(problem, residuals, solved.minimum.x, report.variance_scale, solved.uncertainty)) {
+    const bool has_derivatives =
+        find_uncertainty(problem, residuals, solved.minimum.x, report.variance_scale, solved.uncertainty);
+    session.throw_if_stopped();
+    if (!has_derivatives) {
       report.converged = false;
       report.why_not = "the best values lie where the model ends, and a step beside them makes no material";
       return solved;
     }
-    find_profiles(residuals, report, solved);
+    find_profiles(residuals, report, round, session, solved);
     const std::optional<Minimum> better = better_of(solved);
     if (!better || round == most_better) return solved;
     report.starts_at_best = 0;

@@ -6,6 +6,7 @@
 #include "dashpad/fit/report.hpp"
 #include "fit/problem.hpp"
 #include "fit/profile.hpp"
+#include "fit/session.hpp"
 #include "fit/solve.hpp"
 #include "fit/uncertainty.hpp"
 
@@ -17,8 +18,9 @@ struct Solved {
   std::vector<ProfileEnd> below, above;  ///< of each coordinate
 };
 
-/// From the starts to a minimum with its profiles; report.converged says whether it is one. Noise that nobody
-/// stated is put into the problem.
-Solved determine(const Fit& fit, Problem& problem, const LeastSquares& residuals, FitReport& report);
+/// From a minimum to the best one that profiles from there meet, with its profiles; report.converged says
+/// whether it is one. Noise that nobody stated is put into the problem.
+Solved determine(Problem& problem, const LeastSquares& residuals, Minimum minimum, Session& session,
+                 FitReport& report);
 
 }  // namespace dashpad::fit

@@ -102,7 +102,10 @@ void check_amount(const Fit& fit, Broken& broken) {
       unknowns += test.has_offset ? 1 : 0;
     }
   for (const ImpactMeasurement& impact : fit.impacts)
-    if (!impact.is_held_out) data += impact.figures.size();
+    if (!impact.is_held_out) {
+      data += impact.figures.size() + (impact.pulse ? impact.pulse->time.size() : 0);
+      unknowns += impact.pulse ? 1 : 0;
+    }
   if (data == 0) {
     broken.push_back({"tests", input::no_value,
                       "there is nothing to fit: give [[tests]] or [[impacts]] "
@@ -111,10 +114,11 @@ void check_amount(const Fit& fit, Broken& broken) {
   }
   for (const Unknown& unknown : fit.unknowns) data += unknown.prior ? 1 : 0;
   if (data < unknowns)
-    broken.push_back({"unknowns", input::no_value,
-                      fmt::format("are {} with the offsets, for {} measured numbers and priors: there must "
-                                  "be as many data at least",
-                                  unknowns, data)});
+    broken.push_back(
+        {"unknowns", input::no_value,
+         fmt::format("are {} with the offsets and shifts, for {} measured numbers and priors: there must "
+                     "be as many data at least",
+                     unknowns, data)});
 }
 
 bool is_of_the_rate(const std::string& key) {
@@ -157,6 +161,14 @@ void check_test(const MaterialMeasurement& test, std::size_t i, Broken& broken) 
                                   test.highest_strain)});
 }
 
+void check_pulse(const MeasuredDeceleration& pulse, const std::string& key, Broken& broken) {
+  if (!(pulse.deviation > 0 && std::isfinite(pulse.deviation)))
+    broken.push_back({key + ".deviation", pulse.deviation, "must be more than 0"});
+  if (pulse.time.size() < 2 || pulse.time.size() != pulse.deceleration.size() ||
+      !(pulse.half_peak_width > 0) || !(pulse.peak > 0))
+    broken.push_back({key, input::no_value, "needs samples with their times, a peak and a width"});
+}
+
 }  // namespace
 
 std::vector<Violation> violations(const Fit& fit) {
@@ -170,8 +182,9 @@ std::vector<Violation> violations(const Fit& fit) {
   for (std::size_t i = 0; i < fit.tests.size(); ++i) check_test(fit.tests[i], i, broken);
   for (std::size_t i = 0; i < fit.impacts.size(); ++i) {
     const std::string key = fmt::format("impacts[{}]", i + 1);
-    if (fit.impacts[i].figures.empty())
-      broken.push_back({key, input::no_value, "names no measured figure, such as peak_force"});
+    if (fit.impacts[i].figures.empty() && !fit.impacts[i].pulse)
+      broken.push_back({key, input::no_value, "names no measured figure, such as peak_force, and no pulse"});
+    if (fit.impacts[i].pulse) check_pulse(*fit.impacts[i].pulse, key + ".pulse", broken);
     for (const MeasuredFigure& figure : fit.impacts[i].figures)
       if (!(figure.deviation > 0 && std::isfinite(figure.deviation) && std::isfinite(figure.value)))
         broken.push_back({key, figure.deviation, "a figure needs a value and a deviation above 0"});

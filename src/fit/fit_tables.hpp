@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ using Lines = std::map<std::string, int>;
 
 /// [unknowns]. Without a sound base, names of the law are taken on trust.
 void read_unknowns(input::TableReader& top, bool has_base, Fit& fit, Lines& lines);
+/// The pulse of an impact: {file = ..., deviation = ...}. Nothing after a fault.
+std::optional<MeasuredDeceleration> read_pulse(input::TableReader& table, const FitFolders& folders,
+                                               std::vector<input::InputFile>& files);
 /// One of [[tests]] and [[impacts]]; the files that they name are added to `files`.
 MaterialMeasurement read_test(input::TableReader& table, const FitFolders& folders,
                               std::vector<input::InputFile>& files);
@@ -37,6 +41,8 @@ double value_in(input::TableReader& table, const std::string& key, const std::st
 /// A quantity, or a share in % of `whole`.
 double value_or_share(input::TableReader& table, const std::string& key, const std::string& unit,
                       double whole);
+/// The same of an acceleration: "3 g", "30 m/s2".
+double acceleration_in(input::TableReader& table, const std::string& key);
 /// False where it is absent.
 bool flag_in(input::TableReader& table, const std::string& key);
 

@@ -25,6 +25,7 @@ double value_in(TableReader& table, const std::string& key, const std::string& u
   }
   return value_of(*table.node().child(key), table.full_key(key), unit, table.faults());
 }
+
 double value_or_share(TableReader& table, const std::string& key, const std::string& unit, double whole) {
   if (!table.has(key)) {
     table.fault(key, "is missing");
@@ -34,6 +35,18 @@ double value_or_share(TableReader& table, const std::string& key, const std::str
   if (node.kind == TomlNode::Kind::text && node.text.ends_with('%'))
     return table.quantity(key, "1") * std::abs(whole);
   return value_of(node, table.full_key(key), unit, table.faults());
+}
+
+double acceleration_in(TableReader& table, const std::string& key) {
+  if (table.has(key)) {
+    TomlNode node = *table.node().child(key);
+    if (node.kind == TomlNode::Kind::text && node.text.ends_with(" g")) {
+      // In files g is the gram; of an acceleration it is standard gravity.
+      node.text.replace(node.text.size() - 1, 1, "gravity");
+      return value_of(node, table.full_key(key), "m/s2", table.faults());
+    }
+  }
+  return value_in(table, key, "m/s2");
 }
 
 bool flag_in(TableReader& table, const std::string& key) {

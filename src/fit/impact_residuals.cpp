@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "dashpad/impact/case_quantity.hpp"
 #include "dashpad/impact/solver.hpp"
+#include "dashpad/injury/pulse_comparison.hpp"
 #include "fit/problem.hpp"
 
 namespace dashpad::fit {
@@ -23,6 +25,30 @@ std::optional<double> figure_in(const Summary& summary, ImpactFigure figure) {
   return std::nullopt;
 }
 
+/// The deceleration at times since the onset; nothing before first contact and after the end of contact.
+bool predict_pulse(const Solution& solution, const MeasuredDeceleration& measured, double shift,
+                   std::span<double> predicted) {
+  if (!solution.summary.peak_acceleration) return false;  // the pad bottomed out on a rigid support
+  const Pulse pulse = injury::computed_pulse(solution, measured.filter, measured.interval);
+  if (pulse.time.size() < 2) return false;
+  double peak = 0;
+  for (const double a : pulse.acceleration) peak = std::max(peak, std::abs(a));
+  // A foam that answers at first contact has its onset there.
+  const double onset = injury::onset_of(pulse, peak).value_or(pulse.time.front());
+  std::size_t after = 0;
+  for (std::size_t i = 0; i < predicted.size(); ++i) {
+    const double time = onset + measured.time[i] - shift;
+    while (after < pulse.time.size() && pulse.time[after] < time) ++after;
+    predicted[i] = 0;
+    if (after == pulse.time.size() || time < pulse.time.front()) continue;
+    const std::size_t before = after == 0 ? 0 : after - 1;
+    const double width = pulse.time[after] - pulse.time[before];
+    const double part = width > 0 ? (time - pulse.time[before]) / width : 0;
+    predicted[i] = -std::lerp(pulse.acceleration[before], pulse.acceleration[after], part);
+  }
+  return true;
+}
+
 }  // namespace
 
 const std::vector<ImpactFigureName>& impact_figure_names() {
@@ -37,7 +63,8 @@ const std::vector<ImpactFigureName>& impact_figure_names() {
   return names;
 }
 
-Predict prediction_of(const Fit& fit, const ImpactMeasurement& measured, int runs) {
+Predict prediction_of(const Fit& fit, const ImpactMeasurement& measured, int runs,
+                      std::optional<std::size_t> shift) {
   ImpactCase impact = measured.impact;
   impact.pad.material = fit.base.pad.material;
   std::vector<std::function<void(ImpactCase&, double)>> setters;
@@ -49,19 +76,21 @@ Predict prediction_of(const Fit& fit, const ImpactMeasurement& measured, int run
   }
   Options options = measured.options;
   options.fixed_runs = runs;
-  return [impact, options, setters, figures = measured.figures](std::span<const double> values,
-                                                                std::span<double> predicted) {
+  return [impact, options, setters, figures = measured.figures, pulse = measured.pulse, shift](
+             std::span<const double> values, std::span<double> predicted) {
     try {
       ImpactCase with_values = impact;
       for (std::size_t i = 0; i < setters.size(); ++i) setters[i](with_values, values[i]);
       Solver solver;
-      const Summary& summary = solver.solve(with_values, options).summary;
+      const Solution& solution = solver.solve(with_values, options);
+      const Summary& summary = solution.summary;
       for (std::size_t i = 0; i < figures.size(); ++i) {
         const auto found = figure_in(summary, figures[i].figure);
         if (!found) return false;  // such as a peak force where the pad bottoms out
         predicted[i] = *found;
       }
-      return true;
+      return !pulse ||
+             predict_pulse(solution, *pulse, shift ? values[*shift] : 0, predicted.subspan(figures.size()));
     } catch (const std::invalid_argument&) {
       return false;
     }

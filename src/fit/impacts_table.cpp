@@ -14,20 +14,9 @@ using input::TomlNode;
 
 namespace {
 
-/// Of an acceleration, g is standard gravity.
 double figure_value(TableReader& table, const std::string& key, const ImpactFigureName& name) {
-  if (name.figure == ImpactFigure::peak_acceleration && table.has(key)) {
-    const TomlNode& node = *table.node().child(key);
-    if (node.kind == TomlNode::Kind::text && node.text.ends_with(" g"))
-      return value_of({.kind = node.kind,
-                       .line = node.line,
-                       .key = node.key,
-                       .text = node.text.substr(0, node.text.size() - 2) + " gravity",
-                       .number = 0,
-                       .children = {}},
-                      table.full_key(key), "m/s2", table.faults());
-  }
-  return value_in(table, key, name.unit);
+  return name.figure == ImpactFigure::peak_acceleration ? acceleration_in(table, key)
+                                                        : value_in(table, key, name.unit);
 }
 
 MeasuredFigure read_figure(TableReader& table, const ImpactFigureName& name) {
@@ -59,6 +48,8 @@ ImpactMeasurement read_impact(TableReader& table, const FitFolders& folders,
   for (const ImpactFigureName& name : impact_figure_names())
     if (auto figure = table.table(name.key, Presence::optional))
       impact.figures.push_back(read_figure(*figure, name));
+  if (auto pulse = table.table("pulse", Presence::optional))
+    impact.pulse = read_pulse(*pulse, folders, files);
   impact.is_held_out = flag_in(table, "hold_out");
   table.refuse_others();
   return impact;

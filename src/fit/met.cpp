@@ -133,12 +133,40 @@ std::vector<MetFigure> met_figures(const Fit& fit, const ImpactMeasurement& impa
     // One by one: a figure that is missing must not hide the others.
     ImpactMeasurement one = impact;
     one.figures = {measured};
-    MetFigure met{impact.file, measured.figure, impact.is_held_out, measured.value, measured.deviation, {}};
+    one.pulse.reset();
+    MetFigure met{impact.file, measured.figure, impact.is_held_out, measured.value, measured.deviation, {},
+                  {}};
     double computed = 0;
     if (prediction_of(fit, one, 0)(values, {&computed, 1})) met.computed = computed;
     all.push_back(met);
   }
   return all;
+}
+
+MetPulse met_pulse(const Fit& fit, const ImpactMeasurement& impact, std::span<const double> values,
+                   std::optional<std::size_t> shift) {
+  const MeasuredDeceleration& pulse = *impact.pulse;
+  MetPulse met;
+  met.file = impact.file;
+  met.pulse_file = pulse.file;
+  met.is_held_out = impact.is_held_out;
+  met.samples = pulse.samples;
+  met.deviation = pulse.deviation;
+  met.measured_peak = pulse.peak;
+  met.time = pulse.time;
+  met.measured = pulse.deceleration;
+  met.effective_points = static_cast<double>(pulse.time.size());
+  if (shift) met.shift = values[*shift];
+  ImpactMeasurement alone = impact;
+  alone.figures.clear();
+  std::vector<double> computed(pulse.time.size());
+  if (!prediction_of(fit, alone, 0, shift)(values, computed)) return met;
+  std::vector<double> off(computed.size());
+  for (std::size_t i = 0; i < off.size(); ++i) off[i] = computed[i] - met.measured[i];
+  met.rms = rms(off);
+  met.computed_peak = std::ranges::max(computed);
+  met.computed = std::move(computed);
+  return met;
 }
 
 }  // namespace dashpad::fit

@@ -21,19 +21,41 @@ Block block_of(const Fit& fit, const MaterialMeasurement& test) {
   const double largest = std::ranges::max(block.measured);
   block.deviation.assign(block.size(), test.noise.value_or(first_guess_of_noise * largest));
   block.noise_is_stated = test.noise.has_value();
-  block.is_curve = true;
+  block.curve = 0;
   block.predict = prediction_of(fit, test);
   return block;
 }
 
-Block block_of(const Fit& fit, const ImpactMeasurement& impact, int runs) {
+Block block_of(const Fit& fit, const ImpactMeasurement& impact, int runs, std::optional<std::size_t> shift) {
   Block block;
+  block.is_impact = true;
+  block.shift = shift;
   for (const MeasuredFigure& figure : impact.figures) {
     block.measured.push_back(figure.value);
     block.deviation.push_back(figure.deviation);
   }
-  block.predict = prediction_of(fit, impact, runs);
+  if (impact.pulse) {
+    block.curve = block.size();
+    const std::vector<double>& measured = impact.pulse->deceleration;
+    block.measured.insert(block.measured.end(), measured.begin(), measured.end());
+    block.deviation.insert(block.deviation.end(), measured.size(), impact.pulse->deviation);
+  }
+  block.predict = prediction_of(fit, impact, runs, shift);
   return block;
+}
+
+/// The trigger of a measured pulse is as good as its noise: it may be off by this share of the time for which
+/// the pulse is above half its peak.
+constexpr double most_shift = 0.25;
+
+Coordinate shift_of(const MeasuredDeceleration& pulse, std::size_t impact) {
+  Coordinate shift;
+  shift.key = fmt::format("impacts[{}].pulse.shift", impact + 1);
+  shift.unit = "s";
+  shift.lowest = -most_shift * pulse.half_peak_width;
+  shift.highest = most_shift * pulse.half_peak_width;
+  shift.is_nuisance = true;
+  return shift;
 }
 
 /// A shift of the force zero by up to half of the largest stress.
@@ -108,10 +130,16 @@ Problem problem_of(const Fit& fit, int runs) {
     add(std::move(block));
   }
   problem.derivative_step = step_with_tests;
-  for (const ImpactMeasurement& impact : fit.impacts) {
+  for (std::size_t i = 0; i < fit.impacts.size(); ++i) {
+    const ImpactMeasurement& impact = fit.impacts[i];
     if (impact.is_held_out) continue;
     problem.derivative_step = step_with_impacts;
-    add(block_of(fit, impact, runs));
+    std::optional<std::size_t> shift;
+    if (impact.pulse) {
+      shift = problem.coordinates.size();
+      problem.coordinates.push_back(shift_of(*impact.pulse, i));
+    }
+    add(block_of(fit, impact, runs, shift));
   }
   if (auto rule = rule_of_rising(fit)) add(*std::move(rule));
   return problem;

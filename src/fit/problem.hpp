@@ -5,7 +5,7 @@
 ///
 /// Each unknown, and each shift of a force zero, is a coordinate: 0 at its lowest and 1 at its highest
 /// value, by the logarithm where it is sought so. A source of data is a block of residuals that knows how to
-/// predict itself; whole pulses would be another one.
+/// predict itself.
 
 #include <cmath>
 #include <cstddef>
@@ -51,8 +51,12 @@ struct Block {
   std::vector<double> deviation;
   std::optional<std::size_t> offset;  ///< the coordinate that is added to what is predicted
   Predict predict;
-  bool is_curve = false;  ///< its residuals follow each other along a curve
+  /// From this residual on they follow each other along a curve: a test, or the pulse of an impact behind its
+  /// figures. Absent: none does.
+  std::optional<std::size_t> curve;
+  std::optional<std::size_t> shift;  ///< the coordinate by which its pulse comes later; predict() knows it
   bool noise_is_stated = true;
+  bool is_impact = false;
   /// No data: what keeps a base curve rising, as a material must.
   bool is_rule = false;
 
@@ -77,8 +81,10 @@ Problem problem_of(const Fit& fit, int runs);
 
 /// What predicts the points of a test that count, from the values of the unknowns.
 Predict prediction_of(const Fit& fit, const MaterialMeasurement& test);
-/// What predicts the figures of an impact: by `runs` runs, or to the tolerance of the case with 0.
-Predict prediction_of(const Fit& fit, const ImpactMeasurement& impact, int runs);
+/// What predicts the figures of an impact, then its pulse: by `runs` runs, or to the tolerance of the case
+/// with 0. The pulse has the onset of the measured one, or comes later by the coordinate `shift`.
+Predict prediction_of(const Fit& fit, const ImpactMeasurement& impact, int runs,
+                      std::optional<std::size_t> shift = {});
 
 /// What keeps the base curve of a foam rising; nothing for a law whose curves are no formulas.
 std::optional<Block> rule_of_rising(const Fit& fit);

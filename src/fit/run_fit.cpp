@@ -13,6 +13,8 @@
 #include "fit/determine.hpp"
 #include "fit/posterior.hpp"
 #include "fit/problem.hpp"
+#include "fit/search.hpp"
+#include "fit/session.hpp"
 #include "fit/solve.hpp"
 
 namespace dashpad::fit {
@@ -23,57 +25,88 @@ constexpr int first_runs = 3, most_runs = 7;
 /// Figures by a fixed number of runs may be off by this share of their deviations.
 constexpr double most_off = 0.1;
 
-LeastSquares least_squares_of(const Problem& problem, std::atomic<std::size_t>& evaluations) {
+LeastSquares least_squares_of(const Problem& problem, const Session& session,
+                              std::atomic<std::size_t>& evaluations) {
   return {problem.coordinates.size(), problem.residuals(), problem.derivative_step,
-          [&problem, &evaluations](std::span<const double> x, std::span<double> residuals) {
+          [&problem, &session, &evaluations](std::span<const double> x, std::span<double> residuals) {
+            // A search whose model cannot be evaluated any more ends soon.
+            if (session.is_stopped()) return false;
             ++evaluations;
             return problem.evaluate(x, residuals);
           }};
 }
-/// Whether the figures of all fitted impacts, by a fixed number of runs, are those of the full tolerance.
-bool runs_suffice(const Fit& fit, std::span<const double> values, int runs) {
+
+/// Whether the figures and pulses of all fitted impacts, by a fixed number of runs, are those of the full
+/// tolerance: each figure, and pulses in the mean square.
+bool runs_suffice(const Fit& fit, const Problem& problem, std::span<const double> values, int runs) {
+  auto block = std::ranges::find_if(problem.blocks, &Block::is_impact);
   for (const ImpactMeasurement& impact : fit.impacts) {
     if (impact.is_held_out) continue;
-    std::vector<double> fixed(impact.figures.size()), full(impact.figures.size());
-    if (!prediction_of(fit, impact, runs)(values, fixed) || !prediction_of(fit, impact, 0)(values, full))
+    const std::vector<double>& deviation = block->deviation;
+    const std::size_t figures = impact.figures.size();
+    std::vector<double> fixed(deviation.size()), full(deviation.size());
+    if (!prediction_of(fit, impact, runs, block->shift)(values, fixed) ||
+        !prediction_of(fit, impact, 0, block->shift)(values, full))
       return false;
-    for (std::size_t i = 0; i < fixed.size(); ++i)
-      if (!(std::abs(fixed[i] - full[i]) <= most_off * impact.figures[i].deviation)) return false;
+    double squares = 0;
+    for (std::size_t i = 0; i < fixed.size(); ++i) {
+      const double off = std::abs(fixed[i] - full[i]) / deviation[i];
+      if (i < figures && !(off <= most_off)) return false;
+      if (i >= figures) squares += off * off;
+    }
+    if (!(squares <= most_off * most_off * static_cast<double>(fixed.size() - figures))) return false;
+    ++block;
   }
   return true;
 }
+
+void throw_if_broken(const Fit& fit) {
+  const std::vector<Violation> broken = violations(fit);
+  if (broken.empty()) return;
+  std::string message = "invalid fit";
+  for (const Violation& v : broken) message += fmt::format("\n  {}: {}", v.key, v.rule);
+  throw std::invalid_argument(message);
+}
+
+/// No card where the best values make none.
+void judge_card(FitReport& report) {
+  const std::vector<Violation> broken = violations(report.material);
+  if (broken.empty()) return;
+  report.converged = false;
+  report.why_not = fmt::format("the best values make no valid card: {} = {:.6g}: {}", broken.front().key,
+                               broken.front().value, broken.front().rule);
+}
+
 }  // namespace
 
-FitReport run_fit(const Fit& fit, std::size_t posterior) {
+FitReport run_fit(const Fit& fit, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  if (const std::vector<Violation> broken = violations(fit); !broken.empty()) {
-    std::string message = "invalid fit";
-    for (const Violation& v : broken) message += fmt::format("\n  {}: {}", v.key, v.rule);
-    throw std::invalid_argument(message);
-  }
+  throw_if_broken(fit);
+  Session session(options);
   std::atomic<std::size_t> evaluations = 0;
   const bool has_impacts = std::ranges::any_of(fit.impacts, [](const auto& of) { return !of.is_held_out; });
   FitReport report;
+  report.title = fit.title;
+  Minimum minimum;
   for (int runs = has_impacts ? first_runs : 0;; ++runs) {
-    report = {};
-    report.title = fit.title;
     report.solver_runs = runs;
     Problem problem = problem_of(fit, runs);
-    const LeastSquares residuals = least_squares_of(problem, evaluations);
-    const Solved solved = determine(fit, problem, residuals, report);
-    if (!report.converged) break;
-    if (has_impacts && runs < most_runs && !runs_suffice(fit, problem.values(solved.minimum.x), runs))
+    const LeastSquares residuals = least_squares_of(problem, session, evaluations);
+    // More runs move the minimum a little: there is no need to search again.
+    if (runs <= first_runs) minimum = search(fit, problem, residuals, session, report);
+    if (minimum.converged) minimum = minimise(residuals, minimum.x);
+    session.throw_if_stopped();
+    if (minimum.converged && has_impacts && runs < most_runs &&
+        !runs_suffice(fit, problem, problem.values(minimum.x), runs))
       continue;
+    const Solved solved = determine(problem, residuals, minimum, session, report);
+    if (!report.converged) break;
     describe(fit, problem, solved, report);
-    if (const auto broken = violations(report.material); !broken.empty()) {
-      report.converged = false;
-      report.why_not = fmt::format("the best values make no valid card: {} = {:.6g}: {}", broken.front().key,
-                                   broken.front().value, broken.front().rule);
-      break;
-    }
-    if (posterior > 0)
-      for (const std::vector<double>& x : laplace_sample(solved.minimum.x, solved.uncertainty.precision,
-                                                         solved.uncertainty.gradient, posterior, fit.seed))
+    judge_card(report);
+    if (options.posterior > 0 && report.converged)
+      for (const std::vector<double>& x :
+           laplace_sample(solved.minimum.x, solved.uncertainty.precision, solved.uncertainty.gradient,
+                          options.posterior, fit.seed))
         report.posterior.push_back(problem.values(x));
     break;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include "study/sobol.hpp"
@@ -40,11 +41,15 @@ std::vector<std::vector<double>> starts_of(const Fit& fit, const Problem& proble
 }
 }  // namespace
 
-Minimum search(const Fit& fit, const Problem& problem, const LeastSquares& residuals, FitReport& report) {
+Minimum search(const Fit& fit, const Problem& problem, const LeastSquares& residuals, Session& session,
+               FitReport& report) {
   const std::vector<std::vector<double>> starts = starts_of(fit, problem, residuals);
   std::vector<Minimum> found(starts.size());
-  tbb::parallel_for(std::size_t{0}, starts.size(),
-                    [&](std::size_t i) { found[i] = minimise(residuals, starts[i], coarse); });
+  session.begin("Searching from several starts", starts.size());
+  tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
+    found[i] =
+        session.piece(fmt::format("start {}", i), [&] { return minimise(residuals, starts[i], coarse); });
+  });
   const auto better = [](const Minimum& a, const Minimum& b) {
     if (a.converged != b.converged) return a.converged;
     if (a.x.empty() || b.x.empty()) return !a.x.empty();
@@ -60,7 +65,7 @@ Minimum search(const Fit& fit, const Problem& problem, const LeastSquares& resid
     else if (each.misfit <= best.misfit * (1 + same_misfit) + 1e-12)
       ++report.starts_at_best;
   }
-  return best.converged ? minimise(residuals, best.x) : best;
+  return best;
 }
 
 }  // namespace dashpad::fit

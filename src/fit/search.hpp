@@ -3,11 +3,13 @@
 
 #include "dashpad/fit/report.hpp"
 #include "fit/problem.hpp"
+#include "fit/session.hpp"
 #include "fit/solve.hpp"
 
 namespace dashpad::fit {
 
 /// The best of the starts that converged, or the best of all. The report gets how many came to it.
-Minimum search(const Fit& fit, const Problem& problem, const LeastSquares& residuals, FitReport& report);
+Minimum search(const Fit& fit, const Problem& problem, const LeastSquares& residuals, Session& session,
+               FitReport& report);
 
 }  // namespace dashpad::fit

@@ -90,10 +90,12 @@ bool find_uncertainty(const Problem& problem, const LeastSquares& residuals, std
   for (const Block& block : problem.blocks) {
     const auto first = static_cast<Eigen::Index>(block.first),
                count = static_cast<Eigen::Index>(block.size());
-    Autocorrelation of{0, static_cast<double>(block.size())};
-    if (block.is_curve) of = autocorrelation_of({r.data() + first, block.size()});
-    const double weight = static_cast<double>(block.size()) / of.effective_points;
-    const auto rows = jacobian.middleRows(first, count);
+    const auto single = static_cast<Eigen::Index>(block.curve.value_or(block.size()));
+    const auto along = count - single;
+    Autocorrelation of{0, static_cast<double>(along)};
+    if (along > 0) of = autocorrelation_of({r.data() + first + single, static_cast<std::size_t>(along)});
+    const double weight = along > 0 ? static_cast<double>(along) / of.effective_points : 1;
+    const auto rows = jacobian.middleRows(first + single, along);
     if (weight > 1) widened += (weight - 1) * (rows.transpose() * rows);
     into.blocks.push_back(of);
   }

@@ -36,9 +36,9 @@ struct Uncertainty {
   std::vector<std::pair<std::size_t, std::size_t>> strongly_correlated;
   std::vector<double> correlations;  ///< of these
   std::vector<std::vector<std::size_t>> flat_directions;
-  std::vector<double> precision;  ///< of all coordinates, row by row: inverse of the covariance
-  std::vector<double> gradient;   ///< of half the misfit over the scale
-  std::vector<Autocorrelation> blocks;
+  std::vector<double> precision;        ///< of all coordinates, row by row: inverse of the covariance
+  std::vector<double> gradient;         ///< of half the misfit over the scale
+  std::vector<Autocorrelation> blocks;  ///< of the curve of each
 };
 
 /// At a minimum. `scale` multiplies variances. False where the derivatives cannot be evaluated.

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +36,8 @@ class NormalNumbers {
 struct SyntheticFit {
   std::string name;
   fit::Fit fit;
-  std::vector<double> truth;  ///< of the unknowns
+  std::vector<double> truth;                   ///< of the unknowns
+  std::optional<double> true_peak_force = {};  ///< N, of the impact that is held out
 };
 
 inline ImpactCase case_with(const PadLaw& law) {
@@ -173,13 +176,91 @@ inline SyntheticFit nine_parameter_impacts(std::uint64_t seed) {
   return made;
 }
 
+/// An impact that is held out, of which the peak force is predicted; `speed` in m/s.
+inline void hold_out_an_impact(SyntheticFit& made, double speed) {
+  fit::ImpactMeasurement impact;
+  impact.file = "held-out.toml";
+  impact.impact = made.fit.base;
+  impact.impact.impactor.speed = speed;
+  impact.is_held_out = true;
+  made.true_peak_force = *solve(impact.impact, {.tolerance = 1e-6}).summary.peak_force;
+  impact.figures.push_back(
+      {fit::ImpactFigure::peak_force, *made.true_peak_force, 0.02 * *made.true_peak_force});
+  made.fit.impacts.push_back(impact);
+}
+
+/// Avalle's loops with errors of which neighbours are correlated by rho, and a force zero that is off.
+inline SyntheticFit drifting_avalle_loops(std::uint64_t seed) {
+  constexpr double rho = 0.5, noise = 2e3, offset = 3e3;
+  SyntheticFit made = avalle_loops(seed);
+  made.name = "the same with correlated errors and a shifted zero of the force";
+  NormalNumbers none(seed);
+  fit::MaterialMeasurement& test = made.fit.tests.front();
+  test = loops(made.fit.base.pad.material.law, 0.01, 0.6, 25, 2, 0, none);
+  test.noise = noise;
+  test.has_offset = true;
+  NormalNumbers normal(seed + 1'000'000);
+  double error = normal.next();
+  for (double& stress : test.stress) {
+    stress += offset + noise * error;
+    error = rho * error + std::sqrt(1 - rho * rho) * normal.next();
+  }
+  made.truth.push_back(offset);
+  return made;
+}
+
+/// The nine-parameter law from the whole pulses of impacts at two speeds: noise of 2 % of the peak at each of
+/// 120 samples, clocks that nobody set.
+inline SyntheticFit nine_parameter_pulses(std::uint64_t seed) {
+  SyntheticFit made = nine_parameter_impacts(seed);
+  made.name = "nine-parameter law from two whole pulses";
+  made.fit.impacts.clear();
+  NormalNumbers normal(seed);
+  for (const double speed : {1.0, 3.0}) {
+    fit::ImpactMeasurement impact;
+    impact.file = "made-up.toml";
+    impact.impact = made.fit.base;
+    impact.impact.impactor.speed = speed;
+    const Solution solution = solve(impact.impact, {.tolerance = 1e-6});
+    const double peak = *solution.summary.peak_acceleration;
+    const double end = solution.summary.contact_end->time;
+    const History& history = solution.history;
+    Pulse pulse;
+    std::size_t after = 0;
+    for (int i = -20; i <= 140; ++i) {
+      const double time = end * i / 120;
+      while (after < history.size() && history.time[after] < time) ++after;
+      double exact = 0;
+      if (i >= 0 && after < history.size())
+        exact = after == 0 ? history.acceleration[0]
+                           : std::lerp(history.acceleration[after - 1], history.acceleration[after],
+                                       (time - history.time[after - 1]) /
+                                           (history.time[after] - history.time[after - 1]));
+      pulse.time.push_back(5 + time);
+      pulse.acceleration.push_back(-exact + 0.02 * peak * normal.next());
+    }
+    impact.pulse = fit::deceleration_of(pulse);
+    impact.pulse->file = "made-up.csv";
+    impact.pulse->deviation = 0.02 * peak;
+    made.fit.impacts.push_back(impact);
+  }
+  return made;
+}
+
 /// How often intervals that end within the bounds hold the truth.
 struct Coverage {
   int intervals = 0;
   int hold = 0;
   int open = 0;
-  int failed = 0;  ///< fits
+  int failed = 0;                           ///< fits
+  int flat = 0;                             ///< fits with a flat direction
+  std::map<std::string, int> hold_of = {};  ///< each unknown, and the prediction, apart
   [[nodiscard]] double share() const { return intervals > 0 ? double(hold) / intervals : 0; }
+  void add(const std::string& key, bool holds) {
+    ++intervals;
+    hold += holds ? 1 : 0;
+    hold_of[key] += holds ? 1 : 0;
+  }
 };
 
 inline void count(const SyntheticFit& made, Coverage& into) {
@@ -188,15 +269,20 @@ inline void count(const SyntheticFit& made, Coverage& into) {
     ++into.failed;
     return;
   }
+  into.flat += report.flat_directions.empty() ? 0 : 1;
   for (std::size_t i = 0; i < made.truth.size(); ++i) {
     const fit::FittedUnknown& found = report.unknowns[i];
     if (!found.is_identified()) {
       ++into.open;
       continue;
     }
-    ++into.intervals;
-    into.hold += *found.low <= made.truth[i] && made.truth[i] <= *found.high ? 1 : 0;
+    into.add(found.key, *found.low <= made.truth[i] && made.truth[i] <= *found.high);
   }
+  if (!made.true_peak_force) return;
+  for (const fit::MetFigure& of : report.figures)
+    if (of.is_held_out && of.computed && of.prediction_deviation)
+      into.add("predicted peak force",
+               std::abs(*of.computed - *made.true_peak_force) <= 1.96 * *of.prediction_deviation);
 }
 
 }  // namespace dashpad::test

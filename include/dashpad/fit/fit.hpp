@@ -9,6 +9,7 @@
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/injury/pulse_report.hpp"
 
 namespace dashpad::fit {
 
@@ -58,12 +59,36 @@ struct MeasuredFigure {
   double deviation = 0;  ///< standard deviation, > 0
 };
 
+/// A whole measured pulse of an impact, between its onset (injury::onset_share of its peak) and its end
+/// (where the deceleration has gone back to 0), turned so that its peak is positive.
+struct MeasuredDeceleration {
+  std::string file;
+  std::vector<double> time;                   ///< s since the onset, increasing
+  std::vector<double> deceleration;           ///< m/s2, as many
+  double peak = 0;                            ///< m/s2, > 0
+  double onset = 0;                           ///< s, by the clock of the file
+  double half_peak_width = 0;                 ///< s, > 0
+  std::size_t samples = 0;                    ///< of the file in that stretch; `time` is thinned
+  double deviation = 0;                       ///< standard deviation of a deceleration, m/s2, > 0
+  std::optional<injury::PulseFilter> filter;  ///< that it went through; the computed pulse gets it, too
+  double interval = 0;                        ///< s between two samples of the file
+};
+
+/// Samples of a pulse that are fitted, at most; neighbours tell little that is new.
+inline constexpr std::size_t most_pulse_points = 200;
+
+/// Between onset and end, thinned evenly to most_pulse_points. `measured` has been filtered. Throws
+/// std::invalid_argument, in words that go after the name of the file, for a pulse without onset or with too
+/// few samples after it.
+MeasuredDeceleration deceleration_of(const Pulse& measured);
+
 /// An impact and what was measured of it. The material of its pad is that of the fit.
 struct ImpactMeasurement {
   std::string file;
   ImpactCase impact;
   Options options;
   std::vector<MeasuredFigure> figures;
+  std::optional<MeasuredDeceleration> pulse;
   bool is_held_out = false;
 };
 

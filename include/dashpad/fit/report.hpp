@@ -1,8 +1,12 @@
 #pragma once
 /// What a fit found, with its uncertainty. SI throughout.
 
+#include <atomic>
 #include <cstddef>
+#include <filesystem>
+#include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,7 +26,8 @@ struct FittedUnknown {
   /// bounds.
   std::optional<double> low, high;
   bool is_at_lowest = false, is_at_highest = false;
-  bool is_nuisance = false;  ///< of a test, not of the material: the shift of its force zero
+  /// Of a measurement, not of the material: the shift of a force zero, or of the clock of a pulse.
+  bool is_nuisance = false;
 
   /// Whether its interval ends within the bounds on both sides.
   [[nodiscard]] bool is_identified() const { return low && high; }
@@ -69,6 +74,26 @@ struct MetFigure {
   bool is_held_out = false;
   double measured = 0, deviation = 0;
   std::optional<double> computed;  ///< absent where the impact has no such figure
+  /// Standard deviation of the computed figure, by the uncertainty of the unknowns alone.
+  std::optional<double> prediction_deviation;
+};
+
+/// How the model meets a whole pulse of an impact.
+struct MetPulse {
+  std::string file;  ///< the case
+  std::string pulse_file;
+  bool is_held_out = false;
+  std::size_t samples = 0;              ///< of the file, between onset and end
+  double deviation = 0;                 ///< m/s2
+  double measured_peak = 0;             ///< m/s2
+  std::optional<double> computed_peak;  ///< m/s2; absent where the impact has no whole pulse, as is rms
+  std::optional<double> rms;            ///< m/s2, of model minus measurement
+  /// s, by which the computed pulse comes later than with both onsets at one time; absent where held out.
+  std::optional<double> shift;
+  double autocorrelation = 0;
+  double effective_points = 0;
+  std::vector<double> time;                ///< s since the measured onset, of the points that were fitted
+  std::vector<double> measured, computed;  ///< m/s2; nothing computed where there is no whole pulse
 };
 
 struct FitReport {
@@ -81,6 +106,7 @@ struct FitReport {
   std::vector<std::vector<std::string>> flat_directions;  ///< unknowns that are not told apart, or alone
   std::vector<MetTest> tests;
   std::vector<MetFigure> figures;
+  std::vector<MetPulse> pulses;
   std::size_t points = 0;  ///< fitted residuals, without priors
   std::size_t priors = 0;
   double degrees_of_freedom = 0;
@@ -89,7 +115,7 @@ struct FitReport {
   /// Of the misfit per degree of freedom, by which squared errors are multiplied: 1 or more where all noise
   /// is stated, else 1, since the noise is estimated from the misfit.
   double variance_scale = 1;
-  double largest_widening = 1;  ///< of a standard error, by residuals that are correlated along a test
+  double largest_widening = 1;  ///< of a standard error, by residuals that are correlated along a curve
   int starts = 0;
   int starts_at_best = 0;  ///< that came to the same misfit
   int starts_failed = 0;   ///< that met no valid material or did not converge
@@ -104,8 +130,33 @@ struct FitReport {
   }
 };
 
-/// Fits. `posterior` is how many draws of the unknowns to give. Throws std::invalid_argument with all
-/// violations() of the fit.
-FitReport run_fit(const Fit& fit, std::size_t posterior = 0);
+struct RunOptions {
+  std::size_t posterior = 0;  ///< draws of the unknowns to give
+  /// Asked often: once it is true, run_fit() throws Stopped.
+  const std::atomic<bool>* stop = nullptr;
+  /// Told after each piece of work: what is going on, and how much of it is done. From any thread.
+  std::function<void(const char* what, std::size_t done, std::size_t all)> progress = {};
+  /// Where finished pieces are kept, and found again by the same fit; empty: nowhere.
+  std::filesystem::path state = {};
+  /// Tells this fit from others in that file.
+  std::string fingerprint = {};
+};
+
+/// A fit was stopped on its way, by RunOptions::stop.
+class Stopped : public std::runtime_error {
+ public:
+  explicit Stopped(std::size_t kept) : std::runtime_error("stopped"), kept_(kept) {}
+  [[nodiscard]] std::size_t kept() const { return kept_; }  ///< pieces of work in the file of the state
+
+ private:
+  std::size_t kept_;
+};
+
+/// Throws std::runtime_error, with the file and what is wrong, where RunOptions::state names a file that is
+/// no state, or that of another fit. run_fit() calls it.
+void check_state(const RunOptions& options);
+
+/// Fits. Throws std::invalid_argument with all violations() of the fit, and Stopped.
+FitReport run_fit(const Fit& fit, const RunOptions& options = {});
 
 }  // namespace dashpad::fit

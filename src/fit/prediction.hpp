@@ -1,0 +1,21 @@
+#pragma once
+/// How sure what is computed of an impact is, by the uncertainty of the unknowns.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "dashpad/fit/fit.hpp"
+#include "fit/problem.hpp"
+#include "fit/uncertainty.hpp"
+
+namespace dashpad::fit {
+
+/// Standard deviation of a figure at the minimum `x`: the root of the sum of squared half differences of the
+/// figure between one standard deviation up and down each principal axis of the covariance. A direction of
+/// which the data say nothing counts as even between the bounds. Absent where the figure is missing there.
+std::optional<double> prediction_deviation(const Fit& fit, const ImpactMeasurement& impact,
+                                           const MeasuredFigure& figure, const Problem& problem,
+                                           std::span<const double> x, const Uncertainty& uncertainty);
+
+}  // namespace dashpad::fit

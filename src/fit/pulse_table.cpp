@@ -1,0 +1,70 @@
+// The whole pulse of an impact in a fit file.
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "dashpad/input/measurement/pulse_csv.hpp"
+#include "fit/fit_tables.hpp"
+
+namespace dashpad::fit {
+
+using input::Presence;
+using input::TableReader;
+using input::TomlNode;
+
+namespace {
+
+input::PulseCsvOptions read_pulse_columns(TableReader& table) {
+  input::PulseCsvOptions options;
+  if (auto names = table.table("columns", Presence::optional)) {
+    if (names->has("time")) options.time = names->text("time");
+    if (names->has("acceleration")) options.acceleration = {names->text("acceleration")};
+    names->refuse_others();
+  }
+  options.time_unit = table.text("time_unit", Presence::optional);
+  options.acceleration_unit = table.text("acceleration_unit", Presence::optional);
+  return options;
+}
+
+std::optional<injury::PulseFilter> read_filter(TableReader& table) {
+  if (!table.has("filter")) return std::nullopt;
+  const std::string name = table.choice("filter", {"CFC60", "CFC180", "CFC600", "CFC1000"});
+  if (name.empty()) return std::nullopt;
+  return injury::PulseFilter{.channel_frequency_class = std::stoi(name.substr(3))};
+}
+
+}  // namespace
+
+std::optional<MeasuredDeceleration> read_pulse(TableReader& table, const FitFolders& folders,
+                                               std::vector<input::InputFile>& files) {
+  const std::string name = table.text("file");
+  const input::PulseCsvOptions options = read_pulse_columns(table);
+  const std::optional<injury::PulseFilter> filter = read_filter(table);
+  std::optional<MeasuredDeceleration> pulse;
+  if (!name.empty()) {
+    const std::filesystem::path file = folders.of_fit / name;
+    files.push_back({"the measurements", file});
+    try {
+      pulse = deceleration_of(
+          injury::processed_pulse(input::read_pulse_csv(file, options), std::nullopt, filter));
+      pulse->file = name;
+      pulse->filter = filter;
+    } catch (const input::InputError& error) {
+      table.faults().add(error.faults());
+    } catch (const std::invalid_argument& error) {
+      table.fault("file", fmt::format("{}: {}", name, error.what()));
+    }
+  }
+  const TomlNode* deviation = table.node().child("deviation");
+  const bool is_share =
+      deviation != nullptr && deviation->kind == TomlNode::Kind::text && deviation->text.ends_with('%');
+  const double value = is_share ? value_or_share(table, "deviation", "m/s2", pulse ? pulse->peak : 1)
+                                : acceleration_in(table, "deviation");
+  if (pulse) pulse->deviation = value;
+  table.refuse_others();
+  return pulse;
+}
+
+}  // namespace dashpad::fit
