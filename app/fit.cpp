@@ -1,7 +1,10 @@
 // dashpad fit: from measurements to a material card.
 
+#include <cstdint>
+#include <fstream>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -10,8 +13,10 @@
 #include "dashpad/fit/report.hpp"
 #include "dashpad/output/card_toml.hpp"
 #include "dashpad/output/fit.hpp"
+#include "dashpad/version.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
+#include "study/stop_signal.hpp"
 
 namespace dashpad::app {
 
@@ -21,6 +26,8 @@ constexpr const char* fit_footer = R"(Examples:
   dashpad fit examples/fits/vn600.toml                         what the data say, and what they leave open
   dashpad fit examples/fits/vn600.toml --output my-foam.toml   the card, with its origin
   dashpad fit my-fit.toml --json fit.json --posterior 1000 draws.csv
+  dashpad fit my-fit.toml --report fit.html                    a page: model over data, intervals, what is open
+  dashpad fit my-fit.toml --state my-fit.state                 keeps what is finished; the same command goes on
 
 A fit file names the law with its starting values, the unknowns with their bounds, and the measurements:
 
@@ -45,7 +52,13 @@ A fit file names the law with its starting values, the unknowns with their bound
   rate = "0.01 1/s"
   noise = "1 %"
 
-[[impacts]] fit the law through impacts: case = "drop.toml", peak_force = {value = "1.8 kN", deviation = "5 %"}.
+[[impacts]] fit the law through impacts, by figures and by whole measured pulses:
+
+  [[impacts]]
+  case = "drop.toml"
+  peak_force = {value = "1.8 kN", deviation = "5 %"}
+  pulse = {file = "drop.csv", deviation = "3 g", filter = "CFC180"}   # or a share of its peak, "5 %"
+
 docs/fits.md has every key, and what the numbers mean.
 
 An interval that is open says that the data do not determine the unknown: leave it fixed, give it a prior, or test more.
@@ -53,12 +66,15 @@ An interval that is open says that the data do not determine the unknown: leave 
 Files: - as FILE is standard output. An existing file is kept unless --force is given. A file is written whole or not
 at all. A fit that did not converge writes no card.
 
+Interrupted (Ctrl-C, SIGTERM): nothing is written, but --state FILE has the searches and intervals that were
+finished, and the same command goes on from there. The state of another fit is refused.
+
 Exit codes: 0 done, 1 a result could not be written, 2 the fit file or its data have faults and nothing was written,
-3 the fit did not converge.)";
+3 the fit did not converge, 130 or 143 stopped by Ctrl-C or SIGTERM.)";
 
 struct FitRequest {
   std::string file;
-  std::optional<std::string> card, json;
+  std::optional<std::string> card, json, report, state;
   std::vector<std::string> posterior;  ///< N and FILE
   std::string units;
   std::string materials;
@@ -84,8 +100,69 @@ std::vector<Target> fit_targets(const FitRequest& request) {
   std::vector<Target> targets;
   if (request.card) targets.push_back({"--output", *request.card});
   if (request.json) targets.push_back({"--json", *request.json});
+  if (request.report) targets.push_back({"--report", *request.report});
   if (request.posterior.size() == 2) targets.push_back({"--posterior", request.posterior.back()});
   return targets;
+}
+
+/// Of the contents of all files that the fit is read from, and of the version: FNV-1a, 64 bits.
+std::string fingerprint_of(const std::vector<input::InputFile>& files) {
+  std::uint64_t hash = 14695981039346656037U;
+  const auto add = [&hash](const std::string& text) {
+    for (const char character : text + '\0')
+      hash = (hash ^ static_cast<unsigned char>(character)) * 1099511628211U;
+  };
+  add(std::string{version()});
+  for (const input::InputFile& of : files) {
+    std::ifstream file(of.file, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    add(text.str());
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+/// Runs the fit under a line of progress. Throws fit::Stopped.
+fit::FitReport run_with_progress(const fit::Fit& fit, fit::RunOptions options) {
+  const StopSignal signal;
+  ProgressLine line{"Fitting"};
+  options.stop = &StopSignal::wanted();
+  options.progress = [&line](const char* what, std::size_t done, std::size_t all) {
+    line.now(fmt::format("{} ({} of {})", what, done, all));
+  };
+  return fit::run_fit(fit, options);
+}
+
+/// Beside the results: the state is read, and may be there.
+void judge_state(const FitRequest& request, const std::vector<Target>& targets,
+                 const std::vector<input::InputFile>& inputs, const fit::RunOptions& options,
+                 std::vector<std::string>& wrong) {
+  if (!request.state) return;
+  if (*request.state == "-") {
+    wrong.emplace_back("--state -: must be a file");
+    return;
+  }
+  std::vector<Target> all = targets;
+  all.push_back({"--state", *request.state});
+  const std::size_t before = wrong.size();
+  judge_targets(all, inputs, true, wrong);
+  if (wrong.size() > before) return;
+  try {
+    fit::check_state(options);
+  } catch (const std::runtime_error& error) {
+    wrong.push_back(fmt::format("--state {}", error.what()));
+  }
+}
+
+int stopped(const FitRequest& request, std::size_t kept) {
+  write_error(
+      request.state
+          ? fmt::format("Stopped; nothing was written but {}, with {} finished searches and ends of "
+                        "intervals. The same command goes on where this one stopped.\n",
+                        *request.state, kept)
+          : "Stopped; nothing was written. With --state FILE finished searches and intervals are kept, and "
+            "the same command goes on.\n");
+  return StopSignal::exit_code();
 }
 
 int fit_material(const FitRequest& request, const std::filesystem::path& materials) {
@@ -97,19 +174,30 @@ int fit_material(const FitRequest& request, const std::filesystem::path& materia
   } catch (const input::InputError& error) {
     add_lines(error.faults(), wrong);
   }
+  judge_report(request.report, wrong);
   std::vector<Target> targets = fit_targets(request);
-  judge_targets(targets, input ? input->files : std::vector<input::InputFile>{{"the fit file", request.file}},
-                request.force, wrong);
+  const std::vector<input::InputFile> files =
+      input ? input->files : std::vector<input::InputFile>{{"the fit file", request.file}};
+  judge_targets(targets, files, request.force, wrong);
+  fit::RunOptions options{.posterior = draws};
+  if (request.state && input) {
+    options.state = *request.state;
+    options.fingerprint = fingerprint_of(files);
+    judge_state(request, targets, files, options, wrong);
+  }
   if (!wrong.empty()) throw Refused(std::move(wrong));
-  const fit::FitReport report = [&] {
-    const ProgressLine line{"Fitting"};
-    return fit::run_fit(input->fit, draws);
-  }();
+  fit::FitReport report;
+  try {
+    report = run_with_progress(input->fit, options);
+  } catch (const fit::Stopped& stop) {
+    return stopped(request, stop.kept());
+  }
   // Without convergence there is no card and no sample.
   if (!report.converged) std::erase_if(targets, [](const Target& of) { return of.option != "--json"; });
   const auto text_of = [&](const Target& target) {
     if (target.option == "--json") return output::fit_json(report);
     if (target.option == "--posterior") return output::posterior_csv(report);
+    if (target.option == "--report") return output::fit_page(report, unit_system(request.units));
     return output::card_toml(report.material);
   };
   std::string account = output::fit_text(report, unit_system(request.units));
@@ -137,6 +225,10 @@ void add_fit(CLI::App& app, Action& action, const std::filesystem::path& executa
   sub->add_option("--posterior", request->posterior, "Write N draws of the unknowns as CSV")
       ->expected(2)
       ->type_name("N FILE");
+  add_report(*sub, request->report);
+  sub->add_option("--state", request->state,
+                  "Keep finished searches and intervals there, and go on from them")
+      ->type_name("FILE");
   add_units(*sub, request->units);
   add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);

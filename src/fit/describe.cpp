@@ -21,6 +21,7 @@ FittedUnknown unknown_of(const Problem& problem, const Solved& solved, std::size
   found.value = coordinate.value(x);
   found.lowest = coordinate.lowest;
   found.highest = coordinate.highest;
+  found.is_logarithmic = coordinate.is_logarithmic;
   found.is_nuisance = coordinate.is_nuisance;
   found.is_at_lowest = is_at_bound(x) && x < 0.5;
   found.is_at_highest = is_at_bound(x) && x > 0.5;

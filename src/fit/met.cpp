@@ -114,15 +114,15 @@ MetTest met_test(const Fit& fit, const MaterialMeasurement& test, std::span<cons
   met.lowest_rate = rates.lowest;
   met.highest_rate = rates.highest;
   met.computed.resize(met.points);
+  met.course = courses(met.strain);
   met.effective_points = static_cast<double>(met.points);
   if (!prediction_of(fit, test)(values, met.computed)) return met;
   std::vector<double> up, down;
-  const std::vector<int> course = courses(met.strain);
   for (std::size_t i = 0; i < met.points; ++i)
-    (course[i] > 0 ? up : down).push_back(met.computed[i] + offset - met.measured[i]);
+    (met.course[i] > 0 ? up : down).push_back(met.computed[i] + offset - met.measured[i]);
   if (!up.empty()) met.rms_loading = rms(up);
   if (!down.empty()) met.rms_unloading = rms(down);
-  met.loops = loops_of(met, offset, course);
+  met.loops = loops_of(met, offset, met.course);
   return met;
 }
 

@@ -6,6 +6,7 @@ import "./figures.css";
 import { element } from "../both/text.js";
 import { warning } from "../both/warning.js";
 import { figureElement, titleOf } from "./figure.js";
+import { ranges } from "./ranges.js";
 import { table } from "./tables.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
@@ -18,7 +19,9 @@ const sectionId = (section) => `section-${section + 1}`;
 function sectionElement(section, i) {
   const made = element("section", { attributes: { id: sectionId(i) } });
   if (section.heading) made.append(element("h2", { text: section.heading }));
-  made.append(...paragraphs(section.paragraphs), ...section.tables.map(table));
+  made.append(...paragraphs(section.paragraphs));
+  if (section.ranges.length > 0) made.append(ranges(section.ranges));
+  made.append(...section.tables.map(table));
   if (section.figures.length > 0)
     made.append(
       element("div", { className: "plots" }, ...section.figures.map((figure, k) => figureElement(figure, figureId(i, k)))),

@@ -26,6 +26,7 @@ struct FittedUnknown {
   /// bounds.
   std::optional<double> low, high;
   bool is_at_lowest = false, is_at_highest = false;
+  bool is_logarithmic = false;  ///< sought by its logarithm
   /// Of a measurement, not of the material: the shift of a force zero, or of the clock of a pulse.
   bool is_nuisance = false;
 
@@ -65,6 +66,7 @@ struct MetTest {
   double autocorrelation = 0;   ///< lag-1 rho of the residuals
   double effective_points = 0;  ///< n (1 - rho) / (1 + rho) where rho is clearly above 0, else n
   std::vector<double> strain, measured, computed;  ///< of the points that count
+  std::vector<int> course;                         ///< of each of them: 1 on the way up, -1 on the way down
 };
 
 /// How the model meets a figure of an impact.

@@ -59,7 +59,34 @@ Json met_figure_json(const fit::MetFigure& of) {
           {"held_out", of.is_held_out},
           {"measured", number(of.measured)},
           {"deviation", number(of.deviation)},
-          {"computed", number(of.computed)}};
+          {"computed", number(of.computed)},
+          {"prediction_deviation", number(of.prediction_deviation)}};
+}
+
+Json met_pulse_json(const fit::MetPulse& of) {
+  const auto in_g = [](std::optional<double> value) {
+    return value ? number(*value / standard_gravity) : Json(nullptr);
+  };
+  const auto all_in_g = [](std::vector<double> values) {
+    for (double& value : values) value /= standard_gravity;
+    return numbers(values);
+  };
+  return {{"case", of.file},
+          {"file", of.pulse_file},
+          {"held_out", of.is_held_out},
+          {"samples", of.samples},
+          {"points", of.time.size()},
+          {"deviation_g", in_g(of.deviation)},
+          {"measured_peak_g", in_g(of.measured_peak)},
+          {"computed_peak_g", in_g(of.computed_peak)},
+          {"rms_g", in_g(of.rms)},
+          {"rms_share_of_peak", of.rms ? number(*of.rms / of.measured_peak) : Json(nullptr)},
+          {"shift_s", number(of.shift)},
+          {"autocorrelation", number_if(!of.is_held_out, of.autocorrelation)},
+          {"effective_points", number(of.effective_points)},
+          {"time_s", numbers(of.time)},
+          {"measured_g", all_in_g(of.measured)},
+          {"computed_g", all_in_g(of.computed)}};
 }
 
 Json left_open_json(const fit::FitReport& report) {
@@ -74,10 +101,11 @@ Json left_open_json(const fit::FitReport& report) {
 }  // namespace
 
 std::string fit_json(const fit::FitReport& report) {
-  Json unknowns = Json::array(), tests = Json::array(), figures = Json::array();
+  Json unknowns = Json::array(), tests = Json::array(), figures = Json::array(), pulses = Json::array();
   for (const fit::FittedUnknown& of : report.unknowns) unknowns.push_back(unknown_json(of));
   for (const fit::MetTest& of : report.tests) tests.push_back(met_test_json(of));
   for (const fit::MetFigure& of : report.figures) figures.push_back(met_figure_json(of));
+  for (const fit::MetPulse& of : report.pulses) pulses.push_back(met_pulse_json(of));
   return json_text(
       {{"title", report.title},
        {"converged", report.converged},
@@ -95,6 +123,7 @@ std::string fit_json(const fit::FitReport& report) {
          {"largest_widening", number(report.largest_widening)}}},
        {"tests", tests},
        {"impacts", figures},
+       {"pulses", pulses},
        {"search",
         {{"starts", report.starts},
          {"starts_at_best", report.starts_at_best},

@@ -21,10 +21,17 @@ void check(const Table& table) {
   }
 }
 
+void check(const RangeBar& range) {
+  const auto is_place = [](double share) { return share >= 0 && share <= 1; };
+  if (!is_place(range.place) || !is_place(range.from) || !is_place(range.to) || range.to < range.from)
+    throw std::invalid_argument(fmt::format("the bar \"{}\" is not between 0 and 1", readable(range.label)));
+}
+
 }  // namespace
 
 void check(const FiguresPage& page) {
   for (const PageSection& section : page.sections) {
+    for (const RangeBar& range : section.ranges) check(range);
     for (const Table& table : section.tables) check(table);
     for (const CaptionedPlot& figure : section.figures)
       for (const Panel& panel : figure.plot.panels) check(panel);

@@ -36,12 +36,27 @@ Json figure_json(const CaptionedPlot& figure) {
           {"note", one_line(figure.note)}};
 }
 
+Json range_json(const RangeBar& range) {
+  return {{"label", one_line(range.label)},
+          {"value", one_line(range.value)},
+          {"words", one_line(range.words)},
+          {"lowest", one_line(range.lowest)},
+          {"highest", one_line(range.highest)},
+          {"place", range.place},
+          {"from", range.from},
+          {"to", range.to},
+          {"open_below", range.open_below},
+          {"open_above", range.open_above}};
+}
+
 Json section_json(const PageSection& section) {
-  Json tables = Json::array(), figures = Json::array();
+  Json ranges = Json::array(), tables = Json::array(), figures = Json::array();
+  for (const RangeBar& range : section.ranges) ranges.push_back(range_json(range));
   for (const Table& table : section.tables) tables.push_back(table_json(table));
   for (const CaptionedPlot& figure : section.figures) figures.push_back(figure_json(figure));
   return {{"heading", one_line(section.heading)},
           {"paragraphs", texts(section.paragraphs)},
+          {"ranges", std::move(ranges)},
           {"tables", std::move(tables)},
           {"figures", std::move(figures)}};
 }

@@ -1,0 +1,117 @@
+// A fit as a page.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dashpad/output/fit.hpp"
+#include "dashpad/output/page/figures_page.hpp"
+#include "output/plot/fit.hpp"
+#include "output/text/fit_words.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+double place_of(const fit::FittedUnknown& of, double value) {
+  const double place = of.is_logarithmic ? std::log(value / of.lowest) / std::log(of.highest / of.lowest)
+                                         : (value - of.lowest) / (of.highest - of.lowest);
+  return std::clamp(place, 0.0, 1.0);
+}
+
+RangeBar bar_of(const fit::FittedUnknown& of, const UnitSystem& units) {
+  const auto shown = [&](double value) { return brief_quantity(value, of.unit, units, 4); };
+  return {.label = of.key,
+          .value = shown(of.value),
+          .words = interval_words(of, units),
+          .lowest = shown(of.lowest),
+          .highest = shown(of.highest),
+          .place = place_of(of, of.value),
+          .from = of.low ? place_of(of, *of.low) : 0,
+          .to = of.high ? place_of(of, *of.high) : 1,
+          .open_below = !of.low,
+          .open_above = !of.high};
+}
+
+/// What could turn the answer round.
+std::vector<std::string> fit_warnings(const fit::FitReport& report) {
+  std::vector<std::string> all;
+  for (const std::string& line : open_matters(report)) all.push_back("NOT TOLD APART: " + line);
+  for (const fit::FittedUnknown& of : report.unknowns)
+    if (of.is_at_lowest || of.is_at_highest)
+      all.push_back(fmt::format("AT A BOUND: {} is at its {} bound: the data want it beyond.", of.key,
+                                of.is_at_lowest ? "lower" : "upper"));
+  if (report.starts > 1 && report.starts_at_best <= 1)
+    all.push_back(fmt::format("ONE START: {} of {} starts came to this misfit; there may be a better fit.",
+                              report.starts_at_best, report.starts));
+  return all;
+}
+
+PageSection section(const char* heading) {
+  PageSection made;
+  made.heading = heading;
+  return made;
+}
+
+PageSection curves_section(const fit::FitReport& report, const UnitSystem& units) {
+  PageSection curves = section("Model over measurements");
+  for (const fit::MetTest& test : report.tests) curves.figures.push_back(fit_test_figure(test, units));
+  for (const fit::MetPulse& pulse : report.pulses) curves.figures.push_back(fit_pulse_figure(pulse, units));
+  return curves;
+}
+
+PageSection unknowns_section(const fit::FitReport& report, const UnitSystem& units) {
+  PageSection unknowns = section("What was found");
+  unknowns.paragraphs = {
+      "Value and 95 % interval of each unknown, on the way from its lowest to its highest admitted value. "
+      "Where a "
+      "bar fades, the interval is open: the data do not end it."};
+  for (const fit::FittedUnknown& of : report.unknowns) unknowns.ranges.push_back(bar_of(of, units));
+  unknowns.tables = {table_of_unknowns(report, units)};
+  return unknowns;
+}
+
+PageSection misfit_section(const fit::FitReport& report, const UnitSystem& units) {
+  PageSection misfit = section("How well it meets the data");
+  const auto add = [&](const char* caption, Table table) {
+    if (table.rows.empty()) return;
+    table.caption = caption;
+    misfit.tables.push_back(std::move(table));
+  };
+  add("Model minus test, root mean square, and its share of the largest stress",
+      table_of_tests(report, units));
+  add("Energy given back over energy put in", table_of_loops(report));
+  add("Figures of impacts", table_of_figures(report, units));
+  add("Pulses of impacts", table_of_pulses(report, units));
+  return misfit;
+}
+
+}  // namespace
+
+std::string fit_page(const fit::FitReport& report, const UnitSystem& units) {
+  FiguresPage page;
+  page.title = fit_headline(report);
+  if (!report.title.empty()) page.summary.push_back(report.title);
+  std::string answer = fit_answer(report);
+  answer.pop_back();  // the last line break; the other is a blank
+  page.summary.push_back(std::move(answer));
+  if (std::string predicted = prediction_words(report); !predicted.empty())
+    page.summary.push_back(std::move(predicted));
+  page.warnings = fit_warnings(report);
+  PageSection basis = section("What it rests on");
+  basis.paragraphs = notes_on_noise(report);
+  basis.paragraphs.push_back(report.material.source + ".");
+  for (const std::string& reservation : report.material.reservations) basis.paragraphs.push_back(reservation);
+  basis.paragraphs.push_back(
+      fmt::format("{} evaluations in {:.2g} s.", report.evaluations, report.wall_time));
+  if (!report.tests.empty() || !report.pulses.empty()) page.sections.push_back(curves_section(report, units));
+  page.sections.push_back(unknowns_section(report, units));
+  page.sections.push_back(misfit_section(report, units));
+  page.sections.push_back(std::move(basis));
+  return figures_page(page);
+}
+
+}  // namespace dashpad::output

@@ -1,0 +1,100 @@
+// The tables of a fit.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "output/text/fit_words.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+constexpr double width_of_95 = 1.96;  ///< of a normal distribution, in deviations
+
+std::string rms_text(const std::optional<double>& rms, double largest, const UnitSystem& units) {
+  if (!rms) return "not tested";
+  return fmt::format("{}, {:.2g} %", brief_quantity(*rms, "Pa", units, 3), 100 * *rms / largest);
+}
+
+std::string loops_text(const fit::MetTest& test) {
+  std::string text;
+  for (const fit::Loop& loop : test.loops)
+    text +=
+        fmt::format("{}{:.3f}, {:.3f}", text.empty() ? "" : "; ", loop.measured_return, loop.computed_return);
+  return text.empty() ? "no loop" : text;
+}
+
+}  // namespace
+
+Table table_of_unknowns(const fit::FitReport& report, const UnitSystem& units) {
+  Table table{.columns = {"unknown", "value", "standard error", "95 % interval", ""}};
+  for (const fit::FittedUnknown& of : report.unknowns)
+    table.rows.push_back({of.key, brief_quantity(of.value, of.unit, units, 4),
+                          of.standard_error ? brief_quantity(*of.standard_error, of.unit, units, 2) : "none",
+                          interval_words(of, units),
+                          of.is_at_lowest    ? "at its lower bound"
+                          : of.is_at_highest ? "at its upper bound"
+                                             : ""});
+  return table;
+}
+
+Table table_of_tests(const fit::FitReport& report, const UnitSystem& units) {
+  Table table{.columns = {"test", "points", "loading", "unloading", "energy return, test and model", ""}};
+  for (const fit::MetTest& test : report.tests)
+    table.rows.push_back({test.file, fmt::format("{}", test.points),
+                          rms_text(test.rms_loading, test.largest_stress, units),
+                          rms_text(test.rms_unloading, test.largest_stress, units), loops_text(test),
+                          test.is_held_out ? "held out: predicted" : ""});
+  return table;
+}
+
+Table table_of_figures(const fit::FitReport& report, const UnitSystem& units) {
+  Table table{.columns = {"impact", "figure", "measured", "deviation", "model", "the model's own 95 %",
+                          "off by", ""}};
+  for (const fit::MetFigure& of : report.figures) {
+    const auto& names = fit::impact_figure_names();
+    const auto name = std::ranges::find(names, of.figure, &fit::ImpactFigureName::figure);
+    const auto shown = [&](double value, int digits) {
+      return brief_quantity(value, name->unit, units, digits);
+    };
+    table.rows.push_back(
+        {of.file, name->key, shown(of.measured, 4), shown(of.deviation, 2),
+         of.computed ? shown(*of.computed, 4) : "none",
+         of.prediction_deviation ? "± " + shown(width_of_95 * *of.prediction_deviation, 2) : "",
+         of.computed ? fmt::format("{:+.1f} deviations", (*of.computed - of.measured) / of.deviation) : "",
+         of.is_held_out ? "held out: predicted" : ""});
+  }
+  return table;
+}
+
+Table table_of_loops(const fit::FitReport& report) {
+  Table table{.columns = {"test", "turns at strain", "return, test", "return, model", ""}};
+  for (const fit::MetTest& test : report.tests)
+    for (const fit::Loop& loop : test.loops)
+      table.rows.push_back(
+          {test.file, fmt::format("{:.3g}", loop.largest_strain), fmt::format("{:.3f}", loop.measured_return),
+           fmt::format("{:.3f}", loop.computed_return), test.is_held_out ? "held out: predicted" : ""});
+  return table;
+}
+
+Table table_of_pulses(const fit::FitReport& report, const UnitSystem& units) {
+  Table table{.columns = {"impact", "pulse", "points", "peak, measured and model", "model minus pulse, rms",
+                          "shift", ""}};
+  for (const fit::MetPulse& of : report.pulses) {
+    const auto shown = [&](double value, int digits) { return brief_quantity(value, "m/s2", units, digits); };
+    table.rows.push_back(
+        {of.file, of.pulse_file,
+         of.time.size() < of.samples ? fmt::format("{} of {}", of.time.size(), of.samples)
+                                     : fmt::format("{}", of.time.size()),
+         fmt::format("{}, {}", shown(of.measured_peak, 4),
+                     of.computed_peak ? shown(*of.computed_peak, 4) : "none"),
+         of.rms ? fmt::format("{}, {:.2g} %", shown(*of.rms, 3), 100 * *of.rms / of.measured_peak) : "none",
+         of.shift ? brief_quantity(*of.shift, "s", units, 2) : "onsets at one time",
+         of.is_held_out ? "held out: predicted" : ""});
+  }
+  return table;
+}
+
+}  // namespace dashpad::output

@@ -1,0 +1,154 @@
+#include "output/text/fit_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+std::string count_of(std::size_t count, const char* one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+/// By how much the model misses what is held out, or what is not.
+std::string misses(const fit::FitReport& report, bool held_out) {
+  double tests = -1, figures = -1, pulses = -1;
+  for (const fit::MetTest& of : report.tests)
+    if (of.is_held_out == held_out)
+      for (const auto& rms : {of.rms_loading, of.rms_unloading})
+        if (rms) tests = std::max(tests, *rms / of.largest_stress);
+  for (const fit::MetFigure& of : report.figures)
+    if (of.is_held_out == held_out && of.computed)
+      figures = std::max(figures, std::abs(*of.computed / of.measured - 1));
+  for (const fit::MetPulse& of : report.pulses)
+    if (of.is_held_out == held_out && of.rms) pulses = std::max(pulses, *of.rms / of.measured_peak);
+  std::vector<std::string> parts;
+  if (tests >= 0) parts.push_back(fmt::format("the tests by {:.2g} % of their largest stress", 100 * tests));
+  if (figures >= 0) parts.push_back(fmt::format("the figures by {:.2g} %", 100 * figures));
+  if (pulses >= 0) parts.push_back(fmt::format("the pulses by {:.2g} % of their peak", 100 * pulses));
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return text;
+}
+
+}  // namespace
+
+std::string fit_headline(const fit::FitReport& report) {
+  const auto of_material = [](const fit::FittedUnknown& of) { return !of.is_nuisance; };
+  const auto all = static_cast<std::size_t>(std::ranges::count_if(report.unknowns, of_material));
+  const auto found = static_cast<std::size_t>(std::ranges::count_if(
+      report.unknowns, [&](const fit::FittedUnknown& of) { return of_material(of) && of.is_identified(); }));
+  std::string text = found == all
+                         ? all == 1 ? "The data determine the unknown"
+                                    : fmt::format("The data determine all {} unknowns", all)
+                         : fmt::format("The data determine {} of {}", found, count_of(all, "unknown"));
+  const std::string missed = misses(report, false);
+  return text + (missed.empty() ? "." : "; the model misses " + missed + " at most.");
+}
+
+std::string prediction_words(const fit::FitReport& report) {
+  const std::string missed = misses(report, true);
+  return missed.empty() ? "" : "Predicted, not fitted: the model misses " + missed + " at most.";
+}
+
+std::string fit_answer(const fit::FitReport& report) {
+  const auto fitted = static_cast<std::size_t>(
+      std::ranges::count_if(report.tests, [](const fit::MetTest& test) { return !test.is_held_out; }));
+  const auto figures = static_cast<std::size_t>(
+      std::ranges::count_if(report.figures, [](const fit::MetFigure& of) { return !of.is_held_out; }));
+  std::size_t pulses = 0, points_of_pulses = 0;
+  for (const fit::MetPulse& pulse : report.pulses)
+    if (!pulse.is_held_out) {
+      ++pulses;
+      points_of_pulses += pulse.time.size();
+    }
+  std::size_t open = 0;
+  std::size_t unknowns = 0;
+  for (const fit::FittedUnknown& unknown : report.unknowns) {
+    unknowns += unknown.is_nuisance ? 0 : 1;
+    open += unknown.is_nuisance || unknown.is_identified() ? 0 : 1;
+  }
+  std::vector<std::string> data;
+  if (fitted > 0)
+    data.push_back(count_of(report.points - figures - points_of_pulses, "point") + " of " +
+                   count_of(fitted, "test"));
+  if (figures > 0) data.push_back(count_of(figures, "figure") + " of impacts");
+  if (pulses > 0)
+    data.push_back(count_of(points_of_pulses, "point") + " of " + count_of(pulses, "pulse") + " of impacts");
+  if (report.priors > 0) data.push_back(count_of(report.priors, "prior"));
+  std::string text = count_of(unknowns, "unknown") + " from ";
+  for (std::size_t i = 0; i < data.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == data.size() ? " and " : ", ") + data[i];
+  text += open == 0 ? ": the data determine all of them.\n"
+                    : fmt::format(": the data determine {}, and leave {} open.\n", unknowns - open, open);
+  if (report.starts_at_best == 0)
+    return text + "The best fit was met away from all starts, on the way along a profile.\n";
+  return text + fmt::format(
+                    "{} of {} starts came to the same misfit{}.\n", report.starts_at_best, report.starts,
+                    report.starts_failed > 0
+                        ? fmt::format("; {} made no valid material or did not converge", report.starts_failed)
+                        : "");
+}
+
+std::string interval_words(const fit::FittedUnknown& of, const UnitSystem& units) {
+  const auto shown = [&](double value) { return brief_quantity(value, of.unit, units, 4); };
+  if (of.low && of.high) return shown(*of.low) + " to " + shown(*of.high);
+  if (of.low) return "above " + shown(*of.low) + ", open above";
+  if (of.high) return "below " + shown(*of.high) + ", open below";
+  return "open on both sides";
+}
+
+std::vector<std::string> open_matters(const fit::FitReport& report) {
+  std::vector<std::string> all;
+  for (const std::vector<std::string>& keys : report.flat_directions) {
+    std::string names;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      names += (i == 0 ? "" : i + 1 == keys.size() ? " and " : ", ") + keys[i];
+    all.push_back(keys.size() == 1 ? names + " is not determined by these data."
+                                   : names + " are not told apart by these data.");
+  }
+  for (const fit::StrongCorrelation& of : report.correlations)
+    all.push_back(fmt::format("The errors of {} and {} go together: correlation {:.3f}.", of.first, of.second,
+                              of.value));
+  return all;
+}
+
+std::vector<std::string> notes_on_noise(const fit::FitReport& report) {
+  std::vector<std::string> all;
+  if (!report.noise_is_stated)
+    all.emplace_back(
+        "Noise: not stated for all data; where it is not, it is taken from what the fit leaves, one share of "
+        "the "
+        "largest stress of each test.");
+  else if (report.variance_scale > 1)
+    all.push_back(
+        fmt::format("Noise: chi-squared is {:.3g} per degree of freedom with the stated noise, so that the "
+                    "model misses the "
+                    "data by more than noise; errors are multiplied by {:.3g}.",
+                    report.misfit_per_degree(), std::sqrt(report.variance_scale)));
+  else
+    all.push_back(fmt::format("Noise: chi-squared is {:.3g} per degree of freedom with the stated noise.",
+                              report.misfit_per_degree()));
+  for (const fit::MetTest& test : report.tests)
+    if (!test.is_held_out && test.effective_points < static_cast<double>(test.points))
+      all.push_back(
+          fmt::format("{}: neighbouring residuals are correlated by {:.2f}, so that {} points are worth "
+                      "{:.0f}; errors and "
+                      "intervals are widened by that.",
+                      test.file, test.autocorrelation, test.points, test.effective_points));
+  for (const fit::MetPulse& pulse : report.pulses)
+    if (!pulse.is_held_out && pulse.effective_points < static_cast<double>(pulse.time.size()))
+      all.push_back(
+          fmt::format("{}: neighbouring residuals are correlated by {:.2f}, so that {} points are "
+                      "worth {:.0f}; errors and intervals are widened by that.",
+                      pulse.pulse_file, pulse.autocorrelation, pulse.time.size(), pulse.effective_points));
+  return all;
+}
+
+}  // namespace dashpad::output
