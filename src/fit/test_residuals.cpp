@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+
+#include <tbb/enumerable_thread_specific.h>
 
 #include "dashpad/impact/case_quantity.hpp"
 #include "dashpad/laboratory/column_test.hpp"
 #include "fit/problem.hpp"
+#include "model/pad/foam/foam_memo.hpp"
 
 namespace dashpad::fit {
 
@@ -115,14 +119,16 @@ Predict prediction_of(const Fit& fit, const MaterialMeasurement& test) {
   TestPath path = path_of(test);
   for (std::size_t i = 0; i < test.strain.size(); ++i)
     if (counts(test, i)) pieces.push_back(path.pieces_to[i]);
+  using Memos = tbb::enumerable_thread_specific<FoamMemo>;
   return [base = fit.base, setters = law_setters(fit), history = std::move(path.history),
-          pieces = std::move(pieces)](std::span<const double> values, std::span<double> predicted) {
+          pieces = std::move(pieces),
+          memos = std::make_shared<Memos>()](std::span<const double> values, std::span<double> predicted) {
     ImpactCase impact = base;
     for (const LawSetter& setter : setters) setter.set(impact, values[setter.place]);
     const PadLaw& law = impact.pad.material.law;
     // A foam's numbers are within their bounds, and rule_of_rising() sees to its curve.
     if (!std::holds_alternative<Foam>(law) && !violations(law).empty()) return false;
-    const std::vector<double> stress = laboratory::stress_at_ends(law, history);
+    const std::vector<double> stress = laboratory::stress_at_ends(law, history, &memos->local());
     for (std::size_t i = 0; i < pieces.size(); ++i) predicted[i] = pieces[i] == 0 ? 0 : stress[pieces[i] - 1];
     return true;
   };

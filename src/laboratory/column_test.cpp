@@ -159,9 +159,9 @@ ColumnTest drive(const PadLaw& law, const StrainHistory& history, int places) {
   return with_column(law, [&](auto column) { return Drive(std::move(column), places).through(arcs); });
 }
 
-std::vector<double> stress_at_ends(const PadLaw& law, const StrainHistory& history) {
+std::vector<double> stress_at_ends(const PadLaw& law, const StrainHistory& history, FoamMemo* memo) {
   const std::vector<Arc> arcs = arcs_of(history);
-  return with_column(law, [&](auto column) {
+  const auto through = [&](auto column) {
     std::vector<double> stresses;
     stresses.reserve(history.pieces.size());
     for (std::size_t i = 0; i < arcs.size(); ++i) {
@@ -170,7 +170,10 @@ std::vector<double> stress_at_ends(const PadLaw& law, const StrainHistory& histo
       if (ends_piece) stresses.push_back(stress);
     }
     return stresses;
-  });
+  };
+  if (const Foam* const foam = std::get_if<Foam>(&law); foam != nullptr && memo != nullptr)
+    return through(FoamColumn(*foam, *memo));
+  return with_column(law, through);
 }
 
 }  // namespace dashpad::laboratory

@@ -28,6 +28,10 @@
 #include "dashpad/laboratory/strain_history.hpp"
 #include "dashpad/model/pad/law.hpp"
 
+namespace dashpad {
+class FoamMemo;
+}
+
 namespace dashpad::laboratory {
 
 /// What happened on the way. The strain's course and the contact are told apart: a reloading after contact
@@ -69,7 +73,8 @@ ColumnTest drive(const PadLaw& law, const StrainHistory& history, int places = 2
 /// Stress of a column, Pa, at the end of each piece of a history: that of drive(), without places of output
 /// in between and without estimated errors, for fits, which ask often. Neither law nor history is checked:
 /// they must have no violations(), but a base curve may fall, as it does while a fit searches.
-std::vector<double> stress_at_ends(const PadLaw& law, const StrainHistory& history);
+/// `memo` of this thread has tables that earlier calls made (src/model/pad/foam/foam_memo.hpp).
+std::vector<double> stress_at_ends(const PadLaw& law, const StrainHistory& history, FoamMemo* memo = nullptr);
 
 /// Loaded at a constant rate until a stress is reached, then held at that stress: creep.
 struct CreepTest {

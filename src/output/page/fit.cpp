@@ -26,7 +26,10 @@ RangeBar bar_of(const fit::FittedUnknown& of, const UnitSystem& units) {
   const auto shown = [&](double value) { return brief_quantity(value, of.unit, units, 4); };
   return {.label = of.key,
           .value = shown(of.value),
-          .words = interval_words(of, units),
+          .words =
+              interval_words(of, units) +
+              (of.standard_error ? "; standard error " + brief_quantity(*of.standard_error, of.unit, units, 2)
+                                 : "; no standard error"),
           .lowest = shown(of.lowest),
           .highest = shown(of.highest),
           .place = place_of(of, of.value),
@@ -37,9 +40,13 @@ RangeBar bar_of(const fit::FittedUnknown& of, const UnitSystem& units) {
 }
 
 /// What could turn the answer round.
-std::vector<std::string> fit_warnings(const fit::FitReport& report) {
+std::vector<std::string> fit_warnings(const fit::FitReport& report, const UnitSystem& units) {
   std::vector<std::string> all;
   for (const std::string& line : open_matters(report)) all.push_back("NOT TOLD APART: " + line);
+  for (const fit::FittedUnknown& of : report.unknowns)
+    if (!of.is_identified() && !of.is_nuisance)
+      all.push_back(fmt::format("LEFT OPEN: the data do not determine {}: its 95 % interval is {}.", of.key,
+                                interval_words(of, units)));
   for (const fit::FittedUnknown& of : report.unknowns)
     if (of.is_at_lowest || of.is_at_highest)
       all.push_back(fmt::format("AT A BOUND: {} is at its {} bound: the data want it beyond.", of.key,
@@ -70,7 +77,6 @@ PageSection unknowns_section(const fit::FitReport& report, const UnitSystem& uni
       "Where a "
       "bar fades, the interval is open: the data do not end it."};
   for (const fit::FittedUnknown& of : report.unknowns) unknowns.ranges.push_back(bar_of(of, units));
-  unknowns.tables = {table_of_unknowns(report, units)};
   return unknowns;
 }
 
@@ -100,7 +106,7 @@ std::string fit_page(const fit::FitReport& report, const UnitSystem& units) {
   page.summary.push_back(std::move(answer));
   if (std::string predicted = prediction_words(report); !predicted.empty())
     page.summary.push_back(std::move(predicted));
-  page.warnings = fit_warnings(report);
+  page.warnings = fit_warnings(report, units);
   PageSection basis = section("What it rests on");
   basis.paragraphs = notes_on_noise(report);
   basis.paragraphs.push_back(report.material.source + ".");

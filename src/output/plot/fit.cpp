@@ -66,10 +66,10 @@ CaptionedPlot fit_test_figure(const fit::MetTest& test, const UnitSystem& units)
     add_point(test.course[i] > 0 ? off_up : off_down, test.strain[i],
               value_in(units, test.computed[i] + offset - test.measured[i], "Pa"));
   }
-  add_model(stress, test, units);
   off.series.push_back(zero_line());
   for (Series* series : {&up, &down})
     if (!series->x.empty()) stress.series.push_back(std::move(*series));
+  add_model(stress, test, units);  // over the points
   for (Series* series : {&off_up, &off_down})
     if (!series->x.empty()) off.series.push_back(std::move(*series));
   CaptionedPlot figure;

@@ -24,12 +24,12 @@ std::string misses(const fit::FitReport& report, bool held_out) {
         if (rms) tests = std::max(tests, *rms / of.largest_stress);
   for (const fit::MetFigure& of : report.figures)
     if (of.is_held_out == held_out && of.computed)
-      figures = std::max(figures, std::abs(*of.computed / of.measured - 1));
+      figures = std::max(figures, std::abs(*of.computed - of.measured) / of.deviation);
   for (const fit::MetPulse& of : report.pulses)
     if (of.is_held_out == held_out && of.rms) pulses = std::max(pulses, *of.rms / of.measured_peak);
   std::vector<std::string> parts;
   if (tests >= 0) parts.push_back(fmt::format("the tests by {:.2g} % of their largest stress", 100 * tests));
-  if (figures >= 0) parts.push_back(fmt::format("the figures by {:.2g} %", 100 * figures));
+  if (figures >= 0) parts.push_back(fmt::format("the figures by {:.2g} of their deviations", figures));
   if (pulses >= 0) parts.push_back(fmt::format("the pulses by {:.2g} % of their peak", 100 * pulses));
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i)

@@ -1,5 +1,8 @@
 #include "model/pad/foam/foam_stress.hpp"
 
+#include <utility>
+
+#include "model/pad/foam/foam_memo.hpp"
 #include "model/pad/foam/monotone_curve.hpp"
 
 namespace dashpad {
@@ -12,8 +15,14 @@ SlipScale scale_of(double lag_strain, const FoamCurves& curves) {
 }  // namespace
 
 FoamStress::FoamStress(const Foam& law)
+    : FoamStress(law, FoamCurve(law.curves.base, law.continuation_exponent), nullptr) {}
+
+FoamStress::FoamStress(const Foam& law, FoamMemo& memo)
+    : FoamStress(law, memo.curve(law.curves.base, law.continuation_exponent), &memo) {}
+
+FoamStress::FoamStress(const Foam& law, FoamCurve curve, FoamMemo* memo)
     : friction_(law.friction),
-      curve_(law.curves.base, law.continuation_exponent),
+      curve_(std::move(curve)),
       slip_(scale_of(law.lag_strain, law.curves)),
       overstress_(law.curves, curve_, law.friction, law.recoil, slip_.rate) {
   if (law.unloading_curve) {
@@ -22,9 +31,14 @@ FoamStress::FoamStress(const Foam& law)
     remaining_.fill(Cells(1), [&](double root) { return share_of(back, std::min(root * root, 1.0)); });
   } else if (law.unloading_factor < 1) {
     unloading_ = Unloading::damage;
-    remaining_.fill(Cells(1), [&](double root) {
-      return 1 - (1 - law.unloading_factor) * (1 - std::pow(root * root, law.unloading_shape));
-    });
+    const auto make = [&law] {
+      CellTable table;
+      table.fill(Cells(1), [&law](double root) {
+        return 1 - (1 - law.unloading_factor) * (1 - std::pow(root * root, law.unloading_shape));
+      });
+      return table;
+    };
+    remaining_ = memo != nullptr ? memo->way_back(law.unloading_factor, law.unloading_shape, make) : make();
   }
 }
 

@@ -18,12 +18,15 @@
 
 namespace dashpad {
 
+class FoamMemo;
 class MonotoneCurve;
 
 class FoamStress {
  public:
   /// The laws must be sound (violations(PadLaw)).
   explicit FoamStress(const Foam& law);
+  /// The same, with tables that were made before.
+  FoamStress(const Foam& law, FoamMemo& memo);
   explicit FoamStress(const CrushableFoam& law);
 
   /// A column, as far as its strain goes.
@@ -99,6 +102,8 @@ class FoamStress {
   enum class Unloading { none, damage, elastic };
   inline static const Cells whole{1};  ///< of x, the share of the work
   static constexpr CellPlace last_cell{Cells::count - 1, 1};
+
+  FoamStress(const Foam& law, FoamCurve curve, FoamMemo* memo);
 
   /// D(W(e) / W(e*)).
   [[nodiscard]] double remaining(const Place& place, double ahead) const {
