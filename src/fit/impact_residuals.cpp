@@ -6,6 +6,7 @@
 #include "dashpad/impact/solver.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
 #include "fit/problem.hpp"
+#include "fit/smooth_curve.hpp"
 
 namespace dashpad::fit {
 
@@ -25,27 +26,43 @@ std::optional<double> figure_in(const Summary& summary, ImpactFigure figure) {
   return std::nullopt;
 }
 
+/// The computed deceleration with the filter of the measured one.
+SmoothCurve filtered(const SmoothCurve& curve, double end, const MeasuredDeceleration& measured) {
+  Pulse pulse;
+  for (std::size_t i = 0;; ++i) {
+    const double time = measured.interval * static_cast<double>(i);
+    if (time > end) break;
+    pulse.time.push_back(time);
+    pulse.acceleration.push_back(curve.at(time));
+  }
+  if (pulse.time.size() < 2) return curve;  // a pulse between two samples
+  pulse = injury::filtered_like(measured.filter, measured.interval, pulse);
+  return {std::move(pulse.time), std::move(pulse.acceleration)};
+}
+
 /// The deceleration at times since the onset; nothing before first contact and after the end of contact.
 bool predict_pulse(const Solution& solution, const MeasuredDeceleration& measured, double shift,
                    std::span<double> predicted) {
-  if (!solution.summary.peak_acceleration) return false;  // the pad bottomed out on a rigid support
-  const Pulse pulse = injury::computed_pulse(solution, measured.filter, measured.interval);
-  if (pulse.time.size() < 2) return false;
-  double peak = 0;
-  for (const double a : pulse.acceleration) peak = std::max(peak, std::abs(a));
-  // A foam that answers at first contact has its onset there.
-  const double onset = injury::onset_of(pulse, peak).value_or(pulse.time.front());
-  std::size_t after = 0;
-  for (std::size_t i = 0; i < predicted.size(); ++i) {
-    const double time = onset + measured.time[i] - shift;
-    while (after < pulse.time.size() && pulse.time[after] < time) ++after;
-    predicted[i] = 0;
-    if (after == pulse.time.size() || time < pulse.time.front()) continue;
-    const std::size_t before = after == 0 ? 0 : after - 1;
-    const double width = pulse.time[after] - pulse.time[before];
-    const double part = width > 0 ? (time - pulse.time[before]) / width : 0;
-    predicted[i] = -std::lerp(pulse.acceleration[before], pulse.acceleration[after], part);
+  const History& history = solution.history;
+  if (!solution.summary.peak_acceleration || history.size() < 2)
+    return false;  // bottomed out on a rigid support
+  std::vector<double> deceleration;
+  for (const double a : history.acceleration) {
+    if (!std::isfinite(a)) return false;
+    deceleration.push_back(-a);
   }
+  SmoothCurve curve(history.time, std::move(deceleration));
+  double peak = *solution.summary.peak_acceleration;
+  if (measured.filter) {
+    const double end = history.time.back();
+    curve = filtered(curve, end, measured);
+    peak = 0;
+    for (double time = 0; time <= end; time += measured.interval) peak = std::max(peak, curve.at(time));
+  }
+  // A foam that answers at first contact has its onset there.
+  const double onset = curve.first_at(injury::onset_share * peak);
+  for (std::size_t i = 0; i < predicted.size(); ++i)
+    predicted[i] = curve.at(onset + measured.time[i] - shift);
   return true;
 }
 

@@ -21,6 +21,13 @@ namespace {
 constexpr double free_flight = 20e-3;             // s: longer than a filter of class 60 looks
 constexpr double rounding_of_restitution = 1e-3;  // of the impact speed, as in IMPOSSIBLE VELOCITY CHANGE
 
+std::optional<double> onset_of(const Pulse& pulse, double level) {
+  const Magnitude line = magnitude_of(pulse);
+  const auto first = std::ranges::find_if(line, [&](const LinePoint& at) { return at.value >= level; });
+  if (first == line.begin()) return std::nullopt;
+  return passing(*(first - 1), *first, level);
+}
+
 /// The samples around the one at `peak` with the sign of that one, and the zeros at both ends.
 Pulse contact_of(const Pulse& pulse, std::size_t peak, double side) {
   const std::vector<double>&time = pulse.time, &a = pulse.acceleration;
@@ -59,19 +66,6 @@ Pulse with_peak(Pulse pulse, const Summary& summary) {
 
 double interval_of(const Pulse& pulse) {
   return (pulse.time.back() - pulse.time.front()) / static_cast<double>(pulse.time.size() - 1);
-}
-
-/// Filtered as the measured pulse is, if that is.
-Pulse filtered_like(const std::optional<PulseFilter>& filter, double interval, const Pulse& pulse) {
-  if (!filter) return pulse;
-  const double begin = pulse.time.front(), end = pulse.time.back();
-  Pulse flight{{begin - free_flight - interval, begin - interval}, {0, 0}};
-  flight.time.insert(flight.time.end(), pulse.time.begin(), pulse.time.end());
-  flight.acceleration.insert(flight.acceleration.end(), pulse.acceleration.begin(), pulse.acceleration.end());
-  flight.time.insert(flight.time.end(), {end + interval, end + free_flight + interval});
-  flight.acceleration.insert(flight.acceleration.end(), {0, 0});
-  return cfc_filtered(resampled(flight, interval), filter->channel_frequency_class, filter->corner,
-                      filter->ends);
 }
 
 /// The history as far as it is finite.
@@ -130,17 +124,16 @@ const char* to_string(Alignment alignment) {
   return "";
 }
 
-std::optional<double> onset_of(const Pulse& pulse, double peak) {
-  check(pulse);
-  const double level = onset_share * peak;
-  const Magnitude line = magnitude_of(pulse);
-  const auto first = std::ranges::find_if(line, [&](const LinePoint& at) { return at.value >= level; });
-  if (first == line.begin() || first == line.end()) return std::nullopt;
-  return passing(*(first - 1), *first, level);
-}
-
-Pulse computed_pulse(const Solution& solution, const std::optional<PulseFilter>& filter, double interval) {
-  return filtered_like(filter, interval, with_peak(finite_pulse(solution.history), solution.summary));
+Pulse filtered_like(const std::optional<PulseFilter>& filter, double interval, const Pulse& pulse) {
+  if (!filter) return pulse;
+  const double begin = pulse.time.front(), end = pulse.time.back();
+  Pulse flight{{begin - free_flight - interval, begin - interval}, {0, 0}};
+  flight.time.insert(flight.time.end(), pulse.time.begin(), pulse.time.end());
+  flight.acceleration.insert(flight.acceleration.end(), pulse.acceleration.begin(), pulse.acceleration.end());
+  flight.time.insert(flight.time.end(), {end + interval, end + free_flight + interval});
+  flight.acceleration.insert(flight.acceleration.end(), {0, 0});
+  return cfc_filtered(resampled(flight, interval), filter->channel_frequency_class, filter->corner,
+                      filter->ends);
 }
 
 PulseShape pulse_shape(const Pulse& pulse, std::optional<double> impact_speed) {
@@ -150,7 +143,7 @@ PulseShape pulse_shape(const Pulse& pulse, std::optional<double> impact_speed) {
   const auto place = std::ranges::find(pulse.time, shape.peak.time) - pulse.time.begin();
   const auto index = static_cast<std::size_t>(place);
   shape.side = pulse.acceleration[index] < 0 ? -1 : 1;
-  shape.onset = onset_of(pulse, shape.peak.magnitude);
+  shape.onset = onset_of(pulse, onset_share * shape.peak.magnitude);
   shape.width = cumulative_dwell(pulse, shape.peak.magnitude / 2);
   const Pulse contact = contact_of(pulse, index, shape.side);
   shape.contact_begin = contact.time.front();

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <sstream>
 
 #include "command.hpp"
 #include "schema.hpp"
@@ -114,6 +116,92 @@ peak_acceleration = {value = "30 g", deviation = "5 %"}
   const json result = json::parse(outcome.out);
   EXPECT_EQ(schema_faults(result, "fit"), "");
   EXPECT_NEAR(result["impacts"][0]["computed"].get<double>(), 30 * 9.80665, 0.05);
+}
+
+/// The pulse of case.toml at 3 m/s with a tenth more modulus, as `run` writes it, on a clock of its own.
+std::string pulse_csv(const std::string& case_file, const std::string& csv) {
+  write_file(case_file, with(elastic_case(), "300 kPa", "330 kPa"));
+  EXPECT_EQ(dashpad({"run", case_file, "--csv", csv, "--force"}).exit_code, 0);
+  std::istringstream lines(read_file(csv));
+  std::string line, text = "time_s,acceleration_g\n";
+  for (int i = 0; i < 20; ++i) text += std::to_string(1e-4 * i) + ",0\n";
+  while (std::getline(lines, line)) {
+    double time = 0, force = 0, acceleration = 0;
+    if (std::sscanf(line.c_str(), "%lf,%lf,%lf", &time, &force, &acceleration) == 3)
+      text += std::to_string(0.0021 + time) + "," + std::to_string(acceleration) + "\n";
+  }
+  return text;
+}
+
+const std::string fit_of_a_pulse = R"(case = "case.toml"
+[unknowns]
+"pad.parameters.modulus" = {bounds = ["50 kPa", "2 MPa"]}
+[[impacts]]
+case = "case.toml"
+pulse = {file = "drop.csv", deviation = "2 %"}
+[fit]
+starts = 2
+)";
+
+TEST_F(FitTest, FitsAWholePulse) {
+  write_file(file("drop.csv"), pulse_csv(file("stiff.toml"), file("run.csv")));
+  write_file(file("fit.toml"), fit_of_a_pulse);
+  const Outcome outcome = dashpad({"fit", file("fit.toml"), "--json", "-", "--report", file("fit.html")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json result = json::parse(outcome.out);
+  EXPECT_EQ(schema_faults(result, "fit"), "");
+  EXPECT_NEAR(result["unknowns"][0]["value"].get<double>(), 330e3, 1e3);
+  EXPECT_EQ(result["unknowns"][1]["key"], "impacts[1].pulse.shift");
+  EXPECT_LT(result["pulses"][0]["rms_share_of_peak"].get<double>(), 0.01);
+  EXPECT_THAT(outcome.err, HasSubstr("drop.csv"));
+  EXPECT_THAT(outcome.err, HasSubstr("1 unknown from"));
+  const std::string page = read_file(file("fit.html"));
+  EXPECT_NE(page.find("The data determine the unknown; the model misses the pulses by"), std::string::npos);
+}
+
+TEST_F(FitTest, RefusesAPulseWithoutOnsetAndWritesNothing) {
+  write_file(file("drop.csv"), "time_s,acceleration_g\n0,50\n0.001,60\n0.002,50\n0.003,30\n0.004,0\n");
+  write_file(file("fit.toml"), fit_of_a_pulse);
+  const auto before = other_files();
+  const Outcome outcome = dashpad({"fit", file("fit.toml"), "--output", file("card.toml"), "--report",
+                                   file("fit.html"), "--state", file("fit.state")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("fit.toml:6: impacts[1].pulse.file"));
+  EXPECT_THAT(outcome.err, HasSubstr("1 fault; nothing was run"));
+  EXPECT_EQ(other_files(), before);
+}
+
+TEST_F(FitTest, StopsAndGoesOn) {
+  // Ten thousand starts take long enough to be stopped.
+  const std::string impacts = with(with(fit_of_a_pulse, "pulse = {file = \"drop.csv\", deviation = \"2 %\"}",
+                                        "peak_acceleration = {value = \"30 g\", deviation = \"5 %\"}"),
+                                   "starts = 2", "starts = 1000");
+  write_file(file("fit.toml"), impacts);
+  const std::string command =
+      "\"$DASHPAD\" fit '" + file("fit.toml") + "' --state '" + file("fit.state") + "'";
+  const Outcome stopped = shell("timeout -s INT 1 " + command + "; exit $?");
+  EXPECT_THAT(stopped.err, HasSubstr("Stopped; nothing was written but"));
+  EXPECT_EQ(stopped.out, "");
+  ASSERT_TRUE(fs::exists(file("fit.state")));
+  EXPECT_FALSE(fs::exists(file("fit.state.new")));
+  // The same fit with fewer starts is another fit.
+  write_file(file("fit.toml"), with(impacts, "starts = 1000", "starts = 2"));
+  const Outcome other = shell(command);
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.err, HasSubstr("fit.state: is the state of another fit"));
+}
+
+TEST_F(FitTest, KeepsWhatIsFinished) {
+  const Outcome first = dashpad({"fit", file("fit.toml"), "--state", file("fit.state")});
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  const std::string state = read_file(file("fit.state"));
+  const Outcome again = dashpad({"fit", file("fit.toml"), "--state", file("fit.state")});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(read_file(file("fit.state")), state);
+  const auto answer = [](const std::string& text) {
+    return text.substr(0, text.find(" evaluations in")).substr(0, 400);
+  };
+  EXPECT_EQ(answer(again.out), answer(first.out));
 }
 
 TEST_F(FitTest, TheExampleWorks) {

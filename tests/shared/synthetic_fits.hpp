@@ -209,8 +209,8 @@ inline SyntheticFit drifting_avalle_loops(std::uint64_t seed) {
   return made;
 }
 
-/// The nine-parameter law from the whole pulses of impacts at two speeds: noise of 2 % of the peak at each of
-/// 120 samples, clocks that nobody set.
+/// The nine-parameter law from the whole pulses of impacts at two speeds: noise of 0.5 % of the peak at each
+/// of 120 samples, clocks that nobody set.
 inline SyntheticFit nine_parameter_pulses(std::uint64_t seed) {
   SyntheticFit made = nine_parameter_impacts(seed);
   made.name = "nine-parameter law from two whole pulses";
@@ -237,11 +237,11 @@ inline SyntheticFit nine_parameter_pulses(std::uint64_t seed) {
                                        (time - history.time[after - 1]) /
                                            (history.time[after] - history.time[after - 1]));
       pulse.time.push_back(5 + time);
-      pulse.acceleration.push_back(-exact + 0.02 * peak * normal.next());
+      pulse.acceleration.push_back(exact + 0.005 * peak * normal.next());
     }
     impact.pulse = fit::deceleration_of(pulse);
     impact.pulse->file = "made-up.csv";
-    impact.pulse->deviation = 0.02 * peak;
+    impact.pulse->deviation = 0.005 * peak;
     made.fit.impacts.push_back(impact);
   }
   return made;

@@ -205,6 +205,21 @@ TEST(figures_page, refuses_what_does_not_fit_together) {
   EXPECT_THROW(output::figures_page(page), std::invalid_argument);
 }
 
+TEST(figures_page, has_bars_between_their_bounds) {
+  FiguresPage page;
+  page.sections = {
+      {.ranges = {{.label = "<b>", .value = "2 kPa", .place = 0.4, .from = 0.2, .open_above = true}}}};
+  const Json bar = parsed(page)["sections"][0]["ranges"][0];
+  EXPECT_EQ(bar["label"], "<b>");
+  EXPECT_EQ(bar["place"], 0.4);
+  EXPECT_EQ(bar["from"], 0.2);
+  EXPECT_EQ(bar["to"], 1);
+  EXPECT_EQ(bar["open_below"], false);
+  EXPECT_EQ(bar["open_above"], true);
+  page.sections[0].ranges[0].from = -0.1;
+  EXPECT_THROW(output::figures_page(page), std::invalid_argument);
+}
+
 TEST(figures_page, accepts_columns_that_a_style_does_not_use) {
   EXPECT_EQ(fault_of(page_with({{.style = SeriesStyle::vertical_line, .x = {1, 2}, .y = {1}},
                                 {.style = SeriesStyle::horizontal_line, .y = {1}},

@@ -44,10 +44,6 @@ struct PulseShape {
   std::optional<double> restitution;
 };
 
-/// When |a| first reaches onset_share of the peak, which is given, s; absent where the first sample is there
-/// already. Throws std::invalid_argument for what check() refuses.
-std::optional<double> onset_of(const Pulse& pulse, double peak);
-
 /// `impact_speed` in m/s, more than 0. Throws std::invalid_argument for what check() refuses, and for a pulse
 /// without any acceleration.
 PulseShape pulse_shape(const Pulse& pulse, std::optional<double> impact_speed);
@@ -81,10 +77,10 @@ struct PulseComparison {
   std::array<ComparedFigure, 6> figures;
 };
 
-/// The accelerations of an impact as they are laid beside a measured pulse: with the peak that the solver
-/// knows, and filtered as that pulse is, whose samples lie `interval` s apart, with free flight before and
-/// after. As far as the history is finite; throws as cfc_filtered() does.
-Pulse computed_pulse(const Solution& solution, const std::optional<PulseFilter>& filter, double interval);
+/// A computed pulse as it is laid beside a measured one that went through `filter` and whose samples lie
+/// `interval` s apart: filtered likewise, with free flight before and after; as it is without filter. Throws
+/// as cfc_filtered() does.
+Pulse filtered_like(const std::optional<PulseFilter>& filter, double interval, const Pulse& pulse);
 
 /// The pulse of `report` beside that of `solution`, the impact of a speed in m/s. The computed pulse gets the
 /// filter of the measured one, at the same interval of samples, with free flight before and after it. Throws

@@ -1,0 +1,205 @@
+/// Whole pulses in fits: which part counts, and what is said about bad ones.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "dashpad/fit/fit_file.hpp"
+#include "dashpad/input/fault.hpp"
+#include "shared/temporary_folder.hpp"
+
+namespace dashpad::fit {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double pi = 3.141592653589793;
+
+/// Half a sine of 10 ms and 500 m/s2 from 20 ms on, downwards, every 10 us.
+Pulse half_sine(double begin = 0) {
+  Pulse pulse;
+  for (int i = 0; i <= 5000; ++i) {
+    const double t = begin + 1e-5 * i;
+    pulse.time.push_back(t);
+    pulse.acceleration.push_back(t >= 0.02 && t <= 0.03 ? -500 * std::sin(pi * (t - 0.02) / 0.01) : 0);
+  }
+  return pulse;
+}
+
+TEST(DecelerationOf, GoesFromTheOnsetToTheEndWithThePeakUp) {
+  const MeasuredDeceleration of = deceleration_of(half_sine());
+  // 5 % of the peak are reached after asin(0.05) / pi of the 10 ms.
+  const double after = 0.01 * std::asin(0.05) / pi;
+  EXPECT_NEAR(of.onset, 0.02 + after, 1e-8);
+  EXPECT_NEAR(of.peak, 500, 1e-9);
+  EXPECT_NEAR(of.half_peak_width, 0.01 * 2 / 3, 1e-7);
+  EXPECT_NEAR(of.interval, 1e-5, 1e-12);
+  EXPECT_EQ(of.time.size(), most_pulse_points);
+  EXPECT_NEAR(static_cast<double>(of.samples), 984, 1);
+  EXPECT_GE(of.time.front(), 0);
+  EXPECT_LT(of.time.front(), 1e-5);
+  EXPECT_NEAR(of.time.back(), 0.01 - after, 1e-5);
+  for (std::size_t i = 0; i < of.time.size(); ++i)
+    EXPECT_NEAR(of.deceleration[i], 500 * std::sin(pi * (of.time[i] + after) / 0.01), 2e-5) << i;
+}
+
+TEST(DecelerationOf, KeepsAllSamplesOfAShortPulse) {
+  Pulse pulse;
+  for (int i = 0; i <= 20; ++i) {
+    pulse.time.push_back(0.001 * i);
+    pulse.acceleration.push_back(i > 2 && i < 15 ? 100 * std::sin(pi * (i - 2) / 13) : 0);
+  }
+  const MeasuredDeceleration of = deceleration_of(pulse);
+  EXPECT_EQ(of.samples, of.time.size());
+  EXPECT_GE(of.time.size(), 12U);
+}
+
+std::string fault_in(const Pulse& pulse) {
+  try {
+    deceleration_of(pulse);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(DecelerationOf, RefusesPulsesWithoutOnsetWithoutHeightAndWithTooFewSamples) {
+  EXPECT_THAT(fault_in(half_sine(0.025)), HasSubstr("its onset is not in it"));
+  Pulse flat = half_sine();
+  for (double& a : flat.acceleration) a = 0;
+  EXPECT_THAT(fault_in(flat), HasSubstr("its acceleration is 0 throughout"));
+  EXPECT_THAT(fault_in({{0, 1, 2, 3}, {0, 5, 0, 0}}), HasSubstr("a fit needs 5"));
+}
+
+const std::string drop_case = R"(title = "Drop"
+[impactor]
+mass = "5 kg"
+radius = "80 mm"
+speed = "3 m/s"
+[pad]
+thickness = "50 mm"
+law = "elastic"
+[pad.parameters]
+modulus = "300 kPa"
+[support]
+type = "rigid"
+)";
+
+const std::string pulse_fit = R"(case = "drop.toml"
+[unknowns]
+"pad.parameters.modulus" = {bounds = ["50 kPa", "2 MPa"]}
+[[impacts]]
+case = "drop.toml"
+pulse = {file = "drop.csv", deviation = "5 %"}
+)";
+
+std::string with(std::string text, const std::string& old, const std::string& fresh) {
+  const auto place = text.find(old);
+  EXPECT_NE(place, std::string::npos) << old;
+  return place == std::string::npos ? text : text.replace(place, old.size(), fresh);
+}
+
+class FitPulseTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    write("drop.toml", drop_case);
+    write("drop.csv", csv(half_sine()));
+  }
+  static std::string csv(const Pulse& pulse) {
+    std::string text = "time_ms,acceleration_g\n";
+    for (std::size_t i = 0; i < pulse.time.size(); i += 5)
+      text += fmt::format("{:.6f},{:.6f}\n", 1e3 * pulse.time[i], pulse.acceleration[i] / standard_gravity);
+    return text;
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_.path() / name, std::ios::binary) << text;
+  }
+  FitFile read(const std::string& text) {
+    write("fit.toml", text);
+    return read_fit(folder_.path() / "fit.toml", DASHPAD_SOURCE_DIR "/materials");
+  }
+  std::vector<input::Fault> faults_of(const std::string& text) {
+    try {
+      read(text);
+    } catch (const input::InputError& error) {
+      return error.faults();
+    }
+    return {};
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(FitPulseTest, TakesTheDeviationAsAShareOfThePeakOrInUnits) {
+  const auto deviation = [&](const std::string& text) {
+    return read(with(pulse_fit, "\"5 %\"", text)).fit.impacts.at(0).pulse.value().deviation;
+  };
+  EXPECT_NEAR(deviation("\"5 %\""), 25, 1e-3);
+  EXPECT_NEAR(deviation("\"3 g\""), 3 * standard_gravity, 1e-9);
+  EXPECT_NEAR(deviation("\"40 m/s2\""), 40, 1e-9);
+}
+
+TEST_F(FitPulseTest, TakesColumnsUnitsAndAFilter) {
+  write("drop.csv", with(csv(half_sine()), "time_ms,acceleration_g", "t,a"));
+  const FitFile of = read(with(pulse_fit, "deviation =",
+                               "columns = {time = \"t\", acceleration = \"a\"}, time_unit = \"ms\", "
+                               "acceleration_unit = \"g\", filter = \"CFC600\", deviation ="));
+  const MeasuredDeceleration& pulse = of.fit.impacts.at(0).pulse.value();
+  EXPECT_EQ(pulse.filter.value().channel_frequency_class, 600);
+  EXPECT_NEAR(pulse.peak, 500, 5);
+  EXPECT_EQ(of.files.back().file.filename(), "drop.csv");
+}
+
+TEST_F(FitPulseTest, NamesOneFaultForEach) {
+  struct Row {
+    std::string old, fresh, said;
+  };
+  const std::vector<Row> rows{
+      {"drop.csv", "nowhere.csv", "no such file"},
+      {"\"5 %\"", "\"5 mm\"", "acceleration"},
+      {"\"5 %\"", "\"0 %\"", "must be more than 0"},
+      {", deviation = \"5 %\"", "", "is missing"},
+      {"deviation =", "filter = \"CFC100\", deviation =", "CFC180"},
+      {"deviation =", "trigger = 1, deviation =", "trigger"},
+  };
+  for (const Row& row : rows) {
+    const auto faults = faults_of(with(pulse_fit, row.old, row.fresh));
+    ASSERT_EQ(faults.size(), 1U) << row.fresh;
+    EXPECT_THAT(faults[0].rule + faults[0].key, HasSubstr(row.said));
+  }
+}
+
+TEST_F(FitPulseTest, NamesFileAndLineOfBadSamples) {
+  const std::string sound = csv(half_sine());
+  struct Row {
+    std::string old, fresh, said;
+    int line;
+  };
+  for (const Row& row : {Row{"\n0.100000,", "\n0.010000,", "is earlier than the time before", 4},
+                         Row{"\n0.100000,-0.000000", "\n0.100000,nan", "", 4},
+                         Row{"\n0.100000,0.000000", "\n0.100000,nan", "", 4}}) {
+    if (sound.find(row.old) == std::string::npos) continue;  // of the two signs of nothing one is there
+    write("drop.csv", with(sound, row.old, row.fresh));
+    const auto faults = faults_of(pulse_fit);
+    ASSERT_EQ(faults.size(), 1U) << row.fresh;
+    EXPECT_EQ(faults[0].line, row.line);
+    EXPECT_THAT(faults[0].file, testing::EndsWith("drop.csv"));
+    EXPECT_THAT(faults[0].rule, HasSubstr(row.said));
+  }
+  write("drop.csv", csv(half_sine(0.025)));
+  const auto faults = faults_of(pulse_fit);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_THAT(faults[0].file, testing::EndsWith("fit.toml"));
+  EXPECT_EQ(faults[0].line, 6);
+  EXPECT_THAT(faults[0].rule, HasSubstr("its onset is not in it"));
+}
+
+}  // namespace
+}  // namespace dashpad::fit

@@ -1,0 +1,96 @@
+/// A fit that is stopped goes on where it was, and takes the state of no other.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "dashpad/fit/report.hpp"
+#include "model/pad/foam/foam_memo.hpp"
+#include "model/pad/foam/foam_stress.hpp"
+#include "shared/synthetic_fits.hpp"
+#include "shared/temporary_folder.hpp"
+
+namespace dashpad::fit {
+namespace {
+
+using testing::HasSubstr;
+
+struct FitStateTest : testing::Test {
+  FitStateTest() { made.fit.starts = 3; }
+  [[nodiscard]] RunOptions options(const char* fingerprint = "a") const {
+    return {.state = folder.path() / "fit.state", .fingerprint = fingerprint};
+  }
+  test::TemporaryFolder folder;
+  test::SyntheticFit made = test::hyperfoam_rates(3);
+};
+
+TEST_F(FitStateTest, GoesOnAndFindsTheSame) {
+  const FitReport whole = run_fit(made.fit);
+  std::atomic<bool> stop = false;
+  RunOptions cut = options();
+  cut.stop = &stop;
+  std::size_t pieces = 0;
+  cut.progress = [&](const char*, std::size_t done, std::size_t) {
+    if (done > 0 && ++pieces == 2) stop = true;
+  };
+  std::size_t kept = 0;
+  try {
+    run_fit(made.fit, cut);
+  } catch (const Stopped& stopped) {
+    kept = stopped.kept();
+  }
+  ASSERT_GE(kept, 2U);
+  const FitReport rest = run_fit(made.fit, options());
+  ASSERT_TRUE(rest.converged);
+  EXPECT_LT(rest.evaluations, whole.evaluations);
+  for (std::size_t i = 0; i < whole.unknowns.size(); ++i) {
+    EXPECT_EQ(rest.unknowns[i].value, whole.unknowns[i].value);
+    EXPECT_EQ(rest.unknowns[i].low, whole.unknowns[i].low);
+    EXPECT_EQ(rest.unknowns[i].high, whole.unknowns[i].high);
+  }
+  // All is kept now: nothing is searched again.
+  EXPECT_LT(run_fit(made.fit, options()).evaluations, rest.evaluations / 2);
+}
+
+TEST_F(FitStateTest, RefusesTheStateOfAnotherFitAndWhatIsNone) {
+  run_fit(made.fit, options());
+  try {
+    check_state(options("b"));
+    ADD_FAILURE() << "the state of another fit was taken";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("fit.state: is the state of another fit"));
+  }
+  for (const char* text : {"", "{}", "[1]", "title = \"case\"", R"({"format": "dashpad fit state 1"})"}) {
+    std::ofstream(folder.path() / "fit.state") << text;
+    EXPECT_THROW(check_state(options()), std::runtime_error) << text;
+  }
+}
+
+TEST_F(FitStateTest, StopsWithoutAStateAsWell) {
+  const std::atomic<bool> stop = true;
+  EXPECT_THROW(run_fit(made.fit, {.stop = &stop}), Stopped);
+}
+
+/// Whatever was asked before, the memo gives what is made without it.
+TEST(FoamMemo, GivesWhatWouldBeMade) {
+  FoamMemo memo;
+  for (int i = 0; i < 200; ++i) {
+    Foam foam;
+    foam.unloading_factor = 0.1 * (i % 5);
+    foam.unloading_shape = 0.5 + 0.5 * (i % 7);
+    foam.curves.base = HyperfoamCurve{50e3 + 1e3 * (i % 40), 8, 5e3, -1, 0.65};
+    foam.curves.slowest_rate = 0.01;
+    const FoamStress plain(foam), remembered(foam, memo);
+    for (const double strain : {0.01, 0.3, 0.6, 0.7})
+      for (const double ahead : {0.0, 0.02})
+        ASSERT_EQ(plain.stress(strain_of(strain), ahead, 0), remembered.stress(strain_of(strain), ahead, 0));
+  }
+}
+
+}  // namespace
+}  // namespace dashpad::fit
