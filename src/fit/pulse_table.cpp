@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
 #include "dashpad/input/measurement/pulse_csv.hpp"
 #include "fit/fit_tables.hpp"
 
@@ -54,7 +52,7 @@ std::optional<MeasuredDeceleration> read_pulse(TableReader& table, const FitFold
     } catch (const input::InputError& error) {
       table.faults().add(error.faults());
     } catch (const std::invalid_argument& error) {
-      table.fault("file", fmt::format("{}: {}", name, error.what()));
+      table.fault("file", error.what());
     }
   }
   const TomlNode* deviation = table.node().child("deviation");
