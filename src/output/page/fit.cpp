@@ -89,7 +89,7 @@ PageSection misfit_section(const fit::FitReport& report, const UnitSystem& units
   };
   add("Model minus test, root mean square, and its share of the largest stress",
       table_of_tests(report, units));
-  add("Energy given back over energy put in", table_of_loops(report));
+  add("Energy given back over energy put in, by the strain where the test turns", table_of_loops(report));
   add("Figures of impacts", table_of_figures(report, units));
   add("Pulses of impacts", table_of_pulses(report, units));
   return misfit;

@@ -70,12 +70,12 @@ Table table_of_figures(const fit::FitReport& report, const UnitSystem& units) {
 }
 
 Table table_of_loops(const fit::FitReport& report) {
-  Table table{.columns = {"test", "turns at strain", "return, test", "return, model", ""}};
+  Table table{.columns = {"test", "turns at", "measured", "model"}};
   for (const fit::MetTest& test : report.tests)
     for (const fit::Loop& loop : test.loops)
       table.rows.push_back(
-          {test.file, fmt::format("{:.3g}", loop.largest_strain), fmt::format("{:.3f}", loop.measured_return),
-           fmt::format("{:.3f}", loop.computed_return), test.is_held_out ? "held out: predicted" : ""});
+          {test.file + (test.is_held_out ? ", predicted" : ""), fmt::format("{:.3g}", loop.largest_strain),
+           fmt::format("{:.3f}", loop.measured_return), fmt::format("{:.3f}", loop.computed_return)});
   return table;
 }
 
