@@ -79,7 +79,9 @@ void check_state(const RunOptions& options) { read_state(options); }
 Session::Session(const RunOptions& options) : options_(options), kept_(read_state(options)) {}
 
 void Session::throw_if_stopped() const {
-  if (is_stopped()) throw Stopped(options_.state.empty() ? 0 : kept_.size());
+  if (!is_stopped()) return;
+  const std::lock_guard lock{mutex_};
+  throw Stopped(options_.state.empty() ? 0 : kept_.size());
 }
 
 void Session::begin(const char* what, std::size_t pieces) {

@@ -38,8 +38,8 @@ class Session {
   void finished(const std::string& name, const std::string& text);
 
   const RunOptions& options_;
+  mutable std::mutex mutex_;  ///< of all that follows
   std::map<std::string, std::string> kept_;
-  std::mutex mutex_;
   const char* what_ = "";
   std::size_t done_ = 0, pieces_ = 0;
 };
