@@ -12,8 +12,8 @@ namespace dashpad::output {
 std::string fit_text(const fit::FitReport& report, const UnitSystem& units);
 /// Everything, in SI: schema/fit.schema.json.
 std::string fit_json(const fit::FitReport& report);
-/// The answer, model over measurements, intervals within their bounds, and what the data leave open, as a page.
-/// Of a fit that converged. Throws as figures_page() does.
+/// The answer, model over measurements, intervals within their bounds, and what the data leave open, as a
+/// page. Of a fit that converged. Throws as figures_page() does.
 std::string fit_page(const fit::FitReport& report, const UnitSystem& units);
 /// The sample of the unknowns as CSV: a header of keys with SI units, a row a draw.
 std::string posterior_csv(const fit::FitReport& report);
