@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "dashpad/fit/fit_file.hpp"
+#include "dashpad/fit/report.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/figures.hpp"
 #include "shared/samples.hpp"
@@ -86,6 +88,22 @@ TEST(PlaygroundSeries, PulsesAreThoseOfPadsThatHoldAndOfPadsStruckThrough) {
   std::ranges::sort(aged);
   EXPECT_GT(fresh[7], ours.held.low) << "median";
   EXPECT_LT(aged[8], ours.held.low) << "median";
+}
+
+/// One impact of a headform on an elastomer pad. Its pulse comes out by two numbers of the pad; it does not
+/// tell the radius of the crown, which nobody wrote down: what is known of it is the prior.
+TEST(MepPad, PulseIsMetAndDoesNotTellTheRadius) {
+  const fit::FitReport report = fit::run_fit(
+      fit::read_fit(test::source_folder / "examples/fits/mep-pad.toml", test::material_folder).fit);
+  ASSERT_TRUE(report.converged) << report.why_not;
+  ASSERT_EQ(report.pulses.size(), 1U);
+  const fit::MetPulse& pulse = report.pulses.front();
+  EXPECT_LT(*pulse.rms, 0.015 * pulse.measured_peak);
+  EXPECT_NEAR(*pulse.computed_peak, pulse.measured_peak, 0.015 * pulse.measured_peak);
+  const auto radius = std::ranges::find(report.unknowns, "impactor.radius", &fit::FittedUnknown::key);
+  ASSERT_NE(radius, report.unknowns.end());
+  EXPECT_NEAR(radius->value, 0.075, 0.002);
+  EXPECT_NEAR(*radius->standard_error, 0.010, 0.001) << "that of the prior";
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ struct Options {
   bool plain = false;
   /// Number of runs at successively halved resolution whatever the tolerance, in [0, 10]; 0: as many as the
   /// tolerance asks for. With a fixed number the results change smoothly with the numbers of the case,
-  /// to some 5e-5 with three runs, which fits need; the status then says whether the tolerance is met, and
-  /// decides nothing.
+  /// to some 5e-5 with three runs, which fits need (the rebound of a foam with a rate effect on a rigid
+  /// support to 1e-3); the status then says whether the tolerance is met, and decides nothing.
   int fixed_runs = 0;
 };
 
