@@ -23,6 +23,8 @@ struct Lanes {
   friend HWY_INLINE Mask operator<=(Lanes a, Lanes b) { return hn::Le(a.v, b.v); }
   friend HWY_INLINE Lanes exp(Lanes x) { return hn::Exp(LanesTag(), x.v); }
   friend HWY_INLINE Lanes log(Lanes x) { return hn::Log(LanesTag(), x.v); }
+  friend HWY_INLINE Lanes pow(Lanes x, double exponent) { return exp(exponent * log(x)); }
+  friend HWY_INLINE Lanes sqrt(Lanes x) { return hn::Sqrt(x.v); }
   friend HWY_INLINE Lanes max(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
   friend HWY_INLINE Lanes min(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
 };

@@ -8,6 +8,7 @@ namespace dashpad::scalar {
 
 using std::exp;
 using std::log;
+using std::pow;
 
 /// Computes only what is chosen.
 template <class Yes, class No>

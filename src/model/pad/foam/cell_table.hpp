@@ -63,6 +63,8 @@ class CellTable {
 
   using Cubic = std::array<double, 4>;
   [[nodiscard]] const Cubic& cubic(std::size_t cell) const { return cubics_[cell]; }
+  /// Four numbers a cell.
+  [[nodiscard]] const double* rows() const { return cubics_.empty() ? nullptr : cubics_.front().data(); }
   [[nodiscard]] double at(CellPlace place) const {
     const Cubic& c = cubics_[place.cell];
     return c[0] + place.t * (c[1] + place.t * (c[2] + place.t * c[3]));

@@ -19,14 +19,14 @@ double last_strain_of(const BaseCurve& base) {
 }
 
 FoamCurve::FoamCurve(const BaseCurve& base, double continuation_exponent)
-    : exponent_(continuation_exponent), last_strain_(last_strain_of(base)), cells_(last_strain_) {
-  last_complement_ = 1 - last_strain_;
+    : last_{.exponent = continuation_exponent, .strain = last_strain_of(base)}, cells_(last_.strain) {
+  last_.complement = 1 - last_.strain;
   double last_slope = 0;
   const auto take = [&](auto&& stress) {
     stress_.fill(cells_, [&](double root) { return stress(root * root); });
-    const double d = 1e-5 * std::min(last_strain_, last_complement_);
-    last_slope = (stress(last_strain_ + d) - stress(last_strain_ - d)) / (2 * d);
-    last_.stress = stress(last_strain_);
+    const double d = 1e-5 * std::min(last_.strain, last_.complement);
+    last_slope = (stress(last_.strain + d) - stress(last_.strain - d)) / (2 * d);
+    last_.stress = stress(last_.strain);
   };
   std::visit(
       [&]<class Form>(const Form& form) {
@@ -38,7 +38,7 @@ FoamCurve::FoamCurve(const BaseCurve& base, double continuation_exponent)
       base);
   // A curve that ends level would never stiffen.
   constexpr double least_rise = 0.1;
-  last_slope = std::max(last_slope, least_rise * last_.stress / last_strain_);
+  last_slope = std::max(last_slope, least_rise * last_.stress / last_.strain);
 
   work_.assign(Cells::count, 0);
   for (std::size_t i = 0; i + 1 < Cells::count; ++i) work_[i + 1] = within({i, 1}).work;
@@ -46,8 +46,8 @@ FoamCurve::FoamCurve(const BaseCurve& base, double continuation_exponent)
   moment_.assign(Cells::count, 0);
   for (std::size_t i = 0; i + 1 < Cells::count; ++i) moment_[i + 1] = moment_within({i, 1});
   last_moment_ = moment_within({Cells::count - 1, 1});
-  last_power_ = std::pow(last_complement_, -exponent_);
-  growth_ = last_slope * last_complement_ / (exponent_ * last_power_);
+  last_.power = std::pow(last_.complement, -last_.exponent);
+  last_.growth = last_slope * last_.complement / (last_.exponent * last_.power);
 }
 
 }  // namespace dashpad

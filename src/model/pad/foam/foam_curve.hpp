@@ -12,8 +12,24 @@
 #include "dashpad/model/pad/foam/base_curve.hpp"
 #include "dashpad/model/pad/strain.hpp"
 #include "model/pad/foam/cell_table.hpp"
+#include "model/pad/scalar.hpp"
 
 namespace dashpad {
+
+/// What the continuation begins with, and Eq. 37's numbers.
+struct Continuation {
+  double exponent = 2;
+  double strain = 1;  ///< the last tested one
+  double complement = 0;
+  double stress = 0;
+  double work = 0;
+  double power = 0;   ///< complement^-n
+  double growth = 0;  ///< c
+};
+
+namespace scalar {
+#include "model/pad/foam/foam_formulas.hpp"
+}  // namespace scalar
 
 /// Strain up to which a base curve was tested.
 double last_strain_of(const BaseCurve& base);
@@ -24,7 +40,7 @@ class FoamCurve {
   /// The curve must be sound (violations(PadLaw)).
   FoamCurve(const BaseCurve& base, double continuation_exponent);
 
-  [[nodiscard]] double last_strain() const { return last_strain_; }
+  [[nodiscard]] double last_strain() const { return last_.strain; }
   [[nodiscard]] const Cells& cells() const { return cells_; }
 
   struct Point {
@@ -34,28 +50,23 @@ class FoamCurve {
   /// Up to the last tested strain.
   [[nodiscard]] Point within(CellPlace place) const {
     const auto& [a, b, c, d] = stress_.cubic(place.cell);
-    const double t = place.t;
-    const double h = cells_.width;
-    const double x = h * static_cast<double>(place.cell);
-    constexpr double third = 1.0 / 3;
-    const double area = x * (a + t * (b * 0.5 + t * (c * third + t * d * 0.25))) +
-                        h * t * (a * 0.5 + t * (b * third + t * (c * 0.25 + t * d * 0.2)));
-    return {a + t * (b + t * (c + t * d)), work_[place.cell] + 2 * h * t * area};
+    const scalar::Cubic<double> cubic{a, b, c, d};
+    const double x = cells_.width * static_cast<double>(place.cell);
+    return {value_of(cubic, place.t), work_[place.cell] + work_of(cubic, x, cells_.width, place.t)};
   }
   [[nodiscard]] Point beyond(Strain e) const { return beyond(e, inverse_power(e.complement)); }
   /// `power`: (1 - e)^-n.
   [[nodiscard]] Point beyond(Strain e, double power) const {
-    return {last_.stress + growth_ * (power - last_power_),
-            last_.work + (last_.stress - growth_ * last_power_) * (e.value - last_strain_) +
-                growth_ * area_of_power(exponent_, e.complement, power, last_power_)};
+    return {last_.stress + last_.growth * (power - last_.power),
+            scalar::work_beyond(last_, e.value, e.complement, power)};
   }
   [[nodiscard]] Point at(Strain e) const {
-    if (e.value >= last_strain_) return beyond(e);
+    if (e.value >= last_.strain) return beyond(e);
     return within(cells_.place(std::sqrt(std::max(e.value, 0.0))));
   }
   /// Integral of e s(e) from 0 to a strain, J per m3 of foam.
   [[nodiscard]] double moment(Strain e) const {
-    if (e.value >= last_strain_) return moment_beyond(e);
+    if (e.value >= last_.strain) return moment_beyond(e);
     return moment_within(cells_.place(std::sqrt(std::max(e.value, 0.0))));
   }
   [[nodiscard]] double moment_within(CellPlace place) const {
@@ -69,45 +80,41 @@ class FoamCurve {
   }
   /// Slope of the stress beyond the last tested strain, Pa; 0 up to it.
   [[nodiscard]] double slope_beyond(Strain e) const {
-    if (e.value <= last_strain_) return 0;
-    return growth_ * exponent_ * inverse_power(e.complement) / e.complement;
+    if (e.value <= last_.strain) return 0;
+    return last_.growth * last_.exponent * inverse_power(e.complement) / e.complement;
   }
 
   /// Beyond the last tested strain, where the slope is `slope` or its change over `ahead` is as large as
   /// itself, whichever comes last: the complement is the smaller of the two.
   [[nodiscard]] double strain_where_steep(double slope, double ahead) const {
-    const double steep = std::pow(growth_ * exponent_ / slope, 1 / (exponent_ + 1));
-    return std::max(1 - std::min(steep, (exponent_ + 1) * ahead), last_strain_);
+    const double steep = std::pow(last_.growth * last_.exponent / slope, 1 / (last_.exponent + 1));
+    return std::max(1 - std::min(steep, (last_.exponent + 1) * ahead), last_.strain);
   }
 
-  /// q^-n; a whole exponent, as most cards have it, needs no logarithm.
-  [[nodiscard]] double inverse_power(double q) const {
-    if (exponent_ == 2) return 1 / (q * q);
-    return std::pow(q, -exponent_);
-  }
+  /// q^-n.
+  [[nodiscard]] double inverse_power(double q) const { return scalar::inverse_power(last_, q); }
+
+  /// The same for batches of places.
+  struct Rows {
+    const double* stress = nullptr;  ///< four numbers a cell
+    const double* work = nullptr;    ///< at the start of each cell
+    Cells cells;
+    Continuation beyond;
+  };
+  [[nodiscard]] Rows rows() const { return {stress_.rows(), work_.data(), cells_, last_}; }
 
  private:
-  /// Integral of p^-k for p from q to the complement of the last tested strain; `power` and
-  /// `last_power` are the powers at both ends.
-  [[nodiscard]] double area_of_power(double k, double q, double power, double last_power) const {
-    if (std::abs(k - 1) < 1e-9) return -std::log(q / last_complement_);
-    return (power * q - last_power * last_complement_) / (k - 1);
-  }
   [[nodiscard]] double moment_beyond(Strain e) const {
     const double q = e.complement;
     const double power = inverse_power(q);
-    const double even = last_.stress - growth_ * last_power_;
-    return last_moment_ + even * (e.value * e.value - last_strain_ * last_strain_) / 2 +
-           growth_ * (area_of_power(exponent_, q, power, last_power_) -
-                      area_of_power(exponent_ - 1, q, power * q, last_power_ * last_complement_));
+    const double n = last_.exponent;
+    const double even = last_.stress - last_.growth * last_.power;
+    return last_moment_ + even * (e.value * e.value - last_.strain * last_.strain) / 2 +
+           last_.growth * (scalar::area_of_power(last_, n, q, power, last_.power) -
+                           scalar::area_of_power(last_, n - 1, q, power * q, last_.power * last_.complement));
   }
 
-  double exponent_ = 2;
-  double last_strain_ = 1;
-  double last_complement_ = 0;
-  double last_power_ = 0;
-  double growth_ = 0;  ///< c
-  Point last_;
+  Continuation last_;
   Cells cells_;
   CellTable stress_;
   double last_moment_ = 0;

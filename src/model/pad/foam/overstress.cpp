@@ -94,22 +94,12 @@ Overstress::AtRate Overstress::rates_at(double slip_rate) const {
 }
 
 Overstress::Value Overstress::at_strain(const AtRate& rate, double strain, CellPlace place) const {
-  double over = 0;  // m - 1
-  double rise = 0;
-  if (kind_ == Kind::power) {
-    const double exponent = std::max(exponent_ + exponent_slope_ * strain, 0.0);
-    over = std::exp(exponent * rate.log_rate) - 1;
-    rise = rate.weight_rise * exponent * (over + 1);
-  } else {
-    // Cubics of curves that touch may cross by rounding; the proof of Eq. 36 wants a stress that does not
-    // fall.
-    const double least = linear_ ? 1 : 0;
-    const double low = std::max(factor(rate.segment, place), least);
-    const double step = std::max(factor(rate.segment + 1, place) - low, 0.0);
-    over = linear_ ? low - 1 + rate.weight * step : std::exp(low + rate.weight * step) - 1;
-    rise = rate.weight_rise * step * (linear_ ? 1 : over + 1);
-  }
-  return {rate.friction + rate.share * over, rate.friction_rise + std::abs(rate.share) * rise};
+  const auto [over, rise] = kind_ == Kind::power
+                                ? scalar::over_by_power(exponent_, exponent_slope_, rate.log_rate, strain)
+                                : scalar::over_between(linear_, factor(rate.segment, place),
+                                                       factor(rate.segment + 1, place), rate.weight);
+  return {rate.friction + rate.share * over,
+          rate.friction_rise + std::abs(rate.share) * rate.weight_rise * rise};
 }
 
 }  // namespace dashpad
