@@ -38,7 +38,7 @@ class Contacts {
         CurveContact contact(law.curve(), Law::recovers, thickness, sections);
         return visit(contact);
       } else if constexpr (SharesSlip<Law>) {
-        return visit(renewed(foam_, law, thickness, sections, factor));
+        return visit(renewed(foam_, law, thickness, sections, factor, math));
       } else {
         if constexpr (std::is_same_v<Law, NineParameter>)
           if (math == ColumnMath::vector) return visit(renewed(nine_parameter_, law, thickness, sections));

@@ -19,6 +19,8 @@
 
 #include "dashpad/model/nose/sections.hpp"
 #include "model/contact/contact.hpp"
+#include "model/contact/foam_nodes.hpp"
+#include "model/contact/sweep.hpp"
 #include "model/contact/work_nodes.hpp"
 #include "model/pad/foam/foam_stress.hpp"
 
@@ -29,9 +31,16 @@ class FoamContact {
   using Law = std::variant<Foam, CrushableFoam>;
 
   /// Every stress is multiplied by `factor`.
-  FoamContact(const Law& law, double thickness, const Sections& nose, double factor = 1)
-      : law_(law), stress_(made_of(law)), thickness_(thickness), nose_(nose), factor_(factor) {}
-  void set(const Law& law, double thickness, const Sections& nose, double factor = 1) {
+  FoamContact(const Law& law, double thickness, const Sections& nose, double factor = 1,
+              ColumnMath math = ColumnMath::vector)
+      : law_(law),
+        stress_(made_of(law)),
+        thickness_(thickness),
+        nose_(nose),
+        factor_(factor),
+        math_(math),
+        vectors_(&foam_node_math()) {}
+  void set(const Law& law, double thickness, const Sections& nose, double factor, ColumnMath math) {
     if (!(law == law_)) {
       law_ = law;
       stress_ = made_of(law);
@@ -39,6 +48,7 @@ class FoamContact {
     thickness_ = thickness;
     nose_ = nose;
     factor_ = factor;
+    math_ = math;
   }
 
   [[nodiscard]] bool is_of(const PadLaw& law) const {
@@ -232,14 +242,46 @@ class FoamContact {
     const double last = stress_.curve().last_strain();
     const auto root = [&](double strain) { return std::sqrt(std::min(strain + lead_, last)); };
     const double share = (root(to) - root(from)) / (root(top) - root(edge));
-    visit_work_nodes(stress_, outer, inner, panels_ * share, panels_ * panels_beyond, from <= edge,
-                     [&](const FoamStress::Place& place, double work) {
-                       const FoamStress::Ratio of = ratio(place);
-                       const double area = thickness * work * nose_.rate(depth_of(place.strain.value));
-                       force += area * (of.stress - common.stress);
-                       relaxing_ += area * (of.relaxing - common.relaxing);
-                     });
-    return force;
+    const WorkIntegral more =
+        integral_beside(common, {outer, inner, from <= edge, panels_ * share, panels_ * panels_beyond});
+    relaxing_ += thickness * more.relaxing;
+    return force + thickness * more.stress;
+  }
+  /// Of what the ratio has beside a part that all columns have in common.
+  WorkIntegral integral_beside(const FoamStress::Ratio& common, const WorkStretch& over) {
+    const double last = stress_.curve().last_strain();
+    const auto put = [&](const FoamStress::Place& place, NodeValues& values, std::size_t i) {
+      const FoamStress::Ratio of = stress_.ratio(place, ahead_, at_rate_, slip_rate_);
+      const double rate = nose_.rate(depth_of(place.strain.value));
+      values.work[i] = place.base.work;
+      values.stress[i] = rate * (of.stress - common.stress);
+      values.relaxing[i] = rate * (of.relaxing - common.relaxing);
+    };
+    WorkIntegral sum;
+    if (math_ == ColumnMath::vector && stress_.is_of_one_place(ahead_)) {
+      const FoamNodes nodes{stress_.rows(ahead_, at_rate_, slip_rate_), common,
+                            nose_.width - nose_.taper * depth_of(0), nose_.taper * thickness_};
+      const auto by = [&](FoamNodeMath::Fill fill) {
+        return [&nodes, fill](const NodeRow& row, NodeValues& values) { fill(nodes, row, values); };
+      };
+      sum.take(over, last, values_, put, by(vectors_->within), by(vectors_->beyond));
+    } else {
+      sum.take(
+          over, last, values_, put,
+          [&](const NodeRow& row, NodeValues& values) {
+            for (std::size_t i = 0; i < row.count; ++i)
+              put(stress_.within(row.root(row.first + i)), values, 1 + i);
+          },
+          [&](const NodeRow& row, NodeValues& values) {
+            for (std::size_t i = 0; i < row.count; ++i) {
+              const double complement = row.complement(row.first + i);
+              put(stress_.beyond({1 - complement, complement}), values, 1 + i);
+            }
+          });
+    }
+    points_ += sum.nodes;
+    stations_ = std::max(stations_, points_);
+    return sum;
   }
   /// int s a' / (2 pi) de between two places.
   [[nodiscard]] double base_force(const FoamStress::Place& outer, const FoamStress::Place& inner) const {
@@ -321,6 +363,9 @@ class FoamContact {
   double thickness_;
   Sections nose_;
   double factor_ = 1;
+  ColumnMath math_;  ///< of the nodes of the integral
+  const FoamNodeMath* vectors_;
+  NodeValues values_;
   double panels_ = 8;
   double penetration_ = 0;
   double largest_ = 0;     ///< penetration so far

@@ -6,11 +6,13 @@
 /// in panels of three nodes, through which f is a parabola in W. The stress itself, with every corner of a
 /// tested curve, is thereby integrated exactly; what is left to be resolved is f, which is smooth. Panels are
 /// even in the root of the strain up to the last tested strain, even in the logarithm of its complement
-/// beyond.
+/// beyond; the middle of a panel lies at its mean strain, or at the mean of that logarithm.
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
+#include "model/contact/foam_nodes.hpp"
 #include "model/pad/foam/foam_stress.hpp"
 
 namespace dashpad {
@@ -33,59 +35,83 @@ inline PanelWeights line(double g, double h) {
   return {0, g + h - last, last};
 }
 
-/// Calls visit(place, weight in J/m3) for every node from one place to another but the last, where f is
-/// nothing. `panels`: over the whole range of the root of the strain, and over a factor of e in its
-/// complement. `from_edge`: f may jump at the first place.
-template <class Visit>
-void visit_work_nodes(const FoamStress& stress, const FoamStress::Place& first, const FoamStress::Place& end,
-                      double panels_of_contact, double panels_beyond, bool from_edge, Visit&& visit) {
-  const auto count = [](double wanted, double least) {
-    constexpr double most_panels = 2000;
-    return std::clamp(std::ceil(wanted), least, most_panels);
-  };
-  FoamStress::Place before = first;
-  double weight = 0;  // of `before`, from the panel that ends there
-  bool at_edge = from_edge;
-  const auto add = [&](const FoamStress::Place& middle, const FoamStress::Place& now) {
-    const double g = middle.base.work - before.base.work;
-    const double h = now.base.work - middle.base.work;
-    const PanelWeights of = !(g > 0 && h > 0) ? PanelWeights{} : at_edge ? line(g, h) : parabola(g, h);
-    if (!at_edge) visit(before, weight + of.first);
-    visit(middle, of.middle);
-    weight = of.last;
-    before = now;
-    at_edge = false;
-  };
-  const FoamCurve& curve = stress.curve();
-  const double last = curve.last_strain();
-  if (first.strain.value < last) {
-    const bool ends = end.strain.value <= last;
-    const double low = std::sqrt(first.strain.value);
-    const double high = std::sqrt(std::min(end.strain.value, last));
-    const double panels = count(panels_of_contact, 2);
-    for (double i = 1, z = low; i <= panels; ++i) {
-      const double next = i == panels ? high : low + (high - low) * i / panels;
-      const FoamStress::Place middle = stress.within(std::sqrt((z * z + next * next) / 2));
-      add(middle, i == panels && ends ? end : stress.within(next));
-      z = next;
+/// From one place to another.
+struct WorkStretch {
+  FoamStress::Place first;
+  FoamStress::Place end;
+  bool from_edge = false;    ///< f may jump at the first place
+  double panels_within = 2;  ///< over the tested strains
+  double panels_beyond = 1;  ///< over a factor of e in the complement of the strain
+};
+
+/// An integral of the stress and its relaxing.
+class WorkIntegral {
+ public:
+  double stress = 0;
+  double relaxing = 0;
+  std::size_t nodes = 0;
+
+  /// At the end f is nothing. `values`: room. `put` puts the values of a place at an index of it.
+  /// `within` and `beyond` fill it with those of a NodeRow.
+  template <class Put, class Within, class Beyond>
+  void take(const WorkStretch& over, double last, NodeValues& values, Put&& put, Within&& within,
+            Beyond&& beyond) {
+    const auto count = [](double wanted, double least) {
+      constexpr double most_panels = 2000;
+      return static_cast<std::size_t>(std::clamp(std::ceil(wanted), least, most_panels));
+    };
+    at_edge_ = over.from_edge;
+    values.work[0] = over.first.base.work;
+    if (!at_edge_) put(over.first, values, 0);
+    const Strain from = over.first.strain;
+    const Strain to = over.end.strain;
+    const bool ends_within = to.value <= last;
+    if (from.value < last) {
+      const double low = std::sqrt(from.value);
+      const double range = std::sqrt(std::min(to.value, last)) - low;
+      const std::size_t panels = count(over.panels_within, 2);
+      add(low, range, panels, ends_within ? &over.end : nullptr, values, within);
+    }
+    if (ends_within) return;
+    const double outer = std::log(std::min(from.complement, 1 - last));
+    const double range = outer - std::log(to.complement);
+    add(outer, range, count(over.panels_beyond * range, 1), &over.end, values, beyond);
+  }
+
+ private:
+  template <class Fill>
+  void add(double from, double range, std::size_t panels, const FoamStress::Place* end, NodeValues& values,
+           Fill& fill) {
+    NodeRow row{from, range / (2 * static_cast<double>(panels)), 1, 0};
+    for (std::size_t left = 2 * panels; left > 0; left -= row.count) {
+      row.count = std::min(left, NodeValues::most);
+      fill(row, values);
+      if (row.count == left && end != nullptr) {
+        values.work[left] = end->base.work;
+        values.stress[left] = values.relaxing[left] = 0;
+      }
+      nodes += row.count;
+      add_panels(values, row.count);
+      row.first += row.count;
     }
   }
-  if (end.strain.value > last) {
-    const double outer = std::min(first.strain.complement, 1 - last);
-    const double range = std::log(outer / end.strain.complement);
-    const double panels = count(panels_beyond * range, 1);
-    const double half = std::exp(-range / (2 * panels));
-    const double growth = curve.inverse_power(half);
-    double q = outer;
-    double power = curve.inverse_power(outer);
-    for (double i = 1; i <= panels; ++i) {
-      const double middle = q * half;
-      q = middle * half;
-      const FoamStress::Place at_middle = stress.beyond({1 - middle, middle}, power * growth);
-      power *= growth * growth;
-      add(at_middle, i == panels ? end : stress.beyond({1 - q, q}, power));
+  void add_panels(NodeValues& values, std::size_t count) {
+    const auto& [work, f, r] = values;
+    for (std::size_t i = 0; i < count; i += 2, at_edge_ = false) {
+      const double g = work[i + 1] - work[i];
+      const double h = work[i + 2] - work[i + 1];
+      if (!(g > 0 && h > 0)) continue;
+      const PanelWeights of = at_edge_ ? line(g, h) : parabola(g, h);
+      stress += of.middle * f[i + 1] + of.last * f[i + 2];
+      relaxing += of.middle * r[i + 1] + of.last * r[i + 2];
+      if (at_edge_) continue;
+      stress += of.first * f[i];
+      relaxing += of.first * r[i];
     }
+    for (auto* of : {&values.work, &values.stress, &values.relaxing}) (*of)[0] = (*of)[count];
   }
-}
+
+  bool at_edge_ = false;
+};
 
 }  // namespace dashpad

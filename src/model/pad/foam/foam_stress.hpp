@@ -62,8 +62,8 @@ class FoamStress {
   /// A crushed foam that has come back leaves a gap: `least` 0, or the line of its unloading goes on.
   [[nodiscard]] Ratio ratio(const Place& leading, double ahead, const Overstress::AtRate& at,
                             double slip_rate, double least = 0) const {
-    const double relaxation = (slip_rate < 0 ? 1 : -1) * (std::abs(slip_rate) + slip_.rate) / slip_.strain;
-    if (!stays_crushed() || ahead <= 0) {
+    const double relaxation = this->relaxation(slip_rate);
+    if (is_of_one_place(ahead)) {
       const Overstress::Value q = overstress_.of(at, leading.strain.value, leading.cell);
       return {(1 - friction_) * remaining(leading, ahead) + q.stress, relaxation * q.rise};
     }
@@ -75,6 +75,28 @@ class FoamStress {
     const Overstress::Value q = overstress_.of(at, own.strain.value, own.cell);
     const double share = own.base.stress / leading.base.stress;
     return {lasting + share * q.stress, relaxation * share * q.rise};
+  }
+  /// Whether the ratio asks for the base curve at no strain but that of the column and its largest.
+  [[nodiscard]] bool is_of_one_place(double ahead) const { return !stays_crushed() || ahead <= 0; }
+  /// The same for batches of places, where is_of_one_place().
+  struct Rows {
+    FoamCurve::Rows base;
+    const double* remaining = nullptr;  ///< D, four numbers a cell; none: 1
+    double ahead = 0;
+    double lasting = 1;  ///< 1 - f
+    Overstress::AtRate rate;
+    Overstress::Rows overstress;
+    double relaxation = 0;  ///< 1/s
+  };
+  [[nodiscard]] Rows rows(double ahead, const Overstress::AtRate& at, double slip_rate) const {
+    const bool loses = unloading_ == Unloading::damage && ahead > 0;
+    return {curve_.rows(),
+            loses ? remaining_.rows() : nullptr,
+            ahead,
+            1 - friction_,
+            at,
+            overstress_.rows(at),
+            relaxation(slip_rate)};
   }
   /// The stress of one column, Pa, with the elastic strain g (theory.md, Eq. 34).
   [[nodiscard]] double stress(Strain strain, double ahead, double g) const {
@@ -105,6 +127,10 @@ class FoamStress {
 
   FoamStress(const Foam& law, FoamCurve curve, FoamMemo* memo);
 
+  /// Change of ln |u| with time while the strain is held, with the sign of the stress's change, 1/s.
+  [[nodiscard]] double relaxation(double slip_rate) const {
+    return (slip_rate < 0 ? 1 : -1) * (std::abs(slip_rate) + slip_.rate) / slip_.strain;
+  }
   /// D(W(e) / W(e*)).
   [[nodiscard]] double remaining(const Place& place, double ahead) const {
     if (unloading_ == Unloading::none || ahead <= 0) return 1;

@@ -41,6 +41,21 @@ class Overstress {
   [[nodiscard]] Value of(const AtRate& rate, double strain, CellPlace place) const {
     return rate.even ? rate.at_all_strains : at_strain(rate, strain, place);
   }
+  /// The same for batches of places; of a rate at which it is not even.
+  struct Rows {
+    bool by_power = false;
+    double exponent = 0;
+    double exponent_slope = 0;
+    bool linear = false;
+    const double* before = nullptr;  ///< of the tested rate before, four numbers a cell; none: the slowest
+    const double* next = nullptr;
+  };
+  [[nodiscard]] Rows rows(const AtRate& rate) const {
+    if (kind_ == Kind::power) return {true, exponent_, exponent_slope_};
+    if (tables_.empty()) return {};
+    const double* before = rate.segment > 0 ? tables_[rate.segment - 1].rows() : nullptr;
+    return {false, 0, 0, linear_, before, tables_[rate.segment].rows()};
+  }
 
  private:
   enum class Kind { none, power, tested };

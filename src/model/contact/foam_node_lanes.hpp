@@ -1,0 +1,119 @@
+/// Values at nodes, several at a time.
+///
+/// This is text, as src/model/pad/lanes.hpp is, and is included after it and the formulas of foams.
+
+using Index = hn::Vec<hn::RebindToSigned<LanesTag>>;
+
+/// As CellPlace.
+struct Places {
+  Index cell;
+  Lanes number;  ///< of the cell
+  Lanes t;
+};
+/// From a root of the strain over the width of the cells.
+HWY_INLINE Places places_of(Lanes x) {
+  const Lanes last(Cells::count - 1);
+  // What is no number stays none, in the last cell.
+  const Lanes number = hn::Floor(select(x < last, x, last).v);
+  return {hn::ConvertTo(hn::RebindToSigned<LanesTag>(), number.v), number, x - number};
+}
+
+/// Four numbers a cell.
+HWY_INLINE Cubic<Lanes> cubics_of(const double* rows, Index cell) {
+  const LanesTag tag;
+#if HWY_MAX_BYTES == 32
+  // Whole rows, turned, cost less than a gather a number.
+  HWY_ALIGN std::int64_t at[4];
+  hn::Store(hn::ShiftLeft<2>(cell), hn::RebindToSigned<LanesTag>(), at);
+  const auto row0 = hn::LoadU(tag, rows + at[0]);
+  const auto row1 = hn::LoadU(tag, rows + at[1]);
+  const auto row2 = hn::LoadU(tag, rows + at[2]);
+  const auto row3 = hn::LoadU(tag, rows + at[3]);
+  const auto ac01 = hn::InterleaveLower(tag, row0, row1);
+  const auto bd01 = hn::InterleaveUpper(tag, row0, row1);
+  const auto ac23 = hn::InterleaveLower(tag, row2, row3);
+  const auto bd23 = hn::InterleaveUpper(tag, row2, row3);
+  return {hn::ConcatLowerLower(tag, ac23, ac01), hn::ConcatLowerLower(tag, bd23, bd01),
+          hn::ConcatUpperUpper(tag, ac23, ac01), hn::ConcatUpperUpper(tag, bd23, bd01)};
+#else
+  const Index at = hn::ShiftLeft<2>(cell);
+  return {hn::GatherIndex(tag, rows, at), hn::GatherIndex(tag, rows + 1, at),
+          hn::GatherIndex(tag, rows + 2, at), hn::GatherIndex(tag, rows + 3, at)};
+#endif
+}
+HWY_INLINE Lanes value_at(const double* rows, const Places& at) {
+  return value_of(cubics_of(rows, at.cell), at.t);
+}
+
+HWY_INLINE Lanes work_within(const FoamCurve::Rows& base, const Places& at) {
+  const double width = base.cells.width;
+  return Lanes(hn::GatherIndex(LanesTag(), base.work, at.cell)) +
+         work_of(cubics_of(base.stress, at.cell), width * at.number, width, at.t);
+}
+HWY_INLINE Lanes work_beyond(const FoamCurve::Rows& base, Lanes strain, Lanes complement) {
+  return work_beyond(base.beyond, strain, complement, inverse_power(base.beyond, complement));
+}
+
+/// m - 1 and its rise.
+HWY_INLINE Over<Lanes> over_at(const FoamStress::Rows& of, Lanes strain, const Places& at) {
+  const auto& [by_power, exponent, exponent_slope, linear, before, next] = of.overstress;
+  if (by_power) return over_by_power(exponent, exponent_slope, of.rate.log_rate, strain);
+  const Lanes slowest(linear ? 1.0 : 0.0);
+  return over_between(linear, before == nullptr ? slowest : value_at(before, at), value_at(next, at),
+                      of.rate.weight);
+}
+
+/// Theory.md, Eq. 32, as FoamStress::ratio. The lanes are nodes from the j-th on.
+HWY_INLINE void put(const FoamNodes& nodes, Lanes strain, Lanes complement, const Places& at, Lanes work,
+                    std::size_t j, NodeValues& values) {
+  using R = Register<Lanes>;
+  const FoamStress::Rows& of = nodes.stress;
+  Lanes remaining(1.0);
+  if (of.remaining != nullptr) {
+    const Lanes largest = strain + of.ahead;
+    const Lanes most = choose(
+        largest < of.base.beyond.strain,
+        [&] { return work_within(of.base, places_of(sqrt(largest) * of.base.cells.per_width)); },
+        [&] { return work_beyond(of.base, largest, complement - of.ahead); });
+    remaining = value_at(of.remaining, places_of(sqrt(work / most) * double(Cells::count)));
+  }
+  Lanes over(of.rate.at_all_strains.stress);
+  Lanes rise(of.rate.at_all_strains.rise);
+  if (!of.rate.even) {
+    const auto [more, steeper] = over_at(of, strain, at);
+    over = of.rate.friction + of.rate.share * more;
+    rise = of.rate.friction_rise + std::abs(of.rate.share) * of.rate.weight_rise * steeper;
+  }
+  const Lanes area = max(nodes.rate_at_zero + nodes.rate_slope * strain, Lanes(0.0));
+  R::store(work, &values.work[j]);
+  R::store(area * (of.lasting * remaining + over - nodes.common.stress), &values.stress[j]);
+  R::store(area * (of.relaxation * rise - nodes.common.relaxing), &values.relaxing[j]);
+}
+
+/// Numbers of the nodes from the j-th of a row on; those behind its end are its last.
+HWY_INLINE Lanes numbers_of(const NodeRow& row, std::size_t j) {
+  const Lanes number = hn::Iota(LanesTag(), static_cast<double>(row.first + j));
+  return min(number, Lanes(static_cast<double>(row.first + row.count - 1)));
+}
+
+void fill_within(const FoamNodes& nodes, const NodeRow& row, NodeValues& values) {
+  const LanesTag tag;
+  const FoamCurve::Rows& base = nodes.stress.base;
+  // Rows begin with the middle of a panel.
+  const Lanes for_middle = hn::OddEven(hn::Zero(tag), hn::Set(tag, row.step * row.step));
+  for (std::size_t j = 0; j < row.count; j += hn::Lanes(tag)) {
+    const Lanes even = row.from + row.step * numbers_of(row, j);
+    const Lanes strain = even * even + for_middle;
+    const Places at = places_of(sqrt(strain) * base.cells.per_width);
+    put(nodes, strain, 1.0 - strain, at, work_within(base, at), 1 + j, values);
+  }
+}
+
+void fill_beyond(const FoamNodes& nodes, const NodeRow& row, NodeValues& values) {
+  const Places last = places_of(Lanes(Cells::count));
+  for (std::size_t j = 0; j < row.count; j += Register<Lanes>::size()) {
+    const Lanes complement = exp(row.from - row.step * numbers_of(row, j));
+    const Lanes strain = 1.0 - complement;
+    put(nodes, strain, complement, last, work_beyond(nodes.stress.base, strain, complement), 1 + j, values);
+  }
+}
