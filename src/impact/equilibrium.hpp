@@ -97,7 +97,8 @@ class Equilibrium {
     search.guess = now().force + now().velocity * step / flexibility;
     search.slope = flexibility;
     search.resolution = numerics.rounding * std::abs(now().force);
-    search.stride = std::abs(now().force);
+    // At first contact there is no force yet to go by.
+    search.stride = now().force != 0 ? std::abs(now().force) : (travel + scale) / flexibility;
     // Below zero the support's line goes on: the release is located by the sign.
     const auto residual = [&](double force) {
       const double extended = force >= 0 ? 0 : force * support_.compliance(0);

@@ -78,6 +78,16 @@ TEST(flat_disc, on_rigid_foam_waits_for_the_support) {
   expect_relative(s.release->velocity, -force / std::sqrt(stiffness * mass), tolerance, "rebound");
 }
 
+/// On a curved support the force of the first step, which goes up from nothing, is found by a search.
+TEST(flat_disc, on_rigid_foam_waits_for_a_curved_support) {
+  ImpactCase impact = disc_on(RigidFoam{61819, 0.353, 241792, 0.545},
+                              Support::through({{0.002, 877}, {0.005, 1324}, {0.008, 2453}, {0.012, 2522}}));
+  impact.impactor = {.mass = 29.4, .nose = FlatDisc{0.016}, .speed = 11.2};
+  const Summary s = solve(impact).summary;
+  EXPECT_EQ(s.status, Status::released);
+  EXPECT_LT(std::abs(s.energy.residual), 1e-4 * s.energy.impact);
+}
+
 /// A support too soft to push hard enough gets all back.
 TEST(flat_disc, on_rigid_foam_may_not_crush_it) {
   constexpr double stiffness = 1e5;
