@@ -53,7 +53,7 @@ constexpr double scatter_of(Quantity quantity) {
 constexpr double modulus_psi = 600;
 constexpr double highest_strain = 0.97;
 constexpr double gentlest = 1, steepest = 4;  ///< continuation exponents
-constexpr double base_rate = 100;             ///< 1/s; without a rate effect it says only what was tested
+constexpr double base_rate = 200;             ///< 1/s; without a rate effect it says only what was tested
 
 /// Runs of the solver: their figures are within 0.1 % of those of the full tolerance, and smooth over this
 /// step of a coordinate in [0, 1].
