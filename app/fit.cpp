@@ -206,8 +206,7 @@ int fit_material(const FitRequest& request, const std::filesystem::path& materia
   if (!report.posterior.empty())
     account +=
         "The draws are from the Laplace approximation: normal in the coordinates of the search, cut off at "
-        "the "
-        "bounds.\n";
+        "the bounds.\n";
   publish(targets, request.force, text_of, account);
   return report.converged ? exit_done : exit_not_trusted;
 }

@@ -50,10 +50,10 @@ void describe_measurements(const Fit& fit, const Problem& problem, const Solved&
   for (const ImpactMeasurement& impact : fit.impacts) {
     const Block* const block = impact.is_held_out ? nullptr : &problem.blocks[next];
     std::vector<MetFigure> figures = met_figures(fit, impact, values);
+    const std::vector<std::optional<double>> deviations =
+        prediction_deviations(fit, impact, problem, solved.minimum.x, uncertainty);
     for (std::size_t i = 0; i < figures.size(); ++i)
-      if (figures[i].computed)
-        figures[i].prediction_deviation =
-            prediction_deviation(fit, impact, impact.figures[i], problem, solved.minimum.x, uncertainty);
+      if (figures[i].computed) figures[i].prediction_deviation = deviations[i];
     std::ranges::move(figures, std::back_inserter(report.figures));
     if (impact.pulse) {
       MetPulse met = met_pulse(fit, impact, values, block ? block->shift : std::nullopt);

@@ -34,15 +34,14 @@ ImpactMeasurement read_impact(input::TableReader& table, const FitFolders& folde
 
 // Values. SI; NaN after a fault.
 
-/// Of a node that the caller knows to be there. A pure number is written without quotes.
+/// Of a node that the caller knows to be there. A pure number is written without quotes, an acceleration as
+/// "3 g" or "30 m/s2".
 double value_of(const input::TomlNode& node, const std::string& key, const std::string& unit,
                 input::FaultList& faults);
 double value_in(input::TableReader& table, const std::string& key, const std::string& unit);
 /// A quantity, or a share in % of `whole`.
 double value_or_share(input::TableReader& table, const std::string& key, const std::string& unit,
                       double whole);
-/// The same of an acceleration: "3 g", "30 m/s2".
-double acceleration_in(input::TableReader& table, const std::string& key);
 /// False where it is absent.
 bool flag_in(input::TableReader& table, const std::string& key);
 

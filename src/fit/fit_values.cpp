@@ -12,6 +12,12 @@ using input::TomlNode;
 
 double value_of(const TomlNode& node, const std::string& key, const std::string& unit,
                 input::FaultList& faults) {
+  if (unit == "m/s2" && node.kind == TomlNode::Kind::text && node.text.ends_with(" g")) {
+    // In files g is the gram; of an acceleration it is standard gravity.
+    TomlNode with_gravity = node;
+    with_gravity.text.replace(node.text.size() - 1, 1, "gravity");
+    return read_quantity(with_gravity, key, unit, faults);
+  }
   if (unit != "1") return read_quantity(node, key, unit, faults);
   if (node.kind == TomlNode::Kind::number && std::isfinite(node.number)) return node.number;
   faults.add(node.line, key, node.written(), "must be a plain number, without quotes and unit");
@@ -35,18 +41,6 @@ double value_or_share(TableReader& table, const std::string& key, const std::str
   if (node.kind == TomlNode::Kind::text && node.text.ends_with('%'))
     return table.quantity(key, "1") * std::abs(whole);
   return value_of(node, table.full_key(key), unit, table.faults());
-}
-
-double acceleration_in(TableReader& table, const std::string& key) {
-  if (table.has(key)) {
-    TomlNode node = *table.node().child(key);
-    if (node.kind == TomlNode::Kind::text && node.text.ends_with(" g")) {
-      // In files g is the gram; of an acceleration it is standard gravity.
-      node.text.replace(node.text.size() - 1, 1, "gravity");
-      return value_of(node, table.full_key(key), "m/s2", table.faults());
-    }
-  }
-  return value_in(table, key, "m/s2");
 }
 
 bool flag_in(TableReader& table, const std::string& key) {

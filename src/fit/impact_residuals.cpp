@@ -1,6 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <stdexcept>
+
+#include <tbb/enumerable_thread_specific.h>
 
 #include "dashpad/impact/case_quantity.hpp"
 #include "dashpad/impact/solver.hpp"
@@ -93,25 +97,25 @@ Predict prediction_of(const Fit& fit, const ImpactMeasurement& measured, int run
   }
   Options options = measured.options;
   options.fixed_runs = runs;
-  return [impact, options, setters, figures = measured.figures, pulse = measured.pulse, shift](
-             std::span<const double> values, std::span<double> predicted) {
-    try {
-      ImpactCase with_values = impact;
-      for (std::size_t i = 0; i < setters.size(); ++i) setters[i](with_values, values[i]);
-      Solver solver;
-      const Solution& solution = solver.solve(with_values, options);
-      const Summary& summary = solution.summary;
-      for (std::size_t i = 0; i < figures.size(); ++i) {
-        const auto found = figure_in(summary, figures[i].figure);
-        if (!found) return false;  // such as a peak force where the pad bottoms out
-        predicted[i] = *found;
-      }
-      return !pulse ||
-             predict_pulse(solution, *pulse, shift ? values[*shift] : 0, predicted.subspan(figures.size()));
-    } catch (const std::invalid_argument&) {
-      return false;
-    }
-  };
+  using Solvers = tbb::enumerable_thread_specific<Solver>;
+  return
+      [impact, options, setters, figures = measured.figures, pulse = measured.pulse, shift,
+       solvers = std::make_shared<Solvers>()](std::span<const double> values, std::span<double> predicted) {
+        try {
+          ImpactCase with_values = impact;
+          for (std::size_t i = 0; i < setters.size(); ++i) setters[i](with_values, values[i]);
+          const Solution& solution = solvers->local().solve(with_values, options);
+          const Summary& summary = solution.summary;
+          for (std::size_t i = 0; i < figures.size(); ++i) {
+            // None, such as a peak force where the pad bottoms out, is no number.
+            predicted[i] = figure_in(summary, figures[i].figure).value_or(no_figure);
+          }
+          return !pulse || predict_pulse(solution, *pulse, shift ? values[*shift] : 0,
+                                         predicted.subspan(figures.size()));
+        } catch (const std::invalid_argument&) {
+          return false;
+        }
+      };
 }
 
 }  // namespace dashpad::fit

@@ -10,25 +10,17 @@ namespace dashpad::fit {
 
 using input::Presence;
 using input::TableReader;
-using input::TomlNode;
 
 namespace {
 
-double figure_value(TableReader& table, const std::string& key, const ImpactFigureName& name) {
-  return name.figure == ImpactFigure::peak_acceleration ? acceleration_in(table, key)
-                                                        : value_in(table, key, name.unit);
-}
-
 MeasuredFigure read_figure(TableReader& table, const ImpactFigureName& name) {
   MeasuredFigure figure{name.figure, 0, 0};
-  figure.value = figure_value(table, "value", name);
-  const TomlNode* deviation = table.node().child("deviation");
-  figure.deviation = deviation != nullptr && deviation->text.ends_with('%')
-                         ? value_or_share(table, "deviation", name.unit, figure.value)
-                         : figure_value(table, "deviation", name);
+  figure.value = value_in(table, "value", name.unit);
+  figure.deviation = value_or_share(table, "deviation", name.unit, figure.value);
   table.refuse_others();
   return figure;
 }
+
 }  // namespace
 
 ImpactMeasurement read_impact(TableReader& table, const FitFolders& folders,

@@ -128,17 +128,17 @@ MetTest met_test(const Fit& fit, const MaterialMeasurement& test, std::span<cons
 
 std::vector<MetFigure> met_figures(const Fit& fit, const ImpactMeasurement& impact,
                                    std::span<const double> values) {
+  // Without the pulse: one that is missing must not hide the figures.
+  ImpactMeasurement alone = impact;
+  alone.pulse.reset();
+  std::vector<double> computed(impact.figures.size());
+  const bool is_solved = prediction_of(fit, alone, 0)(values, computed);
   std::vector<MetFigure> all;
-  for (const MeasuredFigure& measured : impact.figures) {
-    // One by one: a figure that is missing must not hide the others.
-    ImpactMeasurement one = impact;
-    one.figures = {measured};
-    one.pulse.reset();
-    MetFigure met{impact.file, measured.figure, impact.is_held_out, measured.value, measured.deviation, {},
-                  {}};
-    double computed = 0;
-    if (prediction_of(fit, one, 0)(values, {&computed, 1})) met.computed = computed;
-    all.push_back(met);
+  for (std::size_t i = 0; i < computed.size(); ++i) {
+    const MeasuredFigure& measured = impact.figures[i];
+    all.push_back(
+        {impact.file, measured.figure, impact.is_held_out, measured.value, measured.deviation, {}, {}});
+    if (is_solved && std::isfinite(computed[i])) all.back().computed = computed[i];
   }
   return all;
 }

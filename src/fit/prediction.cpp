@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Dense>
 
@@ -15,29 +16,29 @@ constexpr int runs_of_prediction = 4;
 
 }  // namespace
 
-std::optional<double> prediction_deviation(const Fit& fit, const ImpactMeasurement& impact,
-                                           const MeasuredFigure& figure, const Problem& problem,
-                                           std::span<const double> x, const Uncertainty& uncertainty) {
-  ImpactMeasurement one = impact;
-  one.figures = {figure};
-  one.pulse.reset();
-  const Predict predict = prediction_of(fit, one, runs_of_prediction);
-  const auto at = [&](std::span<const double> place) -> std::optional<double> {
-    double value = 0;
-    if (!predict(problem.values(place), {&value, 1})) return std::nullopt;
-    return value;
+std::vector<std::optional<double>> prediction_deviations(const Fit& fit, const ImpactMeasurement& impact,
+                                                         const Problem& problem, std::span<const double> x,
+                                                         const Uncertainty& uncertainty) {
+  ImpactMeasurement alone = impact;
+  alone.pulse.reset();
+  const Predict predict = prediction_of(fit, alone, runs_of_prediction);
+  const std::size_t count = impact.figures.size();
+  /// No numbers where the impact has no such figure, or is none.
+  const auto at = [&](std::span<const double> place) {
+    std::vector<double> figures(count);
+    if (!predict(problem.values(place), figures)) figures.assign(count, no_figure);
+    return figures;
   };
-  const std::optional<double> here = at(x);
-  if (!here) return std::nullopt;
+  const std::vector<double> here = at(x);
   const auto n = static_cast<Eigen::Index>(x.size());
   const Eigen::Map<const Eigen::MatrixXd> covariance(uncertainty.covariance.data(), n, n);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(covariance);
-  double variance = 0;
+  std::vector<double> variance(count, 0);
   for (Eigen::Index k = 0; k < n; ++k) {
     const double deviation = std::min(std::sqrt(std::max(axes.eigenvalues()[k], 0.0)), deviation_of_even);
     if (deviation == 0) continue;
     // Differences over what stays of the way within the bounds.
-    double way = 0, difference = 0;
+    std::vector<double> way(count, 0), difference(count, 0);
     for (const double side : {1.0, -1.0}) {
       std::vector<double> place(x.begin(), x.end());
       double share = 1;
@@ -51,15 +52,20 @@ std::optional<double> prediction_deviation(const Fit& fit, const ImpactMeasureme
         place[static_cast<std::size_t>(i)] = std::clamp(
             place[static_cast<std::size_t>(i)] + share * side * deviation * axes.eigenvectors()(i, k), 0.0,
             1.0);
-      const std::optional<double> there = at(place);
-      if (!there) continue;
-      way += share;
-      difference += side * (*there - *here);
+      const std::vector<double> there = at(place);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (!std::isfinite(there[i])) continue;
+        way[i] += share;
+        difference[i] += side * (there[i] - here[i]);
+      }
     }
-    if (way < 0.01) continue;
-    variance += difference * difference / (way * way);
+    for (std::size_t i = 0; i < count; ++i)
+      if (way[i] >= 0.01) variance[i] += difference[i] * difference[i] / (way[i] * way[i]);
   }
-  return std::sqrt(variance);
+  std::vector<std::optional<double>> deviations(count);
+  for (std::size_t i = 0; i < count; ++i)
+    if (std::isfinite(here[i])) deviations[i] = std::sqrt(variance[i]);
+  return deviations;
 }
 
 }  // namespace dashpad::fit

@@ -11,11 +11,12 @@
 
 namespace dashpad::fit {
 
-/// Standard deviation of a figure at the minimum `x`: the root of the sum of squared half differences of the
-/// figure between one standard deviation up and down each principal axis of the covariance. A direction of
-/// which the data say nothing counts as even between the bounds. Absent where the figure is missing there.
-std::optional<double> prediction_deviation(const Fit& fit, const ImpactMeasurement& impact,
-                                           const MeasuredFigure& figure, const Problem& problem,
-                                           std::span<const double> x, const Uncertainty& uncertainty);
+/// Standard deviations of the figures of an impact at the minimum `x`: of each the root of the sum of squared
+/// half differences between one standard deviation up and down each principal axis of the covariance. A
+/// direction of which the data say nothing counts as even between the bounds. Absent where the figure is
+/// missing there.
+std::vector<std::optional<double>> prediction_deviations(const Fit& fit, const ImpactMeasurement& impact,
+                                                         const Problem& problem, std::span<const double> x,
+                                                         const Uncertainty& uncertainty);
 
 }  // namespace dashpad::fit

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,8 +33,7 @@ struct Coordinate {
     return is_logarithmic ? lowest * std::pow(highest / lowest, x) : lowest + x * (highest - lowest);
   }
   [[nodiscard]] double place(double value) const {
-    return is_logarithmic ? std::log(value / lowest) / std::log(highest / lowest)
-                          : (value - lowest) / (highest - lowest);
+    return place_between(lowest, highest, is_logarithmic, value);
   }
   /// Change of the value with the coordinate.
   [[nodiscard]] double slope(double x) const {
@@ -41,7 +41,11 @@ struct Coordinate {
   }
 };
 
-/// Predicts from the values of all coordinates, SI. False where they make no material that can be tested.
+/// A predicted figure that an impact does not have.
+inline constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
+
+/// Predicts from the values of all coordinates, SI. False where they make no material that can be tested. A
+/// figure that an impact does not have is `no_figure`.
 using Predict = std::function<bool(std::span<const double> values, std::span<double> predicted)>;
 
 /// One source of data.

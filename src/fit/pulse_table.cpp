@@ -10,7 +10,6 @@ namespace dashpad::fit {
 
 using input::Presence;
 using input::TableReader;
-using input::TomlNode;
 
 namespace {
 
@@ -55,11 +54,7 @@ std::optional<MeasuredDeceleration> read_pulse(TableReader& table, const FitFold
       table.fault("file", error.what());
     }
   }
-  const TomlNode* deviation = table.node().child("deviation");
-  const bool is_share =
-      deviation != nullptr && deviation->kind == TomlNode::Kind::text && deviation->text.ends_with('%');
-  const double value = is_share ? value_or_share(table, "deviation", "m/s2", pulse ? pulse->peak : 1)
-                                : acceleration_in(table, "deviation");
+  const double value = value_or_share(table, "deviation", "m/s2", pulse ? pulse->peak : 1);
   if (pulse) pulse->deviation = value;
   table.refuse_others();
   return pulse;

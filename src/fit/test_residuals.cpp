@@ -8,6 +8,7 @@
 
 #include "dashpad/impact/case_quantity.hpp"
 #include "dashpad/laboratory/column_test.hpp"
+#include "dashpad/study/application.hpp"
 #include "fit/problem.hpp"
 #include "model/pad/foam/foam_memo.hpp"
 
@@ -30,10 +31,8 @@ struct LawSetter {
 std::vector<LawSetter> law_setters(const Fit& fit) {
   std::vector<LawSetter> setters;
   for (const CaseQuantity& quantity : quantities_of(fit.base)) {
-    const bool is_of_law = quantity.key.starts_with("pad.parameters.") ||
-                           quantity.key.starts_with("pad.curve.") || quantity.key.starts_with("pad.rate.");
     const auto found = std::ranges::find(fit.unknowns, quantity.key, &Unknown::key);
-    if (is_of_law && found != fit.unknowns.end())
+    if (study::is_of_law(quantity.key) && found != fit.unknowns.end())
       setters.push_back({static_cast<std::size_t>(found - fit.unknowns.begin()), quantity.set});
   }
   return setters;

@@ -67,7 +67,7 @@ output::PageSection held_out_section(const Study& study) {
           .paragraphs = {fmt::format(
                              "The law foam with {} fitted numbers, at a nose radius of {} in, instead of the "
                              "report's law. On the load cell five folds by speed, on the plate test by test.",
-                             fitted_foam_table(study).rows.size(), brief(held_out_radius_in)),
+                             fitted_numbers, brief(held_out_radius_in)),
                          seen_data},
           .tables = {captioned("Predictions of tests that the fit has not seen", held_out_table(study)),
                      captioned("The foam", fitted_foam_table(study)),

@@ -40,7 +40,7 @@ std::string validation_text(const Study& study) {
   text += fmt::format(
               "\nA foam fitted to the tests ({} numbers, nose radius {} in), each predicted by a fit without "
               "it:\n",
-              fitted_foam_table(study).rows.size(), brief(held_out_radius_in)) +
+              fitted_numbers, brief(held_out_radius_in)) +
           output::plain_text(held_out_table(study)) + seen_data + "\n";
   text += "\nRebound on the load cell, between what was measured and what Table 3-2 admits:\n" +
           output::plain_text(rebound_table(study));

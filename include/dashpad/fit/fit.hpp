@@ -2,6 +2,7 @@
 /// What a fit is asked for: which numbers of a material are unknown, and the measurements that they have to
 /// meet. SI throughout; stress and strain are engineering values, compression positive.
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -29,6 +30,12 @@ struct Unknown {
   bool is_logarithmic = false;  ///< sought by its logarithm; then lowest > 0
   std::optional<Prior> prior;
 };
+
+/// Where a value lies between its bounds, 0 to 1; by the logarithm where it is sought so.
+inline double place_between(double lowest, double highest, bool is_logarithmic, double value) {
+  return is_logarithmic ? std::log(value / lowest) / std::log(highest / lowest)
+                        : (value - lowest) / (highest - lowest);
+}
 
 /// A compression test, strain and stress point by point. Between the points the strain is straight in time.
 struct MaterialMeasurement {

@@ -17,9 +17,7 @@ namespace dashpad::output {
 namespace {
 
 double place_of(const fit::FittedUnknown& of, double value) {
-  const double place = of.is_logarithmic ? std::log(value / of.lowest) / std::log(of.highest / of.lowest)
-                                         : (value - of.lowest) / (of.highest - of.lowest);
-  return std::clamp(place, 0.0, 1.0);
+  return std::clamp(fit::place_between(of.lowest, of.highest, of.is_logarithmic, value), 0.0, 1.0);
 }
 
 RangeBar bar_of(const fit::FittedUnknown& of, const UnitSystem& units) {
@@ -74,8 +72,7 @@ PageSection unknowns_section(const fit::FitReport& report, const UnitSystem& uni
   PageSection unknowns = section("What was found");
   unknowns.paragraphs = {
       "Value and 95 % interval of each unknown, on the way from its lowest to its highest admitted value. "
-      "Where a "
-      "bar fades, the interval is open: the data do not end it."};
+      "Where a bar fades, the interval is open: the data do not end it."};
   for (const fit::FittedUnknown& of : report.unknowns) unknowns.ranges.push_back(bar_of(of, units));
   return unknowns;
 }

@@ -9,34 +9,36 @@
 #include "dashpad/impact/solver.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/report1986/validation/held_out.hpp"
+#include "fit/problem.hpp"
 #include "fit/solve.hpp"
-#include "report1986/validation/readings.hpp"
+#include "report1986/validation/figures_of.hpp"
 
 namespace dashpad::report1986 {
 
 namespace {
 
-/// A number that is fitted, with a weak normal prior; by its logarithm where the mean is that of one.
+/// A number that is fitted, with a weak normal prior: of its logarithm where it is sought so.
 struct FittedNumber {
   double FittedFoam::*of;
-  double lowest, highest;
-  double mean, deviation;  ///< the deviation is that of the logarithm where it is one
-  bool is_logarithmic;
+  fit::Coordinate coordinate;
+  double mean, deviation;
 
-  [[nodiscard]] double scaled(double value) const { return is_logarithmic ? std::log(value) : value; }
-  [[nodiscard]] double value(double x) const {
-    const double low = scaled(lowest), at = low + x * (scaled(highest) - low);
-    return is_logarithmic ? std::exp(at) : at;
-  }
-  [[nodiscard]] double place(double value) const {
-    return (scaled(value) - scaled(lowest)) / (scaled(highest) - scaled(lowest));
+  [[nodiscard]] double prior_residual(double value) const {
+    return (coordinate.is_logarithmic ? std::log(value / mean) : value - mean) / deviation;
   }
 };
-constexpr std::array<FittedNumber, 4> fitted{{
-    {&FittedFoam::plateau_stress_psi, 0.5, 200, 16, 1.0, true},
-    {&FittedFoam::densification_stress_psi, 0.1, 200, 10, 1.2, true},
-    {&FittedFoam::densification_exponent, 0.5, 4, 1.2, 0.6, false},
-    {&FittedFoam::unloading_shape, 0.02, 50, 8, 1.5, true},
+fit::Coordinate between(double lowest, double highest, bool is_logarithmic) {
+  fit::Coordinate coordinate;
+  coordinate.lowest = lowest;
+  coordinate.highest = highest;
+  coordinate.is_logarithmic = is_logarithmic;
+  return coordinate;
+}
+const std::array<FittedNumber, fitted_numbers> fitted{{
+    {&FittedFoam::plateau_stress_psi, between(0.5, 200, true), 16, 1.0},
+    {&FittedFoam::densification_stress_psi, between(0.1, 200, true), 10, 1.2},
+    {&FittedFoam::densification_exponent, between(0.5, 4, false), 1.2, 0.6},
+    {&FittedFoam::unloading_shape, between(0.02, 50, true), 8, 1.5},
 }};
 
 /// What is expected of one test: relative, of strains absolute. Fixed before the folds were run.
@@ -62,17 +64,19 @@ constexpr double derivative_step = 1e-2;
 
 FittedFoam foam_at(std::span<const double> x) {
   FittedFoam foam;
-  for (std::size_t i = 0; i < fitted.size(); ++i) foam.*fitted[i].of = fitted[i].value(x[i]);
+  for (std::size_t i = 0; i < fitted.size(); ++i) foam.*fitted[i].of = fitted[i].coordinate.value(x[i]);
   return foam;
 }
 
 /// Residuals of the readings, then of the priors. One impact for each setup.
 class Misfit {
  public:
-  Misfit(const ValidationData& data, const std::vector<Reading>& readings)
-      : data_(data), readings_(readings) {
+  Misfit(const ValidationData& data, const std::vector<Reading>& readings) : readings_(readings) {
     for (const Reading& reading : readings)
-      if (std::ranges::count(setups_, reading.setup) == 0) setups_.push_back(reading.setup);
+      if (std::ranges::count(setups_, reading.setup) == 0) {
+        setups_.push_back(reading.setup);
+        impacts_.push_back(impact_case(data, {}, reading.setup));
+      }
     options_.fixed_runs = runs;
   }
   [[nodiscard]] std::size_t size() const { return readings_.size() + fitted.size(); }
@@ -80,26 +84,26 @@ class Misfit {
   bool operator()(std::span<const double> x, std::span<double> residuals) {
     const FittedFoam foam = foam_at(x);
     const Material material = material_of(foam);
-    for (const Setup& setup : setups_) {
-      const Prediction prediction =
-          figures_of(solver_.solve(impact_case(data_, material, setup), options_).summary);
+    for (std::size_t k = 0; k < setups_.size(); ++k) {
+      impacts_[k].pad.material = material;
+      const Prediction prediction = figures_of(solver_.solve(impacts_[k], options_).summary);
       for (std::size_t i = 0; i < readings_.size(); ++i) {
-        if (!(readings_[i].setup == setup)) continue;
-        const auto value = predicted(prediction, readings_[i].quantity);
+        const auto& [test, setup, quantity, measured] = readings_[i];
+        if (!(setup == setups_[k])) continue;
+        const auto value = predicted(prediction, quantity);
         if (!value || !(*value > 0)) return false;
-        residuals[i] = error_of(readings_[i], *value) / scatter_of(readings_[i].quantity);
+        residuals[i] = error_of(rule_of(quantity), measured, *value) / scatter_of(quantity);
       }
     }
     for (std::size_t i = 0; i < fitted.size(); ++i)
-      residuals[readings_.size() + i] =
-          (fitted[i].scaled(foam.*fitted[i].of) - fitted[i].scaled(fitted[i].mean)) / fitted[i].deviation;
+      residuals[readings_.size() + i] = fitted[i].prior_residual(foam.*fitted[i].of);
     return true;
   }
 
  private:
-  const ValidationData& data_;
   const std::vector<Reading>& readings_;
   std::vector<Setup> setups_;
+  std::vector<ImpactCase> impacts_;  ///< of the setups
   Options options_;
   Solver solver_;
 };
@@ -127,7 +131,7 @@ FittedFoam fit_foam(const ValidationData& data, const std::vector<Reading>& read
   Misfit misfit(data, readings);
   const fit::LeastSquares problem{fitted.size(), misfit.size(), derivative_step, std::ref(misfit)};
   std::vector<double> start;
-  for (const FittedNumber& number : fitted) start.push_back(number.place(number.mean));
+  for (const FittedNumber& number : fitted) start.push_back(number.coordinate.place(number.mean));
   const fit::Minimum minimum = fit::minimise(problem, start, fit::coarse);
   FittedFoam foam = foam_at(minimum.x);
   foam.misfit = minimum.misfit;

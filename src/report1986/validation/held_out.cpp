@@ -4,12 +4,9 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <numeric>
 #include <set>
 
 #include <tbb/parallel_for.h>
-
-#include "report1986/validation/readings.hpp"
 
 namespace dashpad::report1986 {
 
@@ -47,11 +44,11 @@ struct Predicted {
 std::vector<Predicted> predict_fold(const ValidationData& data, const std::vector<Reading>& held,
                                     const FittedFoam& foam) {
   std::vector<Predicted> result;
+  std::optional<Prediction> last;  // the readings of a test follow each other
   for (const Reading& reading : held) {
-    std::optional<double> value;
-    if (foam.converged)
-      value = predicted(predict(data, material_of(foam), Program::accurate, reading.setup), reading.quantity);
-    result.push_back({reading, value});
+    if (foam.converged && !(last && last->setup == reading.setup))
+      last = predict(data, material_of(foam), Program::accurate, reading.setup);
+    result.push_back({reading, last ? predicted(*last, reading.quantity) : std::nullopt});
   }
   return result;
 }
@@ -69,9 +66,8 @@ HeldOutScore score_of(const ScoreName& wanted, const std::vector<Predicted>& all
       ++score.missing;
       continue;
     }
-    errors.push_back(error_of(reading, *value));
-    score.errors.push_back({reading.test, reading.value, *value,
-                            rule.logarithmic ? *value / reading.value - 1 : *value - reading.value});
+    errors.push_back(error_of(rule, reading.value, *value));
+    score.errors.push_back(test_error(rule, reading.test, reading.value, *value));
   }
   const Statistics statistics = judge(rule, errors);
   score.bias = statistics.bias;
@@ -84,11 +80,6 @@ HeldOutScore score_of(const ScoreName& wanted, const std::vector<Predicted>& all
 }
 
 }  // namespace
-
-double error_of(const Reading& reading, double predicted) {
-  return rule_of(reading.quantity).logarithmic ? std::log(predicted / reading.value)
-                                               : predicted - reading.value;
-}
 
 std::vector<Reading> certain_readings(const MeasuredTests& measured_tests) {
   std::vector<Reading> readings;

@@ -55,7 +55,7 @@ std::vector<PlacedScore> placed_scores(const MeasuredTests& measured_tests,
         const std::optional<double> reading = measured(placed, *quantity);
         if (!reading || measured(alone.tests[i], *quantity)) continue;
         if (!values[i]) return;
-        errors.push_back(rule.logarithmic ? std::log(*values[i] / *reading) : *values[i] - *reading);
+        errors.push_back(error_of(rule, *reading, *values[i]));
       }
       const Statistics statistics = judge(rule, errors);
       ++score.placings;

@@ -9,7 +9,7 @@
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/report1986/validation/energy.hpp"
 #include "dashpad/spit1984/run.hpp"
-#include "report1986/validation/readings.hpp"
+#include "report1986/validation/figures_of.hpp"
 
 namespace dashpad::report1986 {
 

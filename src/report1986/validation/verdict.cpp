@@ -55,6 +55,14 @@ std::optional<double> predicted(const Prediction& prediction, Quantity quantity)
   return prediction.peak_strain;
 }
 
+double error_of(const Rule& rule, double measured, double predicted) {
+  return rule.logarithmic ? std::log(predicted / measured) : predicted - measured;
+}
+
+TestError test_error(const Rule& rule, int test, double measured, double predicted) {
+  return {test, measured, predicted, rule.logarithmic ? predicted / measured - 1 : predicted - measured};
+}
+
 Statistics judge(const Rule& rule, const std::vector<double>& errors) {
   Statistics statistics;
   if (errors.empty()) return statistics;
@@ -90,9 +98,8 @@ Score score(const MeasuredTests& measured_tests, const std::vector<Prediction>& 
       ++score.missing;
       continue;
     }
-    errors.push_back(rule.logarithmic ? std::log(*value / *reading) : *value - *reading);
-    score.errors.push_back(
-        {test.number, *reading, *value, rule.logarithmic ? *value / *reading - 1 : *value - *reading});
+    errors.push_back(error_of(rule, *reading, *value));
+    score.errors.push_back(test_error(rule, test.number, *reading, *value));
   }
   const Statistics statistics = judge(rule, errors);
   score.bias = statistics.bias;

@@ -32,6 +32,7 @@ std::vector<std::vector<std::size_t>> folds_of(const std::vector<Reading>& readi
 
 /// A foam with Avalle's curve (theory.md, Eq. 32): modulus 600 psi, no rate effect, no friction. Its stresses
 /// are those at the rates of the tests, 140 to 300 per second.
+inline constexpr std::size_t fitted_numbers = 4;
 struct FittedFoam {
   double plateau_stress_psi = 0;        ///< A, [0.5, 200]
   double densification_stress_psi = 0;  ///< B, [0.1, 200]

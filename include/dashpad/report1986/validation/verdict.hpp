@@ -32,7 +32,10 @@ struct Rule {
 extern const std::array<Rule, 4> rules;
 const Rule& rule_of(Quantity quantity);
 
-/// What the errors of a score come to. `errors` are ln(predicted/measured), for strain the differences.
+/// ln(predicted/measured); for strain the difference.
+double error_of(const Rule& rule, double measured, double predicted);
+
+/// What the errors of a score, by error_of(), come to.
 struct Statistics {
   double bias = 0;      ///< exp(mean) - 1, or the mean
   double scatter = 0;   ///< standard deviation, n - 1; 0 below two
@@ -46,6 +49,7 @@ struct TestError {
   double measured = 0, predicted = 0;
   double error = 0;  ///< predicted/measured - 1; for strain the difference
 };
+TestError test_error(const Rule& rule, int test, double measured, double predicted);
 
 /// A program on a support, for one quantity, at one radius.
 struct Score {
