@@ -14,7 +14,7 @@ class FixedRuns {
   Figures run(const ImpactCase& impact, double resolution, bool extrapolated) {
     return contacts_.visit(impact, ColumnMath::vector, [&](auto& contact) {
       const Options options;
-      March march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
+      March march(impact, contact, options);
       Refinement refinement(impact.impactor, options.tolerance);
       if (extrapolated) refinement.add(march.run(2 * resolution, track_));
       refinement.add(march.run(resolution, track_));

@@ -44,6 +44,9 @@ void add_parameters(const ImpactCase& base, const std::string& prefix, Place pla
 void add_pad(const ImpactCase& base, std::vector<CaseQuantity>& into) {
   into.push_back(quantity_at(
       "pad.thickness", "m", [](auto& impact) -> auto& { return impact.pad.thickness; }));
+  if (base.pad.area)
+    into.push_back(quantity_at(
+        "pad.area", "m2", [](auto& impact) -> auto& { return impact.pad.area; }));
   into.push_back(quantity_at(
       "pad.scale", "1", [](auto& impact) -> auto& { return impact.pad.condition.scale; }));
   const Material& material = base.pad.material;

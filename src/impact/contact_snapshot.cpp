@@ -87,7 +87,7 @@ void look_at(const ColumnField<Law>& field, double penetration, const Sections& 
 template <class Law>
 std::vector<ContactSnapshot> replayed(const Law& law, const ImpactCase& impact, const History& history) {
   const double thickness = impact.pad.thickness;
-  const Sections nose = sections_of(impact.impactor.nose);
+  const Sections nose = sections_of(impact);
   ColumnField<Law> field(law, thickness, nose, ColumnMath::plain);
   field.start(resolution, *std::max_element(history.penetration.begin(), history.penetration.end()));
   std::vector<ContactSnapshot> snapshots;
@@ -109,7 +109,7 @@ std::vector<ContactSnapshot> replayed(const Law& law, const ImpactCase& impact, 
 std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const ImpactCase& impact,
                                        const History& history) {
   const double thickness = impact.pad.thickness;
-  const Sections nose = sections_of(impact.impactor.nose);
+  const Sections nose = sections_of(impact);
   FoamContact contact(law, thickness, nose);
   contact.start(resolution, thickness);
   std::vector<ContactSnapshot> snapshots;
@@ -135,7 +135,7 @@ std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const Impact
 /// penetration has stopped.
 std::vector<ContactSnapshot> from_curve(const StressCurve& curve, const ImpactCase& impact,
                                         const History& history) {
-  const Sections nose = sections_of(impact.impactor.nose);
+  const Sections nose = sections_of(impact);
   const double thickness = impact.pad.thickness;
   const CurveContact contact(curve, true, thickness, nose);
   std::vector<ContactSnapshot> snapshots;

@@ -24,7 +24,7 @@ class Contacts {
   auto visit(const ImpactCase& impact, ColumnMath math, Visit&& visit) {
     const double thickness = impact.pad.thickness;
     const double factor = stress_factor(impact.pad.condition, impact.pad.material);
-    const Sections sections = sections_of(impact.impactor.nose);
+    const Sections sections = sections_of(impact);
     const auto renewed = [&](auto& contact, const auto&... arguments) -> auto& {
       if (contact)
         contact->set(arguments...);

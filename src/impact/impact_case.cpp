@@ -16,32 +16,53 @@ struct Range {
 
   [[nodiscard]] bool contains(double value) const { return value >= lowest && value <= highest; }
   [[nodiscard]] std::string rule() const {
-    return fmt::format("must be more than 0: between {0} {2} and {1} {2}", lowest, highest, unit);
+    return fmt::format("more than 0: between {0} {2} and {1} {2}", lowest, highest, unit);
   }
 };
 
 constexpr Range masses{1e-6, 1e6, "kg"};
 constexpr Range lengths{1e-5, 1e2, "m"};
+constexpr Range areas{1e-10, 1e4, "m2"};
 constexpr Range speeds{1e-4, 1e3, "m/s"};
 constexpr Range stiffnesses{1e-3, 1e15, "N/m"};
 
 /// NaN breaks every range.
-void check(std::vector<Violation>& broken, std::string key, double value, const Range& range) {
-  if (!range.contains(value)) broken.push_back({std::move(key), value, range.rule()});
+void check(std::vector<Violation>& broken, std::string key, double value, const Range& range,
+           const std::string& must = "must be ") {
+  if (!range.contains(value)) broken.push_back({std::move(key), value, must + range.rule()});
 }
 
-/// Lengths of a nose are in the range of lengths, its other numbers within the bounds of its own table.
+// The rules between the numbers of a nose. A value that is not a number breaks its range already.
+
+template <class Shape>
+void check_rules(const Shape&, std::vector<Violation>&) {}
+
+void check_rules(const Cone& cone, std::vector<Violation>& broken) {
+  if (cone.tip_radius >= cone.radius)
+    broken.push_back({"impactor.tip_radius", cone.tip_radius, "must be less than radius"});
+}
+
+void check_rules(const Rod& rod, std::vector<Violation>& broken) {
+  if (rod.tip_radius < rod.radius)
+    broken.push_back({"impactor.tip_radius", rod.tip_radius, "must not be below radius"});
+}
+
+/// Lengths of a nose are in the range of lengths, or 0 where their table admits it; its other numbers are
+/// within the bounds of the table.
 void check_nose(std::vector<Violation>& broken, const Nose& nose) {
   std::visit(
       [&]<class Shape>(const Shape& shape) {
         for (const Parameter<Shape>& parameter : Shape::parameters) {
           const std::string key = std::string("impactor.") + parameter.key;
           const double value = shape.*parameter.member;
+          const bool may_vanish = parameter.bounds.contain(0);
+          if (may_vanish && value == 0) continue;
           if (std::string_view(parameter.unit) == "m")
-            check(broken, key, value, lengths);
+            check(broken, key, value, lengths, may_vanish ? "must be 0, or " : "must be ");
           else if (const auto rule = broken_rule(value, parameter.bounds, parameter.unit))
             broken.push_back({key, value, *rule});
         }
+        check_rules(shape, broken);
       },
       nose);
 }
@@ -53,7 +74,7 @@ void check_support(std::vector<Violation>& broken, const Support& support) {
     const double stiffness = (points[i].force - before.force) / (points[i].deflection - before.deflection);
     if (!stiffnesses.contains(stiffness))
       broken.push_back({points.size() == 1 ? "support.stiffness" : fmt::format("support.points[{}]", i + 1),
-                        stiffness, "the stiffness up to here " + stiffnesses.rule()});
+                        stiffness, "the stiffness up to here must be " + stiffnesses.rule()});
     before = points[i];
   }
 }
@@ -64,6 +85,7 @@ std::vector<Violation> violations_with(std::vector<Violation> of_material, const
   check_nose(broken, impact.impactor.nose);
   check(broken, "impactor.speed", impact.impactor.speed, speeds);
   check(broken, "pad.thickness", impact.pad.thickness, lengths);
+  if (impact.pad.area) check(broken, "pad.area", *impact.pad.area, areas);
   for (Violation& violation : of_material) {
     violation.key = "pad." + violation.key;
     broken.push_back(std::move(violation));
@@ -77,6 +99,11 @@ std::vector<Violation> violations_with(std::vector<Violation> of_material, const
 }
 
 }  // namespace
+
+Sections sections_of(const ImpactCase& impact) {
+  const Sections nose = sections_of(impact.impactor.nose);
+  return impact.pad.area ? nose.limited_to(*impact.pad.area) : nose;
+}
 
 std::vector<Violation> violations(const ImpactCase& impact) {
   return violations_with(violations(impact.pad.material), impact);

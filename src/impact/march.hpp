@@ -28,16 +28,15 @@ namespace dashpad {
 template <IsContact Contact>
 class March {
  public:
-  March(const Impactor& impactor, double thickness, const Support& support, Contact& contact,
-        const Options& options)
-      : impactor_(impactor),
-        thickness_(thickness),
-        support_(support),
+  March(const ImpactCase& impact, Contact& contact, const Options& options)
+      : impactor_(impact.impactor),
+        thickness_(impact.pad.thickness),
+        support_(impact.support),
         contact_(contact),
         options_(options),
-        motion_(impactor.mass, support),
-        equilibrium_(contact, support, motion_, thickness),
-        control_(impactor.mass, sections_of(impactor.nose), thickness, support) {}
+        motion_(impactor_.mass, support_),
+        equilibrium_(contact, support_, motion_, thickness_),
+        control_(impactor_.mass, sections_of(impact), thickness_, support_) {}
   March(const March&) = delete;
   March& operator=(const March&) = delete;
 

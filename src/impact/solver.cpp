@@ -39,7 +39,7 @@ constexpr std::size_t usual_entries = 2000;
 template <class Contact>
 Refinement refine(const ImpactCase& impact, Contact& contact, const Options& options, Track& track) {
   Refinement refinement(impact.impactor, options.tolerance);
-  March<Contact> march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
+  March<Contact> march(impact, contact, options);
   double expected = impact.pad.thickness;
   const auto done = [&] {
     if (options.fixed_runs > 0) return refinement.runs() >= options.fixed_runs;

@@ -19,7 +19,11 @@ namespace dashpad {
 class StepControl {
  public:
   StepControl(double mass, const Sections& nose, double thickness, const Support& support)
-      : mass_(mass), nose_(nose), thickness_(thickness), support_(support) {}
+      : mass_(mass),
+        nose_(nose),
+        share_of_side_(1 - nose.tip / nose.area_beyond()),
+        thickness_(thickness),
+        support_(support) {}
 
   /// `lock`: penetration at which the pad locks, m.
   void start(double resolution, double lock) {
@@ -93,9 +97,10 @@ class StepControl {
   [[nodiscard]] double strain_limit(const State& state, double pad_rate) const {
     return resolution_ * std::min(thickness_, widening(state.penetration)) / std::abs(pad_rate);
   }
-  /// Penetration over which the area of the contact changes, m.
+  /// Penetration over which the area of the contact changes, m; the longer the more of it a flat tip has.
   [[nodiscard]] double widening(double penetration) const {
-    return nose_.depth > 0 ? nose_.depth + penetration : std::numeric_limits<double>::infinity();
+    return share_of_side_ > 0 ? (nose_.depth + penetration) / share_of_side_
+                              : std::numeric_limits<double>::infinity();
   }
   [[nodiscard]] double gap_limit(const State& state, double pad_rate) const {
     const double share = std::min(numerics.most_closing, numerics.closing * resolution_);
@@ -129,6 +134,7 @@ class StepControl {
 
   double mass_;
   Sections nose_;
+  double share_of_side_;  ///< of the area of its widest section: what is not the tip's
   double thickness_;
   const Support& support_;
   double resolution_ = 0;

@@ -114,6 +114,7 @@ struct PadEntry {
 PadEntry read_pad(TableReader& table, const Folders& folders) {
   PadEntry entry;
   entry.pad.thickness = table.quantity("thickness", "m");
+  if (table.has("area")) entry.pad.area = table.quantity("area", "m2");
   PadMaterial of = read_pad_material(table, folders.of_case, folders.materials);
   entry.card = std::move(of.card);
   entry.material_to_check = of.is_in_line && of.material.has_value();
@@ -148,7 +149,7 @@ std::vector<Violation> violations_in_terms_of(const TomlNode& root, const Impact
   if (!material_to_check)
     std::erase_if(broken, [](const Violation& violation) {
       return violation.key.starts_with("pad.") && violation.key != "pad.thickness" &&
-             violation.key != "pad.scale" && violation.key != "pad.density" &&
+             violation.key != "pad.area" && violation.key != "pad.scale" && violation.key != "pad.density" &&
              violation.key != "pad.temperature";
     });
   for (Violation& violation : broken)

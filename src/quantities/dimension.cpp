@@ -21,6 +21,7 @@ constexpr Dimension dimensions[] = {
     {"V", "a voltage", {"V", "mV"}},
     {"m2", "an area", {"m2", "mm2", "in2"}},
     {"m3", "a volume", {"m3", "cm3", "in3"}},
+    {"rad", "an angle", {"deg", "rad"}},
     {"K", "a temperature", {"degC", "degF", "K"}},
     {"1", "a pure number", {}},
 };

@@ -78,8 +78,10 @@ std::string wrong_dimension(const std::string& unit, const Dimension& wanted) {
   std::string rule = name_of(wanted) + " is needed";
   if (!wanted.examples[0].empty())
     rule += fmt::format(" ({})", examples_of_units(std::string(wanted.si_unit)));
+  // To the database an angle is a pure number, and a pure number an angle.
   for (const Dimension& dimension : known_dimensions())
-    if (fits(unit, dimension.si_unit)) rule += fmt::format(", but \"{}\" gives {}", unit, dimension.name);
+    if (dimension.si_unit != "rad" && fits(unit, dimension.si_unit))
+      rule += fmt::format(", but \"{}\" gives {}", unit, dimension.name);
   if (fits(fmt::format("({}) m/s2", unit), wanted.si_unit))
     rule += "; lb and kg are masses, the forces are lbf, kgf and N";
   return rule + other_capitals(unit, wanted);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -41,6 +42,7 @@ std::string brief(double value, int digits) {
 }
 
 ScaledUnit shown_as(const std::string& si_unit, const UnitSystem& units) {
+  if (si_unit == "rad") return {180 / std::numbers::pi, "deg"};
   ScaledUnit shown = scaled_unit(si_unit, units);
   shown.unit = shown_unit(shown.unit);
   return shown;
@@ -77,6 +79,12 @@ std::size_t width_of(std::string_view text) {
 void replace_all(std::string& text, std::string_view old, std::string_view fresh) {
   for (auto place = text.find(old); place != std::string::npos; place = text.find(old, place + fresh.size()))
     text.replace(place, old.size(), fresh);
+}
+
+std::string with_article(const std::string& words) {
+  const bool vowel =
+      !words.empty() && std::string_view("aeiou").find(words.front()) != std::string_view::npos;
+  return (vowel ? "an " : "a ") + words;
 }
 
 std::string one_line(std::string_view text) {

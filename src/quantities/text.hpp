@@ -35,6 +35,9 @@ double rounded_to(double value, int digits);
 /// UTF-8 characters, which is what a column of a terminal holds: units have a · and a ³.
 std::size_t width_of(std::string_view text);
 
+/// "a sphere", "an ellipsoid".
+std::string with_article(const std::string& words);
+
 /// Text from a file, safe for a terminal: line breaks and other control characters become spaces.
 std::string one_line(std::string_view text);
 

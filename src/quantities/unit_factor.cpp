@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <mutex>
+#include <numbers>
 
 #include "dashpad/quantities/quantity.hpp"
 
@@ -33,6 +34,7 @@ constexpr double pound_force = 4.4482216152605;                    // N
 constexpr double ounce_force = 0.27801385095378125;                // N
 constexpr double pound_force_per_square_inch = 6894.757293168361;  // Pa
 constexpr double slug = 14.593902937206364;                        // kg
+constexpr double degree = std::numbers::pi / 180;                  // rad
 
 constexpr Definition definitions[] = {
     {"in", inch, "m"},
@@ -70,6 +72,7 @@ constexpr Definition definitions[] = {
     {"psi", pound_force_per_square_inch, "Pa"},
     {"ksi", 1000 * pound_force_per_square_inch, "Pa"},
     {"psf", pound_force / (0.3048 * 0.3048), "Pa"},
+    {"deg", degree, "rad"},
 };
 
 Owned<ut_unit> parse(const ut_system* system, const char* text) {

@@ -87,6 +87,8 @@ std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
   std::vector<Violation> unsaid;
   if (!std::holds_alternative<Sphere>(impact.impactor.nose))
     unsaid.push_back({"impactor.nose", 0, "the 1984 program knows no nose but a sphere"});
+  if (impact.pad.area)
+    unsaid.push_back({"pad.area", *impact.pad.area, "the 1984 program knows no pad with an edge"});
   if (impact.pad.material.law.index() >= laws_of_1984)
     unsaid.push_back(
         {"pad.law", 0,

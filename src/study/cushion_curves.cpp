@@ -50,8 +50,7 @@ std::optional<CushionCurves> cushion_curves(const Study& study, const Records& r
     for (const auto& [thickness, by_mass] : by_thickness) {
       CushionCurve curve{.thickness = thickness, .static_stress = {}, .peak_deceleration = {}};
       for (const auto& [mass, place] : by_mass) {
-        const double area =
-            sections_of(study.base.impactor.nose).area(records.responses[*penetration][place]);
+        const double area = sections_of(study.base).area(records.responses[*penetration][place]);
         curve.static_stress.push_back(mass * standard_gravity / area);
         curve.peak_deceleration.push_back(records.responses[*deceleration][place]);
       }

@@ -48,13 +48,16 @@ Json nose_json(const Nose& of) {
 Json case_json(const ImpactCase& of) {
   Json points = Json::array();
   for (const Support::Point& point : of.support.points()) points.push_back({point.deflection, point.force});
-  return {{"title", of.title},
-          {"impactor",
-           {{"mass", of.impactor.mass}, {"nose", nose_json(of.impactor.nose)}, {"speed", of.impactor.speed}}},
-          {"thickness", of.pad.thickness},
-          {"condition", condition_json(of.pad.condition)},
-          {"material", material_json(of.pad.material)},
-          {"support", points}};
+  Json json = {
+      {"title", of.title},
+      {"impactor",
+       {{"mass", of.impactor.mass}, {"nose", nose_json(of.impactor.nose)}, {"speed", of.impactor.speed}}},
+      {"thickness", of.pad.thickness},
+      {"condition", condition_json(of.pad.condition)},
+      {"material", material_json(of.pad.material)},
+      {"support", points}};
+  if (of.pad.area) json["area"] = *of.pad.area;
+  return json;
 }
 
 Json sampling_json(const Study& of) {

@@ -98,7 +98,8 @@ ImpactCase case_of(const Json& json) {
           .impactor = {.mass = impactor.at("mass"),
                        .nose = alternative_of<Nose>(nose.at("shape"), nose),
                        .speed = impactor.at("speed")},
-          .pad = {json.at("thickness"), material_of(json.at("material")), condition_of(json)},
+          .pad = {json.at("thickness"), material_of(json.at("material")), condition_of(json),
+                  json.contains("area") ? bound_of(json["area"]) : std::nullopt},
           .support = points.empty() ? Support::rigid() : Support::through(points)};
 }
 

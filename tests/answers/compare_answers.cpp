@@ -108,6 +108,7 @@ struct Findings {
 
 ImpactCase drawn_case(const std::string& kind, std::uint64_t seed) {
   if (kind == "extreme") return random_case(seed);
+  if (kind == "nose") return nose_case(seed);
   return kind == "plausible" ? plausible_case(seed) : ordinary_case(seed);
 }
 

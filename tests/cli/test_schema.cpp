@@ -43,6 +43,31 @@ TEST(Schema, DescribesEveryKeyAndItsUnit) {
 
 class SchemaTest : public CommandTest {};
 
+TEST_F(SchemaTest, DescribesEveryNoseAndTheFaceOfThePad) {
+  for (const std::string nose :
+       {"nose = \"cone\"\nradius = \"3 in\"\nhalf_angle = \"60 deg\"",
+        "nose = \"ellipsoid\"\nhalf_depth = \"3 in\"\nhalf_length = \"4 in\"\nhalf_width = \"2 in\"",
+        "nose = \"rod\"\nradius = \"1 in\"\ntip_radius = \"3 in\"",
+        "nose = \"platen\"\nlength = \"4 in\"\nwidth = \"3 in\""}) {
+    write_file(file("shaped.toml"), "[impactor]\n" + nose + R"(
+mass = "4 kg"
+speed = "3 m/s"
+[pad]
+thickness = "40 mm"
+area = "60 cm2"
+law = "elastic"
+parameters = { modulus = "40 psi" }
+[support]
+type = "rigid"
+)");
+    const auto outcome = dashpad({"run", file("shaped.toml"), "--json", "-"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json result = json::parse(outcome.out);
+    EXPECT_EQ(schema_faults(result), "") << nose;
+    EXPECT_EQ(result["case"]["pad"]["area_m2"], 0.006);
+  }
+}
+
 TEST_F(SchemaTest, NoticesWhatIsMissingOrTooMuch) {
   const json result = json::parse(dashpad({"run", case_file(), "--json", "-"}).out);
   ASSERT_EQ(schema_faults(result), "");

@@ -15,7 +15,8 @@
 ///
 /// Laws 1, 2, 4 and 5 of the report, below a sphere, whose penetration must stay below its radius; rigid,
 /// linear and piecewise linear supports. Bottoming ends the run. Foams by curves and viscoelastic foams are
-/// solved in other forms (foam_impact.hpp, maxwell_impact.hpp), also below a flat disc and beyond the radius.
+/// solved in other forms (foam_impact.hpp, maxwell_impact.hpp), also below a flat disc and beyond the radius;
+/// foams by curves also below a cone.
 
 #include <optional>
 #include <string>

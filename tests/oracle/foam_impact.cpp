@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "oracle/gauss.hpp"
 
@@ -15,12 +16,36 @@ namespace {
 constexpr int looks = 96;   ///< where the sign of the stress is asked
 constexpr int panels = 16;  ///< of the whole contact
 
+/// A round nose by its profile: a flat tip, then a side up to a depth.
+struct Profile {
+  double tip = 0;    ///< area of the flat tip, m2
+  double end = 0;    ///< depth up to which the nose grows wider, m
+  double first = 0;  ///< radius times its slope over the depth at the tip, m
+  double slope = 0;  ///< how fast that grows over the depth
+
+  /// Growth of the area over the depth, m.
+  [[nodiscard]] double widening(double depth) const { return 2 * std::numbers::pi * (first + slope * depth); }
+};
+
+Profile profile_of(const Nose& nose) {
+  if (const auto* sphere = std::get_if<Sphere>(&nose))
+    return {.tip = 0, .end = sphere->radius, .first = sphere->radius, .slope = -1};
+  if (const auto* disc = std::get_if<FlatDisc>(&nose))
+    return {.tip = std::numbers::pi * disc->radius * disc->radius};
+  if (const auto* cone = std::get_if<Cone>(&nose)) {
+    const double low = cone->tip_radius, slope = std::tan(cone->half_angle);
+    return {.tip = std::numbers::pi * low * low,
+            .end = (cone->radius - low) / slope,
+            .first = low * slope,
+            .slope = slope * slope};
+  }
+  throw std::invalid_argument("CVODE oracle: below foams a sphere, a disc or a cone");
+}
+
 class FoamImpact final : public OdeSystem {
  public:
-  FoamImpact(ImpactRun& run, const FoamFormulas& law, const Nose& nose) : run_(run), law_(law) {
-    if (const auto* disc = std::get_if<FlatDisc>(&nose))
-      flat_ = std::numbers::pi * disc->radius * disc->radius;
-  }
+  FoamImpact(ImpactRun& run, const FoamFormulas& law, const Nose& nose)
+      : run_(run), law_(law), nose_(profile_of(nose)) {}
 
   void run() {
     OdeSession session(*this, Method::bdf_dense, 0, {0, run_.speed, 0});
@@ -146,13 +171,12 @@ class FoamImpact final : public OdeSystem {
     if (y <= 0) return 0;
     const double top = y / run_.thickness;
     const double u = law_.slip_rate(g);
-    if (flat_ > 0) return flat_ * std::fmax(stress(y, top, away, u), 0);
-    const double low = std::sqrt(std::fmax(y - run_.radius, 0) / y);  // of x
+    const double on_tip = nose_.tip > 0 ? nose_.tip * std::fmax(stress(y, top, away, u), 0) : 0;
+    if (nose_.end == 0) return on_tip;
+    const double low = std::sqrt(std::fmax(y - nose_.end, 0) / y);  // of x
     const auto at = [&](double x) { return stress(y, top * x * x, away, u); };
-    // 2 pi (R - s) ds with s = Y (1 - x^2).
-    const auto part = [&](double x) {
-      return at(x) * 2 * std::numbers::pi * (run_.radius - y * (1 - x * x)) * 2 * x * y;
-    };
+    // a'(s) ds with s = Y (1 - x^2).
+    const auto part = [&](double x) { return at(x) * nose_.widening(y * (1 - x * x)) * 2 * x * y; };
     const auto integral = [&](double from, double to) {
       const int count = std::max(static_cast<int>(std::ceil(panels * (to - from))), 1);
       return gauss(from, to, count, part);
@@ -163,8 +187,8 @@ class FoamImpact final : public OdeSystem {
       return from < corner && corner < to ? integral(from, corner) + integral(corner, to)
                                           : integral(from, to);
     };
-    if (away == 0 && u >= 0) return over(low, 1);
-    double sum = 0;
+    if (away == 0 && u >= 0) return on_tip + over(low, 1);
+    double sum = on_tip;
     double before = low, begin = low;
     bool pressed = at(low + 1e-6 * (1 - low)) > 0;
     for (int i = 1; i <= looks; ++i) {
@@ -192,8 +216,8 @@ class FoamImpact final : public OdeSystem {
     const double top = y / run_.thickness;
     if (y <= 0) return top * law_.base(0.5 * law_.last_strain(), 1 - 0.5 * law_.last_strain());
     const double u = law_.slip_rate(g);
-    if (flat_ > 0) return stress(y, top, away, u);
-    const double low = std::sqrt(std::fmax(y - run_.radius, 0) / y);
+    if (nose_.end == 0) return stress(y, top, away, u);
+    const double low = std::sqrt(std::fmax(y - nose_.end, 0) / y);
     double most = -std::numeric_limits<double>::infinity();
     for (int i = 0; i <= looks; ++i) {
       const double x = low + (1 - low) * std::fmax(double(i) / looks, 1e-6);
@@ -254,7 +278,7 @@ class FoamImpact final : public OdeSystem {
 
   ImpactRun& run_;
   const FoamFormulas& law_;
-  double flat_ = 0;  ///< area of a disc, m2
+  Profile nose_;
   bool loading_ = true;
   double largest_ = 0;
   double found_ = 0;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "oracle/gauss.hpp"
 
@@ -122,6 +123,8 @@ class MaxwellLoading final : public MaxwellPhase {
   MaxwellLoading(ImpactRun& run, const MaxwellFormulas& law, const Nose& nose) : MaxwellPhase(run, law) {
     if (const auto* disc = std::get_if<FlatDisc>(&nose))
       flat_ = std::numbers::pi * disc->radius * disc->radius;
+    else if (!std::holds_alternative<Sphere>(nose))
+      throw std::invalid_argument("CVODE oracle: below slow foams a sphere or a disc");
   }
 
   /// True where a sphere's loading has ended; then the history and the last state are there.

@@ -417,6 +417,28 @@ ImpactCase ordinary_case(std::uint64_t seed) {
   return impact;
 }
 
+ImpactCase nose_case(std::uint64_t seed) {
+  ImpactCase impact = ordinary_case(seed);
+  impact.title = "nose case " + std::to_string(seed);
+  // Numbers of its own: the rest of the case is that of the ordinary one.
+  Draw draw(seed + 0x6e6f7365);
+  const double radius = draw.decades(0.02, 0.3);
+  switch (draw.choice(5)) {
+    case 0: impact.impactor.nose = Cone{radius, draw.uniform(0.5, 1.5)}; break;
+    case 1:
+      impact.impactor.nose = Cone{radius, draw.uniform(0.5, 1.5), radius * draw.uniform(0.01, 0.95)};
+      break;
+    case 2:
+      impact.impactor.nose = Ellipsoid{radius, radius * draw.decades(0.3, 3), radius * draw.decades(0.3, 3)};
+      break;
+    case 3: impact.impactor.nose = Rod{radius, radius * draw.decades(1, 10)}; break;
+    default: impact.impactor.nose = Platen{radius, radius * draw.uniform(0.3, 1)};
+  }
+  if (draw.choice(3) == 0)
+    impact.pad.area = sections_of(impact.impactor.nose).area_beyond() * draw.decades(0.05, 2);
+  return impact;
+}
+
 ImpactCase random_case(std::uint64_t seed) {
   Draw draw(seed);
   ImpactCase impact;

@@ -29,4 +29,7 @@ CrushableFoam random_crushable_foam(std::uint64_t seed);
 /// crushed) on a rigid, linear or curved support.
 ImpactCase foam_case(std::uint64_t seed);
 
+/// An ordinary case with a nose of every other shape, one in three on a pad that ends before the nose does.
+ImpactCase nose_case(std::uint64_t seed);
+
 }  // namespace dashpad::test

@@ -48,6 +48,7 @@ void expect_agreement(ImpactCase (*draw)(std::uint64_t), double least_compared, 
 }
 
 TEST(VectorPath, AgreesWithThePlainOneOnOrdinaryCases) { expect_agreement(ordinary_case, 0.98, 0.005); }
+TEST(VectorPath, AgreesWithThePlainOneOnEveryNose) { expect_agreement(nose_case, 0.98, 0.005); }
 TEST(VectorPath, AgreesWithThePlainOneOnExtremeCases) { expect_agreement(random_case, 0.9, 0.03); }
 
 /// The same whatever was solved before in the same memory.

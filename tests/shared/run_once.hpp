@@ -14,7 +14,7 @@ struct Run {
 inline Run run_once(const ImpactCase& impact, double resolution, const Options& options = {}) {
   Run run;
   Contacts().visit(impact, ColumnMath::vector, [&](auto& contact) {
-    March march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
+    March march(impact, contact, options);
     run.figures = march.run(resolution, run.track);
   });
   return run;

@@ -62,7 +62,7 @@ TYPED_TEST(AllocationOf, TheTimeLoopIsNone) {
       Track track;
       track.reserve(options.most_steps + 2);
       Contacts().visit(impact, ColumnMath::vector, [&](auto& contact) {
-        March march(impact.impactor, impact.pad.thickness, impact.support, contact, options);
+        March march(impact, contact, options);
         for (const double resolution : {0.1, 0.02}) {
           const std::size_t before = allocations;
           const Figures figures = march.run(resolution, track);

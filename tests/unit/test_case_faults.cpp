@@ -68,6 +68,9 @@ const std::string linear_support = "type = \"linear\"\nstiffness = \"600 lbf/in\
 const std::string named_material = "material = \"ensolite-aac-9\"";
 const std::string law_of = "law = \"elastic\"\n[pad.parameters]\nmodulus = ";
 
+const std::string radius = "radius = \"3 in\"";
+const std::string cone_of = "nose = \"cone\"\nradius = \"3 in\"\nhalf_angle = ";
+
 const std::vector<Edit> edits{
     // Quantities.
     {"\"20 mph\"", "\"20\"", {{5, "impactor.speed", "a speed needs a unit, such as \"20 m/s\""}}},
@@ -86,6 +89,34 @@ const std::vector<Edit> edits{
     {"\"20 mph\"", "\"20 km/s\"", {{5, "impactor.speed", "and 1000 m/s"}}},
     {"\"3 in\"", "\"3 km\"", {{3, "impactor.radius", "between 1e-05 m and 100 m"}}},
     {"\"1 in\"", "\"1e-9 in\"", {{7, "pad.thickness", "between"}}},
+    // Noses, and the face of the pad.
+    {radius, "nose = \"cube\"\n" + radius, {{3, "impactor.nose", "must be one of sphere, flat-disc, cone"}}},
+    {radius, cone_of + "\"0 deg\"", {{5, "impactor.half_angle", "0.01"}}},
+    {radius, cone_of + "\"90 deg\"", {{5, "impactor.half_angle", "1.56"}}},
+    {radius, cone_of + "\"-30 deg\"", {{5, "impactor.half_angle", "0.01"}}},
+    {radius, cone_of + "\"nan deg\"", {{5, "impactor.half_angle", "finite"}}},
+    {radius, cone_of + "30", {{5, "impactor.half_angle", "an angle needs a unit, such as \"30 deg\""}}},
+    {radius, cone_of + "\"30 mm\"", {{5, "impactor.half_angle", "an angle is needed (deg, rad)"}}},
+    {radius,
+     cone_of + "\"30 deg\"\ntip_radius = \"3 in\"",
+     {{6, "impactor.tip_radius", "must be less than radius"}}},
+    {radius, cone_of + "\"30 deg\"\ntip_radius = \"-1 mm\"", {{6, "impactor.tip_radius", "must be 0, or"}}},
+    {radius, "nose = \"cone\"\n" + radius, {{2, "impactor.half_angle", "is missing"}}},
+    {radius,
+     "nose = \"rod\"\n" + radius + "\ntip_radius = \"2 in\"",
+     {{5, "impactor.tip_radius", "must not be below radius"}}},
+    {radius,
+     "nose = \"ellipsoid\"\nhalf_depth = \"0 in\"\nhalf_length = \"-1 in\"\nhalf_width = \"nan in\"",
+     {{6, "impactor.half_width", "finite"},
+      {4, "impactor.half_depth", "must be more than 0"},
+      {5, "impactor.half_length", "must be more than 0"}}},
+    {radius,
+     "nose = \"platen\"\nlength = \"3 in\"\nwidth = \"2 in\"\n" + radius,
+     {{6, "impactor.radius", "unknown key"}}},
+    {"\"1 in\"", "\"1 in\"\narea = \"0 cm2\"", {{8, "pad.area", "must be more than 0"}}},
+    {"\"1 in\"", "\"1 in\"\narea = \"-1 cm2\"", {{8, "pad.area", "must be more than 0"}}},
+    {"\"1 in\"", "\"1 in\"\narea = \"nan cm2\"", {{8, "pad.area", "finite"}}},
+    {"\"1 in\"", "\"1 in\"\narea = \"3 cm\"", {{8, "pad.area", "an area is needed"}}},
     // Mass or weight.
     {"weight = \"10 lbf\"", "weight = \"10 lb\"", {{4, "impactor.weight", "lb and kg are masses"}}},
     {"weight = \"10 lbf\"", "weight = \"-10 lbf\"", {{4, "impactor.weight", "the mass must be more than 0"}}},

@@ -37,6 +37,12 @@ std::vector<ImpactCase> cases() {
     law.curves.base = base;
     all.push_back(test::impact_on(law));
   }
+  for (const Nose& nose : std::vector<Nose>{FlatDisc{0.05}, Cone{0.08, 1, 0.01}, Ellipsoid{0.06, 0.09, 0.05},
+                                            Rod{0.03, 0.08}, Platen{0.1, 0.08}}) {
+    all.push_back(test::impact_on(test::sample_law<Elastic>()));
+    all.back().impactor.nose = nose;
+    all.back().pad.area = 0.01;
+  }
   for (ImpactCase& impact : all) {
     impact.pad.material.density = impact.pad.condition.density = 50;
     impact.pad.material.density_exponent = 1.5;

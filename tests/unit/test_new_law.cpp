@@ -30,7 +30,7 @@ Figures run_with(const PowerMaxwell& law, const ImpactCase& impact) {
                                   ColumnMath::plain, scalar::sweep_of<double, PowerMaxwell>());
   Track track;
   const Options options;
-  March march(impact.impactor, impact.pad.thickness, impact.support, field, options);
+  March march(impact, field, options);
   return march.run(resolution, track);
 }
 

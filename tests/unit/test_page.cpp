@@ -10,6 +10,7 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/output/page/page.hpp"
 #include "dashpad/quantities/quantity.hpp"
+#include "model/parameter_values.hpp"
 #include "output/page/data.hpp"
 #include "output/text/case_toml.hpp"
 #include "sample_case.hpp"
@@ -143,6 +144,22 @@ TEST(case_toml, is_read_as_the_same_case) {
     // The same numbers give the same impact, to the last bit.
     EXPECT_EQ(solve(again.impact, input.options).summary.peak_motion,
               solve(input.impact, input.options).summary.peak_motion);
+  }
+}
+
+TEST(case_toml, keeps_every_nose_and_the_face_of_the_pad) {
+  for (const Nose& nose :
+       std::vector<Nose>{Sphere{0.1}, FlatDisc{0.05}, Cone{0.08, 1.1, 0.01}, Cone{0.08, 0.7},
+                         Ellipsoid{0.06, 0.09, 0.05}, Rod{0.03, 0.08}, Platen{0.1, 0.08}}) {
+    ImpactCase impact = dashboard().impact;
+    impact.impactor.nose = nose;
+    impact.pad.area = 0.0123;
+    const ImpactCase again = read(output::case_toml(impact, {})).impact;
+    ASSERT_EQ(name_of(again.impactor.nose), name_of(nose));
+    const auto numbers = parameter_values(nose), read_again = parameter_values(again.impactor.nose);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      EXPECT_EQ(read_again[i].value, numbers[i].value) << name_of(nose) << ", " << numbers[i].key;
+    EXPECT_EQ(again.pad.area, 0.0123);
   }
 }
 

@@ -111,6 +111,45 @@ TEST(case_rules, each_is_checked) {
       {[](ImpactCase& impact) { impact.impactor.mass = nan; }, {"impactor.mass"}},
       {[](ImpactCase& impact) { impact.impactor.nose = Sphere{-1}; }, {"impactor.radius"}},
       {[](ImpactCase& impact) { impact.impactor.nose = Sphere{infinity}; }, {"impactor.radius"}},
+      {[](ImpactCase& impact) {
+         impact.impactor.nose = Cone{0.1, 0.5};
+       },
+       {}},
+      {[](ImpactCase& impact) {
+         impact.impactor.nose = Cone{0.1, 0.5, nan};
+       },
+       {"impactor.tip_radius"}},
+      {[](ImpactCase& impact) {
+         impact.impactor.nose = Cone{0.1, 0.5, 0.1};
+       },
+       {"impactor.tip_radius"}},
+      {[](ImpactCase& impact) {
+         impact.impactor.nose = Cone{0.1, 1.57};
+       },
+       {"impactor.half_angle"}},
+      {[](ImpactCase& impact) {
+         impact.impactor.nose = Cone{nan, nan};
+       },
+       {"impactor.radius", "impactor.half_angle"}},
+      {[](ImpactCase& impact) {
+         impact.impactor.nose = Ellipsoid{0, -1, nan};
+       },
+       {"impactor.half_depth", "impactor.half_length", "impactor.half_width"}},
+      {[](ImpactCase& impact) {
+         impact.impactor.nose = Rod{0.1, 0.1};
+       },
+       {}},
+      {[](ImpactCase& impact) {
+         impact.impactor.nose = Rod{0.1, 0.09};
+       },
+       {"impactor.tip_radius"}},
+      {[](ImpactCase& impact) {
+         impact.impactor.nose = Platen{0.1, 0};
+       },
+       {"impactor.width"}},
+      {[](ImpactCase& impact) { impact.pad.area = 0.01; }, {}},
+      {[](ImpactCase& impact) { impact.pad.area = 0; }, {"pad.area"}},
+      {[](ImpactCase& impact) { impact.pad.area = nan; }, {"pad.area"}},
       {[](ImpactCase& impact) { impact.impactor.speed = 1e4; }, {"impactor.speed"}},
       {[](ImpactCase& impact) { impact.pad.thickness = 1e-9; }, {"pad.thickness"}},
       {[](ImpactCase& impact) { impact.pad.material.law = Elastic(); }, {"pad.parameters.modulus"}},

@@ -85,6 +85,8 @@ TEST(Spit1984Deck, CannotSayARigidSupportFivePointsOrAnotherNose) {
   EXPECT_EQ(keys(), std::vector<std::string>{"support.points"});
   impact.impactor.nose = FlatDisc{0.1};
   EXPECT_EQ(keys(), (std::vector<std::string>{"impactor.nose", "support.points"}));
+  impact.pad.area = 0.01;
+  EXPECT_EQ(keys(), (std::vector<std::string>{"impactor.nose", "pad.area", "support.points"}));
 }
 
 TEST(Spit1984Deck, TheConstantsOf1984MakeItFasterAndLighter) {

@@ -75,7 +75,8 @@ Worst force_against_columns(const Law& law, const Sections& nose, std::uint64_t 
 TEST(FoamContactForce, IsTheIntegralOfItsColumns) {
   double of_all = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed)
-    for (const Nose& nose : {Nose(Sphere{0.08}), Nose(Sphere{0.015}), Nose(FlatDisc{0.06})}) {
+    for (const Nose& nose : {Nose(Sphere{0.08}), Nose(Sphere{0.015}), Nose(FlatDisc{0.06}),
+                             Nose(Cone{0.1, 1.2}), Nose(Cone{0.05, 1.3, 0.02}), Nose(Rod{0.02, 0.05})}) {
       const auto check = [&](const auto& law) {
         const Worst worst = force_against_columns(law, sections_of(nose), seed, 1e-4);
         EXPECT_LT(worst.difference, 1e-3)

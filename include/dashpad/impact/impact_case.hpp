@@ -1,6 +1,7 @@
 #pragma once
 /// One impact: what strikes what, how fast. SI throughout.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct Pad {
   double thickness = 0;  ///< m, > 0
   Material material;
   PadCondition condition = {};
+  /// Of its face, m2, > 0: a block that may end before the nose does. Without it the pad is wider than the
+  /// nose.
+  std::optional<double> area = {};
 };
 
 struct ImpactCase {
@@ -29,6 +33,9 @@ struct ImpactCase {
   Pad pad;
   Support support;
 };
+
+/// The nose as this pad meets it: no wider than the face of the pad (theory.md, Eq. 3).
+Sections sections_of(const ImpactCase& impact);
 
 /// Every physical rule that the case breaks; empty for a case that can be solved. Keys are those of case
 /// files, such as `impactor.mass` and `pad.parameters.modulus`.

@@ -90,7 +90,7 @@ class ColumnField {
   /// expected, m, over which they are spread.
   void start(double resolution, double expected = std::numeric_limits<double>::infinity()) {
     clear(resolution);
-    lay_columns(expected, std::min(thickness_, nose_.depth));
+    lay_columns(expected, thickness_);
   }
   /// No columns yet: they are laid when the pad is unloaded.
   void clear(double resolution) {
@@ -109,7 +109,7 @@ class ColumnField {
     penetration_ = largest_penetration_ = steps.empty() ? 0 : steps.back().penetration;
     last_ = {};
     columns_.clear();
-    lay_columns(penetration_, std::min(penetration_, nose_.depth));
+    lay_columns(penetration_, penetration_);
     if (penetration_ <= 0) return;
     live_ = columns_.size();
     const SweepStep step{columns_.depth(), columns_.weight(), live_, thickness_, 0,
@@ -188,6 +188,9 @@ class ColumnField {
 
  private:
   static constexpr double unknown_edge = -1;
+  /// Cell between the rim and the next column, of the rim's depth: strains in it differ by more than
+  /// rounding.
+  static constexpr double least_rim = 1e-6;
   using Formulas = scalar::Formulas<Law>;
 
   [[nodiscard]] Strain strain_at(double penetration, double depth) const {
@@ -265,23 +268,30 @@ class ColumnField {
   [[nodiscard]] double bounded(double cell, const Columns& columns, std::size_t a, std::size_t b,
                                double outer_depth) const {
     const double* weight = columns_.weight();
-    const double top = std::max({columns.stress[a] * weight[a], columns.stress[b] * weight[b], 0.0});
-    return std::min(cell,
-                    1.5 * top * (std::min(outer_depth, nose_.depth) - columns_.depth()[a]) / thickness_);
+    const double outer = std::min(outer_depth, nose_.depth);
+    // Of a nose whose area grows ever faster the outer end of the cell has the larger weight.
+    const double inner_weight = std::max(weight[a], nose_.rate(outer));
+    const double top = std::max({columns.stress[a] * inner_weight, columns.stress[b] * weight[b], 0.0});
+    return std::min(cell, 1.5 * top * (outer - columns_.depth()[a]) / thickness_);
   }
 
-  /// Columns at rest from the axis to the depth `end`: evenly as far as the contact is expected to grow,
-  /// closer towards the axis, which is touched first and carries the steepest stress when the gap closes.
-  void lay_columns(double expected, double end) {
+  /// Columns at rest from the axis to the depth `reach`, or as far as the nose grows wider: evenly as far as
+  /// the contact is expected to grow, closer towards the axis, which is touched first and carries the
+  /// steepest stress when the gap closes. Where a' ends with a jump, at the rim of a nose that is cut off,
+  /// there is a column too: g ends with a jump there.
+  void lay_columns(double expected, double reach) {
+    const bool has_rim = nose_.depth < reach && nose_.rate(nose_.depth) > 0;
+    const double end = std::min(reach, nose_.depth);
     const double widest = station_spacing.even * resolution_ * std::min(expected, end);
     const double of_gap = station_spacing.of_gap * resolution_;
     const double gap = thickness_ - penetration_;
     columns_.append(0, nose_.rate(0));
     for (double depth = std::min(station_spacing.first * widest, of_gap * gap);
-         depth < end * (1 - 1e-9) && columns_.size() < ColumnStorage::most;
+         depth < end * (1 - (has_rim ? least_rim : 1e-9)) && columns_.size() < ColumnStorage::most;
          depth += std::min({std::max(widest, resolution_ * (depth - expected)), of_gap * (gap + depth),
                             station_spacing.of_depth * resolution_ * depth}))
       columns_.append(depth, nose_.rate(depth));
+    if (has_rim && columns_.size() < ColumnStorage::most) columns_.append(end, nose_.rate(end));
     columns_.fill_spare();
   }
 

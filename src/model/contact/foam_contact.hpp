@@ -70,7 +70,8 @@ class FoamContact {
     panels_ = panels_at_one / std::sqrt(resolution);
     edge_precision_ = precision_of_edge * resolution;
     edge_ = 0;
-    penetration_ = largest_ = pressing_ = 0;
+    penetration_ = largest_ = 0;
+    pressing_ = -1;
     slip_ = {};
     rate_ = rate_step_ = 0;
     stations_ = updates_ = 0;
@@ -105,7 +106,7 @@ class FoamContact {
     const FoamStress::Place outer = stress_.at(leading((Y - std::min(Y, nose_.depth)) / thickness_, top));
     const FoamStress::Place inner = stress_.at(leading(top, top));
     const auto by_work = [&](const FoamStress::Place& at) {
-      return nose_.rate(depth_of(at.strain.value)) * at.base.stress - nose_.taper * thickness_ * at.base.work;
+      return rate_at(at) * at.base.stress - nose_.taper * thickness_ * at.base.work;
     };
     double stiffness = 2 * std::numbers::pi * (by_work(inner) - by_work(outer));
     if (nose_.tip > 0) {
@@ -132,7 +133,7 @@ class FoamContact {
   }
 
   /// Outer radius of the stressed area, m.
-  [[nodiscard]] double contact_radius() const { return pressing_ > 0 ? nose_.radius(pressing_) : 0; }
+  [[nodiscard]] double contact_radius() const { return pressing_ >= 0 ? nose_.radius(pressing_) : 0; }
 
   /// A column in the accepted state, by the depth at which the nose's surface meets it.
   struct Column {
@@ -166,7 +167,7 @@ class FoamContact {
   double integrate() {
     relaxing_ = 0;
     most_pressed_ = -std::numeric_limits<double>::infinity();
-    trial_pressing_ = 0;
+    trial_pressing_ = -1;
     points_ = 0;
     const double Y = trial_penetration_;
     if (Y <= 0) return 0;
@@ -221,13 +222,14 @@ class FoamContact {
     const FoamStress::Ratio of = ratio(place);
     press(place, of);
     if (of.stress <= 0) return 0;
+    trial_pressing_ = 0;
     relaxing_ += nose_.tip * place.base.stress * of.relaxing;
     return place.base.stress * of.stress;
   }
   /// Of the stress between two strains of the contact, which ends at the strains `edge` and `top`.
   double integral(double edge, double from, double to, double top) {
     if (to <= from) return 0;
-    if (trial_pressing_ == 0) trial_pressing_ = trial_penetration_ - from * thickness_;
+    if (trial_pressing_ <= 0) trial_pressing_ = trial_penetration_ - from * thickness_;
     const FoamStress::Place outer = stress_.at(leading(from, top));
     const FoamStress::Place inner = stress_.at(leading(to, top));
     // What all columns have in common is known in closed form; the rest is smaller, and often nothing.
@@ -252,7 +254,7 @@ class FoamContact {
     const double last = stress_.curve().last_strain();
     const auto put = [&](const FoamStress::Place& place, NodeValues& values, std::size_t i) {
       const FoamStress::Ratio of = stress_.ratio(place, ahead_, at_rate_, slip_rate_);
-      const double rate = nose_.rate(depth_of(place.strain.value));
+      const double rate = rate_at(place);
       values.work[i] = place.base.work;
       values.stress[i] = rate * (of.stress - common.stress);
       values.relaxing[i] = rate * (of.relaxing - common.relaxing);
@@ -293,6 +295,11 @@ class FoamContact {
   /// Where the nose meets the column that a strain leads, m behind its tip.
   [[nodiscard]] double depth_of(double leading) const {
     return trial_penetration_ + (lead_ - leading) * thickness_;
+  }
+  /// a' / (2 pi) where the nose meets that column, m. At the end of a nose that is cut off short the rate
+  /// jumps to nothing, which rounding must not bring forward.
+  [[nodiscard]] double rate_at(const FoamStress::Place& leading) const {
+    return nose_.rate(std::min(depth_of(leading.strain.value), nose_.depth));
   }
   /// The strain that leads the column of a strain; that of the axis is known without cancellation.
   [[nodiscard]] Strain leading(double strain, double top) const {
@@ -372,13 +379,13 @@ class FoamContact {
   SlipScale::State slip_;  ///< theory.md, Eq. 34
   double rate_ = 0;        ///< of the last step, 1/s
   double rate_step_ = 0;   ///< its length, s; 0: there was none
-  double pressing_ = 0;    ///< depth up to which columns press, m
+  double pressing_ = -1;   ///< depth up to which columns press, m; below 0: none do
   PadTrial last_;
   double trial_penetration_ = 0;
   double trial_largest_ = 0;
   SlipScale::State trial_slip_;
   double trial_rate_ = 0;
-  double trial_pressing_ = 0;
+  double trial_pressing_ = -1;
   double ahead_ = 0;  ///< of the largest strain, over the strain
   double lead_ = 0;   ///< of the strain that leads a column, over its own
   double gap_ = 0;    ///< above the axis, of the thickness

@@ -53,7 +53,7 @@ FileCurve file_curve(const std::string& name, const Solution& solution,
     of.remark = fmt::format("{} points", all);
   }
   if (of.curve.exists() && of.curve.abscissa.meaning != "time")
-    of.remark += "; of this impact: another sphere or speed gives another curve";
+    of.remark += "; of this impact: another nose or speed gives another curve";
   return of;
 }
 

@@ -47,7 +47,9 @@ Json solver(const Summary& summary) {
 }
 
 Json pad(const Pad& of) {
-  Json json{{"thickness_m", number(of.thickness)}, {"scale", number(of.condition.scale)}};
+  Json json{{"thickness_m", number(of.thickness)},
+            {"area_m2", number(of.area)},
+            {"scale", number(of.condition.scale)}};
   json["density_kg_per_m3"] = number(of.condition.density);
   json["temperature_K"] = number(of.condition.temperature);
   json.update(material_json(of.material));

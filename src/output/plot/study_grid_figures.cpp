@@ -9,6 +9,7 @@
 #include "output/plot/study_figures.hpp"
 #include "output/plot/study_grid.hpp"
 #include "output/text/study_words.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::output {
 
@@ -138,13 +139,18 @@ std::vector<CaptionedPlot> map_figures(const study::StudyAnswers& answers, const
 
 std::vector<CaptionedPlot> cushion_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   if (!answers.cushion_curves) return {};
-  const std::string nose = words_of(answers.study.base.impactor.nose);
-  Plot plot{.title = "Cushion curves of a " + nose, .panels = {}, .source = study_source(answers)};
+  const ImpactCase& base = answers.study.base;
+  const std::string nose = with_article(words_of(base.impactor.nose));
+  Plot plot{.title = "Cushion curves of " + nose, .panels = {}, .source = study_source(answers)};
   for (const study::CushionCurves::Drop& drop : answers.cushion_curves->drops)
     plot.panels.push_back(cushion_panel(drop, units));
+  if (base.pad.area && sections_of(base).tip == *base.pad.area)
+    return {{"", std::move(plot),
+             "In the manner of ASTM D1596, of " + nose +
+                 " that covers all of the cushion. They are computed, of a cushion that does not bulge."}};
   return {
       {"", std::move(plot),
-       "In the manner of ASTM D1596, but of a " + nose +
+       "In the manner of ASTM D1596, but of " + nose +
            ", not of a platen wider than the cushion: the loaded area is the projected contact area at the "
            "largest penetration. Do not mix them with a maker's curves."}};
 }

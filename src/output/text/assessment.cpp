@@ -130,7 +130,7 @@ std::string replaced_text(const AssessmentReport& report, const UnitSystem& unit
   std::size_t i = 0;
   for (const NamedValue& entry : values_of(report.standard)) {
     const double before = of_case[i++];
-    const std::string in_case = std::isnan(before) ? "a " + words_of(report.given.impactor.nose)
+    const std::string in_case = std::isnan(before) ? with_article(words_of(report.given.impactor.nose))
                                                    : brief_quantity(before, entry.si_unit, units);
     const std::optional<double>& value = entry.value->value;
     if (!value || !injury::differ(*value, before)) {

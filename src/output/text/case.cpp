@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/parameter_values.hpp"
 #include "quantities/text.hpp"
 
@@ -9,12 +11,22 @@ namespace dashpad::output {
 
 namespace {
 
-/// `and radius 76.2 mm`
-std::string nose_text(const Nose& nose, const UnitSystem& units) {
-  std::string text;
-  for (const ParameterValue& number : parameter_values(nose))
-    text += fmt::format(" and {} {}", number.key, brief_quantity(number.value, number.unit, units));
+/// `4.5 kg, radius 76.2 mm and half angle 30 deg`
+std::string impactor_text(const Impactor& impactor, const UnitSystem& units) {
+  std::string text = brief_quantity(impactor.mass, "kg", units);
+  const std::vector<ParameterValue> numbers = parameter_values(impactor.nose);
+  for (const ParameterValue& number : numbers) {
+    std::string key = number.key;
+    std::ranges::replace(key, '_', ' ');
+    text += fmt::format("{} {} {}", &number == &numbers.back() ? " and" : ",", key,
+                        brief_quantity(number.value, number.unit, units));
+  }
   return text;
+}
+
+/// `, cut to 0.01 m2,`
+std::string face_text(const Pad& pad, const UnitSystem& units) {
+  return pad.area ? ", cut to " + brief_quantity(*pad.area, "m2", units) + "," : "";
 }
 
 std::string support_text(const Support& support, const UnitSystem& units) {
@@ -44,11 +56,13 @@ std::string case_text(const ImpactCase& impact, const UnitSystem& units) {
   const Impactor& impactor = impact.impactor;
   const Material& material = impact.pad.material;
   std::string text = impact.title.empty() ? "" : one_line(impact.title) + "\n";
-  text += fmt::format("A {} of {}{} strikes at {}\n", words_of(impactor.nose),
-                      brief_quantity(impactor.mass, "kg", units), nose_text(impactor.nose, units),
+  std::string nose = with_article(words_of(impactor.nose));
+  nose.front() = 'A';
+  text += fmt::format("{} of {} strikes at {}\n", nose, impactor_text(impactor, units),
                       brief_quantity(impactor.speed, "m/s", units));
-  text += fmt::format("a pad of {} {} ({} law) on {}.\n", brief_quantity(impact.pad.thickness, "m", units),
-                      one_line(material.name), name_of(material.law), support_text(impact.support, units));
+  text += fmt::format("a pad of {} {} ({} law){} on {}.\n", brief_quantity(impact.pad.thickness, "m", units),
+                      one_line(material.name), name_of(material.law), face_text(impact.pad, units),
+                      support_text(impact.support, units));
   return text;
 }
 
@@ -64,6 +78,7 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
     line("impactor." + number.key, number.value, number.unit);
   line("impactor.speed", impact.impactor.speed, "m/s");
   line("pad.thickness", impact.pad.thickness, "m");
+  if (impact.pad.area) line("pad.area", *impact.pad.area, "m2");
   const PadCondition& condition = impact.pad.condition;
   if (condition.scale != 1) line("pad.scale", condition.scale, "1");
   if (condition.density) line("pad.density", *condition.density, "kg/m3");

@@ -31,6 +31,7 @@ std::string support_toml(const Support& support) {
 std::string pad_toml(const Pad& pad) {
   const Material& material = pad.material;
   std::string text = "\n[pad]\n" + toml_line("thickness", pad.thickness, "m");
+  if (pad.area) text += toml_line("area", *pad.area, "m2");
   text += comment_line("material", material.name) + comment_line("title", material.title) +
           comment_line("source", material.source);
   // A law in line has no card whose density or temperature could be changed: its stresses are written as

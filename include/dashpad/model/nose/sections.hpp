@@ -15,10 +15,10 @@ namespace dashpad {
 struct Sections {
   double tip = 0;    ///< a0, m2: of the flat part that meets the pad first, >= 0
   double width = 0;  ///< w, m: the rate a'(0+) / (2 pi), >= 0
-  double taper = 0;  ///< t: how fast that rate falls with the depth; w - t d >= 0
+  double taper = 0;  ///< t: how fast that rate falls with the depth, < 0 for a cone; w - t d >= 0
   double depth = 0;  ///< d, m: from here on the section stays as it is, >= 0
 
-  /// a'(s) / (2 pi), m; 0 beyond the depth d.
+  /// a'(s) / (2 pi), m; 0 beyond the depth d, where it may jump.
   [[nodiscard]] double rate(double s) const { return s <= depth ? std::max(width - taper * s, 0.0) : 0; }
 
   /// Projected area of the contact at the penetration y, a(y); at y = 0 that of the tip, which is all there.
@@ -53,7 +53,17 @@ struct Sections {
     return root > 0 ? std::min(ring / root, depth) : depth;
   }
 
- private:
+  /// The nose on a pad whose face has that area, m2: what is wider meets no pad.
+  [[nodiscard]] Sections limited_to(double face) const {
+    if (face >= area_beyond()) return *this;
+    if (face <= tip) return {.tip = face, .width = 0, .taper = 0, .depth = 0};
+    return {.tip = tip,
+            .width = width,
+            .taper = taper,
+            .depth = depth_at(std::sqrt(face * std::numbers::inv_pi))};
+  }
+
+  /// Area from the depth d on, m2.
   [[nodiscard]] double area_beyond() const {
     return tip + 2 * std::numbers::pi * depth * (width - taper * depth / 2);
   }
