@@ -62,14 +62,16 @@ TEST_F(StoredStudyTest, TheStudiesOfTheExamples) {
 }
 
 TEST_F(StoredStudyTest, EveryNoseOnAPadWithAnEdge) {
+  int count = 0;
   for (const Nose& nose :
        std::vector<Nose>{FlatDisc{0.05}, Cone{0.08, 1.1, 0.01}, Cone{0.08, 0.7}, Ellipsoid{0.06, 0.09, 0.05},
                          Rod{0.03, 0.08}, Platen{0.1, 0.08}}) {
+    const std::string name = name_of(nose) + std::to_string(++count) + ".db";
     Study study = small_study(10);
     study.base.impactor.nose = nose;
     study.base.pad.area = 0.004;
-    expect_same_rows(study, name_of(nose) + ".db");
-    const Study read = study::stored_study(Store::open_to_read(file((name_of(nose) + ".db").c_str())));
+    expect_same_rows(study, name);
+    const Study read = study::stored_study(Store::open_to_read(file(name.c_str())));
     EXPECT_EQ(read.base.pad.area, 0.004);
     EXPECT_EQ(name_of(read.base.impactor.nose), name_of(nose));
   }
