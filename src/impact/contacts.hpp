@@ -41,7 +41,8 @@ class Contacts {
         return visit(renewed(foam_, law, thickness, sections, factor, math));
       } else {
         if constexpr (std::is_same_v<Law, NineParameter>)
-          if (math == ColumnMath::vector) return visit(renewed(nine_parameter_, law, thickness, sections));
+          if (math == ColumnMath::vector && !sections.shape)
+            return visit(renewed(nine_parameter_, law, thickness, sections));
         return visit(renewed(std::get<Field<Law>>(fields_), law, thickness, sections, math));
       }
     };

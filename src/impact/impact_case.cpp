@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -45,6 +46,22 @@ void check_rules(const Cone& cone, std::vector<Violation>& broken) {
 void check_rules(const Rod& rod, std::vector<Violation>& broken) {
   if (rod.tip_radius < rod.radius)
     broken.push_back({"impactor.tip_radius", rod.tip_radius, "must not be below radius"});
+}
+
+void check_rules(const Profile& profile, std::vector<Violation>& broken) {
+  const std::string list = profile.of == Profile::Of::radius ? "impactor.radii" : "impactor.areas";
+  const std::vector<Profile::Fault> faults = profile.faults();
+  for (const Profile::Fault& fault : faults) {
+    const bool is_point = fault.point < profile.points.size() && profile.points.size() > 1;
+    broken.push_back(
+        {is_point ? fmt::format("{}[{}]", list, fault.point + 1) : list,
+         is_point ? profile.points[fault.point].size : static_cast<double>(profile.points.size()),
+         fault.rule});
+  }
+  if (!faults.empty() || !Profile::parameters[0].bounds.contain(profile.scale)) return;
+  const double widest = profile.sections().radius(std::numeric_limits<double>::infinity());
+  check(broken, list, widest, lengths, "the widest radius must be ");
+  check(broken, list, profile.scale * profile.points.back().depth, lengths, "the last depth must be ");
 }
 
 /// Lengths of a nose are in the range of lengths, or 0 where their table admits it; its other numbers are

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "input/law_table.hpp"
+#include "input/nose_table.hpp"
 #include "input/pad_table.hpp"
 #include "input/parameter_table.hpp"
 #include "input/spelling.hpp"
@@ -24,15 +25,11 @@ double read_mass(TableReader& table) {
   return has_mass ? table.quantity("mass", "kg") : table.quantity("weight", "N") / standard_gravity;
 }
 
-/// A nose that is not named is a sphere.
-Nose read_nose(TableReader& table) {
-  const auto shape = table.has("nose") ? read_alternative<Nose>(table, "nose") : Sphere{};
-  return with_parameters(shape.value_or(Sphere{}), table);
-}
-
-Impactor read_impactor(TableReader& table) {
-  const Impactor impactor{
-      .mass = read_mass(table), .nose = read_nose(table), .speed = table.quantity("speed", "m/s")};
+Impactor read_impactor(TableReader& table, const std::filesystem::path& folder,
+                       std::vector<InputFile>& files) {
+  const Impactor impactor{.mass = read_mass(table),
+                          .nose = read_nose(table, folder, files),
+                          .speed = table.quantity("speed", "m/s")};
   table.refuse_others();
   return impactor;
 }
@@ -184,7 +181,8 @@ CaseFile read_case(const std::filesystem::path& file, const std::filesystem::pat
   ImpactCase& impact = result.impact;
   bool material_to_check = false;
   impact.title = top.text("title", Presence::optional);
-  if (auto table = top.table("impactor")) impact.impactor = read_impactor(*table);
+  if (auto table = top.table("impactor"))
+    impact.impactor = read_impactor(*table, file.parent_path(), result.files);
   if (auto table = top.table("pad")) {
     PadEntry entry = read_pad(*table, {file.parent_path(), materials});
     impact.pad = std::move(entry.pad);

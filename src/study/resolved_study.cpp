@@ -42,6 +42,11 @@ Json condition_json(const PadCondition& of) { return {of.scale, number(of.densit
 Json nose_json(const Nose& of) {
   Json json = {{"shape", name_of(of)}};
   for (const ParameterValue& value : parameter_values(of)) json[value.key] = number(value.value);
+  if (const auto* profile = std::get_if<Profile>(&of)) {
+    Json points = Json::array();
+    for (const Profile::Point& point : profile->points) points.push_back({point.depth, point.size});
+    json[profile->of == Profile::Of::radius ? "radii" : "areas"] = std::move(points);
+  }
   return json;
 }
 

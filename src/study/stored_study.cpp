@@ -89,15 +89,23 @@ PadCondition condition_of(const Json& json) {
   return {of.at(0), bound_of(of.at(1)), bound_of(of.at(2))};
 }
 
+Nose nose_of(const Json& json) {
+  Nose nose = alternative_of<Nose>(json.at("shape"), json);
+  if (auto* profile = std::get_if<Profile>(&nose)) {
+    profile->of = json.contains("radii") ? Profile::Of::radius : Profile::Of::area;
+    for (const Json& point : json.at(profile->of == Profile::Of::radius ? "radii" : "areas"))
+      profile->points.push_back({point.at(0), point.at(1)});
+  }
+  return nose;
+}
+
 ImpactCase case_of(const Json& json) {
   const Json& impactor = json.at("impactor");
   const Json& nose = impactor.at("nose");
   std::vector<Support::Point> points;
   for (const Json& point : json.at("support")) points.push_back({point.at(0), point.at(1)});
   return {.title = json.at("title"),
-          .impactor = {.mass = impactor.at("mass"),
-                       .nose = alternative_of<Nose>(nose.at("shape"), nose),
-                       .speed = impactor.at("speed")},
+          .impactor = {.mass = impactor.at("mass"), .nose = nose_of(nose), .speed = impactor.at("speed")},
           .pad = {json.at("thickness"), material_of(json.at("material")), condition_of(json),
                   json.contains("area") ? bound_of(json["area"]) : std::nullopt},
           .support = points.empty() ? Support::rigid() : Support::through(points)};

@@ -48,7 +48,10 @@ TEST_F(SchemaTest, DescribesEveryNoseAndTheFaceOfThePad) {
        {"nose = \"cone\"\nradius = \"3 in\"\nhalf_angle = \"60 deg\"",
         "nose = \"ellipsoid\"\nhalf_depth = \"3 in\"\nhalf_length = \"4 in\"\nhalf_width = \"2 in\"",
         "nose = \"rod\"\nradius = \"1 in\"\ntip_radius = \"3 in\"",
-        "nose = \"platen\"\nlength = \"4 in\"\nwidth = \"3 in\""}) {
+        "nose = \"platen\"\nlength = \"4 in\"\nwidth = \"3 in\"",
+        "nose = \"cylinder\"\nradius = \"2 in\"\nlength = \"4 in\"",
+        "nose = \"profile\"\nscale = 1.1\nradii = [[\"0 mm\", \"5 mm\"], [\"30 mm\", \"60 mm\"]]",
+        "nose = \"profile\"\nareas = [[\"0 mm\", \"0 mm2\"], [\"30 mm\", \"90 cm2\"]]"}) {
     write_file(file("shaped.toml"), "[impactor]\n" + nose + R"(
 mass = "4 kg"
 speed = "3 m/s"

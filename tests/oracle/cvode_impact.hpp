@@ -16,7 +16,8 @@
 /// Laws 1, 2, 4 and 5 of the report, below a sphere, whose penetration must stay below its radius; rigid,
 /// linear and piecewise linear supports. Bottoming ends the run. Foams by curves and viscoelastic foams are
 /// solved in other forms (foam_impact.hpp, maxwell_impact.hpp), also below a flat disc and beyond the radius;
-/// foams by curves also below a cone.
+/// foams by curves also below a cone, a cylinder
+/// on its side and a profile by radii.
 
 #include <optional>
 #include <string>

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include "oracle/gauss.hpp"
 
@@ -16,36 +18,51 @@ namespace {
 constexpr int looks = 96;   ///< where the sign of the stress is asked
 constexpr int panels = 16;  ///< of the whole contact
 
-/// A round nose by its profile: a flat tip, then a side up to a depth.
-struct Profile {
-  double tip = 0;    ///< area of the flat tip, m2
-  double end = 0;    ///< depth up to which the nose grows wider, m
-  double first = 0;  ///< radius times its slope over the depth at the tip, m
-  double slope = 0;  ///< how fast that grows over the depth
-
-  /// Growth of the area over the depth, m.
-  [[nodiscard]] double widening(double depth) const { return 2 * std::numbers::pi * (first + slope * depth); }
+/// A nose by its sections: a flat tip, then a side up to a depth.
+struct Outline {
+  double tip = 0;                               ///< area of the flat tip, m2
+  double end = 0;                               ///< depth up to which the nose grows wider, m
+  std::function<double(double)> widening = {};  ///< growth of the area over the depth, m, at a depth
+  std::vector<double> corners = {};             ///< depths at which that jumps
+  bool is_steep_at_tip = false;                 ///< it has no bound there
 };
 
-Profile profile_of(const Nose& nose) {
+Outline outline_of(const Nose& nose) {
+  constexpr double pi = std::numbers::pi;
   if (const auto* sphere = std::get_if<Sphere>(&nose))
-    return {.tip = 0, .end = sphere->radius, .first = sphere->radius, .slope = -1};
-  if (const auto* disc = std::get_if<FlatDisc>(&nose))
-    return {.tip = std::numbers::pi * disc->radius * disc->radius};
+    return {.end = sphere->radius, .widening = [r = sphere->radius](double s) { return 2 * pi * (r - s); }};
+  if (const auto* disc = std::get_if<FlatDisc>(&nose)) return {.tip = pi * disc->radius * disc->radius};
   if (const auto* cone = std::get_if<Cone>(&nose)) {
     const double low = cone->tip_radius, slope = std::tan(cone->half_angle);
-    return {.tip = std::numbers::pi * low * low,
-            .end = (cone->radius - low) / slope,
-            .first = low * slope,
-            .slope = slope * slope};
+    return {.tip = pi * low * low, .end = (cone->radius - low) / slope, .widening = [=](double s) {
+              return 2 * pi * (low + slope * s) * slope;
+            }};
   }
-  throw std::invalid_argument("CVODE oracle: below foams a sphere, a disc or a cone");
+  if (const auto* cylinder = std::get_if<Cylinder>(&nose)) {
+    const double r = cylinder->radius, length = cylinder->length;
+    return {.end = r,
+            .widening = [=](double s) { return 2 * length * (r - s) / std::sqrt(s * (2 * r - s)); },
+            .is_steep_at_tip = true};
+  }
+  if (const auto* profile = std::get_if<Profile>(&nose); profile && profile->of == Profile::Of::radius) {
+    const auto points = profile->points;
+    Outline outline{.tip = pi * points.front().size * points.front().size, .end = points.back().depth};
+    for (const auto& point : points) outline.corners.push_back(point.depth);
+    outline.widening = [points](double s) {
+      std::size_t i = 1;
+      while (i + 1 < points.size() && points[i].depth < s) ++i;
+      const double slope = (points[i].size - points[i - 1].size) / (points[i].depth - points[i - 1].depth);
+      return 2 * pi * (points[i - 1].size + slope * (s - points[i - 1].depth)) * slope;
+    };
+    return outline;
+  }
+  throw std::invalid_argument("CVODE oracle: below foams a sphere, a disc, a cone, a cylinder or a profile");
 }
 
 class FoamImpact final : public OdeSystem {
  public:
   FoamImpact(ImpactRun& run, const FoamFormulas& law, const Nose& nose)
-      : run_(run), law_(law), nose_(profile_of(nose)) {}
+      : run_(run), law_(law), nose_(outline_of(nose)) {}
 
   void run() {
     OdeSession session(*this, Method::bdf_dense, 0, {0, run_.speed, 0});
@@ -176,16 +193,28 @@ class FoamImpact final : public OdeSystem {
     const double low = std::sqrt(std::fmax(y - nose_.end, 0) / y);  // of x
     const auto at = [&](double x) { return stress(y, top * x * x, away, u); };
     // a'(s) ds with s = Y (1 - x^2).
-    const auto part = [&](double x) { return at(x) * nose_.widening(y * (1 - x * x)) * 2 * x * y; };
+    const auto beside_axis = [&](double rest) {
+      const double x = 1 - rest;
+      return at(x) * nose_.widening(y * rest * (1 + x)) * 2 * x * y;
+    };
+    const auto part = [&](double x) { return beside_axis(1 - x); };
     const auto integral = [&](double from, double to) {
       const int count = std::max(static_cast<int>(std::ceil(panels * (to - from))), 1);
-      return gauss(from, to, count, part);
+      if (!nose_.is_steep_at_tip || to < 1) return gauss(from, to, count, part);
+      return gauss(0, 1, count,
+                   [&](double v) { return beside_axis((to - from) * v * v) * 2 * (to - from) * v; });
     };
-    // Also where the tested curve ends, and its continuation begins.
-    const double corner = law_.last_strain() < top ? std::sqrt(law_.last_strain() / top) : 1;
+    // Also where the nose has a corner, and where the tested curve ends and its continuation begins.
+    std::vector<double> corners;
+    if (law_.last_strain() < top) corners.push_back(std::sqrt(law_.last_strain() / top));
+    for (const double depth : nose_.corners)
+      if (depth < y) corners.push_back(std::sqrt(1 - depth / y));
+    std::ranges::sort(corners);
     const auto over = [&](double from, double to) {
-      return from < corner && corner < to ? integral(from, corner) + integral(corner, to)
-                                          : integral(from, to);
+      double part_of = 0;
+      for (const double corner : corners)
+        if (from < corner && corner < to) part_of += integral(from, corner), from = corner;
+      return part_of + integral(from, to);
     };
     if (away == 0 && u >= 0) return on_tip + over(low, 1);
     double sum = on_tip;
@@ -278,7 +307,7 @@ class FoamImpact final : public OdeSystem {
 
   ImpactRun& run_;
   const FoamFormulas& law_;
-  Profile nose_;
+  Outline nose_;
   bool loading_ = true;
   double largest_ = 0;
   double found_ = 0;

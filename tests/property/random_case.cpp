@@ -417,6 +417,21 @@ ImpactCase ordinary_case(std::uint64_t seed) {
   return impact;
 }
 
+/// A cylinder on its side, or a profile of any increasing shape, also with a flat tip and flat stretches.
+Nose shaped_nose(Draw& draw, double radius) {
+  if (draw.choice(2) == 0) return Cylinder{radius, radius * draw.decades(0.3, 30)};
+  Profile profile{.scale = draw.decades(0.5, 2),
+                  .of = draw.choice(2) == 0 ? Profile::Of::radius : Profile::Of::area};
+  double depth = 0, size = draw.choice(2) == 0 ? 0 : radius * draw.uniform(0, 0.5);
+  const int count = 2 + draw.choice(15);
+  for (int i = 0; i < count; ++i) {
+    profile.points.push_back({depth, profile.of == Profile::Of::radius ? size : 3 * size * size});
+    depth += radius * draw.decades(1e-3, 1);
+    if (i == 0 || draw.choice(4) != 0) size += radius * draw.decades(1e-2, 0.5);
+  }
+  return profile;
+}
+
 ImpactCase nose_case(std::uint64_t seed) {
   ImpactCase impact = ordinary_case(seed);
   impact.title = "nose case " + std::to_string(seed);
@@ -434,6 +449,7 @@ ImpactCase nose_case(std::uint64_t seed) {
     case 3: impact.impactor.nose = Rod{radius, radius * draw.decades(1, 10)}; break;
     default: impact.impactor.nose = Platen{radius, radius * draw.uniform(0.3, 1)};
   }
+  if (draw.choice(3) == 0) impact.impactor.nose = shaped_nose(draw, radius);
   if (draw.choice(3) == 0)
     impact.pad.area = sections_of(impact.impactor.nose).area_beyond() * draw.decades(0.05, 2);
   return impact;

@@ -71,6 +71,8 @@ const std::string law_of = "law = \"elastic\"\n[pad.parameters]\nmodulus = ";
 const std::string radius = "radius = \"3 in\"";
 const std::string cone_of = "nose = \"cone\"\nradius = \"3 in\"\nhalf_angle = ";
 
+const std::string profile_of = "nose = \"profile\"";
+
 const std::vector<Edit> edits{
     // Quantities.
     {"\"20 mph\"", "\"20\"", {{5, "impactor.speed", "a speed needs a unit, such as \"20 m/s\""}}},
@@ -113,6 +115,26 @@ const std::vector<Edit> edits{
     {radius,
      "nose = \"platen\"\nlength = \"3 in\"\nwidth = \"2 in\"\n" + radius,
      {{6, "impactor.radius", "unknown key"}}},
+    {radius, "nose = \"cylinder\"\n" + radius, {{2, "impactor.length", "is missing"}}},
+    {radius, profile_of, {{2, "impactor.file", "is missing; give a file, radii or areas"}}},
+    {radius,
+     profile_of + "\nradii = [[\"0 mm\", \"0 mm\"], [\"1 mm\", \"1 mm\"]]\nfile = \"nose.csv\"",
+     {{5, "impactor.file", "give one of file, radii and areas"}}},
+    {radius, profile_of + "\nfile = \"none.csv\"", {{4, "impactor.file", "no such file"}}},
+    {radius, profile_of + "\nradii = [[\"0 mm\", \"1 mm\"]]", {{4, "impactor.radii", "two points or more"}}},
+    {radius,
+     profile_of + "\nradii = [[\"0 mm\"], [\"1 mm\", \"1 cm2\"]]",
+     {{4, "impactor.radii[1]", "a point is a depth and a radius"},
+      {4, "impactor.radii[2]", "a length is needed"}}},
+    {radius,
+     profile_of + "\nareas = [\n[\"0 mm\", \"0 mm2\"],\n[\"9 mm\", \"2 cm2\"],\n[\"9 mm\", \"3 cm2\"]]",
+     {{7, "impactor.areas[3]", "the depth must be more than that before"}}},
+    {radius,
+     profile_of + "\nradii = [[\"0 mm\", \"0 mm\"],\n[\"9 mm\", \"2 km\"]]",
+     {{4, "impactor.radii", "the widest radius must be"}}},
+    {radius,
+     profile_of + "\nscale = 0\nradii = [[\"0 mm\", \"0 mm\"],\n[\"9 mm\", \"2 cm\"]]",
+     {{4, "impactor.scale", "0.001"}}},
     {"\"1 in\"", "\"1 in\"\narea = \"0 cm2\"", {{8, "pad.area", "must be more than 0"}}},
     {"\"1 in\"", "\"1 in\"\narea = \"-1 cm2\"", {{8, "pad.area", "must be more than 0"}}},
     {"\"1 in\"", "\"1 in\"\narea = \"nan cm2\"", {{8, "pad.area", "finite"}}},

@@ -37,8 +37,9 @@ std::vector<ImpactCase> cases() {
     law.curves.base = base;
     all.push_back(test::impact_on(law));
   }
-  for (const Nose& nose : std::vector<Nose>{FlatDisc{0.05}, Cone{0.08, 1, 0.01}, Ellipsoid{0.06, 0.09, 0.05},
-                                            Rod{0.03, 0.08}, Platen{0.1, 0.08}}) {
+  for (const Nose& nose :
+       std::vector<Nose>{FlatDisc{0.05}, Cone{0.08, 1, 0.01}, Ellipsoid{0.06, 0.09, 0.05}, Rod{0.03, 0.08},
+                         Platen{0.1, 0.08}, Cylinder{0.05, 0.1}, Profile{.points = {{0, 0}, {0.03, 0.05}}}}) {
     all.push_back(test::impact_on(test::sample_law<Elastic>()));
     all.back().impactor.nose = nose;
     all.back().pad.area = 0.01;

@@ -65,7 +65,9 @@ TEST_F(StoredStudyTest, EveryNoseOnAPadWithAnEdge) {
   int count = 0;
   for (const Nose& nose :
        std::vector<Nose>{FlatDisc{0.05}, Cone{0.08, 1.1, 0.01}, Cone{0.08, 0.7}, Ellipsoid{0.06, 0.09, 0.05},
-                         Rod{0.03, 0.08}, Platen{0.1, 0.08}}) {
+                         Rod{0.03, 0.08}, Platen{0.1, 0.08}, Cylinder{0.06, 0.1},
+                         Profile{.scale = 1.5, .points = {{0, 0.01}, {0.01, 0.03}, {0.04, 0.05}}},
+                         Profile{.of = Profile::Of::area, .points = {{0, 0}, {0.04, 0.01}}}}) {
     const std::string name = name_of(nose) + std::to_string(++count) + ".db";
     Study study = small_study(10);
     study.base.impactor.nose = nose;
@@ -74,6 +76,12 @@ TEST_F(StoredStudyTest, EveryNoseOnAPadWithAnEdge) {
     const Study read = study::stored_study(Store::open_to_read(file(name.c_str())));
     EXPECT_EQ(read.base.pad.area, 0.004);
     EXPECT_EQ(name_of(read.base.impactor.nose), name_of(nose));
+    if (const auto* profile = std::get_if<Profile>(&nose)) {
+      const auto& same = std::get<Profile>(read.base.impactor.nose);
+      EXPECT_EQ(same.of, profile->of);
+      EXPECT_EQ(same.points, profile->points);
+      EXPECT_EQ(same.scale, profile->scale);
+    }
   }
 }
 

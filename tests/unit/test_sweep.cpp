@@ -18,7 +18,6 @@ namespace dashpad::test {
 namespace {
 
 constexpr double thickness = 0.03;
-constexpr double radius = 0.08;
 constexpr double start = 4e-3;  // s since first contact
 constexpr double duration = 2e-4;
 
@@ -37,21 +36,20 @@ void expect_alike(double before, double after, double largest) {
   constexpr std::size_t count = 37;
   ColumnStorage columns;
   std::mt19937_64 draw(7);
-  const Sections nose = Sphere{radius}.sections();
   for (std::size_t j = 0; j < count; ++j) {
     // From the axis to a last column that is hardly touched.
     const double depth = after * (1 - 1e-9) * static_cast<double>(j) / (count - 1);
-    columns.insert(j, depth, nose.rate(depth));
+    columns.insert(j, depth);
   }
   // The parts of the columns before, from a step up to there.
-  const SweepStep to_before{columns.depth(), columns.weight(), count, thickness, 0, before, before};
+  const SweepStep to_before{columns.depth(), count, thickness, 0, before, before};
   const auto& of_law = sweeps(ColumnMath::plain).of<Law>();
   of_law.step(law, power, rate, time, to_before, columns.next_state, columns.now);
   for (std::size_t j = 0; j < count; ++j)
     columns.now.stress[j] =
         columns.depth()[j] < before ? 1e5 * static_cast<double>(draw() >> 11) * 0x1p-53 : 0;
 
-  const SweepStep step{columns.depth(), columns.weight(), count, thickness, before, after, largest};
+  const SweepStep step{columns.depth(), count, thickness, before, after, largest};
   sweeps(ColumnMath::vector).of<Law>().step(law, power, rate, time, step, columns.now, columns.next_state);
   for (std::size_t j = 0; j < count; ++j) {
     const double depth = columns.depth()[j];
@@ -72,8 +70,7 @@ void expect_alike(double before, double after, double largest) {
     // Above a half w is a difference from the offset of its expansion; for law 2 it is the exact e^2 / 2.
     const double of_measure = value.measure + (strain.value > 0.5 ? std::abs(power.offset()) : 0);
     EXPECT_NEAR(columns.next_state.measure[j], value.measure, 1e-12 * of_measure) << "column " << j;
-    EXPECT_NEAR(columns.next_state.ratio[j], expected / value.shape * (radius - depth),
-                1e-12 * size / value.shape * radius)
+    EXPECT_NEAR(columns.next_state.ratio[j], expected / value.shape, 1e-12 * size / value.shape)
         << "column " << j;
   }
 }
@@ -94,19 +91,22 @@ TEST(sum_of_cells, takes_the_part_that_presses) {
   ColumnStorage columns;
   const std::vector<double> g{3, 1, -1, -2, 4, 4, 0, 1, -3, 2, 5};
   for (std::size_t j = 0; j < g.size(); ++j) {
-    columns.insert(j, static_cast<double>(j), 0);
+    columns.insert(j, static_cast<double>(j));
+    columns.set_weights(j, 1 + 0.1 * static_cast<double>(j), 2 - 0.1 * static_cast<double>(j));
     columns.now.measure[j] = 100 - static_cast<double>(j * j);
     columns.now.ratio[j] = g[j];
   }
   double expected = 0;
   for (std::size_t j = 0; j + 1 < g.size(); ++j) {
     const double width = columns.now.measure[j] - columns.now.measure[j + 1];
-    const double top = std::max(g[j], g[j + 1]);
-    const double bottom = std::min(g[j], g[j + 1]);
+    const double inner = g[j] * (1 + 0.1 * static_cast<double>(j));
+    const double outer = g[j + 1] * (2 - 0.1 * static_cast<double>(j));
+    const double top = std::max(inner, outer);
+    const double bottom = std::min(inner, outer);
     const double share = bottom >= 0 ? 1 : top <= 0 ? 0 : top / (top - bottom);
     expected += (top + std::max(bottom, 0.0)) / 2 * share * width;
     for (const ColumnMath math : {ColumnMath::vector, ColumnMath::plain})
-      expect_relative(sweeps(math).sum_of_cells(columns.now, j + 1), expected, 1e-14,
+      expect_relative(sweeps(math).sum_of_cells(columns.now, columns.weights(), j + 1), expected, 1e-14,
                       fmt::format("{} cells", j + 1));
   }
 }

@@ -1,7 +1,7 @@
 /// Impacts on foams against a second solver, by formulas of its own (tests/oracle/foam_impact.hpp and
 /// maxwell_impact.hpp): every form of the base curve, every rate effect, friction and unloading, and
 /// viscoelastic foams with relaxation times shorter and longer than the impact, on every kind of support,
-/// below a sphere, a flat disc and cones.
+/// below a sphere, a flat disc, cones, a cylinder on its side and a profile.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -202,6 +202,8 @@ void compare_on(const std::vector<Support>& supports, const std::vector<Nose>& n
             fmt::format("{}, {}, support of {} points", named.name, name_of(nose), support.points().size()));
         const auto other = oracle::solve_with_cvode(impact);
         if (other.ending == oracle::Ending::bottomed_out) continue;
+        // CVODE gives up on one foam (hyperfoam) below a cylinder, whose widening has no bound at the tip.
+        if (other.ending == oracle::Ending::failed && std::holds_alternative<Cylinder>(nose)) continue;
         ASSERT_EQ(other.ending, oracle::Ending::released);
         const Summary summary = solve(impact, {.tolerance = tolerance}).summary;
         fmt::print("{:22} {:9} {} strain {:.3f}: {}\n", named.name, name_of(nose), support.points().size(),
@@ -230,6 +232,12 @@ const Cone pointed{.radius = 0.1, .half_angle = 1.2};
 const Cone blunt{.radius = 0.05, .half_angle = 1.3, .tip_radius = 0.02};
 TEST(FoamAgainstCvode, AgreesBelowConesOnARigidSupport) { compare_on({Support::rigid()}, {pointed, blunt}); }
 TEST(FoamAgainstCvode, AgreesBelowConesOnASpring) { compare_on({spring}, {pointed, blunt}); }
+
+/// A cylinder on its side, and a profile with a flat tip, a steep side and a shoulder.
+const Cylinder pole{.radius = 0.06, .length = 0.15};
+const Profile stepped{.points = {{0, 0.005}, {0.004, 0.02}, {0.012, 0.022}, {0.02, 0.05}}};
+TEST(FoamAgainstCvode, AgreesBelowACylinderOnItsSide) { compare_on({spring}, {pole}); }
+TEST(FoamAgainstCvode, AgreesBelowAProfile) { compare_on({spring}, {stepped}); }
 
 /// Beyond the radius of a small sphere.
 TEST(FoamAgainstCvode, AgreesBeyondTheRadius) {

@@ -31,7 +31,10 @@ const Cone stud{.radius = 0.04, .half_angle = 75 * degree, .tip_radius = 0.01};
 const Ellipsoid knee{.half_depth = 0.06, .half_length = 0.09, .half_width = 0.05};
 const Rod rod{.radius = 0.03, .tip_radius = 0.08};
 const Platen platen{.length = 0.12, .width = 0.08};
-const std::vector<Nose> noses{pointed, blunt, stud, knee, rod, platen};
+const Cylinder pole{.radius = 0.06, .length = 0.15};
+/// A flat tip, a steep side, a shoulder.
+const Profile stepped{.points = {{0, 0.005}, {0.004, 0.02}, {0.012, 0.022}, {0.02, 0.05}}};
+const std::vector<Nose> noses{pointed, blunt, stud, knee, rod, platen, pole, stepped};
 
 ImpactCase impact_of(const Nose& nose, const PadLaw& law, Support support = Support::rigid()) {
   ImpactCase impact = impact_on(law, std::move(support));
@@ -251,7 +254,7 @@ TEST(PadFace, OfAPadWiderThanTheNoseDoesNotMatter) {
 /// The force of laws with memory at the end of one path, by ever more columns: also with no weight at the
 /// axis, and with a rim, where the weight ends with a jump.
 template <class Law>
-void expect_order_of_columns(const Nose& nose) {
+void expect_order_of_columns(const Nose& nose, double coarsest = 0.4) {
   constexpr double thickness = 0.03, speed = 3, depth = 0.6 * thickness;
   const Sections sections = sections_of(nose);
   const auto force_at = [&](double resolution) {
@@ -266,20 +269,21 @@ void expect_order_of_columns(const Nose& nose) {
     }
     return force;
   };
-  const double fine = force_at(0.4 / 128);
+  const double fine = force_at(coarsest / 128);
   std::vector<double> size, error;
   for (int level = 0; level < 5; ++level) {
-    size.push_back(0.4 / (1 << level));
+    size.push_back(coarsest / (1 << level));
     error.push_back(std::abs(force_at(size.back()) / fine - 1));
   }
   expect_order(size, error, fmt::format("{}, {}", name_of(nose), Law::name), 2.6);
 }
 
 TEST(Noses, HaveColumnsOfSecondOrder) {
-  for (const Nose& nose : std::vector<Nose>{pointed, blunt, stud, rod}) {
+  for (const Nose& nose : std::vector<Nose>{pointed, blunt, stud, rod, pole, stepped}) {
     expect_order_of_columns<LinearViscoelastic>(nose);
     expect_order_of_columns<NineParameter>(nose);
-    expect_order_of_columns<TwentyOneParameter>(nose);
+    // Below a cylinder the error of the coarsest runs changes its sign.
+    expect_order_of_columns<TwentyOneParameter>(nose, std::holds_alternative<Cylinder>(nose) ? 0.2 : 0.4);
     expect_order_of_columns<ViscoelasticFoam>(nose);
   }
 }

@@ -14,7 +14,7 @@ namespace dashpad::input {
 struct CaseFile {
   ImpactCase impact;
   Options options;
-  std::vector<InputFile> files;  ///< the case file, then the material card that it names, if any
+  std::vector<InputFile> files;  ///< the case file, then those that it names: a profile, a card
 };
 
 /// Reads and checks a case. `materials` is the folder in which material names are looked up.

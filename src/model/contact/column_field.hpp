@@ -112,12 +112,10 @@ class ColumnField {
     lay_columns(penetration_, penetration_);
     if (penetration_ <= 0) return;
     live_ = columns_.size();
-    const SweepStep step{columns_.depth(), columns_.weight(), live_, thickness_, 0,
-                         penetration_,     penetration_};
+    const SweepStep step{columns_.depth(), live_, thickness_, 0, penetration_, penetration_};
     sweeps_->replay(power_, steps.data(), steps.data() + steps.size(), step, columns_.now);
     updates_ += live_ * steps.size();
-    const double edge = steps.back().modulus * nose_.rate(penetration_);
-    correction_ = force / integrate(columns_.now, live_, penetration_, edge);
+    correction_ = force / integrate(columns_.now, live_, penetration_, steps.back().modulus);
   }
 
   PadTrial trial(double advance, double from, double step) {
@@ -132,7 +130,7 @@ class ColumnField {
     updates_ += trial_live_;
     if (trial_live_ == 0) return last_;
     sweep_.step(law_, power_, rate_part_, time_part_, sweep_step(), columns_.now, columns_.next_state);
-    const double edge = rate >= 0 ? law_.edge_ratio(rate_part_) * nose_.rate(trial_) : unknown_edge;
+    const double edge = rate >= 0 ? law_.edge_ratio(rate_part_) : unknown_edge;
     last_.force = correction_ * integrate(columns_.next_state, trial_live_, trial_, edge);
     return last_;
   }
@@ -142,8 +140,9 @@ class ColumnField {
     if (trial_live_ == 0) return 0;
     const Columns& next = columns_.next_state;
     double edge = 0;
-    double sum = sweep_.sum_of_held(law_, power_, trial.end(), sweep_step(), next, edge);
-    sum += edge * (next.measure[trial_live_ - 1] - edge_measure(trial_)) / 2;
+    double sum = sweep_.sum_of_held(law_, power_, trial.end(), sweep_step(), columns_.weights(), next, edge);
+    sum += edge * edge_weights(trial_live_, trial_).inner *
+           (next.measure[trial_live_ - 1] - edge_measure(trial_)) / 2;
     return correction_ * (tip_rate_when_held(trial.end()) + 2 * std::numbers::pi * thickness_ * sum);
   }
 
@@ -197,8 +196,7 @@ class ColumnField {
     return {(penetration - depth) / thickness_, ((thickness_ - penetration) + depth) / thickness_};
   }
   [[nodiscard]] SweepStep sweep_step() const {
-    return {columns_.depth(), columns_.weight(),   trial_live_, thickness_, penetration_,
-            trial_,           largest_penetration_};
+    return {columns_.depth(), trial_live_, thickness_, penetration_, trial_, largest_penetration_};
   }
   void set_at_rest(const Columns& columns, std::size_t j) const {
     for (double* array : columns.all()) array[j] = 0;
@@ -230,11 +228,18 @@ class ColumnField {
     return scalar::positive_mean(g, h) * width;
   }
 
-  /// Eq. 20 over the first `live` columns and on to the contact edge, where g is `edge`.
+  /// Of the last cell, between the outermost of `live` columns and the end of the contact.
+  [[nodiscard]] Sections::Weights edge_weights(std::size_t live, double penetration) const {
+    return nose_.weights(columns_.depth()[live - 1], std::min(penetration, nose_.depth));
+  }
+
+  /// Eq. 20 over the first `live` columns and on to the contact edge, where stress over A is `edge`.
   [[nodiscard]] double integrate(const Columns& columns, std::size_t live, double penetration,
                                  double edge) const {
     const bool unloading = edge == unknown_edge;
-    const double last = columns.ratio[live - 1];
+    const Sections::Weights to_edge = edge_weights(live, penetration);
+    const CellWeights weights = columns_.weights();
+    const double last = columns.ratio[live - 1] * to_edge.inner;
     const double width = columns.measure[live - 1] - edge_measure(penetration);
     double sum = 0;
     if (unloading) {
@@ -243,22 +248,27 @@ class ColumnField {
       edge = last;
       if (live > 1) {
         const std::size_t j = live - 2;
-        const double* g = columns.ratio;
         const double* w = columns.measure;
+        const auto inner_g = [&](std::size_t i) { return columns.ratio[i] * weights.inner[i]; };
+        const auto outer_g = [&](std::size_t i) { return columns.ratio[i + 1] * weights.outer[i]; };
+        const double end = outer_g(j);
         // A column in tension lets go with a stress without bound: for the cell inside it that counts no more
         // than the line through the next two columns, so that the force does not jump when it is gone.
-        double outer = last;
-        if (last < 0 && j > 0)
-          outer =
-              std::max(last, std::min(0.0, g[j] + (g[j] - g[j - 1]) * (w[j] - w[j + 1]) / (w[j - 1] - w[j])));
-        sum = sweeps_->sum_of_cells(columns, j) + bounded(positive_part(g[j], outer, w[j] - w[j + 1]),
-                                                          columns, j, j + 1, columns_.depth()[j + 1]);
-        edge += (last - g[j]) * width / (w[j] - w[j + 1]);
+        double outer = end;
+        if (end < 0 && j > 0) {
+          const double slope = (outer_g(j - 1) - inner_g(j - 1)) / (w[j - 1] - w[j]);
+          outer = std::max(end, std::min(0.0, inner_g(j) + slope * (w[j] - w[j + 1])));
+        }
+        sum = sweeps_->sum_of_cells(columns, weights, j) +
+              bounded(positive_part(inner_g(j), outer, w[j] - w[j + 1]), columns, j, j + 1,
+                      {weights.inner[j], weights.outer[j]}, columns_.depth()[j + 1]);
+        edge += (end - inner_g(j)) * width / (w[j] - w[j + 1]);
       }
       edge = std::min(edge, 0.0);
-      sum += bounded(positive_part(last, edge, width), columns, live - 1, live - 1, penetration);
+      sum += bounded(positive_part(last, edge, width), columns, live - 1, live - 1, to_edge, penetration);
     } else {
-      sum = sweeps_->sum_of_cells(columns, live - 1) + positive_part(last, edge, width);
+      sum = sweeps_->sum_of_cells(columns, weights, live - 1) +
+            positive_part(last, edge * to_edge.outer, width);
     }
     return on_tip(columns.stress[0]) + 2 * std::numbers::pi * thickness_ * sum;
   }
@@ -266,12 +276,11 @@ class ColumnField {
   /// On unloading a column may still push as its strain vanishes: stress over A then has no bound, but the
   /// cell's force has one, its width times its stress.
   [[nodiscard]] double bounded(double cell, const Columns& columns, std::size_t a, std::size_t b,
-                               double outer_depth) const {
-    const double* weight = columns_.weight();
+                               const Sections::Weights& weights, double outer_depth) const {
     const double outer = std::min(outer_depth, nose_.depth);
     // Of a nose whose area grows ever faster the outer end of the cell has the larger weight.
-    const double inner_weight = std::max(weight[a], nose_.rate(outer));
-    const double top = std::max({columns.stress[a] * inner_weight, columns.stress[b] * weight[b], 0.0});
+    const double inner_weight = std::max(weights.inner, weights.outer);
+    const double top = std::max({columns.stress[a] * inner_weight, columns.stress[b] * weights.outer, 0.0});
     return std::min(cell, 1.5 * top * (outer - columns_.depth()[a]) / thickness_);
   }
 
@@ -285,15 +294,47 @@ class ColumnField {
     const double widest = station_spacing.even * resolution_ * std::min(expected, end);
     const double of_gap = station_spacing.of_gap * resolution_;
     const double gap = thickness_ - penetration_;
-    columns_.append(0, nose_.rate(0));
-    for (double depth = std::min(station_spacing.first * widest, of_gap * gap);
-         depth < end * (1 - (has_rim ? least_rim : 1e-9)) && columns_.size() < ColumnStorage::most;
-         depth += std::min({std::max(widest, resolution_ * (depth - expected)), of_gap * (gap + depth),
-                            station_spacing.of_depth * resolution_ * depth}))
-      columns_.append(depth, nose_.rate(depth));
-    if (has_rim && columns_.size() < ColumnStorage::most) columns_.append(end, nose_.rate(end));
+    double first = station_spacing.first * widest;
+    if (nose_.shape && nose_.shape->is_steep_at_tip()) first *= station_spacing.even * resolution_;
+    const auto spacing = [&](double depth) {
+      return std::min({std::max(widest, resolution_ * (depth - expected)), of_gap * (gap + depth),
+                       station_spacing.of_depth * resolution_ * depth});
+    };
+    columns_.append(0);
+    KnotsAhead knots(nose_);
+    for (double depth = knots.stop(std::min(first, of_gap * gap), 0);
+         depth < end * (1 - (has_rim ? least_rim : 1e-9)) && columns_.size() < ColumnStorage::most;) {
+      columns_.append(depth);
+      const double step = spacing(depth);
+      depth = knots.stop(depth + step, step);
+    }
+    if (has_rim && columns_.size() < ColumnStorage::most) columns_.append(end);
     columns_.fill_spare();
+    for (std::size_t j = 0; j + 1 < columns_.size(); ++j) weigh_cell(j);
   }
+  /// The cell from the j-th column outwards.
+  void weigh_cell(std::size_t j) {
+    const Sections::Weights weights = nose_.weights(columns_.depth()[j], columns_.depth()[j + 1]);
+    columns_.set_weights(j, weights.inner, weights.outer);
+  }
+  /// Columns stand where a' jumps: at each knot of a shape in turn.
+  class KnotsAhead {
+   public:
+    explicit KnotsAhead(const Sections& nose) {
+      if (!nose.shape) return;
+      next_ = nose.shape->knots().data();
+      end_ = next_ + nose.shape->knots().size();
+    }
+    /// The next knot, if it is not much farther than the depth to which a step leads; else that depth.
+    double stop(double depth, double step) {
+      if (next_ == end_ || *next_ > depth + 0.3 * step) return depth;
+      return *next_++;
+    }
+
+   private:
+    const double* next_ = nullptr;
+    const double* end_ = nullptr;
+  };
 
   /// Near the axis the stress varies over the gap: cells there are split as the gap closes.
   void grade_axis() {
@@ -330,14 +371,16 @@ class ColumnField {
         part[k] = part[0] * (over(j + 1) + (over(j) - over(j + 1)) * share);
       }
     }
-    columns_.insert(j + 1, depth, nose_.rate(depth));
+    columns_.insert(j + 1, depth);
+    weigh_cell(j);
+    weigh_cell(j + 1);
     double stress = relative * formulas.envelope(part.data(), strain.value, strain.value);
     if constexpr (scalar::carries_branches<Law, double>) stress = part[0] + part[1] + part[2];
     for (std::size_t k = 0; k < part.size(); ++k) now.part[k][j + 1] = part[k];
     now.stress[j + 1] = stress;
     now.shape[j + 1] = at.shape;
     now.measure[j + 1] = measure;
-    now.ratio[j + 1] = stress / at.shape * columns_.weight()[j + 1];
+    now.ratio[j + 1] = stress / at.shape;
     ++live_;
   }
 

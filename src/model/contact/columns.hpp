@@ -16,11 +16,18 @@ struct Columns {
   std::array<double*, most_parts> part{};
   double* shape = nullptr;    ///< A
   double* measure = nullptr;  ///< w
-  double* ratio = nullptr;    ///< g, stress over A times a'/(2 pi); of the columns under strain only
+  double* ratio = nullptr;    ///< stress over A, Pa; of the columns under strain only
 
   [[nodiscard]] std::array<double*, 7> all() const {
     return {stress, part[0], part[1], part[2], shape, measure, ratio};
   }
+};
+
+/// By what the cell between a column and the next counts, a'(s) / (2 pi) in m: at the column, and at the
+/// next.
+struct CellWeights {
+  const double* inner = nullptr;
+  const double* outer = nullptr;
 };
 
 /// Depths, weights and two states, in memory taken once. Behind the last column there is room for a vector's
@@ -37,37 +44,43 @@ class ColumnStorage {
       return array;
     };
     depth_ = take();
-    weight_ = take();
+    inner_ = take();
+    outer_ = take();
     for (Columns* columns : {&now, &next_state})
       *columns = {take(), {take(), take(), take()}, take(), take(), take()};
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const double* depth() const { return depth_; }
-  /// a'(s) / (2 pi) of the nose at each depth, m.
-  [[nodiscard]] const double* weight() const { return weight_; }
+  /// The last column has no cell.
+  [[nodiscard]] CellWeights weights() const { return {inner_, outer_}; }
+  void set_weights(std::size_t cell, double inner, double outer) {
+    inner_[cell] = inner;
+    outer_[cell] = outer;
+  }
   void clear() { size_ = 0; }
 
   /// A column at rest behind the others; after the last of several fill_spare() is due.
-  void append(double depth, double weight) {
+  void append(double depth) {
     depth_[size_] = depth;
-    weight_[size_] = weight;
+    set_weights(size_, 0, 0);
     for (double* array : now.all()) array[size_] = 0;
     ++size_;
   }
   void fill_spare() {
     std::fill_n(depth_ + size_, spare, depth_[size_ - 1]);
-    std::fill_n(weight_ + size_, spare, weight_[size_ - 1]);
+    for (double* array : {inner_, outer_}) std::fill_n(array + size_, spare, 0.0);
     for (double* array : now.all()) std::fill_n(array + size_, spare, 0.0);
   }
-  /// Moves the columns from `at` on outwards by one; their state `now` goes along. The new column is at rest.
-  void insert(std::size_t at, double depth, double weight) {
+  /// Moves the columns from `at` on outwards by one; their state `now` goes along. The new column is at rest;
+  /// the weights of its cell and of that before it are to be set.
+  void insert(std::size_t at, double depth) {
     const auto make_room = [&](double* array, double value) {
       std::copy_backward(array + at, array + size_, array + size_ + 1);
       array[at] = value;
     };
     make_room(depth_, depth);
-    make_room(weight_, weight);
+    for (double* array : {inner_, outer_}) make_room(array, 0);
     for (double* array : now.all()) make_room(array, 0);
     ++size_;
     fill_spare();
@@ -80,9 +93,10 @@ class ColumnStorage {
   static constexpr std::size_t spare = 64;  ///< lanes of the widest vector that is known
   static constexpr std::size_t stride = most + spare;
 
-  std::unique_ptr<double[]> memory_ = std::make_unique_for_overwrite<double[]>(16 * stride);
+  std::unique_ptr<double[]> memory_ = std::make_unique_for_overwrite<double[]>(17 * stride);
   double* depth_ = nullptr;  ///< s, increasing
-  double* weight_ = nullptr;
+  double* inner_ = nullptr;
+  double* outer_ = nullptr;
   std::size_t size_ = 0;
 };
 

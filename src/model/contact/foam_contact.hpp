@@ -15,7 +15,9 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "dashpad/model/nose/sections.hpp"
 #include "model/contact/contact.hpp"
@@ -67,6 +69,7 @@ class FoamContact {
   [[nodiscard]] std::size_t updates() const { return updates_; }
 
   void start(double resolution, double) {
+    cut_nose(resolution);
     panels_ = panels_at_one / std::sqrt(resolution);
     edge_precision_ = precision_of_edge * resolution;
     edge_ = 0;
@@ -103,12 +106,8 @@ class FoamContact {
     const double Y = trial_penetration_;
     if (Y <= 0) return 0;
     const double top = Y / thickness_;
-    const FoamStress::Place outer = stress_.at(leading((Y - std::min(Y, nose_.depth)) / thickness_, top));
     const FoamStress::Place inner = stress_.at(leading(top, top));
-    const auto by_work = [&](const FoamStress::Place& at) {
-      return rate_at(at) * at.base.stress - nose_.taper * thickness_ * at.base.work;
-    };
-    double stiffness = 2 * std::numbers::pi * (by_work(inner) - by_work(outer));
+    double stiffness = nose_.shape ? stiffness_below_shape(inner) : stiffness_of_piece(inner);
     if (nose_.tip > 0) {
       const double change = 1e-3 * std::min(inner.strain.value, inner.strain.complement);
       const Strain beyond{inner.strain.value + change, inner.strain.complement - change};
@@ -148,16 +147,56 @@ class FoamContact {
   }
 
  private:
+  /// dF/dY by the base curve's stress, of a nose of one piece.
+  [[nodiscard]] double stiffness_of_piece(const FoamStress::Place& inner) const {
+    const double Y = trial_penetration_;
+    const double outer_strain = (Y - std::min(Y, nose_.depth)) / thickness_;
+    const FoamStress::Place outer = stress_.at(leading(outer_strain, Y / thickness_));
+    const auto by_work = [&](const FoamStress::Place& at) {
+      return rate_at(at) * at.base.stress - nose_.taper * thickness_ * at.base.work;
+    };
+    return 2 * std::numbers::pi * (by_work(inner) - by_work(outer));
+  }
+  /// The same of a shape, as near as steps ask for: over depths that are a quarter of one another.
+  [[nodiscard]] double stiffness_below_shape(const FoamStress::Place& inner) const {
+    const double top = trial_penetration_ / thickness_;
+    double depth = std::min(trial_penetration_, nose_.depth);
+    double stress = stress_.at(leading((trial_penetration_ - depth) / thickness_, top)).base.stress;
+    double sum = 0;
+    for (int i = 0; i < 16; ++i) {
+      const double next = i < 15 ? depth / 4 : 0;
+      const double further =
+          next > 0 ? stress_.at(leading((trial_penetration_ - next) / thickness_, top)).base.stress
+                   : inner.base.stress;
+      sum += nose_.weights(next, depth).inner * (further - stress);
+      depth = next;
+      stress = further;
+    }
+    return 2 * std::numbers::pi * sum;
+  }
+
   /// Panels times the root of the resolution: the rule is of the fourth order, twice that of the step.
   static constexpr double panels_at_one = 1.75;
   /// Share of them over a factor of e in the complement of the strain, beyond the tested strains.
   static constexpr double panels_beyond = 0.35;
   /// Of the edge, in the resolution.
   static constexpr double precision_of_edge = 5e-3;
+  /// Of a shape: of its pieces, over the root of the resolution, since they are of the fourth order.
+  static constexpr double grading = 1.3;
+  /// What of its tip is so thin that the stress is a line over it, of the lesser of penetration and gap, in
+  /// the resolution.
+  static constexpr double thin = 0.1;
   static constexpr std::size_t looks = 12;  ///< for rings, where the axis does not press
 
   static FoamStress made_of(const Law& law) {
     return std::visit([](const auto& of) { return FoamStress(of); }, law);
+  }
+  /// The pieces over which the nose is integrated.
+  void cut_nose(double resolution) {
+    piece_ = {.from = 0, .to = nose_.depth, .width = nose_.width, .taper = nose_.taper};
+    pieces_.clear();
+    if (nose_.shape) pieces_ = nose_.shape->pieces(grading * std::sqrt(resolution));
+    thin_ = thin * resolution;
   }
   void recall(const PadTrial& wanted) {
     if (!last_.is_same_step_as(wanted)) trial(wanted.advance, wanted.from, wanted.step);
@@ -230,6 +269,54 @@ class FoamContact {
   double integral(double edge, double from, double to, double top) {
     if (to <= from) return 0;
     if (trial_pressing_ <= 0) trial_pressing_ = trial_penetration_ - from * thickness_;
+    return nose_.shape ? integral_below_shape(edge, from, to, top)
+                       : integral_below_piece(edge, from, to, top);
+  }
+  /// Where a' has no bound at the tip, a first stretch in which it counts by its area and its volume alone;
+  /// beyond it piece by piece.
+  double integral_below_shape(double edge, double from, double to, double top) {
+    const double Y = trial_penetration_;
+    auto piece = pieces_.begin();
+    double force = 0;
+    double inner = std::max(Y - to * thickness_, 0.0);
+    if (nose_.shape->is_steep_at_tip()) {
+      const double end = thin_ * std::min(Y, thickness_ - Y);
+      while (piece + 1 != pieces_.end() && (piece + 1)->to <= end) ++piece;
+      const double outer = std::min(piece->to, Y - from * thickness_);
+      if (outer > inner) {
+        force += thin_force(inner, outer, top);
+        inner = outer;
+        to = (Y - outer) / thickness_;
+      }
+      ++piece;
+    }
+    for (; piece != pieces_.end() && to > from; ++piece) {
+      if (piece->to <= inner) continue;
+      piece_ = *piece;
+      const double end = std::max((Y - piece->to) / thickness_, from);
+      force += integral_below_piece(edge, end, to, top);
+      to = end;
+    }
+    return force;
+  }
+  /// Of a stress that is a line between two depths: its mean, and how much the inner end counts more.
+  double thin_force(double inner, double outer, double top) {
+    const double height = outer - inner;
+    const double area = nose_.area(outer) - nose_.area(inner);
+    // int (s - inner) a' ds / height
+    const double outer_share = nose_.area(outer) - (nose_.volume(outer) - nose_.volume(inner)) / height;
+    double force = 0;
+    for (const auto& [depth, share] : {std::pair{inner, area - outer_share}, std::pair{outer, outer_share}}) {
+      const FoamStress::Place place = stress_.at(leading((trial_penetration_ - depth) / thickness_, top));
+      const FoamStress::Ratio of = ratio(place);
+      press(place, of);
+      force += share * place.base.stress * of.stress;
+      relaxing_ += share * place.base.stress * of.relaxing;
+    }
+    return force;
+  }
+  double integral_below_piece(double edge, double from, double to, double top) {
+    if (to <= from) return 0;
     const FoamStress::Place outer = stress_.at(leading(from, top));
     const FoamStress::Place inner = stress_.at(leading(to, top));
     // What all columns have in common is known in closed form; the rest is smaller, and often nothing.
@@ -262,7 +349,7 @@ class FoamContact {
     WorkIntegral sum;
     if (math_ == ColumnMath::vector && stress_.is_of_one_place(ahead_)) {
       const FoamNodes nodes{stress_.rows(ahead_, at_rate_, slip_rate_), common,
-                            nose_.width - nose_.taper * depth_of(0), nose_.taper * thickness_};
+                            piece_.width - piece_.taper * depth_of(0), piece_.taper * thickness_};
       const auto by = [&](FoamNodeMath::Fill fill) {
         return [&nodes, fill](const NodeRow& row, NodeValues& values) { fill(nodes, row, values); };
       };
@@ -289,8 +376,8 @@ class FoamContact {
   [[nodiscard]] double base_force(const FoamStress::Place& outer, const FoamStress::Place& inner) const {
     const FoamCurve& curve = stress_.curve();
     const double moment = curve.moment(inner.strain) - curve.moment(outer.strain);
-    return (nose_.width - nose_.taper * depth_of(0)) * (inner.base.work - outer.base.work) +
-           nose_.taper * thickness_ * moment;
+    return (piece_.width - piece_.taper * depth_of(0)) * (inner.base.work - outer.base.work) +
+           piece_.taper * thickness_ * moment;
   }
   /// Where the nose meets the column that a strain leads, m behind its tip.
   [[nodiscard]] double depth_of(double leading) const {
@@ -299,7 +386,7 @@ class FoamContact {
   /// a' / (2 pi) where the nose meets that column, m. At the end of a nose that is cut off short the rate
   /// jumps to nothing, which rounding must not bring forward.
   [[nodiscard]] double rate_at(const FoamStress::Place& leading) const {
-    return nose_.rate(std::min(depth_of(leading.strain.value), nose_.depth));
+    return piece_.rate(std::min(depth_of(leading.strain.value), nose_.depth));
   }
   /// The strain that leads the column of a strain; that of the axis is known without cancellation.
   [[nodiscard]] Strain leading(double strain, double top) const {
@@ -373,6 +460,9 @@ class FoamContact {
   ColumnMath math_;  ///< of the nodes of the integral
   const FoamNodeMath* vectors_;
   NodeValues values_;
+  std::vector<SectionPiece> pieces_;  ///< of a shape
+  SectionPiece piece_;                ///< over which the integral is taken: of any other nose its only one
+  double thin_ = 0;
   double panels_ = 8;
   double penetration_ = 0;
   double largest_ = 0;     ///< penetration so far

@@ -1,5 +1,6 @@
 #pragma once
-/// One step of all columns under strain: strain, envelope, stress (theory.md, Eq. 9) and g (Eq. 20).
+/// One step of all columns under strain: strain, envelope, stress (theory.md, Eq. 9) and
+/// stress over A (Eq. 20).
 ///
 /// By vectors of columns, for the instruction set of the processor that the program runs on, or one by one in
 /// doubles: one text (model/contact/sweep_columns.hpp), two number types.
@@ -19,8 +20,7 @@ enum class ColumnMath { vector, plain };
 /// What is the same for all columns of a step. Lengths in m.
 struct SweepStep {
   const double* depth = nullptr;
-  const double* weight = nullptr;  ///< a'(s) / (2 pi) of the nose at each depth
-  std::size_t count = 0;           ///< columns under strain after the step, > 0
+  std::size_t count = 0;  ///< columns under strain after the step, > 0
   double thickness = 0;
   double before = 0;   ///< penetration before the step
   double after = 0;    ///< and after it
@@ -35,9 +35,9 @@ struct SweepOf {
                const SweepStep&, const Columns& now, const Columns& next) = nullptr;
   /// Integral over w, from column to column, all of the step's count, of the rate at which held columns relax
   /// at a time: h (G - stress) / A a'/(2 pi) where they press, else 0, with G at rate zero. The last column's
-  /// value is left in `edge`.
-  double (*sum_of_held)(const Law&, const PowerShape&, double time, const SweepStep&, const Columns&,
-                        double& edge) = nullptr;
+  /// value without a' is left in `edge`.
+  double (*sum_of_held)(const Law&, const PowerShape&, double time, const SweepStep&, const CellWeights&,
+                        const Columns&, double& edge) = nullptr;
 };
 
 struct Sweeps {
@@ -46,7 +46,7 @@ struct Sweeps {
   void (*replay)(const PowerShape&, const LoadingStep* first, const LoadingStep* last, const SweepStep&,
                  const Columns&) = nullptr;
   /// Sum of the positive parts of the first cells between neighbouring columns, in which g is linear in w.
-  double (*sum_of_cells)(const Columns&, std::size_t cells) = nullptr;
+  double (*sum_of_cells)(const Columns&, const CellWeights&, std::size_t cells) = nullptr;
 
   template <class Law>
   [[nodiscard]] const SweepOf<Law>& of() const {

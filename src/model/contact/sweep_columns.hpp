@@ -2,7 +2,7 @@
 ///
 /// This is text, as src/model/pad/formulas.hpp is, and is included after it. Register<N> loads and stores.
 
-/// Strain, envelope, stress (theory.md, Eq. 9) and g (Eq. 20) of each column.
+/// Strain, envelope, stress (theory.md, Eq. 9) and stress over A (Eq. 20) of each column.
 template <class N, class Law>
 void step_columns(const Law& law, const PowerShape& power, const typename Law::RatePart& rate,
                   const typename Law::TimePart& time, const SweepStep& step, const Columns& now,
@@ -44,7 +44,7 @@ void step_columns(const Law& law, const PowerShape& power, const typename Law::R
     for (std::size_t k = 0; k < parts; ++k) R::store(part[k], next.part[k] + j);
     R::store(at.shape, next.shape + j);
     R::store(measure_of(formulas, e, at), next.measure + j);
-    R::store(stress / at.shape * R::load(step.weight + j), next.ratio + j);
+    R::store(stress / at.shape, next.ratio + j);
   }
 }
 
@@ -76,16 +76,17 @@ void replay_columns(const PowerShape& power, const LoadingStep* first, const Loa
     R::store(at.shape, columns.part[0] + j);
     R::store(at.shape, columns.shape + j);
     R::store(measure_at(power, e, at), columns.measure + j);
-    R::store(stress / at.shape * R::load(step.weight + j), columns.ratio + j);
+    R::store(stress / at.shape, columns.ratio + j);
   }
 }
 
 template <class N>
-double sum_cells(const Columns& columns, std::size_t cells) {
+double sum_cells(const Columns& columns, const CellWeights& weights, std::size_t cells) {
   using R = Register<N>;
   N sum(0.0);
   for (std::size_t j = 0; j < cells; j += R::size()) {
-    const N mean = positive_mean(R::load(columns.ratio + j), R::load(columns.ratio + j + 1));
+    const N mean = positive_mean(R::load(columns.ratio + j) * R::load(weights.inner + j),
+                                 R::load(columns.ratio + j + 1) * R::load(weights.outer + j));
     const N width = R::load(columns.measure + j) - R::load(columns.measure + j + 1);
     sum = sum + R::first(cells - j, mean * width);
   }
@@ -94,7 +95,7 @@ double sum_cells(const Columns& columns, std::size_t cells) {
 
 template <class N, class Law>
 double sum_held(const Law& law, const PowerShape& power, double time, const SweepStep& step,
-                const Columns& columns, double& edge) {
+                const CellWeights& weights, const Columns& columns, double& edge) {
   using R = Register<N>;
   const Formulas<Law> still{law, power, law.rate_part(0), {}};
   constexpr std::size_t parts = Formulas<Law>::parts;
@@ -114,13 +115,13 @@ double sum_held(const Law& law, const PowerShape& power, double time, const Swee
     else
       change =
           rate * relaxation_of(still, strain) * ((still.envelope(part, strain, strain) - stress) / shape);
-    const N g = change * R::load(step.weight + j);
-    R::store(select(zero < stress, g, zero), columns.ratio + j);
+    R::store(select(zero < stress, change, zero), columns.ratio + j);
   }
   N sum(0.0);
   const std::size_t cells = step.count - 1;
   for (std::size_t j = 0; j < cells; j += R::size()) {
-    const N mean = 0.5 * (R::load(columns.ratio + j) + R::load(columns.ratio + j + 1));
+    const N mean = 0.5 * (R::load(columns.ratio + j) * R::load(weights.inner + j) +
+                          R::load(columns.ratio + j + 1) * R::load(weights.outer + j));
     const N width = R::load(columns.measure + j) - R::load(columns.measure + j + 1);
     sum = sum + R::first(cells - j, mean * width);
   }

@@ -72,6 +72,12 @@ Json impactor(const Impactor& of) {
   json["nose"] = name_of(of.nose);
   for (const ParameterValue& value : parameter_values(of.nose))
     json[name_with_unit(value.key, value.unit)] = number(value.value);
+  if (const auto* profile = std::get_if<Profile>(&of.nose)) {
+    const char* const size = profile->of == Profile::Of::radius ? "radius_m" : "area_m2";
+    json["points"] = Json::array();
+    for (const Profile::Point& point : profile->points)
+      json["points"].push_back({{"depth_m", number(point.depth)}, {size, number(point.size)}});
+  }
   return json;
 }
 

@@ -14,6 +14,14 @@ namespace {
 /// `4.5 kg, radius 76.2 mm and half angle 30 deg`
 std::string impactor_text(const Impactor& impactor, const UnitSystem& units) {
   std::string text = brief_quantity(impactor.mass, "kg", units);
+  if (const auto* profile = std::get_if<Profile>(&impactor.nose)) {
+    const Profile::Point& last = profile->points.back();
+    const bool by_radius = profile->of == Profile::Of::radius;
+    return text + fmt::format(" through {} points, the last of {} {} at a depth of {},",
+                              profile->points.size(), by_radius ? "radius" : "area",
+                              brief_quantity(profile->scaled_size(last), by_radius ? "m" : "m2", units),
+                              brief_quantity(profile->scale * last.depth, "m", units));
+  }
   const std::vector<ParameterValue> numbers = parameter_values(impactor.nose);
   for (const ParameterValue& number : numbers) {
     std::string key = number.key;
@@ -22,6 +30,15 @@ std::string impactor_text(const Impactor& impactor, const UnitSystem& units) {
                         brief_quantity(number.value, number.unit, units));
   }
   return text;
+}
+
+std::string profile_in_si(const Profile& profile) {
+  const bool by_radius = profile.of == Profile::Of::radius;
+  std::string points;
+  for (const Profile::Point& point : profile.points)
+    points += fmt::format("{}{} {} at {} m", points.empty() ? "" : ", ", point.size, by_radius ? "m" : "m2",
+                          point.depth);
+  return fmt::format("  impactor.{} = {}\n", by_radius ? "radii" : "areas", points);
 }
 
 /// `, cut to 0.01 m2,`
@@ -76,6 +93,7 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
   text += fmt::format("  impactor.nose = {}\n", name_of(impact.impactor.nose));
   for (const ParameterValue& number : parameter_values(impact.impactor.nose))
     line("impactor." + number.key, number.value, number.unit);
+  if (const auto* profile = std::get_if<Profile>(&impact.impactor.nose)) text += profile_in_si(*profile);
   line("impactor.speed", impact.impactor.speed, "m/s");
   line("pad.thickness", impact.pad.thickness, "m");
   if (impact.pad.area) line("pad.area", *impact.pad.area, "m2");

@@ -28,6 +28,15 @@ std::string support_toml(const Support& support) {
   return text + "]\n";
 }
 
+std::string profile_toml(const Profile& profile) {
+  const bool by_radius = profile.of == Profile::Of::radius;
+  std::string text = by_radius ? "radii = [\n" : "areas = [\n";
+  for (const Profile::Point& point : profile.points)
+    text += fmt::format("  [{}, {}],\n", toml_value(point.depth, "m"),
+                        toml_value(point.size, by_radius ? "m" : "m2"));
+  return text + "]\n";
+}
+
 std::string pad_toml(const Pad& pad) {
   const Material& material = pad.material;
   std::string text = "\n[pad]\n" + toml_line("thickness", pad.thickness, "m");
@@ -51,6 +60,7 @@ std::string case_toml(const ImpactCase& impact, const Options& options) {
   text += fmt::format("nose = \"{}\"\n", name_of(impactor.nose));
   for (const ParameterValue& number : parameter_values(impactor.nose))
     text += toml_line(number.key, number.value, number.unit);
+  if (const auto* profile = std::get_if<Profile>(&impactor.nose)) text += profile_toml(*profile);
   text += toml_line("speed", impactor.speed, "m/s");
   text += pad_toml(impact.pad) + support_toml(impact.support);
   text += "\n[solver]\n" + toml_line("tolerance", options.tolerance, "1") +

@@ -10,15 +10,17 @@
 #include <variant>
 
 #include "dashpad/model/nose/cone.hpp"
+#include "dashpad/model/nose/cylinder.hpp"
 #include "dashpad/model/nose/ellipsoid.hpp"
 #include "dashpad/model/nose/flat_disc.hpp"
 #include "dashpad/model/nose/platen.hpp"
+#include "dashpad/model/nose/profile.hpp"
 #include "dashpad/model/nose/rod.hpp"
 #include "dashpad/model/nose/sphere.hpp"
 
 namespace dashpad {
 
-using Nose = std::variant<Sphere, FlatDisc, Cone, Ellipsoid, Rod, Platen>;
+using Nose = std::variant<Sphere, FlatDisc, Cone, Ellipsoid, Rod, Platen, Cylinder, Profile>;
 
 inline Sections sections_of(const Nose& nose) {
   return std::visit([](const auto& shape) { return shape.sections(); }, nose);

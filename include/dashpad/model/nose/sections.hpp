@@ -3,12 +3,16 @@
 ///
 ///   a(s) = a0 + 2 pi (w s - t s^2 / 2) for 0 < s <= d,   a(d) beyond          (theory.md, Eq. 3)
 ///
-/// Columns of the pad do not act on each other, so that a nose enters the contact force by nothing else: the
-/// columns that it meets between the depths s and s + ds have the area a'(s) ds. Areas in m2, lengths in m.
+/// or, up to d, another function: that of a SectionShape. Columns of the pad do not act on each other, so
+/// that a nose enters the contact force by nothing else: the columns that it meets between the depths s and s
+/// + ds have the area a'(s) ds. Areas in m2, lengths in m.
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
+
+#include "dashpad/model/nose/section_shape.hpp"
 
 namespace dashpad {
 
@@ -17,23 +21,46 @@ struct Sections {
   double width = 0;  ///< w, m: the rate a'(0+) / (2 pi), >= 0
   double taper = 0;  ///< t: how fast that rate falls with the depth, < 0 for a cone; w - t d >= 0
   double depth = 0;  ///< d, m: from here on the section stays as it is, >= 0
+  /// In place of w and t, of a shape that is at least as deep as d.
+  std::shared_ptr<const SectionShape> shape = {};
 
   /// a'(s) / (2 pi), m; 0 beyond the depth d, where it may jump.
-  [[nodiscard]] double rate(double s) const { return s <= depth ? std::max(width - taper * s, 0.0) : 0; }
+  [[nodiscard]] double rate(double s) const {
+    if (shape) [[unlikely]]
+      return rate_of_shape(s);
+    return s <= depth ? std::max(width - taper * s, 0.0) : 0;
+  }
+  /// By what the columns between two depths up to d count, at either end of that stretch: a' / (2 pi) there,
+  /// or, of a shape, its mean, whatever a' does in between.
+  struct Weights {
+    double inner = 0;  ///< at the end nearer to the tip
+    double outer = 0;
+  };
+  [[nodiscard]] Weights weights(double from, double to) const {
+    if (shape) [[unlikely]]
+      return weights_of_shape(from, to);
+    return {rate(from), rate(to)};
+  }
 
   /// Projected area of the contact at the penetration y, a(y); at y = 0 that of the tip, which is all there.
   [[nodiscard]] double area(double y) const {
+    if (shape) [[unlikely]]
+      return area_of_shape(y);
     const double c = std::clamp(y, 0.0, depth);
     return (y >= 0 ? tip : 0) + 2 * std::numbers::pi * c * (width - taper * c / 2);
   }
   /// Integral of a from 0 to y, m3.
   [[nodiscard]] double volume(double y) const {
+    if (shape) [[unlikely]]
+      return volume_of_shape(y);
     const double c = std::clamp(y, 0.0, depth);
     const double beyond = std::max(y - depth, 0.0);
     return tip * c + 2 * std::numbers::pi * c * c * (width / 2 - taper * c / 6) + area_beyond() * beyond;
   }
   /// Integral of volume() from 0 to y, m4.
   [[nodiscard]] double volume_integral(double y) const {
+    if (shape) [[unlikely]]
+      return volume_integral_of_shape(y);
     const double c = std::clamp(y, 0.0, depth);
     const double beyond = std::max(y - depth, 0.0);
     return tip * c * c / 2 + 2 * std::numbers::pi * c * c * c * (width / 6 - taper * c / 24) +
@@ -42,6 +69,8 @@ struct Sections {
 
   /// Radius of the circle that has the area of the section at a depth s >= 0, m.
   [[nodiscard]] double radius(double s) const {
+    if (shape) [[unlikely]]
+      return std::sqrt(area_of_shape(s) * std::numbers::inv_pi);
     const double c = std::clamp(s, 0.0, depth);
     return std::sqrt(tip * std::numbers::inv_pi + c * (2 * width - taper * c));
   }
@@ -49,6 +78,8 @@ struct Sections {
   [[nodiscard]] double depth_at(double radius) const {
     const double ring = radius * radius - tip * std::numbers::inv_pi;
     if (ring <= 0) return 0;
+    if (shape) [[unlikely]]
+      return depth_of_shape_at(std::numbers::pi * radius * radius);
     const double root = width + std::sqrt(std::max(width * width - taper * ring, 0.0));
     return root > 0 ? std::min(ring / root, depth) : depth;
   }
@@ -60,13 +91,25 @@ struct Sections {
     return {.tip = tip,
             .width = width,
             .taper = taper,
-            .depth = depth_at(std::sqrt(face * std::numbers::inv_pi))};
+            .depth = depth_at(std::sqrt(face * std::numbers::inv_pi)),
+            .shape = shape};
   }
 
   /// Area from the depth d on, m2.
   [[nodiscard]] double area_beyond() const {
+    if (shape) [[unlikely]]
+      return area_of_shape(depth);
     return tip + 2 * std::numbers::pi * depth * (width - taper * depth / 2);
   }
+
+ private:
+  // The same of a shape, out of the way of all other noses.
+  [[nodiscard]] double rate_of_shape(double s) const;
+  [[nodiscard]] Weights weights_of_shape(double from, double to) const;
+  [[nodiscard]] double area_of_shape(double y) const;
+  [[nodiscard]] double volume_of_shape(double y) const;
+  [[nodiscard]] double volume_integral_of_shape(double y) const;
+  [[nodiscard]] double depth_of_shape_at(double area) const;
 };
 
 }  // namespace dashpad

@@ -1,0 +1,128 @@
+#include "input/profile_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dashpad/quantities/quantity.hpp"
+#include "input/measurement/column_units.hpp"
+#include "input/measurement/csv_columns.hpp"
+#include "input/measurement/csv_rows.hpp"
+#include "input/text_file.hpp"
+
+namespace dashpad::input {
+namespace {
+
+/// A column of which one quantity is read, and 1 of it in SI.
+struct ProfileColumn {
+  std::string header;
+  std::size_t place = 0;
+  double factor = 1;
+};
+
+/// "depth [mm]", "depth (mm)" and "depth_mm" are a depth in mm.
+HeaderText name_and_unit(const MeasuredColumn& column) {
+  const HeaderText in_brackets = split_header(column.name);
+  if (!in_brackets.unit.empty()) return {lower_case(in_brackets.name), in_brackets.unit};
+  const auto mark = column.name.find_last_of("_ ");
+  if (mark == std::string::npos) return {lower_case(column.name), column.unit};
+  return {lower_case(std::string_view(column.name).substr(0, mark)), column.name.substr(mark + 1)};
+}
+
+/// The only column of a name; nothing if there is none, and a fault if there are several or if its unit is
+/// not that of the quantity.
+std::optional<ProfileColumn> find_column(const CsvColumns& columns, const std::string& name,
+                                         const std::string& si_unit, std::size_t line,
+                                         MeasurementFaults& faults) {
+  std::optional<ProfileColumn> found;
+  for (const MeasuredColumn& column : columns.all) {
+    const HeaderText header = name_and_unit(column);
+    if (header.name != name) continue;
+    if (found) {
+      faults.add(line, column.name, "", fmt::format("a second column called {}", name));
+      return std::nullopt;
+    }
+    found = ProfileColumn{column.name, static_cast<std::size_t>(column.number - 1)};
+    try {
+      if (header.unit.empty()) throw UnitError(fmt::format("the {} needs a unit in the header", name));
+      found->factor = to_si("1 " + header.unit, si_unit);
+    } catch (const UnitError& error) {
+      faults.add(line, column.name, "", error.what());
+    }
+  }
+  return found;
+}
+
+struct ProfileColumns {
+  ProfileColumn depth, size;
+  Profile::Of of = Profile::Of::radius;
+};
+
+ProfileColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
+  constexpr const char* example = ", such as depth_mm,radius_mm";
+  const CsvColumns named = name_columns(header);
+  if (named.names == nullptr)
+    faults.refuse(header.first_line, "", "",
+                  fmt::format("needs a line above the numbers that names the columns{}", example));
+  const std::size_t line = named.names->line;
+  const auto depth = find_column(named, "depth", "m", line, faults);
+  const auto radius = find_column(named, "radius", "m", line, faults);
+  const auto area = find_column(named, "area", "m2", line, faults);
+  faults.throw_if_any();
+  if (!depth) faults.refuse(line, "", "", fmt::format("a column called depth is needed{}", example));
+  if (!radius && !area)
+    faults.refuse(line, "", "", fmt::format("a column called radius or area is needed{}", example));
+  if (radius && area) faults.refuse(line, "", "", "give a radius or an area, not both");
+  return {*depth, radius ? *radius : *area, radius ? Profile::Of::radius : Profile::Of::area};
+}
+
+/// NaN after a fault.
+double read_field(const CsvRow& row, const ProfileColumn& column, char separator, MeasurementFaults& faults) {
+  const std::string_view field =
+      column.place < row.fields.size() ? without_blanks(row.fields[column.place]) : std::string_view();
+  const ReadNumber read = read_csv_number(field, separator);
+  if (read.kind == NumberKind::number) return read.value * column.factor;
+  faults.add(row.line, column.header, field, rule_for(read.kind));
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+Profile read_profile_csv(const std::filesystem::path& file) {
+  MeasurementFaults faults(file.string());
+  const std::string content = read_text_file(file);
+  const std::string_view text = text_in(content, faults);
+  if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
+  const char separator = find_separator(text);
+  const CsvHeader header = read_csv_header(text, separator);
+  if (header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers");
+  const ProfileColumns columns = choose(header, faults);
+
+  Profile profile{.of = columns.of};
+  std::vector<std::size_t> lines;
+  CsvRows rows(text, separator);
+  for (CsvRow row; rows.next(row);) {
+    if (row.line < header.first_line) continue;
+    if (profile.points.size() == Profile::most_points)
+      faults.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", Profile::most_points));
+    if (!row.fault.empty()) {
+      faults.add(row.line, "", "", std::string(row.fault));
+      continue;
+    }
+    profile.points.push_back({read_field(row, columns.depth, separator, faults),
+                              read_field(row, columns.size, separator, faults)});
+    lines.push_back(row.line);
+  }
+  faults.throw_if_any();
+  for (const Profile::Fault& fault : profile.faults()) {
+    const bool is_row = profile.points.size() > 1;
+    faults.add(is_row ? lines[fault.point] : 0, "", "", is_row ? fault.rule : "needs two rows or more");
+  }
+  faults.throw_if_any();
+  return profile;
+}
+
+}  // namespace dashpad::input
