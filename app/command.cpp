@@ -131,6 +131,13 @@ Solution solve_with_progress(const ImpactCase& impact, const Options& options) {
   return solution;
 }
 
+std::vector<Blow> solve_blows_with_progress(const ImpactCase& impact, const Options& options) {
+  const ProgressLine line{"Solving"};
+  std::vector<Blow> blows = solve_blows(impact, options);
+  for (Blow& blow : blows) explore_continuation(blow.impact, options, blow.solution.summary);
+  return blows;
+}
+
 int list_cards(std::string heading, const std::vector<std::filesystem::path>& cards,
                const std::function<std::string(const std::filesystem::path&)>& line_of) {
   std::string text = std::move(heading);

@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "dashpad/impact/blows.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/input/fault.hpp"
 #include "dashpad/output/text/result.hpp"
@@ -90,6 +91,8 @@ std::vector<input::InputFile> files_of(const std::string& file, const std::optio
 
 /// solve(), with a line on standard error where that takes long.
 Solution solve_with_progress(const ImpactCase& impact, const Options& options);
+/// The same with every blow of a series; of one blow there is one.
+std::vector<Blow> solve_blows_with_progress(const ImpactCase& impact, const Options& options);
 
 /// Lists cards, a line each below the heading. One with faults does not hide the others; Refused with all of
 /// them.

@@ -26,7 +26,8 @@ std::vector<Target> targets(const ResultFiles& files) {
 void add_result_files(CLI::App& app, ResultFiles& files) {
   app.add_option("--json", files.json, "Write the summary as JSON (- for standard output)")
       ->type_name("FILE");
-  app.add_option("--csv", files.csv, "Write the history as CSV (- for standard output)")->type_name("FILE");
+  app.add_option("--csv", files.csv, "Write the history, of the last blow, as CSV (- for standard output)")
+      ->type_name("FILE");
   add_report(app, files.report);
   app.add_option("--png", files.png, "Draw acceleration and hysteresis as a still; needs gnuplot")
       ->type_name("FILE");
@@ -46,16 +47,19 @@ void publish(const ResultFiles& files, const SolvedCase& solved, std::string_vie
   const Solution& solution = solved.solution;
   const UnitSystem& units = unit_system(files.units);
   const std::optional<injury::InjuryFigures> injury = injury::whole_pulse_figures(solution);
+  const std::vector<output::BlowResult> blows = output::blow_results(solved.blows);
+  const ImpactCase& last_blow = solved.blows.empty() ? impact : solved.blows.back().impact;
   const auto text_of = [&](const Target& target) {
-    if (target.option == "--json") return output::result_json(impact, solution.summary, injury);
+    if (target.option == "--json") return output::result_json(impact, solution.summary, injury, blows);
     if (target.option == "--png")
       return output::picture(output::result_plot(impact, solution, injury, units),
                              output::PictureFormat::png);
     if (target.option == "--csv") return output::history_csv(solution.history, units_of_files(units));
-    return output::page(impact, solved.options, solution, units, contact_snapshots(impact, solution.history));
+    return output::page(impact, solved.options, solution, units,
+                        contact_snapshots(last_blow, solution.history), blows);
   };
-  std::string summary =
-      std::string{heading} + output::result_text(impact, solution.summary, injury, units, files.detail);
+  std::string summary = std::string{heading} +
+                        output::result_text(impact, solution.summary, injury, units, files.detail, blows);
   publish(targets(files), files.force, text_of, summary.append(after));
 }
 

@@ -3,11 +3,13 @@
 /// people.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "command.hpp"
+#include "dashpad/impact/blows.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/input/input_file.hpp"
 
@@ -33,6 +35,7 @@ struct SolvedCase {
   const ImpactCase& impact;
   const Options& options;
   const Solution& solution;
+  std::span<const Blow> blows = {};  ///< of a series, whose last one the solution is
 };
 
 /// Writes the files, then shows the summary between a heading and what follows it. Throws as PendingFile

@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
@@ -22,6 +24,9 @@ Units: si shows mm, kg, ms, m/s, N, J; us shows in, lb, ms, mph, lbf, in-lbf; en
 mm, kg, ms, km/h, kN, J. Accelerations are in g everywhere. The JSON summary is in SI and g, and its keys
 name the units; the CSV history is in SI (m, s, N, m/s, g) or, with --units us or engineering-metric, in
 those units, which its header names. Case files take any unit.
+
+A case with repeated blows ([blows]) is answered with a row for each of them, then with the figures of the
+last; the CSV history, page and still are of the last.
 
 The text has what matters first, to four digits: the law of a foam is rarely known to three. --all shows every
 figure with its estimated error; files have all digits.
@@ -44,8 +49,10 @@ int run(const RunRequest& request, const std::filesystem::path& materials) {
   const input::CaseFile input =
       case_to_solve(request.case_file, materials, request.tolerance, {},
                     [&](const auto& files, auto& wrong) { judge_result_files(request.files, files, wrong); });
-  const Solution solution = solve_with_progress(input.impact, input.options);
-  publish(request.files, {input.impact, input.options, solution});
+  const std::vector<Blow> blows = solve_blows_with_progress(input.impact, input.options);
+  const Solution& solution = blows.back().solution;
+  publish(request.files, {input.impact, input.options, solution,
+                          input.impact.blows ? std::span(blows) : std::span<const Blow>{}});
   return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
 }
 

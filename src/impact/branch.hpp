@@ -28,6 +28,7 @@ inline Phase phase_after(Event event, Phase now, double drive, BranchConditions 
     case Event::reloading: return Phase::loading;
     case Event::unlock: return by_drive;
     case Event::corner:
+    case Event::joining:
     case Event::none: break;
   }
   return now;

@@ -75,6 +75,17 @@ void add_pad(const ImpactCase& base, std::vector<CaseQuantity>& into) {
       material.law);
 }
 
+/// What earlier blows have left in the pad, and leave in it.
+void add_blows(const ImpactCase& base, std::vector<CaseQuantity>& into) {
+  if (blow_memory(base.pad.material.law) != BlowMemory::none)
+    into.push_back(quantity_at(
+        "pad.earlier_penetration", "m",
+        [](auto& impact) -> auto& { return impact.pad.earlier_penetration; }));
+  if (base.blows)
+    into.push_back(quantity_at(
+        "blows.recovery", "1", [](auto& impact) -> auto& { return impact.blows->recovery; }));
+}
+
 void add_support(const Support& base, std::vector<CaseQuantity>& into) {
   if (base.points().size() == 1)
     into.push_back(
@@ -118,6 +129,7 @@ std::vector<CaseQuantity> quantities_of(const ImpactCase& base) {
       "impactor.speed", "m/s", [](auto& impact) -> auto& { return impact.impactor.speed; }));
   add_pad(base, all);
   add_support(base.support, all);
+  add_blows(base, all);
   return all;
 }
 

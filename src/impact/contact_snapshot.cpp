@@ -110,7 +110,7 @@ std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const Impact
                                        const History& history) {
   const double thickness = impact.pad.thickness;
   const Sections nose = sections_of(impact);
-  FoamContact contact(law, thickness, nose);
+  FoamContact contact(law, thickness, nose, 1, ColumnMath::vector, impact.pad.earlier_penetration);
   contact.start(resolution, thickness);
   std::vector<ContactSnapshot> snapshots;
   std::size_t now = 0;
@@ -119,7 +119,8 @@ std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const Impact
       contact.accept(contact.trial(history.penetration[now + 1] - history.penetration[now], history.time[now],
                                    history.time[now + 1] - history.time[now]));
     ContactSnapshot snapshot = empty_snapshot(history, entry);
-    snapshot.determined = history.penetration[entry] < contact.lock_penetration() * (1 - 1e-12);
+    snapshot.determined =
+        history.penetration[entry] < (contact.crater() + contact.lock_penetration()) * (1 - 1e-12);
     const double edge = contact.contact_radius();
     for (int k = 0; k <= most_points && edge > 0; ++k) {
       const double radius = edge * k / most_points;

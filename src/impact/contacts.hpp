@@ -25,6 +25,7 @@ class Contacts {
     const double thickness = impact.pad.thickness;
     const double factor = stress_factor(impact.pad.condition, impact.pad.material);
     const Sections sections = sections_of(impact);
+    const double earlier = impact.pad.earlier_penetration;
     const auto renewed = [&](auto& contact, const auto&... arguments) -> auto& {
       if (contact)
         contact->set(arguments...);
@@ -35,10 +36,10 @@ class Contacts {
     const auto of_law = [&](const auto& law) {
       using Law = std::decay_t<decltype(law)>;
       if constexpr (IsMemoryless<Law>) {
-        CurveContact contact(law.curve(), Law::recovers, thickness, sections);
+        CurveContact contact(law.curve(), Law::recovers, thickness, sections, earlier);
         return visit(contact);
       } else if constexpr (SharesSlip<Law>) {
-        return visit(renewed(foam_, law, thickness, sections, factor, math));
+        return visit(renewed(foam_, law, thickness, sections, factor, math, earlier));
       } else {
         if constexpr (std::is_same_v<Law, NineParameter>)
           if (math == ColumnMath::vector && !sections.shape)

@@ -167,7 +167,7 @@ class Equilibrium {
     trial.end.drive = trial.end.velocity - support_.compliance(trial.end.force) * rate;
     if constexpr (FollowsRate<Contact>) {
       trial.lasting_stiffness = contact_.lasting_stiffness(trial.pad);
-      if (trial.pad.advance < 0)
+      if (trial.pad.advance < 0 || is_loaded_again())
         trial.lasting_stiffness =
             std::max(trial.lasting_stiffness, (trial.pad.force - now().force) / trial.pad.advance);
     }
@@ -188,6 +188,13 @@ class Equilibrium {
  private:
   static constexpr bool memoryless = HasEnergy<Contact>;
 
+  /// Up to where earlier blows went the pad may be stiffer than its base curve.
+  [[nodiscard]] bool is_loaded_again() const {
+    if constexpr (RemembersBlows<Contact>)
+      return contact_.joint() > 0 && now().penetration < contact_.joint();
+    else
+      return false;
+  }
   [[nodiscard]] const State& now() const { return motion_.now(); }
   /// Of the advance: after an event the pad is taken as a spring.
   [[nodiscard]] double guess(double step, const Predictor& predictor, double slope) const {

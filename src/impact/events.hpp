@@ -19,6 +19,7 @@ struct Sight {
   const Trial& trial;
   bool recovers = true;  ///< the pad
   double corner = 0;     ///< force at a corner of the support, N
+  double joint = 0;      ///< penetration at which a pad that was struck before is loaded anew, m; 0: none
 };
 
 struct EventKind {
@@ -70,10 +71,15 @@ inline bool is_off_corner(const Sight& s) {
   return std::abs(s.now.force - s.corner) > numerics.at_corner * s.corner;
 }
 
+inline double penetration_to_joint(const Sight& s) { return s.joint - s.trial.end.penetration; }
+inline bool is_before_joint(const Sight& s) {
+  return s.joint - s.now.penetration > numerics.at_joint * s.joint;
+}
+
 }  // namespace event_rules
 
 /// In the order in which they count when they coincide.
-inline constexpr std::array<EventKind, 7> event_table{{
+inline constexpr std::array<EventKind, 8> event_table{{
     {Event::release, false, true, true, event_rules::force, event_rules::always, true},
     {Event::unlock, false, false, true, event_rules::force_over_held_pad, event_rules::pad_recovers, true},
     {Event::yielding, false, false, true, event_rules::strength_left, event_rules::is_below_strength, true},
@@ -81,6 +87,8 @@ inline constexpr std::array<EventKind, 7> event_table{{
     {Event::reloading, false, true, false, event_rules::has_unloading_step, event_rules::always, false},
     {Event::lock, true, false, false, event_rules::has_step_below_lock, event_rules::always, true},
     {Event::corner, true, true, true, event_rules::force_to_corner, event_rules::is_off_corner, true},
+    {Event::joining, true, false, false, event_rules::penetration_to_joint, event_rules::is_before_joint,
+     true},
 }};
 
 /// The first event of a trial, in the order of the table.

@@ -33,6 +33,16 @@ std::string gain(const Summary& summary) {
       100 * energy_gained(summary));
 }
 
+/// Why no blow follows this one.
+std::string series_cut(const Summary& summary) {
+  const char* const why = !summary.trustworthy()                 ? "misses the tolerance"
+                          : summary.status == Status::time_limit ? "had not ended by the time limit"
+                                                                 : "closed the pad";
+  return fmt::format(
+      "SERIES CUT: blow {} of {} {}, and what it leaves behind is not known; no further blow was computed",
+      summary.blow, summary.blows, why);
+}
+
 std::string softening(const Summary& summary) {
   return fmt::format(
       "SOFTENING: the curve at {:.3g} per second falls behind its yield; a real foam may then crush layer by "
@@ -58,6 +68,14 @@ bool pulse_is_whole(const Summary& summary) { return summary.contact_end.has_val
 
 bool bottomed_on_rigid_support(const Summary& summary) { return summary.bottomed && !summary.peak_force; }
 
+bool leaves_a_known_pad(const Summary& summary) {
+  return summary.status == Status::released && !summary.bottomed;
+}
+
+bool is_series_cut(const Summary& summary) {
+  return summary.status != Status::not_run && summary.blow < summary.blows && !leaves_a_known_pad(summary);
+}
+
 bool gained_energy(const Summary& summary) {
   const double of_ledger = std::abs(summary.energy.residual / summary.energy.impact);
   return energy_gained(summary) > summary.errors.energy_absorbed + of_ledger + rounding;
@@ -78,6 +96,7 @@ std::vector<Flag> flags(const Summary& summary) {
                    "duration of the whole pulse are not known"});
   if (gained_energy(summary)) all.push_back({"ENERGY GAINED", gain(summary)});
   if (summary.bottomed) all.push_back({"BOTTOMED", bottoming(summary)});
+  if (is_series_cut(summary)) all.push_back({"SERIES CUT", series_cut(summary)});
   if (!summary.softening_rates.empty()) all.push_back({"SOFTENING", softening(summary)});
   if (summary.continuation) all.push_back({"EXTRAPOLATED", continuation(*summary.continuation)});
   for (const std::string& reason : summary.extrapolations)

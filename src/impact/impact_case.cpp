@@ -96,6 +96,31 @@ void check_support(std::vector<Violation>& broken, const Support& support) {
   }
 }
 
+/// NaN breaks the rules.
+void check_earlier_penetration(std::vector<Violation>& broken, const Pad& pad) {
+  const double earlier = pad.earlier_penetration;
+  const bool has_thickness = lengths.contains(pad.thickness);
+  const char* const key = "pad.earlier_penetration";
+  if (!(earlier >= 0) || (has_thickness && !(earlier < pad.thickness)))
+    broken.push_back({key, earlier, "must be at least 0 and less than pad.thickness"});
+  else if (earlier > 0 && blow_memory(pad.material.law) == BlowMemory::none)
+    broken.push_back({key, earlier,
+                      "must be 0: a pad of the law " + name_of(pad.material.law) +
+                          " recovers fully, and an earlier blow leaves nothing in it"});
+}
+
+void check_blows(std::vector<Violation>& broken, const ImpactCase& impact) {
+  if (!impact.blows) return;
+  const auto& [count, recovery] = *impact.blows;
+  if (count < 2 || count > 100) broken.push_back({"blows.count", double(count), "must be from 2 to 100"});
+  const PadLaw& law = impact.pad.material.law;
+  if (!(recovery >= 0 && recovery <= 1))
+    broken.push_back({"blows.recovery", recovery, "must be from 0 (none) to 1 (full)"});
+  else if (recovery > 0 && blow_memory(law) == BlowMemory::crater)
+    broken.push_back(
+        {"blows.recovery", recovery, "must be 0: a pad of the law " + name_of(law) + " does not recover"});
+}
+
 std::vector<Violation> violations_with(std::vector<Violation> of_material, const ImpactCase& impact) {
   std::vector<Violation> broken;
   check(broken, "impactor.mass", impact.impactor.mass, masses);
@@ -111,7 +136,9 @@ std::vector<Violation> violations_with(std::vector<Violation> of_material, const
     violation.key = "pad." + violation.key;
     broken.push_back(std::move(violation));
   }
+  check_earlier_penetration(broken, impact.pad);
   check_support(broken, impact.support);
+  check_blows(broken, impact);
   return broken;
 }
 

@@ -36,7 +36,12 @@ class March {
         options_(options),
         motion_(impactor_.mass, support_),
         equilibrium_(contact, support_, motion_, thickness_),
-        control_(impactor_.mass, sections_of(impact), thickness_, support_) {}
+        control_(impactor_.mass, sections_of(impact), thickness_, support_) {
+    if constexpr (RemembersBlows<Contact>) {
+      crater_ = contact_.crater();
+      joint_ = contact_.joint();
+    }
+  }
   March(const March&) = delete;
   March& operator=(const March&) = delete;
 
@@ -113,7 +118,7 @@ class March {
   }
   [[nodiscard]] bool just_turned() const { return now_.time == turning_time_; }
   [[nodiscard]] Sight sight(const Trial& trial, double corner = 0) const {
-    return {phase_, now_, trial, contact_.recovers(), corner};
+    return {phase_, now_, trial, contact_.recovers(), corner, joint_};
   }
 
   Stretch next_stretch(double step) {
@@ -281,10 +286,10 @@ class March {
     h.acceleration.push_back(0 - now_.force / impactor_.mass);
     h.velocity.push_back(now_.velocity);
     h.motion.push_back(now_.motion);
-    h.penetration.push_back(now_.penetration);
+    h.penetration.push_back(crater_ + now_.penetration);
     h.support_deflection.push_back(now_.motion - now_.penetration);
     h.contact_radius.push_back(contact_.contact_radius());
-    h.axis_strain.push_back(now_.penetration / thickness_);
+    h.axis_strain.push_back(h.penetration.back() / thickness_);
   }
 
   Figures read_figures(const Track& track) {
@@ -304,6 +309,8 @@ class March {
 
   Impactor impactor_;
   double thickness_;
+  double crater_ = 0;  ///< in which a pad that was struck before is met, m below its surface when new
+  double joint_ = 0;   ///< penetration at which it goes over to its first loading, m; 0: it does not
   const Support& support_;
   Contact& contact_;
   const Options& options_;

@@ -61,6 +61,8 @@ struct Numerics {
   double shortest_step = 64 * std::numeric_limits<double>::epsilon();
   /// A force this near to a corner of the support, relative, is at it.
   double at_corner = 1e-9;
+  /// A penetration this near to that of earlier blows, relative, has reached it.
+  double at_joint = 1e-12;
   /// Halvings of a step that met several events at once, or proved far too long: down to rounding.
   int most_halvings = 60;
   /// A step is taken again at half its length if it is this many times as long as what it found allows.

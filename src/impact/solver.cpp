@@ -4,10 +4,12 @@
 
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "impact/blow_series.hpp"
 #include "impact/contacts.hpp"
 #include "impact/march.hpp"
 #include "impact/numerics.hpp"
@@ -67,6 +69,22 @@ struct Solver::Memory {
     return contacts.visit(impact, options.plain ? ColumnMath::plain : ColumnMath::vector,
                           [&](auto& contact) { return refine(impact, contact, options, track); });
   }
+
+  /// One blow.
+  void solve(const ImpactCase& impact, const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    const Refinement refinement = refine_law(impact, options);
+    solution.summary = summarise(impact, refinement);
+    solution.summary.tolerance = options.tolerance;
+    solution.summary.steps = track.size() - 1;
+    std::swap(solution.history, track.history);
+    solution.summary.wall_time =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  void check(const ImpactCase& impact, const Options& options) {
+    dashpad::check(impact, contacts.know(impact.pad.material.law), options);
+  }
 };
 
 Solver::Solver() : memory_(std::make_unique<Memory>()) { memory_->track.reserve(usual_entries); }
@@ -75,17 +93,26 @@ Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 
 const Solution& Solver::solve(const ImpactCase& impact, const Options& options) {
-  const auto start = std::chrono::steady_clock::now();
-  check(impact, memory_->contacts.know(impact.pad.material.law), options);
-  const Refinement refinement = memory_->refine_law(impact, options);
-  Solution& solution = memory_->solution;
-  solution.summary = summarise(impact, refinement);
-  solution.summary.tolerance = options.tolerance;
-  solution.summary.steps = memory_->track.size() - 1;
-  std::swap(solution.history, memory_->track.history);
-  solution.summary.wall_time =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return solution;
+  if (impact.blows) {
+    solve_each_blow(impact, options, [](const ImpactCase&, const Solution&) {});
+  } else {
+    memory_->check(impact, options);
+    memory_->solve(impact, options);
+  }
+  return memory_->solution;
+}
+
+void Solver::solve_each_blow(const ImpactCase& impact, const Options& options, const BlowVisitor& visit) {
+  memory_->check(impact, options);
+  std::optional<ImpactCase> blow = first_blow(impact);
+  for (int number = 1; blow; ++number) {
+    memory_->solve(*blow, options);
+    Summary& summary = memory_->solution.summary;
+    summary.blow = number;
+    summary.blows = impact.blows ? impact.blows->count : 1;
+    visit(*blow, memory_->solution);
+    blow = next_blow(impact, *blow, summary);
+  }
 }
 
 }  // namespace dashpad

@@ -15,7 +15,7 @@ struct State {
 enum class Phase { loading, unloading, held, over };
 
 /// What ends a phase or a smooth stretch (theory.md, section 4).
-enum class Event { none, release, unlock, yielding, turning, reloading, lock, corner };
+enum class Event { none, release, unlock, yielding, turning, reloading, lock, corner, joining };
 
 /// A step tried from the state now. Nothing has happened until it is accepted.
 struct Trial {

@@ -1,6 +1,7 @@
 #include "dashpad/input/case_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "input/law_table.hpp"
@@ -112,6 +113,8 @@ PadEntry read_pad(TableReader& table, const Folders& folders) {
   PadEntry entry;
   entry.pad.thickness = table.quantity("thickness", "m");
   if (table.has("area")) entry.pad.area = table.quantity("area", "m2");
+  if (table.has("earlier_penetration"))
+    entry.pad.earlier_penetration = table.quantity("earlier_penetration", "m");
   PadMaterial of = read_pad_material(table, folders.of_case, folders.materials);
   entry.card = std::move(of.card);
   entry.material_to_check = of.is_in_line && of.material.has_value();
@@ -122,6 +125,15 @@ PadEntry read_pad(TableReader& table, const Folders& folders) {
   if (table.has("temperature")) condition.temperature = table.quantity("temperature", "K");
   table.refuse_others();
   return entry;
+}
+
+Blows read_blows(TableReader& table) {
+  const double count = table.number("count");
+  const bool is_whole = count >= 2 && count <= 100 && count == std::floor(count);
+  if (!is_whole && !std::isnan(count)) table.fault("count", "must be a whole number from 2 to 100");
+  const Blows blows{.count = is_whole ? static_cast<int>(count) : 2, .recovery = table.number("recovery")};
+  table.refuse_others();
+  return blows;
 }
 
 Options read_options(TableReader& table) {
@@ -147,7 +159,7 @@ std::vector<Violation> violations_in_terms_of(const TomlNode& root, const Impact
     std::erase_if(broken, [](const Violation& violation) {
       return violation.key.starts_with("pad.") && violation.key != "pad.thickness" &&
              violation.key != "pad.area" && violation.key != "pad.scale" && violation.key != "pad.density" &&
-             violation.key != "pad.temperature";
+             violation.key != "pad.temperature" && violation.key != "pad.earlier_penetration";
     });
   for (Violation& violation : broken)
     if (violation.key == "impactor.mass" && root.nearest("impactor.weight").key == "weight") {
@@ -190,6 +202,7 @@ CaseFile read_case(const std::filesystem::path& file, const std::filesystem::pat
     if (entry.card) result.files.push_back({"the material card", *std::move(entry.card)});
   }
   if (auto table = top.table("support")) impact.support = read_support(*table);
+  if (auto table = top.table("blows", Presence::optional)) impact.blows = read_blows(*table);
   if (auto table = top.table("solver", Presence::optional)) result.options = read_options(*table);
   top.refuse_others();
 

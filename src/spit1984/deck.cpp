@@ -87,6 +87,10 @@ std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
   std::vector<Violation> unsaid;
   if (!std::holds_alternative<Sphere>(impact.impactor.nose))
     unsaid.push_back({"impactor.nose", 0, "the 1984 program knows no nose but a sphere"});
+  if (impact.blows) unsaid.push_back({"blows", 0, "the 1984 program knows one blow only"});
+  if (impact.pad.earlier_penetration > 0)
+    unsaid.push_back({"pad.earlier_penetration", impact.pad.earlier_penetration,
+                      "the 1984 program knows no pad that was struck before"});
   if (impact.pad.area)
     unsaid.push_back({"pad.area", *impact.pad.area, "the 1984 program knows no pad with an edge"});
   if (impact.pad.material.law.index() >= laws_of_1984)

@@ -62,6 +62,8 @@ Json case_json(const ImpactCase& of) {
       {"material", material_json(of.pad.material)},
       {"support", points}};
   if (of.pad.area) json["area"] = *of.pad.area;
+  if (of.pad.earlier_penetration > 0) json["earlier_penetration"] = of.pad.earlier_penetration;
+  if (of.blows) json["blows"] = {of.blows->count, of.blows->recovery};
   return json;
 }
 

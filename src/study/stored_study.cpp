@@ -99,6 +99,12 @@ Nose nose_of(const Json& json) {
   return nose;
 }
 
+std::optional<Blows> blows_of(const Json& json) {
+  if (!json.contains("blows")) return std::nullopt;
+  return Blows{static_cast<int>(std::min<std::uint64_t>(count_of(json["blows"].at(0)), 101)),
+               json["blows"].at(1)};
+}
+
 ImpactCase case_of(const Json& json) {
   const Json& impactor = json.at("impactor");
   const Json& nose = impactor.at("nose");
@@ -107,8 +113,10 @@ ImpactCase case_of(const Json& json) {
   return {.title = json.at("title"),
           .impactor = {.mass = impactor.at("mass"), .nose = nose_of(nose), .speed = impactor.at("speed")},
           .pad = {json.at("thickness"), material_of(json.at("material")), condition_of(json),
-                  json.contains("area") ? bound_of(json["area"]) : std::nullopt},
-          .support = points.empty() ? Support::rigid() : Support::through(points)};
+                  json.contains("area") ? bound_of(json["area"]) : std::nullopt,
+                  json.value("earlier_penetration", 0.0)},
+          .support = points.empty() ? Support::rigid() : Support::through(points),
+          .blows = blows_of(json)};
 }
 
 Study study_of(const Json& json) {

@@ -6,7 +6,7 @@ import "./page.css";
 import { element } from "../both/text.js";
 import { warning } from "../both/warning.js";
 import { plots } from "./plots.js";
-import { table } from "./tables.js";
+import { blowTable, table } from "./tables.js";
 import { Units } from "./units.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
@@ -15,6 +15,7 @@ const page = document.getElementById("page");
 const words = element("p", { className: "words" });
 const warnings = element("ul", { className: "warnings" });
 const tables = element("div", { className: "tables" });
+const blows = element("div", {});
 
 function unitSwitch(choose) {
   const choices = element("fieldset", { className: "units" }, element("legend", { text: "Units" }));
@@ -52,7 +53,8 @@ const charts = plots(data);
 function show(system) {
   words.textContent = system.words;
   warnings.replaceChildren(...system.warnings.map(warning));
-  tables.replaceChildren(table("The impact", system.figures));
+  blows.replaceChildren(...(system.blows ? [blowTable(system.blows)] : []));
+  tables.replaceChildren(table(system.blows ? "The last blow" : "The impact", system.figures));
   if (system.injury.length > 0) tables.append(table("Injury figures of this pulse", system.injury));
   const units = new Units(system);
   for (const chart of charts) chart.show(units);
@@ -69,7 +71,7 @@ page.append(
     warnings,
   ),
   unitSwitch(show),
-  element("section", {}, element("h2", { text: "Figures" }), tables),
+  element("section", {}, element("h2", { text: "Figures" }), blows, tables),
   element(
     "section",
     {},

@@ -1,4 +1,4 @@
-// The figures as tables: figure, value with unit, estimated error.
+// The figures as tables: figure, value with unit, estimated error; of repeated blows a row each.
 
 import { element } from "../both/text.js";
 
@@ -12,6 +12,24 @@ function row({ label, value, unit, error, remark }) {
     element("td", { className: "number", text: value }),
     element("td", { className: "unit", text: unit }),
     element("td", { className: "error", text: error ? `± ${error}` : "" }),
+  );
+}
+
+export function blowTable({ words, columns, rows }) {
+  const head = element("tr", {}, ...columns.map((text) => element("th", { text, attributes: { scope: "col" } })));
+  const cells = ([blow, ...values]) =>
+    element(
+      "tr",
+      {},
+      element("th", { text: blow, attributes: { scope: "row" } }),
+      ...values.map((text) => element("td", { className: "number", text })),
+    );
+  return element(
+    "table",
+    { className: "blows" },
+    element("caption", { text: words }),
+    element("thead", {}, head),
+    element("tbody", {}, ...rows.map(cells)),
   );
 }
 

@@ -16,11 +16,19 @@ bool pulse_is_whole(const Summary& summary);
 /// tolerance was missed on the way there.
 bool bottomed_on_rigid_support(const Summary& summary);
 
+/// Whether a blow says what the next one would meet: it ended, is reliable, and did not close the pad, beyond
+/// which no curve goes.
+bool leaves_a_known_pad(const Summary& summary);
+
+/// Whether a series of blows ends with this one, though more were asked for.
+bool is_series_cut(const Summary& summary);
+
 /// Whether the pad and the support gave back more energy than they took, by more than the error estimates.
 bool gained_energy(const Summary& summary);
 
 struct Flag {
-  /// NOT RUN, TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, BOTTOMED, ENERGY GAINED, SOFTENING or EXTRAPOLATED.
+  /// NOT RUN, TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, BOTTOMED, ENERGY GAINED, SERIES CUT, SOFTENING or
+  /// EXTRAPOLATED.
   std::string name;
   std::string text;  ///< a line that begins with the name
 };

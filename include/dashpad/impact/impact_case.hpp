@@ -25,6 +25,16 @@ struct Pad {
   /// Of its face, m2, > 0: a block that may end before the nose does. Without it the pad is wider than the
   /// nose.
   std::optional<double> area = {};
+  /// Largest penetration that earlier blows of the same nose at the same place have left in the pad, m, in
+  /// [0, thickness): 0 for a new pad, and for laws that recover fully (theory.md, Eq. 61).
+  double earlier_penetration = 0;
+};
+
+/// The same blow again and again, with rests between.
+struct Blows {
+  int count = 2;  ///< in [2, 100]
+  /// Share of the pad's memory that is gone after each rest, in [0, 1]; 0 for foams that stay crushed.
+  double recovery = 0;
 };
 
 struct ImpactCase {
@@ -32,6 +42,7 @@ struct ImpactCase {
   Impactor impactor;
   Pad pad;
   Support support;
+  std::optional<Blows> blows = {};  ///< none: one blow
 };
 
 /// The nose as this pad meets it: no wider than the face of the pad (theory.md, Eq. 3).

@@ -79,11 +79,13 @@ struct ContinuationRange {
 
 struct Summary {
   Status status = Status::not_run;
+  int blow = 1;   ///< of a series, which of its blows this is
+  int blows = 1;  ///< how many were asked for
   /// Absent when the pad bottomed out on a rigid support: the model has no finite force there.
   std::optional<double> peak_force;          ///< N
   std::optional<double> time_of_peak_force;  ///< s
   double peak_motion = 0;                    ///< of the impactor since first contact, m
-  double peak_penetration = 0;               ///< m
+  double peak_penetration = 0;               ///< m, below the surface of the new pad
   double peak_strain = 0;                    ///< on the axis
   double peak_strain_rate = 0;               ///< 1/s, magnitude
   std::optional<double> peak_acceleration;   ///< m/s2, magnitude
@@ -129,7 +131,7 @@ struct History {
   std::vector<double> acceleration;        ///< m/s2, negative while the pad pushes
   std::vector<double> velocity;            ///< m/s
   std::vector<double> motion;              ///< m
-  std::vector<double> penetration;         ///< m
+  std::vector<double> penetration;         ///< m, below the surface of the new pad
   std::vector<double> support_deflection;  ///< m
   std::vector<double> contact_radius;      ///< m, outer edge of the stressed area
   std::vector<double> axis_strain;         ///< on the axis

@@ -5,7 +5,7 @@
 /// value: trying a step changes nothing, and any trial from the accepted state may be accepted. A contact may
 /// keep what it computed for the last trial, and computes it again if it is asked about another one.
 ///
-/// Penetration in m, times in s since first contact, forces in N, compression positive.
+/// Penetration in m from first contact on, times in s since then, forces in N, compression positive.
 
 #include <concepts>
 #include <cstddef>
@@ -57,6 +57,15 @@ concept IsContact = requires(C contact, const C fixed, const PadTrial& trial, do
 template <class C>
 concept HasEnergy = IsContact<C> && requires(const C contact, double x) {
   { contact.energy(x) } -> std::same_as<double>;
+};
+
+/// The pad may have been struck before (theory.md, Eqs. 61 to 63).
+template <class C>
+concept RemembersBlows = IsContact<C> && requires(const C contact) {
+  /// Depth of the crater in which the nose meets the pad, m below the surface of the new pad.
+  { contact.crater() } -> std::same_as<double>;
+  /// Penetration at which the pad goes over to its first loading: a kink of the force; 0: there is none.
+  { contact.joint() } -> std::same_as<double>;
 };
 
 /// The force of the pad follows the rate at once. Over a short step it then changes as if the pad were

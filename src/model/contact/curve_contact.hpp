@@ -5,6 +5,10 @@
 ///
 /// a is the area of the nose's section (theory.md, Eq. 3), a1 its integral from 0, a2 that of a1.
 ///
+/// A foam that does not recover keeps the crater of an earlier blow, of the depth Yc (theory.md, Eq. 63): Y
+/// is counted from the surface of the new pad, and first contact is at Y = Yc, where the pad still carries
+/// F(Yc).
+///
 /// Penetration in m, positive; force in N, compression positive.
 
 #include <cstddef>
@@ -17,19 +21,26 @@ namespace dashpad {
 
 class CurveContact {
  public:
-  CurveContact(const StressCurve& curve, bool recovers, double thickness, const Sections& nose)
-      : curve_(curve), recovers_(recovers), thickness_(thickness), nose_(nose) {}
+  CurveContact(const StressCurve& curve, bool recovers, double thickness, const Sections& nose,
+               double crater = 0)
+      : curve_(curve), recovers_(recovers), thickness_(thickness), nose_(nose), crater_(crater) {
+    if (crater > 0) work_before_ = work(crater);
+  }
 
   /// Whether the pad follows its curve back on unloading; if not, it holds its deformation.
   [[nodiscard]] bool recovers() const { return recovers_; }
-  [[nodiscard]] double lock_penetration() const { return thickness_; }
+  [[nodiscard]] double lock_penetration() const { return thickness_ - crater_; }
+  [[nodiscard]] double crater() const { return crater_; }
+  [[nodiscard]] double joint() const { return 0; }
   [[nodiscard]] std::size_t stations() const { return 0; }
   [[nodiscard]] std::size_t updates() const { return 0; }
 
-  void start(double, double) { penetration_ = 0; }
+  void start(double, double) { penetration_ = crater_; }
 
-  /// Force at which the uncrushed foam begins to yield, N.
-  [[nodiscard]] double first_force() const { return curve_.initial_stress * nose_.tip; }
+  /// Force at which the foam begins to yield, N.
+  [[nodiscard]] double first_force() const {
+    return crater_ > 0 ? force(crater_) : curve_.initial_stress * nose_.tip;
+  }
 
   /// The times do not matter: the law has no memory.
   [[nodiscard]] PadTrial trial(double advance, double from, double step) const {
@@ -39,31 +50,39 @@ class CurveContact {
   void accept(const PadTrial& trial) { penetration_ += trial.advance; }
 
   /// No more than its sign: tension is where the nose has left the pad.
-  [[nodiscard]] double largest_stress(const PadTrial& trial) const { return penetration_ + trial.advance; }
+  [[nodiscard]] double largest_stress(const PadTrial& trial) const {
+    return (penetration_ - crater_) + trial.advance;
+  }
 
   /// Contact radius, m.
   [[nodiscard]] double contact_radius() const { return penetration_ >= 0 ? nose_.radius(penetration_) : 0; }
 
+  /// At a depth below the surface of the new pad.
   [[nodiscard]] double force(double y) const {
     double sum = curve_.initial_stress * nose_.area(y);
     for (const auto& kink : curve_)
       sum += kink.slope_change / thickness_ * nose_.volume(y - kink.strain * thickness_);
     return sum;
   }
-  /// Work done on the pad from first contact, J.
-  [[nodiscard]] double energy(double y) const {
+  /// Work done on the pad from first contact, J, at a penetration since then.
+  [[nodiscard]] double energy(double y) const { return work(crater_ + y) - work_before_; }
+
+ private:
+  /// Work done on the new pad, J.
+  [[nodiscard]] double work(double y) const {
     double sum = curve_.initial_stress * nose_.volume(y);
     for (const auto& kink : curve_)
       sum += kink.slope_change / thickness_ * nose_.volume_integral(y - kink.strain * thickness_);
     return sum;
   }
 
- private:
   StressCurve curve_;
   bool recovers_;
   double thickness_;
   Sections nose_;
-  double penetration_ = 0;
+  double crater_;           ///< m
+  double work_before_ = 0;  ///< J
+  double penetration_ = 0;  ///< below the surface of the new pad, m
 };
 
 }  // namespace dashpad

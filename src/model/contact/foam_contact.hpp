@@ -8,6 +8,9 @@
 /// is kept for a column, and the integral is taken anew for every trial, over the work of the base curve
 /// (model/contact/work_nodes.hpp). On unloading columns let go, those at the edge first as a rule, so the
 /// integral goes from one strain where the stress is nothing to the next.
+///
+/// Of an earlier blow the pad keeps its largest penetration Ym (theory.md, Eqs. 61 to 63): columns begin with
+/// the strain e* that it gave them, and crushed foam is met in its crater.
 
 #include <algorithm>
 #include <array>
@@ -32,17 +35,20 @@ class FoamContact {
  public:
   using Law = std::variant<Foam, CrushableFoam>;
 
-  /// Every stress is multiplied by `factor`.
+  /// Every stress is multiplied by `factor`; `earlier`: largest penetration of earlier blows, m.
   FoamContact(const Law& law, double thickness, const Sections& nose, double factor = 1,
-              ColumnMath math = ColumnMath::vector)
+              ColumnMath math = ColumnMath::vector, double earlier = 0)
       : law_(law),
         stress_(made_of(law)),
         thickness_(thickness),
         nose_(nose),
         factor_(factor),
         math_(math),
-        vectors_(&foam_node_math()) {}
-  void set(const Law& law, double thickness, const Sections& nose, double factor, ColumnMath math) {
+        vectors_(&foam_node_math()) {
+    remember(earlier);
+  }
+  void set(const Law& law, double thickness, const Sections& nose, double factor, ColumnMath math,
+           double earlier) {
     if (!(law == law_)) {
       law_ = law;
       stress_ = made_of(law);
@@ -51,6 +57,7 @@ class FoamContact {
     nose_ = nose;
     factor_ = factor;
     math_ = math;
+    remember(earlier);
   }
 
   [[nodiscard]] bool is_of(const PadLaw& law) const {
@@ -64,7 +71,9 @@ class FoamContact {
 
   [[nodiscard]] bool recovers() const { return true; }
   [[nodiscard]] double first_force() const { return 0; }
-  [[nodiscard]] double lock_penetration() const { return thickness_ * (1 - 1e-9); }
+  [[nodiscard]] double lock_penetration() const { return closed() - crater_; }
+  [[nodiscard]] double crater() const { return crater_; }
+  [[nodiscard]] double joint() const { return earlier_ - crater_; }
   [[nodiscard]] std::size_t stations() const { return stations_; }
   [[nodiscard]] std::size_t updates() const { return updates_; }
 
@@ -73,7 +82,8 @@ class FoamContact {
     panels_ = panels_at_one / std::sqrt(resolution);
     edge_precision_ = precision_of_edge * resolution;
     edge_ = 0;
-    penetration_ = largest_ = 0;
+    penetration_ = crater_;
+    largest_ = earlier_;
     pressing_ = -1;
     slip_ = {};
     rate_ = rate_step_ = 0;
@@ -143,10 +153,21 @@ class FoamContact {
     const double strain = (penetration_ - depth) / thickness_;
     const Strain at{strain, ((thickness_ - penetration_) + depth) / thickness_};
     return {strain, factor_ * stress_.stress(at, (largest_ - penetration_) / thickness_,
-                                             stress_.slip().strain_of(slip_))};
+                                             stress_.slip().strain_of(slip_), is_in_crater(largest_))};
   }
 
  private:
+  void remember(double earlier) {
+    earlier_ = std::min(earlier, closed());
+    crater_ = earlier_ > 0 ? thickness_ * stress_.strain_of_crater(earlier_ / thickness_) : 0;
+  }
+  /// Where the pad counts as closed, m below its surface when new.
+  [[nodiscard]] double closed() const { return thickness_ * (1 - 1e-9); }
+  /// Whether columns may stand below the nose that it does not touch, since it has gone no deeper than
+  /// before.
+  [[nodiscard]] bool is_in_crater(double largest) const {
+    return earlier_ > 0 && largest <= earlier_ && stress_.stays_crushed();
+  }
   /// dF/dY by the base curve's stress, of a nose of one piece.
   [[nodiscard]] double stiffness_of_piece(const FoamStress::Place& inner) const {
     const double Y = trial_penetration_;
@@ -213,6 +234,7 @@ class FoamContact {
     slip_rate_ = stress_.slip().slip_rate(trial_slip_);
     at_rate_ = stress_.overstress().at(slip_rate_);
     ahead_ = (trial_largest_ - Y) / thickness_;
+    in_crater_ = is_in_crater(trial_largest_);
     lead_ = stress_.lead(ahead_);
     gap_ = (thickness_ - Y) / thickness_;
     const double top = Y / thickness_;
@@ -340,7 +362,7 @@ class FoamContact {
   WorkIntegral integral_beside(const FoamStress::Ratio& common, const WorkStretch& over) {
     const double last = stress_.curve().last_strain();
     const auto put = [&](const FoamStress::Place& place, NodeValues& values, std::size_t i) {
-      const FoamStress::Ratio of = stress_.ratio(place, ahead_, at_rate_, slip_rate_);
+      const FoamStress::Ratio of = stress_.ratio(place, ahead_, at_rate_, slip_rate_, 0, in_crater_);
       const double rate = rate_at(place);
       values.work[i] = place.base.work;
       values.stress[i] = rate * (of.stress - common.stress);
@@ -395,7 +417,7 @@ class FoamContact {
   FoamStress::Ratio ratio(const FoamStress::Place& leading, double least = 0) {
     ++points_;
     stations_ = std::max(stations_, points_);
-    return stress_.ratio(leading, ahead_, at_rate_, slip_rate_, least);
+    return stress_.ratio(leading, ahead_, at_rate_, slip_rate_, least, in_crater_);
   }
   /// Whose sign is that of the stress: the ratio, which is smooth to the edge; of a crushed foam the stress,
   /// which without its floor changes its sign at the gap.
@@ -405,7 +427,7 @@ class FoamContact {
     return value;
   }
   double sign_at(double strain, double top) {
-    const double least = slip_rate_ <= 0 ? -std::numeric_limits<double>::infinity() : 0;
+    const double least = slip_rate_ <= 0 || in_crater_ ? -std::numeric_limits<double>::infinity() : 0;
     const FoamStress::Place place = stress_.at(leading(strain, top));
     return press(place, ratio(place, least));
   }
@@ -464,12 +486,14 @@ class FoamContact {
   SectionPiece piece_;                ///< over which the integral is taken: of any other nose its only one
   double thin_ = 0;
   double panels_ = 8;
-  double penetration_ = 0;
-  double largest_ = 0;     ///< penetration so far
-  SlipScale::State slip_;  ///< theory.md, Eq. 34
-  double rate_ = 0;        ///< of the last step, 1/s
-  double rate_step_ = 0;   ///< its length, s; 0: there was none
-  double pressing_ = -1;   ///< depth up to which columns press, m; below 0: none do
+  double earlier_ = 0;      ///< largest penetration of earlier blows, m
+  double crater_ = 0;       ///< depth at which the nose meets the foam, m
+  double penetration_ = 0;  ///< below the surface of the new pad, as all that follow
+  double largest_ = 0;      ///< penetration so far
+  SlipScale::State slip_;   ///< theory.md, Eq. 34
+  double rate_ = 0;         ///< of the last step, 1/s
+  double rate_step_ = 0;    ///< its length, s; 0: there was none
+  double pressing_ = -1;    ///< depth up to which columns press, m; below 0: none do
   PadTrial last_;
   double trial_penetration_ = 0;
   double trial_largest_ = 0;
@@ -479,7 +503,8 @@ class FoamContact {
   double ahead_ = 0;  ///< of the largest strain, over the strain
   double lead_ = 0;   ///< of the strain that leads a column, over its own
   double gap_ = 0;    ///< above the axis, of the thickness
-  double edge_ = 0;   ///< root of the strain where the last ring of columns began to press
+  bool in_crater_ = false;
+  double edge_ = 0;  ///< root of the strain where the last ring of columns began to press
   double edge_slope_ = 1;
   double edge_precision_ = 0;
   double slip_rate_ = 0;
@@ -491,6 +516,6 @@ class FoamContact {
   std::size_t updates_ = 0;
 };
 
-static_assert(FollowsRate<FoamContact>);
+static_assert(FollowsRate<FoamContact> && RemembersBlows<FoamContact>);
 
 }  // namespace dashpad

@@ -1,6 +1,7 @@
 #include "dashpad/model/pad/law.hpp"
 
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "model/pad/foam/foam_rules.hpp"
@@ -57,6 +58,19 @@ std::vector<Violation> violations(const PadLaw& law) {
 
 bool has_curves(const PadLaw& law) {
   return std::visit([]<class Law>(const Law&) { return SharesSlip<Law>; }, law);
+}
+
+BlowMemory blow_memory(const PadLaw& law) {
+  return std::visit(
+      []<class Law>(const Law&) {
+        if constexpr (IsMemoryless<Law>)
+          return Law::recovers ? BlowMemory::none : BlowMemory::crater;
+        else if constexpr (std::is_same_v<Law, CrushableFoam>)
+          return BlowMemory::crater;
+        else
+          return SharesSlip<Law> ? BlowMemory::largest_strain : BlowMemory::none;
+      },
+      law);
 }
 
 std::vector<double> softening_rates(const PadLaw& law) {

@@ -49,6 +49,7 @@ Json solver(const Summary& summary) {
 Json pad(const Pad& of) {
   Json json{{"thickness_m", number(of.thickness)},
             {"area_m2", number(of.area)},
+            {"earlier_penetration_m", number(of.earlier_penetration)},
             {"scale", number(of.condition.scale)}};
   json["density_kg_per_m3"] = number(of.condition.density);
   json["temperature_K"] = number(of.condition.temperature);
@@ -81,20 +82,49 @@ Json impactor(const Impactor& of) {
   return json;
 }
 
+Json blows_asked(const std::optional<Blows>& of) {
+  return of ? Json{{"count", of->count}, {"recovery", number(of->recovery)}} : Json(nullptr);
+}
+
 Json echo(const ImpactCase& impact) {
   return {{"title", impact.title},
           {"impactor", impactor(impact.impactor)},
           {"pad", pad(impact.pad)},
-          {"support", support(impact.support)}};
+          {"support", support(impact.support)},
+          {"blows", blows_asked(impact.blows)}};
+}
+
+/// What grows from blow to blow; the last has all its figures at the top.
+Json blow_json(const BlowResult& of) {
+  const Summary& summary = of.summary;
+  return {{"blow", summary.blow},
+          {"status", to_string(summary.status)},
+          {"earlier_penetration_m", number(of.earlier_penetration)},
+          {"peak_acceleration_g", number_if(summary.peak_acceleration.has_value(),
+                                            summary.peak_acceleration.value_or(0) / standard_gravity)},
+          {"hic15", of.injury ? number(of.injury->hic15.value) : Json(nullptr)},
+          {"peak_force_N", number(summary.peak_force)},
+          {"peak_penetration_m", number(summary.peak_penetration)},
+          {"rebound_speed_m_per_s", number(summary.rebound_speed)},
+          {"energy_absorbed_fraction", number(summary.energy_absorbed_fraction)}};
+}
+
+Json series(const std::vector<BlowResult>& blows) {
+  if (blows.empty()) return nullptr;
+  Json all = Json::array();
+  for (const BlowResult& blow : blows) all.push_back(blow_json(blow));
+  return all;
 }
 
 }  // namespace
 
 std::string result_json(const ImpactCase& impact, const Summary& summary,
-                        const std::optional<injury::InjuryFigures>& injury) {
+                        const std::optional<injury::InjuryFigures>& injury,
+                        const std::vector<BlowResult>& blows) {
   Json result, errors;
   result["status"] = to_string(summary.status);
   add_figures(result, errors, summary);
+  result["blows"] = series(blows);
   result["energy"] = energy(summary.energy);
   result["extrapolated"] = summary.extrapolated;
   result["extrapolations"] = summary.extrapolations;

@@ -9,6 +9,7 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/output/text/case.hpp"
 #include "dashpad/version.hpp"
+#include "output/blow_rows.hpp"
 #include "output/page/columns.hpp"
 #include "output/result_rows.hpp"
 #include "output/text/case_toml.hpp"
@@ -49,9 +50,15 @@ Json injury_marks(const injury::InjuryFigures& of) {
           {"clip_3ms", mark(of.clip_3ms.level / standard_gravity, of.clip_3ms.begin, of.clip_3ms.end)}};
 }
 
+Json blows_json(const ImpactCase& impact, const std::vector<BlowResult>& blows, const UnitSystem& units) {
+  if (blows.empty()) return nullptr;
+  const Table table = blow_table(impact, blows, units, Detail::main);
+  return {{"words", growth_text(impact, blows)}, {"columns", table.columns}, {"rows", table.rows}};
+}
+
 /// All that depends on the units: the factors, and texts with figures in them.
 Json system(const UnitSystem& units, const ImpactCase& impact, const Solution& solution,
-            const std::optional<injury::InjuryFigures>& injury) {
+            const std::optional<injury::InjuryFigures>& injury, const std::vector<BlowResult>& blows) {
   Json factors = Json::object();
   for (const char* unit : plotted_units)
     factors[unit] = {{"unit", shown_unit(unit_for(units, unit))}, {"factor", value_in(units, 1, unit)}};
@@ -62,6 +69,7 @@ Json system(const UnitSystem& units, const ImpactCase& impact, const Solution& s
           {"factors", factors},
           {"words", case_text(untitled, units)},
           {"warnings", warnings(solution.summary, units)},
+          {"blows", blows_json(impact, blows, units)},
           {"figures", rows_json(summary_rows(impact, solution.summary, units, Detail::all))},
           {"injury", injury ? rows_json(pulse_rows(*injury, units, Detail::all)) : Json::array()}};
 }
@@ -79,10 +87,12 @@ Json titles() {
 }  // namespace
 
 std::string page_data(const ImpactCase& impact, const Options& options, const Solution& solution,
-                      const UnitSystem& shown, const std::vector<ContactSnapshot>& snapshots) {
+                      const UnitSystem& shown, const std::vector<ContactSnapshot>& snapshots,
+                      const std::vector<BlowResult>& blows) {
   const std::optional<injury::InjuryFigures> injury = injury::whole_pulse_figures(solution);
   Json systems = Json::array();
-  for (const UnitSystem& units : unit_systems()) systems.push_back(system(units, impact, solution, injury));
+  for (const UnitSystem& units : unit_systems())
+    systems.push_back(system(units, impact, solution, injury, blows));
   Json data;
   data["title"] = one_line(impact.title);
   data["shown"] = shown.name;

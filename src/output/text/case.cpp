@@ -55,6 +55,24 @@ std::string support_text(const Support& support, const UnitSystem& units) {
                      brief_quantity(last.force, "N", units), brief_quantity(last.deflection, "m", units));
 }
 
+/// `, struck before to a depth of 12 mm,`
+std::string history_text(const Pad& pad, const UnitSystem& units) {
+  if (pad.earlier_penetration == 0) return "";
+  return ", struck before to a depth of " + brief_quantity(pad.earlier_penetration, "m", units) + ",";
+}
+
+/// What happens between blows, by the law and by what the case says of it.
+std::string rests_text(const PadLaw& law, const Blows& blows) {
+  switch (blow_memory(law)) {
+    case BlowMemory::none: return "by its law the pad recovers fully in between";
+    case BlowMemory::crater: return "the pad stays crushed";
+    case BlowMemory::largest_strain: break;
+  }
+  if (blows.recovery == 1) return "in between the pad recovers fully";
+  if (blows.recovery == 0) return "in between the pad does not recover";
+  return fmt::format("in between the pad recovers by {}", percentage(blows.recovery));
+}
+
 std::string support_in_si(const Support& support) {
   if (support.is_rigid()) return "rigid\n";
   if (support.points().size() == 1) {
@@ -77,9 +95,13 @@ std::string case_text(const ImpactCase& impact, const UnitSystem& units) {
   nose.front() = 'A';
   text += fmt::format("{} of {} strikes at {}\n", nose, impactor_text(impactor, units),
                       brief_quantity(impactor.speed, "m/s", units));
-  text += fmt::format("a pad of {} {} ({} law){} on {}.\n", brief_quantity(impact.pad.thickness, "m", units),
-                      one_line(material.name), name_of(material.law), face_text(impact.pad, units),
-                      support_text(impact.support, units));
+  text +=
+      fmt::format("a pad of {} {} ({} law){}{} on {}.\n", brief_quantity(impact.pad.thickness, "m", units),
+                  one_line(material.name), name_of(material.law), face_text(impact.pad, units),
+                  history_text(impact.pad, units), support_text(impact.support, units));
+  if (impact.blows)
+    text += fmt::format("It strikes {} times; {}.\n", impact.blows->count,
+                        rests_text(material.law, *impact.blows));
   return text;
 }
 
@@ -97,6 +119,8 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
   line("impactor.speed", impact.impactor.speed, "m/s");
   line("pad.thickness", impact.pad.thickness, "m");
   if (impact.pad.area) line("pad.area", *impact.pad.area, "m2");
+  if (impact.pad.earlier_penetration > 0)
+    line("pad.earlier_penetration", impact.pad.earlier_penetration, "m");
   const PadCondition& condition = impact.pad.condition;
   if (condition.scale != 1) line("pad.scale", condition.scale, "1");
   if (condition.density) line("pad.density", *condition.density, "kg/m3");
@@ -106,6 +130,8 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
   for (const ParameterValue& parameter : parameter_values(material.law))
     line("pad.parameters." + parameter.key, parameter.value, parameter.unit);
   text += "  support = " + support_in_si(impact.support);
+  if (impact.blows) line("blows.count", impact.blows->count, "1");
+  if (impact.blows) line("blows.recovery", impact.blows->recovery, "1");
   line("solver.tolerance", options.tolerance, "1");
   line("solver.time_limit", options.time_limit, "s");
   return text;

@@ -41,6 +41,7 @@ std::string pad_toml(const Pad& pad) {
   const Material& material = pad.material;
   std::string text = "\n[pad]\n" + toml_line("thickness", pad.thickness, "m");
   if (pad.area) text += toml_line("area", *pad.area, "m2");
+  if (pad.earlier_penetration > 0) text += toml_line("earlier_penetration", pad.earlier_penetration, "m");
   text += comment_line("material", material.name) + comment_line("title", material.title) +
           comment_line("source", material.source);
   // A law in line has no card whose density or temperature could be changed: its stresses are written as
@@ -63,6 +64,9 @@ std::string case_toml(const ImpactCase& impact, const Options& options) {
   if (const auto* profile = std::get_if<Profile>(&impactor.nose)) text += profile_toml(*profile);
   text += toml_line("speed", impactor.speed, "m/s");
   text += pad_toml(impact.pad) + support_toml(impact.support);
+  if (impact.blows)
+    text += "\n[blows]\n" + toml_line("count", impact.blows->count, "1") +
+            toml_line("recovery", impact.blows->recovery, "1");
   text += "\n[solver]\n" + toml_line("tolerance", options.tolerance, "1") +
           toml_line("time_limit", options.time_limit, "s");
   return text.starts_with('\n') ? text.substr(1) : text;

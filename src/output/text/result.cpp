@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/text/case.hpp"
+#include "output/blow_rows.hpp"
 #include "output/result_rows.hpp"
+#include "output/text/table.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -74,12 +76,22 @@ std::string full_text(const ImpactCase& impact, const Summary& summary,
   return text + "\n" + wrapped_lines(case_text(untitled, units)) + wrapped(numbers_text(summary), 2) + "\n";
 }
 
+/// The answer to what a series is asked for, and its table.
+std::string series_text(const ImpactCase& impact, const std::vector<BlowResult>& blows,
+                        const UnitSystem& units, Detail detail) {
+  if (blows.empty()) return "";
+  std::string text = wrapped(growth_text(impact, blows), 2) + "\n\n";
+  text += plain_text(blow_table(impact, blows, units, detail));
+  return text + fmt::format("\nBlow {}:\n", blows.back().summary.blow);
+}
+
 }  // namespace
 
 std::string result_text(const ImpactCase& impact, const Summary& summary,
                         const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units,
-                        Detail detail) {
+                        Detail detail, const std::vector<BlowResult>& blows) {
   std::string text = impact.title.empty() ? "" : wrapped(one_line(impact.title), 2) + "\n";
+  text += series_text(impact, blows, units, detail);
   text += outcome(summary) + "\n";
   for (const std::string& warning : warnings(summary, units)) text += wrapped(warning, 2) + "\n";
   if (summary.status == Status::not_run) return text;

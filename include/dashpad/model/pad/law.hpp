@@ -70,6 +70,13 @@ concept SharesSlip = IsPadLaw<L> && requires(const L law) {
   { law.curves } -> std::same_as<const FoamCurves&>;
 };
 
+/// What a blow leaves in a pad for the next one (theory.md, Eqs. 61 to 63).
+enum class BlowMemory {
+  none,            ///< the pad recovers by its law, as if it had not been struck
+  largest_strain,  ///< columns remember it, and load more softly up to it
+  crater,          ///< the pad stays crushed
+};
+
 /// Of<Law> for each law with memory of its own.
 template <template <class> class Of, class... Laws>
 auto tuple_with_memory(const std::variant<Laws...>*) {
@@ -88,6 +95,8 @@ std::vector<Violation> violations(const PadLaw& law);
 
 /// Whether the law is made of the curves of tests (SharesSlip).
 bool has_curves(const PadLaw& law);
+
+BlowMemory blow_memory(const PadLaw& law);
 
 /// The tested rates, 1/s, whose curves fall somewhere; none for a law without curves.
 std::vector<double> softening_rates(const PadLaw& law);

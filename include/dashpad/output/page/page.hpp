@@ -7,6 +7,7 @@
 #include "dashpad/impact/contact_snapshot.hpp"
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/output/blows.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
 namespace dashpad::output {
@@ -19,9 +20,11 @@ inline constexpr const char* no_page =
     "this dashpad was built without the page; build it with -DDASHPAD_BUILD_PAGE=ON, which needs npm";
 
 /// The HTML file: case, outcome, warnings, figures, plots, and the case to run again. `shown` are the units
-/// at first; the reader may switch to the others. `snapshots` may be empty. Throws std::runtime_error with
+/// at first; the reader may switch to the others. `snapshots` may be empty. `blows`: of a series,
+/// whose last blow the solution is. Throws std::runtime_error with
 /// the text of no_page where has_page() is false.
 std::string page(const ImpactCase& impact, const Options& options, const Solution& solution,
-                 const UnitSystem& shown, const std::vector<ContactSnapshot>& snapshots);
+                 const UnitSystem& shown, const std::vector<ContactSnapshot>& snapshots,
+                 const std::vector<BlowResult>& blows = {});
 
 }  // namespace dashpad::output

@@ -1,5 +1,7 @@
 #include "model/pad/foam/foam_stress.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "model/pad/foam/foam_memo.hpp"
@@ -55,6 +57,18 @@ double FoamStress::share_of(const MonotoneCurve& back, double x) const {
   if (x >= 1) return 1;
   const double loading = curve_.at(strain_of(high)).stress;
   return loading > 0 ? std::clamp((back.stress(high) / loading + friction_) / (1 - friction_), 0.0, 1.0) : 0;
+}
+
+double FoamStress::strain_of_crater(double largest) const {
+  if (!stays_crushed()) return 0;
+  const auto sprung_back = [this](double strain) {
+    const Strain at_strain = dashpad::strain_of(strain);
+    return curve_.at(at_strain).stress / std::max(modulus_, curve_.slope_beyond(at_strain));
+  };
+  // It grows with the strain until the curve is steeper than the unloading, and falls from there on.
+  const double steep = curve_.strain_where_steep(modulus_, std::numeric_limits<double>::infinity());
+  const double most = std::max(sprung_back(largest), sprung_back(std::min(largest, steep)));
+  return std::max(largest - most, 0.0);
 }
 
 FoamStress::FoamStress(const CrushableFoam& law)

@@ -60,8 +60,9 @@ class FoamStress {
     double relaxing = 0;  ///< its change with time while the strain is held, 1/s
   };
   /// A crushed foam that has come back leaves a gap: `least` 0, or the line of its unloading goes on.
+  /// `in_crater`: across the gap the nose does not touch it, and the rate has no part in its stress.
   [[nodiscard]] Ratio ratio(const Place& leading, double ahead, const Overstress::AtRate& at,
-                            double slip_rate, double least = 0) const {
+                            double slip_rate, double least = 0, bool in_crater = false) const {
     const double relaxation = this->relaxation(slip_rate);
     if (is_of_one_place(ahead)) {
       const Overstress::Value q = overstress_.of(at, leading.strain.value, leading.cell);
@@ -69,8 +70,9 @@ class FoamStress {
     }
     // Where the crush curve is steeper than the unloading, the foam comes back as steeply as it went.
     const double slope = std::max(modulus_, curve_.slope_beyond(leading.strain));
-    const double lasting = std::max(1 - slope * ahead / leading.base.stress, least);
-    if (slip_rate <= 0) return {lasting, 0};
+    const double line = 1 - slope * ahead / leading.base.stress;
+    const double lasting = std::max(line, least);
+    if (slip_rate <= 0 || (in_crater && line <= 0)) return {lasting, 0};
     const Place own = this->at({leading.strain.value - ahead, leading.strain.complement + ahead});
     const Overstress::Value q = overstress_.of(at, own.strain.value, own.cell);
     const double share = own.base.stress / leading.base.stress;
@@ -99,12 +101,15 @@ class FoamStress {
             relaxation(slip_rate)};
   }
   /// The stress of one column, Pa, with the elastic strain g (theory.md, Eq. 34).
-  [[nodiscard]] double stress(Strain strain, double ahead, double g) const {
+  [[nodiscard]] double stress(Strain strain, double ahead, double g, bool in_crater = false) const {
     const double beyond = lead(ahead);
     const Place leading = at({strain.value + beyond, strain.complement - beyond});
     const double u = slip_.slip_rate(g);
-    return leading.base.stress * ratio(leading, ahead, overstress_.at(u), u).stress;
+    return leading.base.stress * ratio(leading, ahead, overstress_.at(u), u, 0, in_crater).stress;
   }
+  /// The strain of the axis at which a nose meets again the foam that it strained to `largest` there, and
+  /// less beside it: what a column springs back is s(e*) / max(E, s'(e*)) (theory.md, Eq. 63).
+  [[nodiscard]] double strain_of_crater(double largest) const;
   /// Whether the ratio is the same at all strains.
   [[nodiscard]] bool is_even(double ahead, const Overstress::AtRate& at) const {
     return (ahead <= 0 || unloading_ == Unloading::none) && at.even;

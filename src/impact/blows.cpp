@@ -1,0 +1,35 @@
+#include "dashpad/impact/blows.hpp"
+
+#include <algorithm>
+
+#include "dashpad/impact/flags.hpp"
+#include "dashpad/impact/solver.hpp"
+#include "impact/blow_series.hpp"
+
+namespace dashpad {
+
+ImpactCase first_blow(const ImpactCase& series) {
+  ImpactCase blow = series;
+  blow.blows.reset();
+  return blow;
+}
+
+std::optional<ImpactCase> next_blow(const ImpactCase& series, const ImpactCase& blow,
+                                    const Summary& summary) {
+  if (summary.blow >= summary.blows || !leaves_a_known_pad(summary)) return std::nullopt;
+  ImpactCase next = blow;
+  if (blow_memory(blow.pad.material.law) != BlowMemory::none)
+    next.pad.earlier_penetration =
+        (1 - series.blows->recovery) * std::max(blow.pad.earlier_penetration, summary.peak_penetration);
+  return next;
+}
+
+std::vector<Blow> solve_blows(const ImpactCase& impact, const Options& options) {
+  std::vector<Blow> blows;
+  Solver().solve_each_blow(impact, options, [&](const ImpactCase& blow, const Solution& solution) {
+    blows.push_back({blow, solution});
+  });
+  return blows;
+}
+
+}  // namespace dashpad

@@ -1,0 +1,92 @@
+#include "output/blow_rows.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "dashpad/quantities/result_quantity.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+double peak_in_g(const BlowResult& of) {
+  return of.summary.peak_acceleration.value_or(none) / standard_gravity;
+}
+double hic15(const BlowResult& of) { return of.injury ? of.injury->hic15.value : none; }
+
+/// " from 35.81 to 61.2 g (+71 %)"
+std::string change(double from, double to, const std::string& unit, int digits) {
+  return fmt::format(" from {} to {}{} ({:+.0f} %)", significant(from, digits), significant(to, digits), unit,
+                     100 * (to / from - 1));
+}
+
+bool is_as_the_first(const BlowResult& first, const BlowResult& other) {
+  return first.earlier_penetration == other.earlier_penetration;
+}
+
+std::string header(const char* key, const std::string& unit) {
+  return result_quantity(key).title + (unit.empty() ? "" : ", " + unit);
+}
+
+}  // namespace
+
+std::vector<BlowResult> blow_results(std::span<const Blow> blows) {
+  std::vector<BlowResult> results;
+  for (const Blow& blow : blows)
+    results.push_back({blow.solution.summary, injury::whole_pulse_figures(blow.solution),
+                       blow.impact.pad.earlier_penetration});
+  return results;
+}
+
+std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>& blows) {
+  const BlowResult& first = blows.front();
+  const BlowResult& last = blows.back();
+  const PadLaw& law = impact.pad.material.law;
+  const int asked = first.summary.blows;
+  if (blows.size() == 1) return fmt::format("Of {} blows the first is the last that is known.", asked);
+  if (is_as_the_first(first, last))
+    return fmt::format("All {} blows are alike: {}.", blows.size(),
+                       blow_memory(law) == BlowMemory::none
+                           ? "a pad of the law " + name_of(law) + " recovers fully by its law"
+                           : "the pad recovers fully in between");
+  std::string text = fmt::format("From blow 1 to blow {} the peak acceleration goes", blows.size());
+  if (std::isnan(peak_in_g(last)))
+    text += fmt::format(" from {} g beyond all bounds", significant(peak_in_g(first), 4));
+  else
+    text += change(peak_in_g(first), peak_in_g(last), " g", 4);
+  if (first.injury && last.injury) text += ", HIC15" + change(hic15(first), hic15(last), "", 4);
+  return text + ".";
+}
+
+Table blow_table(const ImpactCase& impact, const std::vector<BlowResult>& blows, const UnitSystem& units,
+                 Detail detail) {
+  const int digits = digits_of(detail);
+  const ScaledUnit acceleration = shown_as("m/s2", units);
+  const ScaledUnit force = shown_as("N", units);
+  const ScaledUnit length = shown_as("m", units);
+  Table table;
+  table.columns = {"Blow",
+                   header("peak_acceleration", acceleration.unit),
+                   header("hic15", ""),
+                   header("peak_force", force.unit),
+                   header("peak_penetration", length.unit),
+                   "% of the pad",
+                   header("energy_absorbed_fraction", "%")};
+  for (const BlowResult& of : blows) {
+    const Summary& summary = of.summary;
+    const auto shown = [&](double value) { return std::isnan(value) ? "none" : significant(value, digits); };
+    table.rows.push_back({std::to_string(summary.blow),
+                          shown(acceleration.scale * summary.peak_acceleration.value_or(none)),
+                          shown(hic15(of)), shown(force.scale * summary.peak_force.value_or(none)),
+                          shown(length.scale * summary.peak_penetration),
+                          shown(100 * summary.peak_penetration / impact.pad.thickness),
+                          shown(100 * summary.energy_absorbed_fraction)});
+  }
+  return table;
+}
+
+}  // namespace dashpad::output
