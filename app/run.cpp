@@ -1,5 +1,6 @@
 // dashpad run: solves one case, shows the summary, writes result files.
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <span>
@@ -53,7 +54,9 @@ int run(const RunRequest& request, const std::filesystem::path& materials) {
   const Solution& solution = blows.back().solution;
   publish(request.files, {input.impact, input.options, solution,
                           input.impact.blows ? std::span(blows) : std::span<const Blow>{}});
-  return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
+  const bool all_trusted =
+      std::ranges::all_of(blows, [](const Blow& blow) { return blow.solution.summary.trustworthy(); });
+  return all_trusted ? exit_done : exit_not_trusted;
 }
 
 }  // namespace

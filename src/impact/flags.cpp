@@ -69,7 +69,9 @@ bool pulse_is_whole(const Summary& summary) { return summary.contact_end.has_val
 bool bottomed_on_rigid_support(const Summary& summary) { return summary.bottomed && !summary.peak_force; }
 
 bool leaves_a_known_pad(const Summary& summary) {
-  return summary.status == Status::released && !summary.bottomed;
+  // A tolerance may be missed by the end of contact alone.
+  const bool is_known = summary.trustworthy() || summary.errors.peak_penetration <= summary.tolerance;
+  return summary.release && is_known && !summary.bottomed;
 }
 
 bool is_series_cut(const Summary& summary) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/impact/flags.hpp"
 #include "dashpad/quantities/result_quantity.hpp"
 #include "quantities/text.hpp"
 
@@ -60,6 +61,18 @@ std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>&
     text += change(peak_in_g(first), peak_in_g(last), " g", 4);
   if (first.injury && last.injury) text += ", HIC15" + change(hic15(first), hic15(last), "", 4);
   return text + ".";
+}
+
+std::vector<std::string> reservations(const std::vector<BlowResult>& blows) {
+  std::vector<std::string> lines;
+  for (const BlowResult& blow : blows) {
+    if (&blow == &blows.back()) break;
+    std::string names;
+    for (const Flag& flag : flags(blow.summary))
+      if (names.find(flag.name) == std::string::npos) names += (names.empty() ? "" : ", ") + flag.name;
+    if (!names.empty()) lines.push_back(fmt::format("{}: blow {}", names, blow.summary.blow));
+  }
+  return lines;
 }
 
 Table blow_table(const ImpactCase& impact, const std::vector<BlowResult>& blows, const UnitSystem& units,

@@ -2,6 +2,7 @@
 /// A series of blows in words and figures before it is laid out: for terminal and page.
 
 #include <string>
+#include <vector>
 
 #include "dashpad/output/blows.hpp"
 #include "dashpad/output/text/result.hpp"
@@ -15,5 +16,9 @@ std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>&
 /// A row a blow.
 Table blow_table(const ImpactCase& impact, const std::vector<BlowResult>& blows, const UnitSystem& units,
                  Detail detail);
+
+/// What to beware of in the blows before the last, by the names of their flags: a line for each that has
+/// some.
+std::vector<std::string> reservations(const std::vector<BlowResult>& blows);
 
 }  // namespace dashpad::output

@@ -53,7 +53,9 @@ const charts = plots(data);
 function show(system) {
   words.textContent = system.words;
   warnings.replaceChildren(...system.warnings.map(warning));
-  blows.replaceChildren(...(system.blows ? [blowTable(system.blows)] : []));
+  blows.replaceChildren();
+  if (system.blows)
+    blows.append(blowTable(system.blows), ...system.blows.reservations.map((text) => element("p", { text })));
   tables.replaceChildren(table(system.blows ? "The last blow" : "The impact", system.figures));
   if (system.injury.length > 0) tables.append(table("Injury figures of this pulse", system.injury));
   const units = new Units(system);

@@ -15,8 +15,8 @@ struct Blow {
 };
 
 /// The blows of ImpactCase::blows in turn; without them the one that the case is. The series ends early with
-/// a blow that does not say what it leaves behind: one that did not end, missed its tolerance, or closed the
-/// pad. Throws as solve() does.
+/// a blow that does not say what it leaves behind: leaves_a_known_pad()
+/// of dashpad/impact/flags.hpp. Throws as solve() does.
 std::vector<Blow> solve_blows(const ImpactCase& impact, const Options& options = {});
 
 }  // namespace dashpad

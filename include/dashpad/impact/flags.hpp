@@ -16,8 +16,8 @@ bool pulse_is_whole(const Summary& summary);
 /// tolerance was missed on the way there.
 bool bottomed_on_rigid_support(const Summary& summary);
 
-/// Whether a blow says what the next one would meet: it ended, is reliable, and did not close the pad, beyond
-/// which no curve goes.
+/// Whether a blow says what the next one would meet: it ended, its penetration is reliable, and it did not
+/// close the pad, beyond which no curve goes.
 bool leaves_a_known_pad(const Summary& summary);
 
 /// Whether a series of blows ends with this one, though more were asked for.

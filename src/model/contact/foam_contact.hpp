@@ -471,7 +471,9 @@ class FoamContact {
       look(place);
     }
     edge_slope_ = (f_high - f_low) / (high - low);
-    return edge_ = root();
+    // A pad that was struck before may carry so little that the values vanish.
+    const double found = root();
+    return edge_ = std::isfinite(found) ? found : (low + high) / 2;
   }
 
   Law law_;

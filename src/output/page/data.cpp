@@ -53,7 +53,10 @@ Json injury_marks(const injury::InjuryFigures& of) {
 Json blows_json(const ImpactCase& impact, const std::vector<BlowResult>& blows, const UnitSystem& units) {
   if (blows.empty()) return nullptr;
   const Table table = blow_table(impact, blows, units, Detail::main);
-  return {{"words", growth_text(impact, blows)}, {"columns", table.columns}, {"rows", table.rows}};
+  return {{"words", growth_text(impact, blows)},
+          {"columns", table.columns},
+          {"rows", table.rows},
+          {"reservations", reservations(blows)}};
 }
 
 /// All that depends on the units: the factors, and texts with figures in them.

@@ -82,6 +82,7 @@ std::string series_text(const ImpactCase& impact, const std::vector<BlowResult>&
   if (blows.empty()) return "";
   std::string text = wrapped(growth_text(impact, blows), 2) + "\n\n";
   text += plain_text(blow_table(impact, blows, units, detail));
+  for (const std::string& line : reservations(blows)) text += wrapped(line, 2) + "\n";
   return text + fmt::format("\nBlow {}:\n", blows.back().summary.blow);
 }
 
