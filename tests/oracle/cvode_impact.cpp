@@ -46,6 +46,7 @@ CvodeImpact solve_with_cvode(const ImpactCase& impact, const CvodeOptions& optio
                 sphere_radius(impact.impactor.nose),
                 impact.impactor.speed,
                 impact.pad.thickness,
+                impact.pad.earlier_penetration,
                 SupportLine(impact.support),
                 options,
                 {}};

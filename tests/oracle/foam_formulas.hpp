@@ -46,6 +46,7 @@ class FoamFormulas {
   /// u, 1/s.
   [[nodiscard]] double slip_rate(double g) const;
 
+  [[nodiscard]] bool stays_crushed() const { return modulus_.has_value(); }
   [[nodiscard]] double last_strain() const { return last_; }
   [[nodiscard]] double lag() const { return lag_; }             ///< c
   [[nodiscard]] double least_slip_rate() const { return u0_; }  ///< u0, 1/s

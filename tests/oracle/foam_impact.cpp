@@ -62,10 +62,16 @@ Outline outline_of(const Nose& nose) {
 class FoamImpact final : public OdeSystem {
  public:
   FoamImpact(ImpactRun& run, const FoamFormulas& law, const Nose& nose)
-      : run_(run), law_(law), nose_(outline_of(nose)) {}
+      : run_(run),
+        law_(law),
+        nose_(outline_of(nose)),
+        loading_(run.earlier == 0),
+        largest_(run.earlier),
+        crater_(law.stays_crushed() ? crater() : 0),
+        found_(crater_) {}
 
   void run() {
-    OdeSession session(*this, Method::bdf_dense, 0, {0, run_.speed, 0});
+    OdeSession session(*this, Method::bdf_dense, 0, {crater_, run_.speed, crater_ / run_.thickness});
     std::array<double, 3> time{}, force{};
     int known = 0;
     CvodeImpact& result = run_.result;
@@ -85,7 +91,7 @@ class FoamImpact final : public OdeSystem {
       if (!session.at_event()) continue;
       const auto& crossed = session.crossings();
       bool changed = false;
-      if (crossed[event_top] < 0 && result.peak_motion == 0) result.peak_motion = state[motion];
+      if (crossed[event_top] < 0 && result.peak_motion == 0) result.peak_motion = state[motion] - crater_;
       if (crossed[event_turning] < 0 && loading_) {
         loading_ = false, changed = true;
         largest_ = y;
@@ -178,10 +184,23 @@ class FoamImpact final : public OdeSystem {
     return loading_ ? 0 : std::fmax(largest_ - y, 0) / run_.thickness;
   }
 
+  /// Where the foam that was crushed before begins to press, by halving.
+  [[nodiscard]] double crater() const {
+    double free = 0, met = run_.earlier;
+    for (int i = 0; i < 60; ++i) {
+      const double y = (free + met) / 2;
+      (largest_stress(y, ahead(y), 0) > 0 ? met : free) = y;
+    }
+    return met;
+  }
+
   /// Stress at the root of the strain, from the axis: strain = top x^2.
   [[nodiscard]] double stress(double y, double strain, double away, double u) const {
     const double depth = std::fmax(y / run_.thickness - strain, 0);
-    return law_.stress(strain, (1 - y / run_.thickness) + depth, away, u);
+    const double complement = (1 - y / run_.thickness) + depth;
+    const bool may_gape = law_.stays_crushed() && run_.earlier > 0 && largest_ <= run_.earlier;
+    const double lasting = may_gape ? law_.stress(strain, complement, away, 0) : 1;
+    return lasting > 0 ? law_.stress(strain, complement, away, u) : lasting;
   }
 
   double contact_force(double y, double away, double g) const {
@@ -308,9 +327,10 @@ class FoamImpact final : public OdeSystem {
   ImpactRun& run_;
   const FoamFormulas& law_;
   Outline nose_;
-  bool loading_ = true;
-  double largest_ = 0;
-  double found_ = 0;
+  bool loading_;
+  double largest_;
+  double crater_;
+  double found_;
 };
 
 }  // namespace

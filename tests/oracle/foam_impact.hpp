@@ -7,6 +7,10 @@
 /// F is a function of Y, of its largest value so far and of the elastic strain; so Y is the root of
 /// F = Fs(X - Y), taken anew at each call, and three unknowns do. The contact integral is over depths even in
 /// the root of the strain, by Gauss between the places where the stress changes its sign. Stiff: BDF.
+///
+/// A pad that was struck before begins as one that comes back from its largest penetration, with nothing
+/// slipped where the nose meets it. In a crater X and Y count from the surface of the new pad, and columns
+/// that are not touched yet carry nothing.
 
 #include "dashpad/model/nose/nose.hpp"
 #include "oracle/foam_formulas.hpp"

@@ -17,6 +17,7 @@ struct ImpactRun {
   double radius = 0;     ///< m
   double speed = 0;      ///< m/s
   double thickness = 0;  ///< m
+  double earlier = 0;    ///< largest penetration of earlier blows, m; of foams only
   SupportLine support;
   CvodeOptions options;
   CvodeImpact result;

@@ -186,14 +186,16 @@ TEST(FoamAgainstCvode, AgreesOnTheStressOfAColumn) {
         named.law);
 }
 
+/// `earlier`: largest strain that earlier blows have left on the axis.
 void compare_on(const std::vector<Support>& supports, const std::vector<Nose>& noses,
-                const std::vector<Named>& all = foams(), int fewest = 18) {
+                const std::vector<Named>& all = foams(), int fewest = 18, double earlier = 0) {
   int compared = 0;
   for (const Named& named : all)
     for (const Nose& nose : noses)
       for (const Support& support : supports) {
         ImpactCase impact = impact_on(named.law, support);
         impact.impactor.nose = nose;
+        impact.pad.earlier_penetration = earlier * impact.pad.thickness;
         // A flat disc meets all of its pad at once.
         if (std::holds_alternative<FlatDisc>(nose)) impact.impactor.speed = 2;
         // Below a strain of 0.98: at 0.994 the peak forces of one foam (curves rate, linear) differ by 8e-4.
@@ -238,6 +240,18 @@ const Cylinder pole{.radius = 0.06, .length = 0.15};
 const Profile stepped{.points = {{0, 0.005}, {0.004, 0.02}, {0.012, 0.022}, {0.02, 0.05}}};
 TEST(FoamAgainstCvode, AgreesBelowACylinderOnItsSide) { compare_on({spring}, {pole}); }
 TEST(FoamAgainstCvode, AgreesBelowAProfile) { compare_on({spring}, {stepped}); }
+
+/// Pads that were struck before: less deep than now, about as deep, and deeper.
+TEST(FoamAgainstCvode, AgreesOnAPadStruckBeforeOnARigidSupport) {
+  for (const double earlier : {0.3, 0.6, 0.85})
+    compare_on({Support::rigid()}, {head, plate}, foams(), 26, earlier);
+}
+TEST(FoamAgainstCvode, AgreesOnAPadStruckBeforeOnASpring) {
+  for (const double earlier : {0.3, 0.6, 0.85}) compare_on({spring}, {head, plate}, foams(), 26, earlier);
+}
+TEST(FoamAgainstCvode, AgreesOnAPadStruckBeforeBelowOtherNoses) {
+  compare_on({curved}, {blunt, pole, stepped}, foams(), 40, 0.5);
+}
 
 /// Beyond the radius of a small sphere.
 TEST(FoamAgainstCvode, AgreesBeyondTheRadius) {
