@@ -198,9 +198,12 @@ class FoamImpact final : public OdeSystem {
   [[nodiscard]] double stress(double y, double strain, double away, double u) const {
     const double depth = std::fmax(y / run_.thickness - strain, 0);
     const double complement = (1 - y / run_.thickness) + depth;
-    const bool may_gape = law_.stays_crushed() && run_.earlier > 0 && largest_ <= run_.earlier;
-    const double lasting = may_gape ? law_.stress(strain, complement, away, 0) : 1;
-    return lasting > 0 ? law_.stress(strain, complement, away, u) : lasting;
+    const double all = law_.stress(strain, complement, away, u);
+    const bool in_crater = law_.stays_crushed() && run_.earlier > 0 && largest_ <= run_.earlier;
+    if (!in_crater || away == 0) return all;
+    const double lasting = law_.stress(strain, complement, away, 0);
+    if (lasting <= 0 || strain <= 0) return lasting;
+    return lasting * (1 + (all - lasting) / law_.base(strain, complement));
   }
 
   double contact_force(double y, double away, double g) const {

@@ -9,8 +9,8 @@
 /// the root of the strain, by Gauss between the places where the stress changes its sign. Stiff: BDF.
 ///
 /// A pad that was struck before begins as one that comes back from its largest penetration, with nothing
-/// slipped where the nose meets it. In a crater X and Y count from the surface of the new pad, and columns
-/// that are not touched yet carry nothing.
+/// slipped where the nose meets it. In a crater X and Y count from the surface of the new pad, and the rate
+/// multiplies what is left of a column's stress.
 
 #include "dashpad/model/nose/nose.hpp"
 #include "oracle/foam_formulas.hpp"

@@ -159,7 +159,10 @@ class FoamContact {
  private:
   void remember(double earlier) {
     earlier_ = std::min(earlier, closed());
-    crater_ = earlier_ > 0 ? thickness_ * stress_.strain_of_crater(earlier_ / thickness_) : 0;
+    crater_ = 0;
+    if (earlier_ == 0) return;
+    const double edge = (earlier_ - std::min(earlier_, nose_.depth)) / thickness_;
+    crater_ = thickness_ * stress_.strain_of_crater(earlier_ / thickness_, edge);
   }
   /// Where the pad counts as closed, m below its surface when new.
   [[nodiscard]] double closed() const { return thickness_ * (1 - 1e-9); }

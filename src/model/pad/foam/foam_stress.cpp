@@ -59,7 +59,7 @@ double FoamStress::share_of(const MonotoneCurve& back, double x) const {
   return loading > 0 ? std::clamp((back.stress(high) / loading + friction_) / (1 - friction_), 0.0, 1.0) : 0;
 }
 
-double FoamStress::strain_of_crater(double largest) const {
+double FoamStress::strain_of_crater(double largest, double least) const {
   if (!stays_crushed()) return 0;
   const auto sprung_back = [this](double strain) {
     const Strain at_strain = dashpad::strain_of(strain);
@@ -67,7 +67,7 @@ double FoamStress::strain_of_crater(double largest) const {
   };
   // It grows with the strain until the curve is steeper than the unloading, and falls from there on.
   const double steep = curve_.strain_where_steep(modulus_, std::numeric_limits<double>::infinity());
-  const double most = std::max(sprung_back(largest), sprung_back(std::min(largest, steep)));
+  const double most = std::max(sprung_back(largest), sprung_back(std::clamp(steep, least, largest)));
   return std::max(largest - most, 0.0);
 }
 

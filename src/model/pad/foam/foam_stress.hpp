@@ -60,7 +60,7 @@ class FoamStress {
     double relaxing = 0;  ///< its change with time while the strain is held, 1/s
   };
   /// A crushed foam that has come back leaves a gap: `least` 0, or the line of its unloading goes on.
-  /// `in_crater`: across the gap the nose does not touch it, and the rate has no part in its stress.
+  /// `in_crater`: the rate multiplies the stress that is left, nothing across the gap (theory.md, Eq. 64).
   [[nodiscard]] Ratio ratio(const Place& leading, double ahead, const Overstress::AtRate& at,
                             double slip_rate, double least = 0, bool in_crater = false) const {
     const double relaxation = this->relaxation(slip_rate);
@@ -75,7 +75,7 @@ class FoamStress {
     if (slip_rate <= 0 || (in_crater && line <= 0)) return {lasting, 0};
     const Place own = this->at({leading.strain.value - ahead, leading.strain.complement + ahead});
     const Overstress::Value q = overstress_.of(at, own.strain.value, own.cell);
-    const double share = own.base.stress / leading.base.stress;
+    const double share = in_crater ? line : own.base.stress / leading.base.stress;
     return {lasting + share * q.stress, relaxation * share * q.rise};
   }
   /// Whether the ratio asks for the base curve at no strain but that of the column and its largest.
@@ -107,9 +107,9 @@ class FoamStress {
     const double u = slip_.slip_rate(g);
     return leading.base.stress * ratio(leading, ahead, overstress_.at(u), u, 0, in_crater).stress;
   }
-  /// The strain of the axis at which a nose meets again the foam that it strained to `largest` there, and
-  /// less beside it: what a column springs back is s(e*) / max(E, s'(e*)) (theory.md, Eq. 63).
-  [[nodiscard]] double strain_of_crater(double largest) const;
+  /// The strain of the axis at which a nose meets again the foam that it strained to `largest` there, and to no
+  /// less than `least` beside it: what a column springs back is s(e*) / max(E, s'(e*)) (theory.md, Eq. 63).
+  [[nodiscard]] double strain_of_crater(double largest, double least) const;
   /// Whether the ratio is the same at all strains.
   [[nodiscard]] bool is_even(double ahead, const Overstress::AtRate& at) const {
     return (ahead <= 0 || unloading_ == Unloading::none) && at.even;
