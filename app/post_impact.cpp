@@ -57,6 +57,8 @@ PostImpactInput read_and_check(const PostImpactRequest& request, const std::file
   judge_targets(targets(request), files_of(request.case_file, file), request.force, wrong);
   if (file) {
     input.file = *std::move(file);
+    if (input.file.impact.blows)
+      wrong.push_back(request.case_file + ": blows: two bodies meet once; leave the table out");
     const Impactor& impactor = input.file.impact.impactor;
     input.first = {impactor.mass, impactor.speed};
     if (!(impactor.speed > input.second.velocity))

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -19,10 +21,11 @@ double peak_in_g(const BlowResult& of) {
 }
 double hic15(const BlowResult& of) { return of.injury ? of.injury->hic15.value : none; }
 
-/// " from 35.81 to 61.2 g (+71 %)"
-std::string change(double from, double to, const std::string& unit, int digits) {
-  return fmt::format(" from {} to {}{} ({:+.0f} %)", significant(from, digits), significant(to, digits), unit,
-                     100 * (to / from - 1));
+/// " from 35.81 to 61.2 g (+70.9 %)"
+std::string change(double from, double to, const std::string& unit) {
+  const double tenths = std::round(1000 * (to / from - 1));
+  return fmt::format(" from {} to {}{} ({:+.1f} %)", significant(from, 4), significant(to, 4), unit,
+                     tenths == 0 ? 0.0 : tenths / 10);
 }
 
 bool is_as_the_first(const BlowResult& first, const BlowResult& other) {
@@ -58,20 +61,27 @@ std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>&
   if (std::isnan(peak_in_g(last)))
     text += fmt::format(" from {} g beyond all bounds", significant(peak_in_g(first), 4));
   else
-    text += change(peak_in_g(first), peak_in_g(last), " g", 4);
-  if (first.injury && last.injury) text += ", HIC15" + change(hic15(first), hic15(last), "", 4);
+    text += change(peak_in_g(first), peak_in_g(last), " g");
+  if (first.injury && last.injury) text += ", HIC15" + change(hic15(first), hic15(last), "");
   return text + ".";
 }
 
 std::vector<std::string> reservations(const std::vector<BlowResult>& blows) {
-  std::vector<std::string> lines;
+  std::map<std::string, std::string> blows_with;
   for (const BlowResult& blow : blows) {
-    if (&blow == &blows.back()) break;
-    std::string names;
-    for (const Flag& flag : flags(blow.summary))
-      if (names.find(flag.name) == std::string::npos) names += (names.empty() ? "" : ", ") + flag.name;
-    if (!names.empty()) lines.push_back(fmt::format("{}: blow {}", names, blow.summary.blow));
+    std::set<std::string> names;
+    for (const Flag& flag : flags(blow.summary)) names.insert(flag.name);
+    for (const std::string& name : names) {
+      std::string& list = blows_with[name];
+      list += (list.empty() ? "" : ", ") + std::to_string(blow.summary.blow);
+    }
   }
+  // Those of the last stand with its figures.
+  for (const Flag& flag : flags(blows.back().summary)) blows_with.erase(flag.name);
+  std::vector<std::string> lines;
+  for (const auto& [name, list] : blows_with)
+    lines.push_back(
+        fmt::format("{}: {} {}", name, list.find(',') == std::string::npos ? "blow" : "blows", list));
   return lines;
 }
 
@@ -86,8 +96,8 @@ Table blow_table(const ImpactCase& impact, const std::vector<BlowResult>& blows,
                    header("peak_acceleration", acceleration.unit),
                    header("hic15", ""),
                    header("peak_force", force.unit),
-                   header("peak_penetration", length.unit),
-                   "% of the pad",
+                   header("penetration", length.unit),
+                   "% of pad",
                    header("energy_absorbed_fraction", "%")};
   for (const BlowResult& of : blows) {
     const Summary& summary = of.summary;

@@ -17,8 +17,7 @@ std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>&
 Table blow_table(const ImpactCase& impact, const std::vector<BlowResult>& blows, const UnitSystem& units,
                  Detail detail);
 
-/// What to beware of in the blows before the last, by the names of their flags: a line for each that has
-/// some.
+/// The flags of blows before the last that the last does not have, and which blows have them: a line each.
 std::vector<std::string> reservations(const std::vector<BlowResult>& blows);
 
 }  // namespace dashpad::output

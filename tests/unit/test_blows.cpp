@@ -1,0 +1,215 @@
+/// Repeated blows: what a case may ask for, how it is read, named and told, and what is refused.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "dashpad/impact/blows.hpp"
+#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/impact/flags.hpp"
+#include "dashpad/impact/solve.hpp"
+#include "dashpad/input/fault.hpp"
+#include "dashpad/output/json/result.hpp"
+#include "dashpad/output/text/case.hpp"
+#include "dashpad/output/text/result.hpp"
+#include "dashpad/spit1984/deck.hpp"
+#include "output/text/case_toml.hpp"
+#include "sample_case.hpp"
+#include "shared/samples.hpp"
+
+namespace dashpad::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// "key: rule", a line each.
+std::string broken(const ImpactCase& impact) {
+  std::string text;
+  for (const Violation& violation : violations(impact)) text += violation.key + ": " + violation.rule + "\n";
+  return text;
+}
+
+ImpactCase struck(const PadLaw& law, int count, double recovery) {
+  ImpactCase impact = impact_on(law);
+  impact.impactor.speed = 2;
+  impact.blows = Blows{.count = count, .recovery = recovery};
+  return impact;
+}
+
+ImpactCase struck_before(const PadLaw& law, double earlier) {
+  ImpactCase impact = impact_on(law);
+  impact.pad.earlier_penetration = earlier;
+  return impact;
+}
+
+std::string fault_of(const std::string& blows, const std::string& material = "vn600") {
+  try {
+    read(edited(good_case, "\"ensolite-aac-9\"", "\"" + material + "\"") + blows);
+  } catch (const input::InputError& error) {
+    std::string text;
+    for (const input::Fault& fault : error.faults()) text += fault.key + ": " + fault.rule + "\n";
+    return text;
+  }
+  return "";
+}
+
+TEST(BlowRules, AreOneFaultEach) {
+  const Foam foam = sample_law<Foam>();
+  EXPECT_EQ(broken(struck(foam, 2, 0)), "");
+  EXPECT_EQ(broken(struck(foam, 100, 1)), "");
+  EXPECT_EQ(broken(struck(foam, 1, 0)), "blows.count: must be from 2 to 100\n");
+  EXPECT_EQ(broken(struck(foam, 101, 0)), "blows.count: must be from 2 to 100\n");
+  for (const double recovery : {-0.1, 1.1, nan})
+    EXPECT_EQ(broken(struck(foam, 2, recovery)), "blows.recovery: must be from 0 (none) to 1 (full)\n");
+  EXPECT_EQ(broken(struck(sample_law<CrushableFoam>(), 2, 0)), "");
+  EXPECT_EQ(broken(struck(sample_law<CrushableFoam>(), 2, 0.5)),
+            "blows.recovery: must be 0: a pad of the law crushable-foam does not recover\n");
+  EXPECT_EQ(broken(struck(sample_law<RigidFoam>(), 2, 1)),
+            "blows.recovery: must be 0: a pad of the law rigid-foam does not recover\n");
+  EXPECT_EQ(broken(struck(sample_law<Elastic>(), 2, 0.5)), "");
+}
+
+TEST(BlowRules, OfWhatEarlierOnesLeft) {
+  const Foam foam = sample_law<Foam>();
+  EXPECT_EQ(broken(struck_before(foam, 0.02)), "");
+  const std::string range = "pad.earlier_penetration: must be at least 0 and less than pad.thickness\n";
+  for (const double earlier : {-1e-6, 0.03, 1.0, nan}) EXPECT_EQ(broken(struck_before(foam, earlier)), range);
+  EXPECT_THAT(broken(struck_before(sample_law<Elastic>(), 0.01)), HasSubstr("elastic recovers fully"));
+  EXPECT_THAT(broken(struck_before(sample_law<NineParameter>(), 0.01)), HasSubstr("recovers fully"));
+  EXPECT_EQ(broken(struck_before(sample_law<RigidFoam>(), 0.01)), "");
+  // A thickness that is wrong itself says nothing about what is less than it.
+  ImpactCase thick = struck_before(foam, 0.02);
+  thick.pad.thickness = nan;
+  EXPECT_THAT(broken(thick), Not(HasSubstr("earlier")));
+}
+
+TEST(BlowRules, StopTheSolver) {
+  EXPECT_THROW(solve(struck(sample_law<Foam>(), 1, 0)), std::invalid_argument);
+  EXPECT_THROW(solve_blows(struck(sample_law<RigidFoam>(), 2, 1)), std::invalid_argument);
+}
+
+TEST(BlowTable, IsRead) {
+  const ImpactCase impact =
+      read(edited(good_case, "\"ensolite-aac-9\"", "\"vn600\"\nearlier_penetration = \"2 mm\"") +
+           "[blows]\ncount = 3\nrecovery = 0.25\n")
+          .impact;
+  ASSERT_TRUE(impact.blows);
+  EXPECT_EQ(impact.blows->count, 3);
+  EXPECT_EQ(impact.blows->recovery, 0.25);
+  EXPECT_DOUBLE_EQ(impact.pad.earlier_penetration, 2e-3);
+  EXPECT_FALSE(read(good_case).impact.blows);
+  EXPECT_EQ(read(good_case).impact.pad.earlier_penetration, 0);
+}
+
+TEST(BlowTable, HasItsFaults) {
+  EXPECT_THAT(fault_of("[blows]\ncount = 3\n"), HasSubstr("blows.recovery: is missing"));
+  EXPECT_THAT(fault_of("[blows]\nrecovery = 0\n"), HasSubstr("blows.count: is missing"));
+  for (const char* count : {"1", "101", "2.5", "1e300", "-3"})
+    EXPECT_EQ(fault_of(std::string("[blows]\nrecovery = 0\ncount = ") + count + "\n"),
+              "blows.count: must be a whole number from 2 to 100\n")
+        << count;
+  EXPECT_EQ(fault_of("[blows]\ncount = 2\nrecovery = 1.5\n"),
+            "blows.recovery: must be from 0 (none) to 1 (full)\n");
+  EXPECT_THAT(fault_of("[blows]\ncount = 2\nrecovery = 0\nrest = \"60 s\"\n"), HasSubstr("blows.rest"));
+  EXPECT_THAT(fault_of("[blows]\ncount = 2\nrecovery = 0.5\n", "eps-19"), HasSubstr("does not recover"));
+  EXPECT_THAT(fault_of("[blows]\ncount = \"two\"\nrecovery = 0\n"), HasSubstr("blows.count"));
+}
+
+/// Also where the case gives no blows: what they left may be given by hand.
+TEST(BlowQuantities, AreThoseThatThePadRemembers) {
+  const auto has = [](const ImpactCase& impact, const std::string& key) {
+    const auto all = quantities_of(impact);
+    return std::ranges::count(all, key, &CaseQuantity::key) == 1;
+  };
+  EXPECT_TRUE(has(impact_on(sample_law<Foam>()), "pad.earlier_penetration"));
+  EXPECT_FALSE(has(impact_on(sample_law<Foam>()), "blows.recovery"));
+  EXPECT_FALSE(has(impact_on(sample_law<Elastic>()), "pad.earlier_penetration"));
+  ImpactCase impact = struck(sample_law<Foam>(), 3, 0.5);
+  ASSERT_TRUE(has(impact, "blows.recovery"));
+  for (const CaseQuantity& of : quantities_of(impact))
+    if (of.key == "blows.recovery") of.set(impact, 0.75);
+  EXPECT_EQ(impact.blows->recovery, 0.75);
+}
+
+TEST(BlowTexts, TellTheCase) {
+  const UnitSystem& si = unit_system("si");
+  EXPECT_THAT(output::case_text(struck(sample_law<Foam>(), 3, 0.25), si),
+              HasSubstr("It strikes 3 times; in between the pad recovers by 25 %."));
+  EXPECT_THAT(output::case_text(struck(sample_law<Foam>(), 3, 0), si), HasSubstr("does not recover"));
+  EXPECT_THAT(output::case_text(struck(sample_law<RigidFoam>(), 3, 0), si), HasSubstr("stays crushed"));
+  EXPECT_THAT(output::case_text(struck(sample_law<Elastic>(), 3, 0), si), HasSubstr("by its law"));
+  EXPECT_THAT(output::case_text(struck_before(sample_law<Foam>(), 0.012), si),
+              HasSubstr("struck before to a depth of 12 mm"));
+  const std::string in_si = output::case_in_si(struck(sample_law<Foam>(), 3, 0.25), {});
+  EXPECT_THAT(in_si, HasSubstr("blows.count = 3\n"));
+  EXPECT_THAT(in_si, HasSubstr("blows.recovery = 0.25\n"));
+}
+
+TEST(BlowTexts, AreACaseAgain) {
+  ImpactCase impact = struck(sample_law<Foam>(), 7, 0.3);
+  impact.pad.earlier_penetration = 0.0123;
+  const ImpactCase again = read(output::case_toml(impact, {})).impact;
+  EXPECT_EQ(again.blows->count, 7);
+  EXPECT_EQ(again.blows->recovery, 0.3);
+  EXPECT_EQ(again.pad.earlier_penetration, 0.0123);
+}
+
+std::string told(const ImpactCase& impact) {
+  const auto blows = solve_blows(impact, {.tolerance = 1e-3});
+  const Solution& last = blows.back().solution;
+  return output::result_text(impact, last.summary, injury::whole_pulse_figures(last), unit_system("si"),
+                             output::Detail::main, output::blow_results(blows));
+}
+
+TEST(BlowTexts, AnswerFirstHowThePeaksGrow) {
+  const std::string text = told(struck(sample_law<Foam>(), 3, 0));
+  EXPECT_THAT(text, HasSubstr("From blow 1 to blow 3 the peak acceleration goes from "));
+  EXPECT_LT(text.find("From blow 1"), text.find("Peak acceleration, g"));
+  EXPECT_LT(text.find("Peak acceleration, g"), text.find("Blow 3:\n"));
+  EXPECT_THAT(told(struck(sample_law<Foam>(), 3, 1)), HasSubstr("All 3 blows are alike: the pad recovers"));
+  EXPECT_THAT(told(struck(sample_law<Elastic>(), 3, 0)), HasSubstr("elastic recovers fully by its law"));
+}
+
+TEST(BlowTexts, TellOfASeriesThatIsCut) {
+  ImpactCase impact = struck(sample_law<Foam>(), 4, 0);
+  impact.impactor.mass = 400;
+  impact.impactor.speed = 20;
+  EXPECT_THAT(told(impact), HasSubstr("SERIES CUT: blow 1 of 4"));
+}
+
+TEST(BlowJson, HasARowABlow) {
+  const ImpactCase impact = struck(sample_law<Foam>(), 3, 0.5);
+  const auto blows = solve_blows(impact, {.tolerance = 1e-3});
+  const Solution& last = blows.back().solution;
+  const auto json = nlohmann::json::parse(
+      output::result_json(impact, last.summary, std::nullopt, output::blow_results(blows)));
+  ASSERT_EQ(json["blows"].size(), 3u);
+  EXPECT_EQ(json["blows"][2]["blow"], 3);
+  EXPECT_EQ(json["blows"][2]["peak_force_N"], json["peak_force_N"]);
+  EXPECT_EQ(json["blows"][0]["earlier_penetration_m"], 0);
+  EXPECT_EQ(json["case"]["blows"]["count"], 3);
+  EXPECT_EQ(json["case"]["pad"]["earlier_penetration_m"], 0);
+  const auto once = nlohmann::json::parse(output::result_json(impact_on(sample_law<Foam>()), last.summary));
+  EXPECT_TRUE(once["blows"].is_null());
+  EXPECT_TRUE(once["case"]["blows"].is_null());
+}
+
+TEST(BlowDeck, IsRefusedByTheProgramOf1984) {
+  ImpactCase impact = impact_on(sample_law<NineParameter>(), Support::linear(1e5));
+  EXPECT_TRUE(spit1984::what_a_deck_cannot_say(impact).empty());
+  impact.blows = Blows{.count = 2, .recovery = 1};
+  const auto unsaid = spit1984::what_a_deck_cannot_say(impact);
+  ASSERT_EQ(unsaid.size(), 1u);
+  EXPECT_EQ(unsaid[0].key, "blows");
+}
+
+}  // namespace
+}  // namespace dashpad::test
