@@ -223,6 +223,8 @@ class Equilibrium {
       const State& now = of.now();
       trial.step = step;
       trial.pad_stiffness = predictor.next_stiffness();
+      // A foam that was struck before may carry nothing for a while, and 0 / 0 is no trend.
+      if (FollowsRate<Contact> && std::isnan(trial.pad_stiffness)) trial.pad_stiffness = 0;
       scale = std::max(std::abs(now.motion), std::abs(now.motion + now.velocity * step));
       slope = 1 + trial.pad_stiffness *
                       (of.support_.compliance(now.force) + of.motion_.inertial_compliance(step));

@@ -73,7 +73,7 @@ inline bool is_off_corner(const Sight& s) {
 
 inline double penetration_to_joint(const Sight& s) { return s.joint - s.trial.end.penetration; }
 inline bool is_before_joint(const Sight& s) {
-  return s.joint - s.now.penetration > numerics.at_joint * s.joint;
+  return s.joint > 0 && s.joint - s.now.penetration > numerics.at_joint * s.joint;
 }
 
 }  // namespace event_rules

@@ -57,9 +57,7 @@ class Predictor {
     pad_rate_ = rate;
     if (phase != Phase::held) {
       const double most = numerics.most_stiffening;
-      const double change = trial.pad_stiffness / pad_stiffness_;
-      // A pad that was struck before may carry next to nothing for a while.
-      stiffening_ = trend_.is_known() && !std::isnan(change) ? std::clamp(change, 1 / most, most) : 1;
+      stiffening_ = trend_.is_known() ? std::clamp(trial.pad_stiffness / pad_stiffness_, 1 / most, most) : 1;
       pad_stiffness_ = trial.pad_stiffness;
       stiffness_to_resolve_ = trial.stiffness_to_resolve();
     }
