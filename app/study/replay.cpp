@@ -41,6 +41,7 @@ struct Replay {
   ImpactCase impact;
   Options options;
   Solution solution;
+  std::vector<Blow> blows = {};
 };
 
 study::StoredRow stored_row(const study::Store& store, const StudyReplayRequest& request) {
@@ -67,6 +68,7 @@ Replay replay(const study::Store& store, const StudyReplayRequest& request) {
     throw Refused({fmt::format("ROW {}: its factors make no valid case: {}", request.row, error.what())});
   }
   result.options = study.options;
+  if (result.impact.blows) result.blows = solve_blows(result.impact, result.options);
   study::read_responses(result.solution, study.responses, result.again);
   return result;
 }
@@ -111,7 +113,7 @@ int run_replay(const StudyReplayRequest& request) {
   if (!wrong.empty()) throw Refused(std::move(wrong));
   const Replay result = replay(store, request);
   const std::vector<std::string> different = differences(result, store);
-  publish(request.files, {result.impact, result.options, result.solution},
+  publish(request.files, {result.impact, result.options, result.solution, result.blows},
           heading(result, store, unit_system(request.files.units)), verdict(different, store));
   return different.empty() && result.solution.summary.trustworthy() ? exit_done : exit_not_trusted;
 }

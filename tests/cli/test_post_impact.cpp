@@ -73,6 +73,13 @@ TEST_F(PostImpactTest, RefusesWhatCannotBeTwoBodiesThatApproach) {
   }
 }
 
+TEST_F(PostImpactTest, RefusesRepeatedBlows) {
+  const Outcome outcome =
+      dashpad({"post-impact", DASHPAD_SOURCE_DIR "/examples/playground-three-drops.toml"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("blows: two bodies meet once"));
+}
+
 TEST_F(PostImpactTest, KeepsAnExistingFile) {
   write_file(file("out.json"), "mine");
   EXPECT_EQ(dashpad({"post-impact", file("case.toml"), "--json", file("out.json")}).exit_code, 2);

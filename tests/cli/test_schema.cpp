@@ -71,6 +71,17 @@ type = "rigid"
   }
 }
 
+TEST_F(SchemaTest, DescribesTheBlowsOfASeries) {
+  const auto outcome =
+      dashpad({"run", DASHPAD_SOURCE_DIR "/examples/playground-three-drops.toml", "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json result = json::parse(outcome.out);
+  EXPECT_EQ(schema_faults(result), "");
+  ASSERT_EQ(result["blows"].size(), 3u);
+  EXPECT_GT(result["blows"][1]["peak_acceleration_g"], result["blows"][0]["peak_acceleration_g"]);
+  EXPECT_EQ(result["blows"][2]["hic15"], result["injury"]["hic15"]["value"]);
+}
+
 TEST_F(SchemaTest, NoticesWhatIsMissingOrTooMuch) {
   const json result = json::parse(dashpad({"run", case_file(), "--json", "-"}).out);
   ASSERT_EQ(schema_faults(result), "");

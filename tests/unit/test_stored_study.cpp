@@ -85,6 +85,21 @@ TEST_F(StoredStudyTest, EveryNoseOnAPadWithAnEdge) {
   }
 }
 
+TEST_F(StoredStudyTest, RepeatedBlowsOnAPadThatWasStruckBefore) {
+  Study study = small_study(3);
+  study.base.pad.material = input::read_material(source / "materials/vn600.toml");
+  study.base.pad.earlier_penetration = 1e-3;
+  study.base.blows = Blows{.count = 3, .recovery = 0.5};
+  study.factors.push_back(
+      {.key = "blows.recovery", .unit = "1", .spread = study::Levels{{0, 1}}, .lowest = {}, .highest = {}});
+  expect_same_rows(study, "blows.db");
+  const Study read = study::stored_study(Store::open_to_read(file("blows.db")));
+  ASSERT_TRUE(read.base.blows);
+  EXPECT_EQ(read.base.blows->count, 3);
+  EXPECT_EQ(read.base.blows->recovery, 0.5);
+  EXPECT_EQ(read.base.pad.earlier_penetration, 1e-3);
+}
+
 TEST_F(StoredStudyTest, EveryCard) {
   for (const fs::path& card : input::list_materials(source / "materials")) {
     Study study = small_study(10);
