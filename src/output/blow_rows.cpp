@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,12 @@ bool is_as_the_first(const BlowResult& first, const BlowResult& other) {
   return first.earlier_penetration == other.earlier_penetration;
 }
 
+std::string why_alike(const PadLaw& law) {
+  if (blow_memory(law) != BlowMemory::none) return "the pad recovers fully in between";
+  return "a pad of the law " + name_of(law) + " recovers fully by its law" +
+         (std::holds_alternative<Elastic>(law) ? "" : ", if rests are long against its relaxation");
+}
+
 std::string header(const char* key, const std::string& unit) {
   return result_quantity(key).title + (unit.empty() ? "" : ", " + unit);
 }
@@ -49,14 +56,10 @@ std::vector<BlowResult> blow_results(std::span<const Blow> blows) {
 std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>& blows) {
   const BlowResult& first = blows.front();
   const BlowResult& last = blows.back();
-  const PadLaw& law = impact.pad.material.law;
   const int asked = first.summary.blows;
   if (blows.size() == 1) return fmt::format("Of {} blows the first is the last that is known.", asked);
   if (is_as_the_first(first, last))
-    return fmt::format("All {} blows are alike: {}.", blows.size(),
-                       blow_memory(law) == BlowMemory::none
-                           ? "a pad of the law " + name_of(law) + " recovers fully by its law"
-                           : "the pad recovers fully in between");
+    return fmt::format("All {} blows are alike: {}.", blows.size(), why_alike(impact.pad.material.law));
   std::string text = fmt::format("From blow 1 to blow {} the peak acceleration goes", blows.size());
   if (std::isnan(peak_in_g(last)))
     text += fmt::format(" from {} g beyond all bounds", significant(peak_in_g(first), 4));

@@ -51,6 +51,14 @@ test("the example of the README", async () => {
 });
 const legend = (page) => page.locator("#acceleration .legend").innerText();
 
+test("a row for each of repeated blows", async () => {
+  const page = await check(report(example("playground-three-drops")));
+  const table = page.locator("table.blows");
+  assert.match(await table.locator("caption").innerText(), /^From blow 1 to blow 3 the peak acceleration goes from/);
+  assert.equal(await table.locator("tbody tr").count(), 3);
+  assert.match(await table.locator("thead").innerText(), /Peak acceleration, g[\s\S]*HIC15[\s\S]*Peak force, N/);
+});
+
 test("every law, every example", async () => {
   await check(report(example("dashboard-20mph-21-parameter")));
   await check(report(example("load-cell-drop")));

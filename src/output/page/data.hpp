@@ -16,6 +16,6 @@ namespace dashpad::output {
 /// another. Columns are in SI, to seven digits.
 std::string page_data(const ImpactCase& impact, const Options& options, const Solution& solution,
                       const UnitSystem& shown, const std::vector<ContactSnapshot>& snapshots,
-                      const std::vector<BlowResult>& blows);
+                      const std::vector<BlowResult>& blows = {});
 
 }  // namespace dashpad::output

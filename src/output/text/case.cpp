@@ -64,7 +64,10 @@ std::string history_text(const Pad& pad, const UnitSystem& units) {
 /// What happens between blows, by the law and by what the case says of it.
 std::string rests_text(const PadLaw& law, const Blows& blows) {
   switch (blow_memory(law)) {
-    case BlowMemory::none: return "by its law the pad recovers fully in between";
+    case BlowMemory::none:
+      return std::holds_alternative<Elastic>(law)
+                 ? "by its law the pad recovers fully"
+                 : "by its law the pad recovers fully in rests long against its relaxation";
     case BlowMemory::crater: return "the pad stays crushed";
     case BlowMemory::largest_strain: break;
   }
