@@ -12,7 +12,9 @@ namespace dashpad {
 ImpactCase first_blow(const ImpactCase& series);
 
 /// What the next blow meets (theory.md, Eq. 62): the only place where a state is carried from one blow to the
-/// next. Nothing after the last blow, and after one whose outcome does not say what it leaves behind.
-std::optional<ImpactCase> next_blow(const ImpactCase& series, const ImpactCase& blow, const Summary& summary);
+/// next. Nothing after the last blow, and after one whose outcome does not say what it leaves behind; with a
+/// fixed number of runs its accuracy does not count.
+std::optional<ImpactCase> next_blow(const ImpactCase& series, const ImpactCase& blow, const Summary& summary,
+                                    const Options& options);
 
 }  // namespace dashpad

@@ -14,9 +14,11 @@ ImpactCase first_blow(const ImpactCase& series) {
   return blow;
 }
 
-std::optional<ImpactCase> next_blow(const ImpactCase& series, const ImpactCase& blow,
-                                    const Summary& summary) {
-  if (summary.blow >= summary.blows || !leaves_a_known_pad(summary)) return std::nullopt;
+std::optional<ImpactCase> next_blow(const ImpactCase& series, const ImpactCase& blow, const Summary& summary,
+                                    const Options& options) {
+  const bool leaves_a_pad =
+      options.fixed_runs > 0 ? summary.release && !summary.bottomed : leaves_a_known_pad(summary);
+  if (summary.blow >= summary.blows || !leaves_a_pad) return std::nullopt;
   ImpactCase next = blow;
   if (blow_memory(blow.pad.material.law) != BlowMemory::none)
     next.pad.earlier_penetration =

@@ -111,7 +111,7 @@ void Solver::solve_each_blow(const ImpactCase& impact, const Options& options, c
     summary.blow = number;
     summary.blows = impact.blows ? impact.blows->count : 1;
     visit(*blow, memory_->solution);
-    blow = next_blow(impact, *blow, summary);
+    blow = next_blow(impact, *blow, summary, options);
   }
 }
 

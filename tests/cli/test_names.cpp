@@ -102,9 +102,13 @@ Found walk(const json& object, const std::set<std::string>& containers, const st
 }
 
 Found walk_result(const json& result) {
-  return walk(result, {"energy", "injury", "errors"},
-              {"status", "extrapolated", "extrapolations", "continuation", "softening_rates_per_s", "solver",
-               "case", "program"});
+  Found found = walk(result, {"energy", "injury", "errors"},
+                     {"status", "blows", "extrapolated", "extrapolations", "continuation",
+                      "softening_rates_per_s", "solver", "case", "program"});
+  for (const json& blow : result.value("blows", json::array()))
+    for (const std::string& word : walk(blow, {}, {"blow", "status", "earlier_penetration_m"}).foreign)
+      found.foreign.push_back("blows." + word);
+  return found;
 }
 
 // --- Text ---
@@ -185,6 +189,9 @@ TEST_F(NamesTest, OfARunAreThoseOfTheTable) {
   const std::string all = dashpad({"run", nine, "--all"}).out;
   expect_table_only(rows_of(all, "\n\n"), of_impact, "--all");
   expect_table_only(rows_of(all, "The pulse:\n"), all_of_pulse, "--all");
+  const Outcome series =
+      dashpad({"run", DASHPAD_SOURCE_DIR "/examples/playground-three-drops.toml", "--json", "-"});
+  expect_table_only(walk_result(json::parse(series.out)), of_impact, "JSON of blows");
   const Names columns{"time", "force", "acceleration", "velocity", "support_deflection", "axis_strain"};
   expect_table_only(heading_of(read_file(file("history.csv")), plain_si()), columns, "CSV");
   for (const char* units : {"us", "engineering-metric"})

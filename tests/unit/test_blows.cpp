@@ -162,6 +162,13 @@ TEST(BlowTexts, AreACaseAgain) {
   EXPECT_EQ(again.pad.earlier_penetration, 0.0123);
 }
 
+/// As fits ask for them: the accuracy then decides nothing.
+TEST(BlowSeries, GoesOnWithAFixedNumberOfRuns) {
+  const ImpactCase impact = struck(sample_law<Foam>(), 4, 0);
+  for (const int runs : {1, 2})
+    EXPECT_EQ(solve_blows(impact, {.tolerance = 1e-8, .fixed_runs = runs}).size(), 4u);
+}
+
 std::string told(const ImpactCase& impact) {
   const auto blows = solve_blows(impact, {.tolerance = 1e-3});
   const Solution& last = blows.back().solution;

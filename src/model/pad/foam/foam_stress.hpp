@@ -107,8 +107,9 @@ class FoamStress {
     const double u = slip_.slip_rate(g);
     return leading.base.stress * ratio(leading, ahead, overstress_.at(u), u, 0, in_crater).stress;
   }
-  /// The strain of the axis at which a nose meets again the foam that it strained to `largest` there, and to no
-  /// less than `least` beside it: what a column springs back is s(e*) / max(E, s'(e*)) (theory.md, Eq. 63).
+  /// The strain of the axis at which a nose meets again the foam that it strained to `largest` there, and to
+  /// no less than `least` beside it: what a column springs back is s(e*) / max(E, s'(e*)) (theory.md, Eq.
+  /// 63).
   [[nodiscard]] double strain_of_crater(double largest, double least) const;
   /// Whether the ratio is the same at all strains.
   [[nodiscard]] bool is_even(double ahead, const Overstress::AtRate& at) const {
