@@ -146,7 +146,7 @@ class Columns {
 std::string status_names() {
   std::string names;
   for (const Status status : {Status::not_run, Status::released, Status::bottomed_out, Status::time_limit,
-                              Status::tolerance_not_met})
+                              Status::tolerance_not_met, Status::at_rest})
     names += (names.empty() ? "" : ", ") + std::to_string(static_cast<int>(status)) + " " + to_string(status);
   return names;
 }

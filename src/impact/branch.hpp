@@ -12,21 +12,25 @@ namespace dashpad {
 /// What an impact is made of, as far as branches go.
 struct BranchConditions {
   bool pad_recovers = true;  ///< the pad follows its law back; if not, it holds its deformation
+  bool stops_hard = false;   ///< Foundation::stops_hard()
   bool rigid_support = false;
+  bool may_return = false;  ///< the back of the pad may come after the impactor
 };
 
 /// `drive` is that of the state now, m/s. Phase::over: the run ends.
 inline Phase phase_after(Event event, Phase now, double drive, BranchConditions conditions) {
   const Phase by_drive = drive > 0 ? Phase::loading : Phase::unloading;
   switch (event) {
-    case Event::release: return Phase::over;
-    case Event::lock: return conditions.rigid_support ? Phase::over : Phase::held;
+    case Event::release: return conditions.may_return ? Phase::flight : Phase::over;
+    case Event::lock: return conditions.stops_hard ? Phase::over : Phase::held;
     case Event::turning:
       if (conditions.pad_recovers) return Phase::unloading;
       return conditions.rigid_support ? Phase::over : Phase::held;
+    case Event::touch:
     case Event::yielding:
     case Event::reloading: return Phase::loading;
     case Event::unlock: return by_drive;
+    case Event::support_turning:
     case Event::corner:
     case Event::joining:
     case Event::none: break;

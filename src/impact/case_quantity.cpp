@@ -128,7 +128,16 @@ std::vector<CaseQuantity> quantities_of(const ImpactCase& base) {
   all.push_back(quantity_at(
       "impactor.speed", "m/s", [](auto& impact) -> auto& { return impact.impactor.speed; }));
   add_pad(base, all);
+  all.push_back(quantity_at(
+      "impactor.gravity", "m/s2", [](auto& impact) -> auto& { return impact.impactor.gravity; }));
   add_support(base.support, all);
+  for (const Parameter<Backing>& parameter : Backing::parameters)
+    if (base.backing.*parameter.member != 0)
+      all.push_back(quantity_at(
+          std::string("support.") + parameter.key,
+          parameter.unit, [member = parameter.member](auto& impact) -> auto& {
+            return impact.backing.*member;
+          }));
   add_blows(base, all);
   return all;
 }

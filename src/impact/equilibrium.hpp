@@ -3,7 +3,10 @@
 ///
 ///   0 = Y1 + Xs(F(Y1)) - X1(F(Y1))        the unknown is the penetration           (theory.md, Eq. 25)
 ///
-/// in each of the phases; held, the unknown is the force. Lengths in m, times in s, forces in N.
+/// where Xs is the motion of the back of the pad, which a support that moves has from the force over the
+/// step,
+///
+/// in each of the phases. Held, the unknown is the force. Lengths in m, times in s, forces in N.
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +25,8 @@ namespace dashpad {
 template <IsContact Contact>
 class Equilibrium {
  public:
-  Equilibrium(Contact& contact, const Support& support, const Motion<Contact>& motion, double thickness)
-      : contact_(contact), support_(support), motion_(motion), thickness_(thickness) {}
+  Equilibrium(Contact& contact, const Foundation& foundation, const Motion<Contact>& motion, double thickness)
+      : contact_(contact), foundation_(foundation), motion_(motion), thickness_(thickness) {}
 
   void start(double resolution) { resolution_ = resolution; }
 
@@ -31,7 +34,7 @@ class Equilibrium {
   /// force has a power of the strain rate with a small exponent, and an infinite slope in the advance itself.
   Trial loading(double step, const Predictor& predictor) {
     const double locked = contact_.lock_penetration();
-    const double unhindered = now().motion + now().velocity * step;
+    const double unhindered = farthest(step);
     const double most = std::min(unhindered, locked) - now().penetration;
     if (most <= 0) return without_solution(unhindered > locked ? Event::lock : Event::turning, step);
     MovingSearch at(*this, step, predictor);
@@ -56,7 +59,7 @@ class Equilibrium {
   Trial unloading(double step, const Predictor& predictor, bool just_turned) {
     MovingSearch at(*this, step, predictor);
     double advance = guess(step, predictor, at.slope);
-    if (!(advance < 0)) advance = std::min(predictor.pad_rate(), -std::abs(now().velocity)) * step / 2;
+    if (!(advance < 0)) advance = std::min(predictor.pad_rate(), -std::abs(speed_to_back())) * step / 2;
     RootSearch search;
     search.low = -std::numeric_limits<double>::infinity();
     search.high = 0;
@@ -73,7 +76,7 @@ class Equilibrium {
       // The pad, by the error of the contact integral, carries less than the support asks for: it is held
       // until the support has come down to it. Likewise just after the turning, where the drive is 0 but for
       // an error of either sign.
-      if (!support_.is_rigid() && (now().drive < 0 || just_turned)) {
+      if (!foundation_.is_firm(now().back, now().force) && (now().drive < 0 || just_turned)) {
         const Trial waiting = held(step, predictor);
         if (now().drive < 0 || waiting.end.drive < 0) return waiting;
       }
@@ -86,22 +89,29 @@ class Equilibrium {
   Trial held(double step, const Predictor& predictor) {
     Trial trial;
     trial.step = step;
+    if (foundation_.kind() != Foundation::Kind::at_once) {
+      motion_.stick(step, trial.end);
+      trial.pad_stiffness = predictor.pad_stiffness();
+      trial.pad = contact_.trial(0, now().time, step);
+      return finished(trial);
+    }
     trial.pad_stiffness =
         predictor.pad_stiffness();  // an unloading that waits for the support goes on from it
-    const double flexibility = support_.compliance(now().force) + motion_.inertial_compliance(step);
-    const double travel = std::abs(now().velocity) * step;
-    const double scale = std::abs(now().motion) + travel;
+    const double flexibility = motion_.flexibility(now().back, now().force, step);
+    const double travel = std::abs(speed_to_back()) * step;
+    const double scale = std::abs(reach(now())) + travel;
     RootSearch search;
     search.low = -std::numeric_limits<double>::infinity();
     search.high = std::max(now().force, 0.0) + 2 * (travel + scale) / flexibility;
-    search.guess = now().force + now().velocity * step / flexibility;
+    search.guess = now().force + motion_.approach(step, false) / flexibility;
     search.slope = flexibility;
     search.resolution = numerics.rounding * std::abs(now().force);
     // At first contact there is no force yet to go by.
     search.stride = now().force != 0 ? std::abs(now().force) : (travel + scale) / flexibility;
     // Below zero the support's line goes on: the release is located by the sign.
     const auto residual = [&](double force) {
-      const double extended = force >= 0 ? 0 : force * support_.compliance(0);
+      const double extended =
+          force >= 0 ? 0 : force * foundation_.static_compliance(now().back, foundation_.backing().preload);
       return motion_.residual(contact_, now().penetration, force, step, trial.end) + extended;
     };
     find_root(
@@ -110,14 +120,17 @@ class Equilibrium {
     return finished(trial);
   }
 
-  /// Without force the motion is known, and with it the penetration on an unloaded support.
+  /// Without force the motion is known, and with it the penetration on an unloaded support; in flight, below
+  /// zero.
   Trial released(double step, const Predictor& predictor) {
     Trial trial;
     trial.step = step;
     trial.pad_stiffness = predictor.pad_stiffness();
-    motion_.residual(contact_, 0, 0, step, trial.end);
-    trial.end.penetration = trial.end.motion;
-    trial.pad = contact_.trial(trial.end.penetration - now().penetration, now().time, step);
+    trial.end.penetration = -motion_.residual(contact_, 0, 0, step, trial.end);
+    trial.end.drive = trial.end.velocity - trial.end.back.velocity();
+    // Foam that stays crushed waits for the nose where it was left.
+    const double advance = contact_.recovers() ? trial.end.penetration - now().penetration : 0;
+    trial.pad = contact_.trial(advance, now().time, step);
     return trial;
   }
 
@@ -129,7 +142,7 @@ class Equilibrium {
     const double y = contact_.lock_penetration();
     trial.pad = contact_.trial(y - now().penetration, now().time, step);
     motion_.residual(contact_, y, trial.pad.force, step, trial.end);
-    trial.end.drive = trial.end.velocity;
+    trial.end.drive = trial.end.velocity - trial.end.back.velocity();
     return trial;
   }
 
@@ -140,8 +153,7 @@ class Equilibrium {
     Trial trial;
     trial.step = step;
     trial.pad_stiffness = predictor.pad_stiffness();
-    motion_.residual(contact_, 0, force, step, trial.end);
-    trial.end.penetration = trial.end.motion - support_.deflection(force);
+    trial.end.penetration = -motion_.residual(contact_, 0, force, step, trial.end);
     const double advance = trial.end.penetration - now().penetration;
     if (phase == Phase::loading ? advance > 0 : advance < 0) {
       trial.pad = contact_.trial(advance, now().time, step);
@@ -155,16 +167,18 @@ class Equilibrium {
   /// Whether the pad carries the force that a trial ends with, as nearly as in a solved one.
   [[nodiscard]] bool is_solved(const Trial& trial) const {
     const State& end = trial.end;
-    const double flexibility = support_.compliance(end.force) + motion_.inertial_compliance(trial.step);
+    const double flexibility = motion_.flexibility(end.back, end.force, trial.step);
     return trial.obstacle == Event::none && std::abs(trial.pad.force - end.force) * flexibility <=
-                                                allowed_residual(std::max(now().motion, end.motion));
+                                                allowed_residual(std::max(reach(now()), reach(end)));
   }
 
   /// The trial with its drive (Eq. 26) at the end of the step, m/s. Steps that resolved as a spring what a
   /// change of the rate adds would become shorter without end.
   Trial finished(Trial trial) {
     const double rate = contact_.force_rate_when_held(trial.pad);
-    trial.end.drive = trial.end.velocity - support_.compliance(trial.end.force) * rate;
+    trial.end.drive =
+        trial.end.velocity - foundation_.retreat(trial.end.back, trial.end.force, trial.pad.force, rate);
+    trial.force_rate = motion_.force_rate_after(trial.end.force, trial.step);
     if constexpr (FollowsRate<Contact>) {
       trial.lasting_stiffness = contact_.lasting_stiffness(trial.pad);
       if (trial.pad.advance < 0 || is_loaded_again())
@@ -175,11 +189,13 @@ class Equilibrium {
   }
 
   /// Residual of Eq. 25 at the end of a trial, m; at the lock it is positive before the pad locks.
-  [[nodiscard]] double residual(const Trial& trial) const {
-    return trial.end.penetration + support_.deflection(trial.end.force) - trial.end.motion;
-  }
+  [[nodiscard]] double residual(const Trial& trial) const { return motion_.residual(trial.end); }
 
-  /// Residual at which a trial of a pad with memory is solved, m; `scale`: the motion, m.
+  /// Motion of the impactor towards what the step finds in place, m: what roundings are of.
+  [[nodiscard]] double reach(const State& state) const {
+    return state.motion - foundation_.origin(state.back);
+  }
+  /// Residual at which a trial of a pad with memory is solved, m; `scale`: the reach, m.
   [[nodiscard]] double allowed_residual(double scale) const {
     return std::max(numerics.solved_residual * resolution_ * resolution_ * resolution_, numerics.rounding) *
            scale;
@@ -205,8 +221,15 @@ class Equilibrium {
   /// the stiffness changes with it. `slope` is that of Eq. 25.
   [[nodiscard]] double spring_advance(double step, double slope) const {
     const double most = numerics.guess_of_gap * (contact_.lock_penetration() - now().penetration);
-    return std::clamp(motion_.travel(step) / slope, -most, most);
+    return std::clamp(motion_.approach(step, false) / slope, -most, most);
   }
+  /// How far the nose would go into the pad in a step if nothing held it, m.
+  [[nodiscard]] double farthest(double step) const {
+    if (foundation_.is_plain()) return now().motion + motion_.approach(step, true);
+    return now().motion - now().back.motion() + motion_.approach(step, true);
+  }
+  /// m/s; towards a support at once on the ground, that of the impactor.
+  [[nodiscard]] double speed_to_back() const { return now().velocity - now().back.velocity(); }
   static double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
   static double slope_of_fourth_power(double z) { return 4 * z * z * z; }
   static bool is_rounding(double left, double scale) { return std::abs(left) <= numerics.rounding * scale; }
@@ -225,9 +248,8 @@ class Equilibrium {
       trial.pad_stiffness = predictor.next_stiffness();
       // A foam that was struck before may carry nothing for a while, and 0 / 0 is no trend.
       if (FollowsRate<Contact> && std::isnan(trial.pad_stiffness)) trial.pad_stiffness = 0;
-      scale = std::max(std::abs(now.motion), std::abs(now.motion + now.velocity * step));
-      slope = 1 + trial.pad_stiffness *
-                      (of.support_.compliance(now.force) + of.motion_.inertial_compliance(step));
+      scale = std::max(std::abs(of.reach(now)), std::abs(of.farthest(step)));
+      slope = 1 + trial.pad_stiffness * of.motion_.flexibility(now.back, now.force, step);
     }
 
     double residual(double advance) {
@@ -250,8 +272,7 @@ class Equilibrium {
       // Without force the pad stays without it on the way to the root: the step passes the release.
       if (may_let_go && end.force <= 0 && left >= 0) return true;
       if constexpr (memoryless) return is_rounding(left, scale);
-      const double flexibility =
-          of_.support_.compliance(end.force) + of_.motion_.inertial_compliance(trial.step);
+      const double flexibility = of_.motion_.flexibility(end.back, end.force, trial.step);
       const double missing = -left / (1 + trial.pad_stiffness * flexibility);
       const double allowed = of_.allowed_residual(scale) * (trials_ > 1 ? 1 : numerics.solved_first_trial);
       if (std::abs(left) > allowed) return false;
@@ -267,7 +288,7 @@ class Equilibrium {
     }
 
     Trial trial;
-    double scale = 0;         ///< of the motion, m
+    double scale = 0;         ///< of the reach, m
     double slope = 1;         ///< of Eq. 25 in the advance, as far as it is known
     bool may_let_go = false;  ///< unloading
 
@@ -277,7 +298,7 @@ class Equilibrium {
   };
 
   Contact& contact_;
-  const Support& support_;
+  const Foundation& foundation_;
   const Motion<Contact>& motion_;
   double thickness_;
   double resolution_ = 0;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "dashpad/model/support/support.hpp"
 #include "impact/numerics.hpp"
 #include "impact/trial.hpp"
+#include "model/support/foundation.hpp"
 
 namespace dashpad {
 
@@ -17,14 +17,21 @@ struct Sight {
   Phase phase = Phase::loading;
   const State& now;
   const Trial& trial;
-  bool recovers = true;  ///< the pad
-  double corner = 0;     ///< force at a corner of the support, N
-  double joint = 0;      ///< penetration at which a pad that was struck before is loaded anew, m; 0: none
+  const Foundation& foundation;
+  bool recovers = true;     ///< the pad
+  double corner = 0;        ///< of the support: a force, N, or a deflection, m
+  double joint = 0;         ///< penetration at which a pad that was struck before is loaded anew, m; 0: none
+  bool is_pressed = false;  ///< a column is under pressure at the end, in flight
+
+  /// What passes the corners.
+  [[nodiscard]] double at_corner(const State& state) const {
+    return foundation.kind() == Foundation::Kind::at_once ? state.force : state.back.deflection;
+  }
 };
 
 struct EventKind {
   Event event;
-  bool from_loading, from_unloading, from_held;
+  bool from_loading, from_unloading, from_held, from_flight;
   /// Positive before the event, as a rule increasingly so with the time that is left.
   double (*indicator)(const Sight&);
   /// Whether the event can happen from the state now on.
@@ -33,7 +40,14 @@ struct EventKind {
   bool ends_after;
 
   [[nodiscard]] bool may_happen_in(Phase phase) const {
-    return phase == Phase::loading ? from_loading : phase == Phase::unloading ? from_unloading : from_held;
+    switch (phase) {
+      case Phase::loading: return from_loading;
+      case Phase::unloading: return from_unloading;
+      case Phase::held: return from_held;
+      case Phase::flight: return from_flight;
+      case Phase::over: break;
+    }
+    return false;
   }
   [[nodiscard]] bool has_happened(const Sight& sight) const {
     return may_happen_in(sight.phase) && is_armed(sight) && indicator(sight) <= 0;
@@ -48,10 +62,9 @@ inline bool always(const Sight&) { return true; }
 inline double force(const Sight& s) { return s.trial.end.force; }
 inline double force_over_held_pad(const Sight& s) { return s.trial.end.force - s.trial.pad.force; }
 inline double strength_left(const Sight& s) { return s.trial.pad.force - s.trial.end.force; }
-/// A flat nose stands on the uncrushed foam until the support pushes hard enough.
-inline bool is_below_strength(const Sight& s) {
-  return !s.recovers && s.now.penetration == 0 && s.now.force < s.trial.pad.force;
-}
+/// A flat nose stands on the uncrushed foam until the support pushes hard enough; on foam that has been
+/// crushed, until a panel does.
+inline bool is_below_strength(const Sight& s) { return !s.recovers && s.now.force < s.trial.pad.force; }
 inline bool pad_recovers(const Sight& s) { return s.recovers; }
 /// Eq. 26; without a solution of Eq. 25 it is passed.
 inline double drive(const Sight& s) {
@@ -64,12 +77,17 @@ inline double has_unloading_step(const Sight& s) {
   return 1;
 }
 inline double has_step_below_lock(const Sight& s) { return s.trial.obstacle == Event::lock ? -1 : 1; }
-inline double force_to_corner(const Sight& s) {
-  return (s.trial.end.force - s.corner) * (s.now.force < s.corner ? -1 : 1);
+inline double way_to_corner(const Sight& s) {
+  return (s.at_corner(s.trial.end) - s.corner) * (s.at_corner(s.now) < s.corner ? -1 : 1);
 }
 inline bool is_off_corner(const Sight& s) {
-  return std::abs(s.now.force - s.corner) > numerics.at_corner * s.corner;
+  return std::abs(s.at_corner(s.now) - s.corner) > numerics.at_corner * s.corner;
 }
+inline double support_goes_on(const Sight& s) {
+  return s.foundation.kind() == Foundation::Kind::at_once ? s.trial.force_rate : s.trial.end.back.rate;
+}
+inline bool is_crushing(const Sight& s) { return s.foundation.is_crushing(s.now.back, s.now.force); }
+inline double is_apart(const Sight& s) { return s.is_pressed ? -1 : 1; }
 
 inline double penetration_to_joint(const Sight& s) { return s.joint - s.trial.end.penetration; }
 inline bool is_before_joint(const Sight& s) {
@@ -78,17 +96,23 @@ inline bool is_before_joint(const Sight& s) {
 
 }  // namespace event_rules
 
-/// In the order in which they count when they coincide.
-inline constexpr std::array<EventKind, 8> event_table{{
-    {Event::release, false, true, true, event_rules::force, event_rules::always, true},
-    {Event::unlock, false, false, true, event_rules::force_over_held_pad, event_rules::pad_recovers, true},
-    {Event::yielding, false, false, true, event_rules::strength_left, event_rules::is_below_strength, true},
-    {Event::turning, true, false, false, event_rules::drive, event_rules::is_driven, false},
-    {Event::reloading, false, true, false, event_rules::has_unloading_step, event_rules::always, false},
-    {Event::lock, true, false, false, event_rules::has_step_below_lock, event_rules::always, true},
-    {Event::corner, true, true, true, event_rules::force_to_corner, event_rules::is_off_corner, true},
-    {Event::joining, true, false, false, event_rules::penetration_to_joint, event_rules::is_before_joint,
+/// In the order in which they count when they coincide. From loading, unloading, held, flight.
+inline constexpr std::array<EventKind, 10> event_table{{
+    {Event::release, false, true, true, false, event_rules::force, event_rules::always, true},
+    {Event::touch, false, false, false, true, event_rules::is_apart, event_rules::always, true},
+    {Event::unlock, false, false, true, false, event_rules::force_over_held_pad, event_rules::pad_recovers,
      true},
+    {Event::yielding, false, false, true, false, event_rules::strength_left, event_rules::is_below_strength,
+     true},
+    {Event::turning, true, false, false, false, event_rules::drive, event_rules::is_driven, false},
+    {Event::reloading, false, true, false, false, event_rules::has_unloading_step, event_rules::always,
+     false},
+    {Event::lock, true, false, false, false, event_rules::has_step_below_lock, event_rules::always, true},
+    {Event::support_turning, true, true, true, false, event_rules::support_goes_on, event_rules::is_crushing,
+     false},
+    {Event::corner, true, true, true, true, event_rules::way_to_corner, event_rules::is_off_corner, true},
+    {Event::joining, true, false, false, false, event_rules::penetration_to_joint,
+     event_rules::is_before_joint, true},
 }};
 
 /// The first event of a trial, in the order of the table.
@@ -101,7 +125,7 @@ struct FirstEvent {
 };
 
 /// `sight.corner` is overwritten. A trial without a solution has no other event than what is in its way.
-inline FirstEvent first_event(Sight sight, const Support& support) {
+inline FirstEvent first_event(Sight sight) {
   FirstEvent first;
   const auto look = [&](const EventKind& kind, double corner) {
     sight.corner = corner;
@@ -113,7 +137,7 @@ inline FirstEvent first_event(Sight sight, const Support& support) {
     if (kind.event != Event::corner)
       look(kind, 0);
     else
-      for (const double corner : support.corners()) look(kind, corner);
+      for (const double corner : sight.foundation.corners()) look(kind, corner);
   }
   return first;
 }

@@ -72,7 +72,7 @@ class ForceCurve {
 
 /// The moment between entry i and the next at which the force falls below `level`, N. The force is above it
 /// at entry i and at most as large at the next.
-Moment where_force_falls_below(double level, const Track& track, std::size_t i, double mass) {
+Moment where_force_falls_below(double level, const Track& track, std::size_t i, const Impactor& impactor) {
   const History& h = track.history;
   const ForceCurve force(track, i);
   std::uintmax_t most = 60;
@@ -83,35 +83,47 @@ Moment where_force_falls_below(double level, const Track& track, std::size_t i, 
   const double time = (low + high) / 2;
   const double duration = time - h.time[i];
   const double impulse = duration / 6 * (h.force[i] + 4 * force.at(time - duration / 2) + force.at(time));
-  return {time, h.velocity[i] - impulse / mass};
+  return {time, h.velocity[i] - impulse / impactor.mass + impactor.gravity * duration};
 }
 
-void read_peak_force(const History& h, std::size_t first, std::size_t last, Figures& figures) {
-  std::size_t top = first;
-  for (std::size_t i = first; i <= last; ++i)
-    if (h.force[i] > h.force[top]) top = i;
-  double time = h.time[top];
-  double force = h.force[top];
-  if (top > first && top < last) {
-    const Parabola p(h.time, h.force, top - 1);
-    if (p.curvature() < 0) {
-      time = std::clamp(time - p.slope(time) / (2 * p.curvature()), h.time[top - 1], h.time[top + 1]);
-      force = p.at(time);
+struct Peak {
+  double time = 0;
+  double value = 0;
+};
+
+/// Of what is given at the entries of a track.
+Peak peak_of(const std::vector<double>& values, const Track& track) {
+  const std::vector<double>& times = track.history.time;
+  Peak peak;
+  for_each_stretch(track, [&](std::size_t first, std::size_t last) {
+    std::size_t top = first;
+    for (std::size_t i = first; i <= last; ++i)
+      if (values[i] > values[top]) top = i;
+    Peak here{times[top], values[top]};
+    if (top > first && top < last) {
+      const Parabola p(times, values, top - 1);
+      if (p.curvature() < 0) {
+        here.time =
+            std::clamp(here.time - p.slope(here.time) / (2 * p.curvature()), times[top - 1], times[top + 1]);
+        here.value = p.at(here.time);
+      }
     }
-  }
-  if (force > figures.peak_force) {
-    figures.peak_force = force;
-    figures.time_of_peak_force = time;
-  }
+    if (here.value > peak.value) peak = here;
+  });
+  return peak;
 }
 
 }  // namespace
 
 void read_peaks(const Track& track, Figures& figures) {
   const History& h = track.history;
-  figures.peak_force = 0;
-  for_each_stretch(track,
-                   [&](std::size_t first, std::size_t last) { read_peak_force(h, first, last, figures); });
+  const Peak force = peak_of(h.force, track);
+  figures.peak_force = force.value;
+  figures.time_of_peak_force = force.time;
+  if (!h.transmitted_force.empty()) {
+    figures.peak_transmitted = peak_of(h.transmitted_force, track).value;
+    figures.peak_deflection = peak_of(h.support_deflection, track).value;
+  }
   figures.peak_penetration = *std::max_element(h.penetration.begin(), h.penetration.end());
   figures.peak_motion = *std::max_element(h.motion.begin(), h.motion.end());
   for (std::size_t i = 1; i < h.size(); ++i) {
@@ -126,9 +138,9 @@ void read_peaks(const Track& track, Figures& figures) {
   }
 }
 
-void read_weight(const Track& track, double mass, Figures& figures) {
+void read_weight(const Track& track, const Impactor& impactor, Figures& figures) {
   const History& h = track.history;
-  const double weight = mass * standard_gravity;
+  const double weight = impactor.mass * standard_gravity;
   std::size_t i = 1;
   while (i < h.size() && !(h.velocity[i] < 0 && h.force[i] < weight)) ++i;
   if (i == h.size()) {
@@ -143,10 +155,10 @@ void read_weight(const Track& track, double mass, Figures& figures) {
         Moment{h.time[i - 1] + share * (h.time[i] - h.time[i - 1]), std::min(v, 0.0)};
     return;
   }
-  figures.force_below_weight = where_force_falls_below(weight, track, i - 1, mass);
+  figures.force_below_weight = where_force_falls_below(weight, track, i - 1, impactor);
 }
 
-void read_contact_end(const Track& track, double mass, Figures& figures) {
+void read_contact_end(const Track& track, const Impactor& impactor, Figures& figures) {
   figures.contact_end.reset();
   if (figures.ending != Ending::released) return;
   const std::vector<double>& force = track.history.force;
@@ -155,7 +167,7 @@ void read_contact_end(const Track& track, double mass, Figures& figures) {
   while (last > 0 && !(force[last] > least)) --last;
   // No entry is above: what was read as the peak is no number, or far from all of them.
   if (last > 0 && last + 1 < force.size())
-    figures.contact_end = where_force_falls_below(least, track, last, mass);
+    figures.contact_end = where_force_falls_below(least, track, last, impactor);
 }
 
 double work_on_pad(const Track& track) {

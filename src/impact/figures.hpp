@@ -4,12 +4,13 @@
 #include <cstddef>
 #include <optional>
 
+#include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "impact/track.hpp"
 
 namespace dashpad {
 
-enum class Ending { released, bottomed_out, time_limit, too_many_steps };
+enum class Ending { released, at_rest, bottomed_out, time_limit, too_many_steps };
 
 struct Figures {
   Ending ending = Ending::too_many_steps;
@@ -22,9 +23,17 @@ struct Figures {
   std::optional<Moment> contact_end;
   std::optional<Moment> release;
   std::optional<Moment> bottomed;
+  std::optional<Moment> rest;
   double final_velocity = 0;
-  double support_energy = 0;  ///< J, at the end
-  double pad_work = 0;        ///< J, integral of F dY
+  double support_energy = 0;    ///< J, stored at the end
+  double support_loss = 0;      ///< J, crushed and damped
+  double moving_energy = 0;     ///< J, of panel and body at the end
+  double weight_work = 0;       ///< J
+  double peak_transmitted = 0;  ///< N
+  double peak_deflection = 0;   ///< m
+  double set = 0;               ///< m
+  double body_velocity = 0;     ///< m/s, at the end
+  double pad_work = 0;          ///< J, integral of F dY
   int reloadings = 0;
   std::size_t stations = 0;
   std::size_t updates = 0;  ///< of columns, in all trials
@@ -34,13 +43,12 @@ struct Figures {
 void read_peaks(const Track& track, Figures& figures);
 
 /// The moment when the force falls below the impactor's weight on rebound, between the entries of a track;
-/// the release, if it never was above. `mass` in kg.
-void read_weight(const Track& track, double mass, Figures& figures);
+/// the release, if it never was above.
+void read_weight(const Track& track, const Impactor& impactor, Figures& figures);
 
 /// The end of contact, between the entries of a track: the force falls below contact_end_share of its peak
-/// for the last time. None unless the impactor was released without force. Reads `peak_force` and `ending`;
-/// `mass` in kg.
-void read_contact_end(const Track& track, double mass, Figures& figures);
+/// for the last time. None unless the impactor was released without force. Reads `peak_force` and `ending`.
+void read_contact_end(const Track& track, const Impactor& impactor, Figures& figures);
 
 /// Integral of F dY over the track, by local parabolas of F(t) and Y(t) within each smooth stretch: of higher
 /// order than the step, so that it audits the step's energy (theory.md, Eq. 30).

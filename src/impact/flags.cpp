@@ -16,9 +16,10 @@ std::string missed_tolerance(const Summary& summary) {
 
 std::string bottoming(const Summary& summary) {
   return fmt::format("BOTTOMED at {:.5g} ms: the pad was fully compressed {}", 1e3 * summary.bottomed->time,
-                     bottomed_on_rigid_support(summary)
-                         ? "on its rigid support, so that the force has no finite value there"
-                         : "for a while, in which only the support gave way");
+                     !bottomed_on_rigid_support(summary) ? "for a while, in which only the support gave way"
+                     : summary.support
+                         ? "against the mass behind it, so that the force has no finite value there"
+                         : "on its rigid support, so that the force has no finite value there");
 }
 
 /// Share of the impact energy that is rounding, also where an estimate says less.
@@ -64,7 +65,9 @@ std::string continuation(const ContinuationRange& range) {
 
 }  // namespace
 
-bool pulse_is_whole(const Summary& summary) { return summary.contact_end.has_value(); }
+bool pulse_is_whole(const Summary& summary) {
+  return summary.contact_end.has_value() || summary.rest.has_value();
+}
 
 bool bottomed_on_rigid_support(const Summary& summary) { return summary.bottomed && !summary.peak_force; }
 

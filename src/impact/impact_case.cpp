@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <string_view>
+
+#include "model/parameter_values.hpp"
 
 namespace dashpad {
 namespace {
@@ -26,6 +29,9 @@ constexpr Range lengths{1e-5, 1e2, "m"};
 constexpr Range areas{1e-10, 1e4, "m2"};
 constexpr Range speeds{1e-4, 1e3, "m/s"};
 constexpr Range stiffnesses{1e-3, 1e15, "N/m"};
+constexpr Range dampings{1e-6, 1e12, "N s/m"};
+constexpr Range forces{1e-6, 1e12, "N"};
+constexpr Bounds gravities{.lowest = 0, .highest = 1000, .lowest_admitted = true, .highest_admitted = true};
 
 /// NaN breaks every range.
 void check(std::vector<Violation>& broken, std::string key, double value, const Range& range,
@@ -121,6 +127,44 @@ void check_blows(std::vector<Violation>& broken, const ImpactCase& impact) {
         {"blows.recovery", recovery, "must be 0: a pad of the law " + name_of(law) + " does not recover"});
 }
 
+/// What is 0 is not there.
+void check_backing(std::vector<Violation>& broken, const Support& support, const Backing& of) {
+  const std::size_t before = broken.size();
+  check_bounds(of, "support.", broken);
+  if (broken.size() > before) return;
+  const auto within = [&](const char* key, double value, const Range& range) {
+    if (value != 0) check(broken, key, value, range);
+  };
+  within("support.mass", of.mass, masses);
+  within("support.body_mass", of.body_mass, masses);
+  within("support.damping", of.damping, dampings);
+  within("support.gap", of.gap, lengths);
+  within("support.preload", of.preload, forces);
+  within("support.unloading_stiffness", of.unloading_stiffness, stiffnesses);
+  if (support.is_rigid()) {
+    for (const Parameter<Backing>& parameter : Backing::parameters)
+      if (parameter.member != &Backing::body_mass && of.*parameter.member != 0)
+        broken.push_back({std::string("support.") + parameter.key, of.*parameter.member,
+                          "a rigid support has none; only a free body may be behind it"});
+    return;
+  }
+  if (of.damping > 0 && of.loss_factor > 0)
+    broken.push_back({"support.loss_factor", of.loss_factor, "give damping or loss_factor, not both"});
+  if (of.gap > 0 && of.preload > 0)
+    broken.push_back({"support.gap", of.gap, "a support with a preload has no gap"});
+  if (of.gap > 0 && !(of.mass > 0))
+    broken.push_back({"support.gap", of.gap,
+                      "needs the mass of the panel, which nothing but its mass holds up in the gap"});
+  double steepest = 0;
+  for (double force : {0.0, support.points().back().force})
+    steepest = std::max(steepest, 1 / support.compliance(force));
+  for (const double corner : support.corners()) steepest = std::max(steepest, 1 / support.compliance(corner));
+  if (of.unloading_stiffness > 0 && of.unloading_stiffness < steepest)
+    broken.push_back(
+        {"support.unloading_stiffness", of.unloading_stiffness,
+         fmt::format("must be at least the steepest slope of the support, {:.6g} N/m", steepest)});
+}
+
 std::vector<Violation> violations_with(std::vector<Violation> of_material, const ImpactCase& impact) {
   std::vector<Violation> broken;
   check(broken, "impactor.mass", impact.impactor.mass, masses);
@@ -137,7 +181,13 @@ std::vector<Violation> violations_with(std::vector<Violation> of_material, const
     broken.push_back(std::move(violation));
   }
   check_earlier_penetration(broken, impact.pad);
+  if (const auto rule = broken_rule(impact.impactor.gravity, gravities, "m/s2"))
+    broken.push_back({"impactor.gravity", impact.impactor.gravity, *rule});
   check_support(broken, impact.support);
+  check_backing(broken, impact.support, impact.backing);
+  if (impact.impactor.gravity > 0 && impact.backing.body_mass > 0)
+    broken.push_back({"impactor.gravity", impact.impactor.gravity,
+                      "must be 0 with a free body behind the support, which would fall as well"});
   check_blows(broken, impact);
   return broken;
 }

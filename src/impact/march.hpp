@@ -3,7 +3,8 @@
 ///
 /// The run goes through phases: loading, unloading, held (a rigid foam off its crush curve, or a fully
 /// compressed pad on a yielding support: Eq. 29; a pad is also held for a moment where neither of the other
-/// two has a solution). They end at events (impact/events.hpp), which are located within the step.
+/// two has a solution), flight (contact is lost, but a panel may come after the impactor). They end at events
+/// (impact/events.hpp), which are located within the step.
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,10 @@
 #include "impact/numerics.hpp"
 #include "impact/predictor.hpp"
 #include "impact/step_control.hpp"
+#include "impact/swing.hpp"
 #include "impact/track.hpp"
 #include "model/contact/contact.hpp"
+#include "model/support/foundation.hpp"
 
 namespace dashpad {
 
@@ -31,12 +34,12 @@ class March {
   March(const ImpactCase& impact, Contact& contact, const Options& options)
       : impactor_(impact.impactor),
         thickness_(impact.pad.thickness),
-        support_(impact.support),
+        foundation_(impact.support, impact.backing, impactor_.mass),
         contact_(contact),
         options_(options),
-        motion_(impactor_.mass, support_),
-        equilibrium_(contact, support_, motion_, thickness_),
-        control_(impactor_.mass, sections_of(impact), thickness_, support_) {
+        motion_(impactor_, foundation_),
+        equilibrium_(contact, foundation_, motion_, thickness_),
+        control_(impactor_.mass, sections_of(impact), thickness_, foundation_) {
     if constexpr (RemembersBlows<Contact>) {
       crater_ = contact_.crater();
       joint_ = contact_.joint();
@@ -51,6 +54,7 @@ class March {
     double step = begin(resolution, expected, track);
     while (phase_ != Phase::over && !limit_is_reached(track)) {
       const double before = now_.time;
+      const Phase phase_before = phase_;
       const Stretch next = next_stretch(step);
       if (next.moves) accept(next);
       if (next.event != Event::none) begin_phase(next.event);
@@ -58,6 +62,7 @@ class March {
       if (idle_ > 1) hold_for_a_moment();
       if (now_.time > before) record(track);
       if (next.event != Event::none && phase_ != Phase::over) track.begin_stretch();
+      if (phase_ != phase_before && !foundation_.is_plain()) jump_from(phase_before);
       control_.learn(phase_, now_, predictor_);
       step = std::min(control_.next(phase_, motion_, predictor_, now_.time - turning_time_),
                       options_.time_limit - now_.time);
@@ -81,11 +86,14 @@ class March {
     figures_.peak_pad_rate = impactor_.speed;
     // What does not give way at once is held until the support pushes hard enough.
     const double strength = contact_.first_force();
-    phase_ = strength > 0 && !support_.is_rigid() ? Phase::held : Phase::loading;
+    const double at_once = foundation_.force_at_once(impactor_.speed);
+    phase_ = strength > at_once && !foundation_.stops_hard() ? Phase::held : Phase::loading;
     idle_ = 0;
+    foundation_.start();
+    swing_ = {};
     turning_time_ = std::numeric_limits<double>::infinity();
     contact_.start(resolution, expected);
-    motion_.start(impactor_.speed, phase_ == Phase::held ? 0 : strength);
+    motion_.start(impactor_.speed, phase_ == Phase::held ? at_once : strength);
     equilibrium_.start(resolution);
     control_.start(resolution, contact_.lock_penetration());
     track.clear();
@@ -110,20 +118,24 @@ class March {
   // ------------------------------------------------------------------ a step
 
   Trial attempt(double step) {
-    const Trial trial = phase_ == Phase::loading ? equilibrium_.loading(step, predictor_)
-                        : phase_ == Phase::held  ? equilibrium_.held(step, predictor_)
-                                                 : equilibrium_.unloading(step, predictor_, just_turned());
+    const Trial trial = phase_ == Phase::loading  ? equilibrium_.loading(step, predictor_)
+                        : phase_ == Phase::held   ? equilibrium_.held(step, predictor_)
+                        : phase_ == Phase::flight ? equilibrium_.released(step, predictor_)
+                                                  : equilibrium_.unloading(step, predictor_, just_turned());
     predictor_.learn_from_try(trial);
     return trial;
   }
   [[nodiscard]] bool just_turned() const { return now_.time == turning_time_; }
-  [[nodiscard]] Sight sight(const Trial& trial, double corner = 0) const {
-    return {phase_, now_, trial, contact_.recovers(), corner, joint_};
+  [[nodiscard]] Sight sight(const Trial& trial, double corner = 0) {
+    const bool is_pressed =
+        phase_ == Phase::flight &&
+        (contact_.recovers() ? contact_.largest_stress(trial.pad) > 0 : trial.end.penetration > left_at_);
+    return {phase_, now_, trial, foundation_, contact_.recovers(), corner, joint_, is_pressed};
   }
 
   Stretch next_stretch(double step) {
     Trial trial = attempt(step);
-    FirstEvent first = first_event(sight(trial), support_);
+    FirstEvent first = first_event(sight(trial));
     const double shortest = numerics.shortest_step * std::max(now_.time, step);
     // Far too long for what it found, or into several events at once: a shorter step tells more.
     for (int i = 0; i < numerics.most_halvings && step > shortest; ++i) {
@@ -132,7 +144,7 @@ class March {
       if (!too_long && first.count <= 1) break;
       step /= 2;
       trial = attempt(step);
-      first = first_event(sight(trial), support_);
+      first = first_event(sight(trial));
     }
     if (first.kind == nullptr) return {trial, Event::none, true};
     return stretch_to(first, trial, shortest);
@@ -162,9 +174,10 @@ class March {
     return !memoryless && event == Event::release && phase_ != Phase::held;
   }
 
-  /// The corner of the support at a moving pad with memory: the force is known.
+  /// The corner of a support at once at a moving pad with memory: the force is known.
   [[nodiscard]] bool is_corner(Event event) const {
-    return !memoryless && event == Event::corner && phase_ != Phase::held;
+    return !memoryless && event == Event::corner && phase_ != Phase::held && phase_ != Phase::flight &&
+           foundation_.kind() == Foundation::Kind::at_once;
   }
 
   /// A trial that ends where an event is looked for, and its indicator: positive before the event.
@@ -230,40 +243,74 @@ class March {
   void accept(const Stretch& next) {
     contact_.accept(next.trial.pad);
     predictor_.learn(phase_, now_, next.trial, next.event);
-    motion_.accept(next.trial.end, next.trial.step, next.event == Event::none);
+    move_to(next.trial.end, next.trial.step, next.event == Event::none);
+    if (phase_ == Phase::flight && !may_return()) enter(Phase::over, Ending::released);
+  }
+
+  void move_to(const State& end, double step, bool smooth) {
+    foundation_.accept(now_.back, end.back, end.force, step, smooth);
+    const double before = now_.velocity;
+    motion_.accept(end, step, smooth);
+    if (impactor_.gravity > 0 && phase_ != Phase::flight && swing_.comes_to_rest(before, now_, impactor_)) {
+      figures_.rest = Moment{now_.time, now_.velocity};
+      enter(Phase::over, Ending::at_rest);
+    }
   }
 
   /// Neither phase has a solution from here, as at a corner of the support from which loading and unloading
   /// both lead back: the pad is held for a moment.
   void hold_for_a_moment() {
-    if (support_.is_rigid()) return;
+    if (foundation_.stands_still(now_.back, now_.force)) return;
     const double moment = numerics.held_moment * resolution_ * resolution_ * control_.usual();
     const Trial trial = equilibrium_.held(moment, predictor_);
     contact_.accept(trial.pad);
-    motion_.accept(trial.end, moment, false);
+    move_to(trial.end, moment, false);
     predictor_.forget_rate();
-    enter(phase_after_holding(now_.drive, now_.force), Ending::released);
+    if (phase_ != Phase::over) enter(phase_after_holding(now_.drive, now_.force), Ending::released);
   }
 
   void begin_phase(Event event) {
     predictor_.begin_phase(event, now_);
+    if (event == Event::support_turning) foundation_.turn();
+    if (event == Event::release) {
+      figures_.release = Moment{now_.time, now_.velocity};
+      left_at_ = now_.penetration;
+    }
     if (event == Event::lock && !figures_.bottomed) figures_.bottomed = Moment{now_.time, now_.velocity};
     if (event == Event::reloading && now_.drive > numerics.least_drive * impactor_.speed)
       ++figures_.reloadings;
-    const Phase next = phase_after(event, phase_, now_.drive, {contact_.recovers(), support_.is_rigid()});
+    const Phase next = phase_after(event, phase_, now_.drive, conditions());
     if (event == Event::turning) {
       turning_time_ = now_.time;
-      // A rigid foam on a rigid support has brought the impactor to rest.
-      if (next == Phase::over) motion_.stop();
+      // A rigid foam on a firm support has brought the impactor to rest on it.
+      if (next == Phase::over && foundation_.backing().body_mass == 0) motion_.stop();
     }
     enter(next, event == Event::lock ? Ending::bottomed_out : Ending::released);
   }
 
+  /// The force jumps where a phase begins in which something else sets it.
+  void jump_from(Phase before) {
+    if (phase_ == Phase::held) motion_.begin_holding();
+    if (before == Phase::flight && phase_ == Phase::loading && !contact_.recovers())
+      motion_.begin_crushing(left_at_, contact_.trial(0, now_.time, control_.usual()).force);
+  }
+
+  [[nodiscard]] BranchConditions conditions() const {
+    return {.pad_recovers = contact_.recovers(),
+            .stops_hard = foundation_.stops_hard(),
+            .rigid_support = foundation_.stands_still(now_.back, now_.force),
+            .may_return = foundation_.swings() && may_return()};
+  }
+  [[nodiscard]] bool may_return() const {
+    return foundation_.fastest_return(now_.back) + now_.velocity > numerics.least_return * impactor_.speed;
+  }
+
   void enter(Phase phase, Ending if_over) {
+    const bool was_in_flight = phase_ == Phase::flight;
     phase_ = phase;
     if (phase != Phase::over) return;
     figures_.ending = if_over;
-    if (if_over == Ending::released) figures_.release = Moment{now_.time, now_.velocity};
+    if (if_over == Ending::released && !was_in_flight) figures_.release = Moment{now_.time, now_.velocity};
   }
 
   // ------------------------------------------------------------------ what is left of a run
@@ -274,7 +321,7 @@ class March {
     const double rate = std::abs(predictor_.pad_rate());
     const double elapsed = track.history.time.back() - track.history.time[track.size() - 2];
     if (elapsed > numerics.least_step_with_rate * resolution_ * control_.usual() &&
-        rate * elapsed > equilibrium_.allowed_residual(now_.motion))
+        rate * elapsed > equilibrium_.allowed_residual(equilibrium_.reach(now_)))
       figures_.peak_pad_rate = std::max(figures_.peak_pad_rate, rate);
   }
 
@@ -286,8 +333,13 @@ class March {
     h.acceleration.push_back(0 - now_.force / impactor_.mass);
     h.velocity.push_back(now_.velocity);
     h.motion.push_back(now_.motion);
-    h.penetration.push_back(crater_ + now_.penetration);
-    h.support_deflection.push_back(now_.motion - now_.penetration);
+    h.penetration.push_back(crater_ + std::max(now_.penetration, 0.0));
+    h.support_deflection.push_back(foundation_.is_plain() ? now_.motion - now_.penetration
+                                                          : now_.back.deflection);
+    if (!foundation_.is_plain()) {
+      h.transmitted_force.push_back(now_.back.transmitted);
+      h.body_motion.push_back(now_.back.body_motion);
+    }
     h.contact_radius.push_back(contact_.contact_radius());
     h.axis_strain.push_back(h.penetration.back() / thickness_);
   }
@@ -296,12 +348,19 @@ class March {
     figures_.stations = contact_.stations();
     figures_.updates = contact_.updates();
     figures_.final_velocity = now_.velocity;
-    figures_.support_energy = support_.energy(now_.force);
+    const Foundation::Energy energy = foundation_.energy(now_.back, now_.force);
+    figures_.support_energy = energy.stored;
+    figures_.support_loss = energy.crushed + energy.damped;
+    figures_.moving_energy = energy.moving;
+    figures_.weight_work = impactor_.mass * impactor_.gravity * now_.motion;
+    figures_.set = foundation_.set();
+    figures_.body_velocity = now_.back.body_velocity;
     read_peaks(track, figures_);
-    read_weight(track, impactor_.mass, figures_);
-    read_contact_end(track, impactor_.mass, figures_);
+    read_weight(track, impactor_, figures_);
+    read_contact_end(track, impactor_, figures_);
     if constexpr (memoryless)
-      figures_.pad_work = contact_.energy(now_.penetration);
+      figures_.pad_work = contact_.energy(contact_.recovers() ? std::max(now_.penetration, 0.0)
+                                                              : figures_.peak_penetration - crater_);
     else
       figures_.pad_work = work_on_pad(track);
     return figures_;
@@ -311,7 +370,7 @@ class March {
   double thickness_;
   double crater_ = 0;  ///< in which a pad that was struck before is met, m below its surface when new
   double joint_ = 0;   ///< penetration at which it goes over to its first loading, m; 0: it does not
-  const Support& support_;
+  Foundation foundation_;
   Contact& contact_;
   const Options& options_;
   Motion<Contact> motion_;
@@ -323,6 +382,8 @@ class March {
   Phase phase_ = Phase::loading;
   int idle_ = 0;             ///< turns of the loop since time last went on
   double turning_time_ = 0;  ///< the last, s
+  double left_at_ = 0;       ///< penetration at the last release, m
+  Swing swing_;
   Figures figures_;
 };
 

@@ -4,27 +4,31 @@
 ///   V1 = V0 - (F0 / 2 + F1 / 2 - q / 6) dt / M                                     (theory.md, Eq. 23)
 ///   X1 = X0 + V0 dt - (F0 / 3 + F1 / 6 - q / 12) dt^2 / M
 ///
-/// q is the bend of the parabola of F(t) through the last three moments, 0 after an event. For a pad without
-/// memory the mean force is the one whose work is exact (theory.md, Eq. 24). Compression positive; SI units.
+/// and for gravity V1 + g dt, X1 + g dt^2 / 2. q is the bend of the parabola of F(t) through the last three
+/// moments, 0 after an event. For a pad without memory on an elastic support the mean force is the one whose
+/// work is exact (theory.md, Eq. 24). The back of the pad moves by the same force. Compression positive; SI
+/// units.
 
 #include <cmath>
 
-#include "dashpad/model/support/support.hpp"
+#include "dashpad/impact/impact_case.hpp"
 #include "impact/trial.hpp"
 #include "model/contact/contact.hpp"
+#include "model/support/foundation.hpp"
 
 namespace dashpad {
 
 template <IsContact Contact>
 class Motion {
  public:
-  Motion(double mass, const Support& support) : mass_(mass), support_(support) {}
+  Motion(const Impactor& impactor, const Foundation& foundation)
+      : mass_(impactor.mass), gravity_(impactor.gravity), foundation_(foundation) {}
 
   /// `force`: at first contact, N.
   void start(double speed, double force) {
     now_ = {};
     now_.velocity = now_.drive = speed;
-    now_.force = force;
+    now_.force = now_.back.transmitted = force;
     force_rate_ = last_step_ = 0;
     smooth_ = false;
   }
@@ -41,48 +45,106 @@ class Motion {
     now_ = end;
   }
   void stop() { now_.velocity = 0; }
+  /// The nose meets foam that stayed crushed: the force jumps.
+  void begin_crushing(double penetration, double force) {
+    now_.penetration = penetration;
+    jump_to(force);
+  }
+  /// The pad keeps its shape from now on, and what is behind it sets the force.
+  void begin_holding() {
+    now_.back = foundation_.stuck(now_.back, now_.velocity);
+    jump_to(foundation_.force_when_stuck(now_.back, now_.force, mass_, mass_ * gravity_));
+  }
+  /// Fills `end`, but for its drive, for a step in which it does; not for a support at once.
+  void stick(double step, State& end) const {
+    const BackState from = foundation_.stuck(now_.back, now_.velocity);
+    end.time = now_.time + step;
+    end.penetration = now_.penetration;
+    end.back = foundation_.after_with(from, mass_, mass_ * gravity_, step);
+    end.motion = now_.motion + (end.back.motion() - now_.back.motion());
+    end.velocity = end.back.velocity();
+    end.force = foundation_.force_when_stuck(end.back, now_.force, mass_, mass_ * gravity_);
+  }
 
   /// Fills `end`, but for its drive, for a trial penetration and its force; returns the residual of Eq. 25,
   /// m.
   double residual(const Contact& contact, double penetration, double force, double step, State& end) const {
-    const double motion = penetration + support_.deflection(force);
     end.penetration = penetration;
     end.force = force;
     end.time = now_.time + step;
+    StepForce over = force_over(force, step);
     if constexpr (HasEnergy<Contact>) {
-      end.velocity = now_.velocity - mean_force(contact, penetration, force, motion) * step / mass_;
-      end.motion = now_.motion + (now_.velocity + end.velocity) / 2 * step;
-    } else {
-      const double rise = force - now_.force;
-      const double bend = share_of_bend(step) * (rise - force_rate_ * step);
-      end.velocity = now_.velocity - (now_.force + rise / 2 - bend / 6) * step / mass_;
-      end.motion =
-          now_.motion + (now_.velocity - (now_.force / 2 + rise / 6 - bend / 12) * step / mass_) * step;
+      if (foundation_.is_elastic()) {
+        over.mean = mean_force(contact, penetration, force);
+        over.moment = over.mean / 2;
+      }
     }
-    return motion - end.motion;
+    end.velocity = now_.velocity - over.mean * step / mass_ + gravity_ * step;
+    if (HasEnergy<Contact> && foundation_.is_elastic())
+      end.motion = now_.motion + (now_.velocity + end.velocity) / 2 * step;
+    else
+      end.motion = now_.motion + (now_.velocity - over.moment * step / mass_ + gravity_ * step / 2) * step;
+    if (foundation_.is_plain()) return penetration + foundation_.deflection(force) - end.motion;
+    end.back = foundation_.after(now_.back, over);
+    return penetration + end.back.motion() - end.motion;
   }
-  /// How far the impactor goes in a step under the force that it meets now, m.
-  [[nodiscard]] double travel(double step) const {
-    return (now_.velocity - now_.force * step / (2 * mass_)) * step;
+  /// The same for a state that was filled before.
+  [[nodiscard]] double residual(const State& end) const {
+    return end.penetration +
+           (foundation_.is_plain() ? foundation_.deflection(end.force) : end.back.motion()) - end.motion;
+  }
+  /// By how much the impactor comes closer to the back of the pad in a step, if the force stays what it is
+  /// or, `unhindered`, none; m.
+  [[nodiscard]] double approach(double step, bool unhindered) const {
+    const double force = unhindered ? 0 : now_.force;
+    const double way = (now_.velocity - force * step / (2 * mass_) + gravity_ * step / 2) * step;
+    if (foundation_.is_plain()) return way;
+    const StepForce over{force, force, force, force / 2, step};
+    return way - (foundation_.after(now_.back, over).motion() - now_.back.motion());
+  }
+  /// dF/dt at the end of a step.
+  [[nodiscard]] double force_rate_after(double force, double step) const {
+    const double rise = force - now_.force;
+    return (rise + share_of_bend(step) * (rise - force_rate_ * step)) / step;
+  }
+  /// d(X1 - Xback1)/dF1, in size, m/N: `force` is that at which the support is looked at.
+  [[nodiscard]] double flexibility(const BackState& back, double force, double step) const {
+    return foundation_.compliance(back, force, step, share_of_moment(step)) + inertial_compliance(step);
   }
   /// -dX1/dF1 of Eq. 23.
   [[nodiscard]] double inertial_compliance(double step) const {
-    return step * step / mass_ * (HasEnergy<Contact> ? 0.25 : 1.0 / 6 - share_of_bend(step) / 12);
+    return step * step / mass_ * share_of_moment(step);
   }
 
  private:
-  double mean_force(const Contact& contact, double penetration, double force, double motion) const {
-    const double distance = motion - now_.motion;
-    if (std::abs(distance) > 1e-7 * (std::abs(motion) + std::abs(now_.motion)))
-      return (support_.energy(force) - support_.energy(now_.force) + contact.energy(penetration) -
-              contact.energy(now_.penetration)) /
+  void jump_to(double force) {
+    now_.force = force;
+    force_rate_ = 0;
+    smooth_ = false;
+  }
+  [[nodiscard]] StepForce force_over(double force, double step) const {
+    const double rise = force - now_.force;
+    const double bend = share_of_bend(step) * (rise - force_rate_ * step);
+    return {now_.force, force, now_.force + rise / 2 - bend / 6, now_.force / 2 + rise / 6 - bend / 12, step};
+  }
+  double mean_force(const Contact& contact, double penetration, double force) const {
+    const double closer = penetration + foundation_.deflection(force);
+    const double closer_now = now_.penetration + foundation_.deflection(now_.force);
+    const double distance = closer - closer_now;
+    if (std::abs(distance) > 1e-7 * (std::abs(closer) + std::abs(closer_now)))
+      return (foundation_.elastic_energy(force) - foundation_.elastic_energy(now_.force) +
+              contact.energy(penetration) - contact.energy(now_.penetration)) /
              distance;
     return (now_.force + force) / 2;
+  }
+  [[nodiscard]] double share_of_moment(double step) const {
+    return HasEnergy<Contact> && foundation_.is_elastic() ? 0.25 : 1.0 / 6 - share_of_bend(step) / 12;
   }
   [[nodiscard]] double share_of_bend(double step) const { return smooth_ ? step / (step + last_step_) : 0; }
 
   double mass_;
-  const Support& support_;
+  double gravity_;
+  const Foundation& foundation_;
   State now_;
   double force_rate_ = 0;
   double last_step_ = 0;

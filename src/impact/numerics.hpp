@@ -71,6 +71,9 @@ struct Numerics {
   int most_idle_events = 16;
   /// Where neither phase has a solution the pad is held for this long, in rho^2 of a step.
   double held_moment = 0.1;
+  /// What comes after an impactor that has left the pad no faster than this, in impact speeds, is not waited
+  /// for.
+  double least_return = 1e-6;
   /// Reloadings count from this drive (Eq. 26) on, in impact speeds; below, they may come from rounding.
   double least_drive = 1e-3;
 
@@ -124,6 +127,14 @@ struct Numerics {
   /// Column updates of a run after which no other is begun, which would take four times as long, some
   /// seconds. With a quarter of it 23 of 400 random cases missed a tolerance of 1e-6, with this 10.
   std::size_t most_updates_before_last = 48'000'000;
+
+  // --- Rest ---
+
+  /// An impactor under its weight has come to rest when between two turns it was never faster than this share
+  /// of the impact speed, which leaves 1e-4 of the impact energy; or, where it does not swing, when speed and
+  /// what is left of the force are below the second share.
+  double speed_at_rest = 1e-2;
+  double creep_at_rest = 1e-3;
 
   // --- Limits of a run ---
 

@@ -70,13 +70,15 @@ class Predictor {
   /// A phase that begins with `event` at the state `now`.
   void begin_phase(Event event, const State& now) {
     tried_step_ = 0;
+    const double approach = now.velocity - now.back.velocity();
     if (event == Event::turning) {
-      pad_rate_ = std::min(now.velocity, 0.0);
+      pad_rate_ = std::min(approach, 0.0);
       pad_stiffness_ = stiffness_to_resolve_ = spring_;
       stiffening_ = 1;
     }
-    if (event == Event::reloading || event == Event::yielding) pad_rate_ = std::max(now.velocity, 0.0);
-    if (event == Event::unlock) pad_rate_ = now.velocity;
+    if (event == Event::reloading || event == Event::yielding || event == Event::touch)
+      pad_rate_ = std::max(approach, 0.0);
+    if (event == Event::unlock || event == Event::release) pad_rate_ = approach;
   }
   /// The pad was held for a moment.
   void forget_rate() {

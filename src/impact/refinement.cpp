@@ -22,6 +22,13 @@ void for_each_number(Visit&& visit, Run&... runs) {
   visit(runs.peak_pad_rate...);
   visit(runs.final_velocity...);
   visit(runs.support_energy...);
+  visit(runs.support_loss...);
+  visit(runs.moving_energy...);
+  visit(runs.weight_work...);
+  visit(runs.peak_transmitted...);
+  visit(runs.peak_deflection...);
+  visit(runs.set...);
+  visit(runs.body_velocity...);
   visit(runs.pad_work...);
   const auto moment = [&](auto&... moments) {
     if (!(moments.has_value() && ...)) return;
@@ -32,6 +39,7 @@ void for_each_number(Visit&& visit, Run&... runs) {
   moment(runs.contact_end...);
   moment(runs.release...);
   moment(runs.bottomed...);
+  moment(runs.rest...);
 }
 
 bool is_finite(const Figures& run) {
@@ -40,16 +48,17 @@ bool is_finite(const Figures& run) {
   return finite;
 }
 
-std::array<double*, 9> all(ErrorEstimates& e) {
+std::array<double*, 10> all(ErrorEstimates& e) {
   return {&e.peak_force,  &e.time_of_peak_force, &e.peak_motion, &e.peak_penetration, &e.rebound_speed,
-          &e.contact_end, &e.force_below_weight, &e.bottomed,    &e.energy_absorbed};
+          &e.contact_end, &e.force_below_weight, &e.bottomed,    &e.energy_absorbed,  &e.support};
 }
 
 /// Ended alike and passed the same events.
 bool same_kind(const Figures& a, const Figures& b) {
   return a.ending == b.ending && a.force_below_weight.has_value() == b.force_below_weight.has_value() &&
          a.contact_end.has_value() == b.contact_end.has_value() &&
-         a.bottomed.has_value() == b.bottomed.has_value() && a.reloadings == b.reloadings;
+         a.bottomed.has_value() == b.bottomed.has_value() &&
+         (a.reloadings == b.reloadings || a.ending == Ending::at_rest);
 }
 
 Figures extrapolate(const Figures& fine, const Figures& coarse) {
@@ -126,8 +135,18 @@ void Refinement::judge(const Figures& run, const Figures& before) {
       {worst, errors_.rebound_speed, errors_.contact_end, errors_.force_below_weight, errors_.bottomed});
   const auto absorbed = [&](const Figures& f) {
     const double v = f.final_velocity / speed_;
-    return 1 - v * v - f.support_energy / energy_;
+    return 1 - v * v - (f.support_energy + f.support_loss + f.moving_energy - f.weight_work) / energy_;
   };
+  const auto of_support = [&](double x, double x_before, double x_run, double scale) {
+    return scale > 0 ? error(x, x_before, x_run, scale) : 0.0;
+  };
+  // What moves and stays is small against what comes and goes; of bodies, against the impact speed.
+  errors_.support = std::max(
+      {of_support(now.peak_transmitted, before.peak_transmitted, run.peak_transmitted, now.peak_transmitted),
+       of_support(now.peak_deflection, before.peak_deflection, run.peak_deflection, now.peak_deflection),
+       of_support(now.set, before.set, run.set, now.peak_deflection),
+       of_support(now.body_velocity, before.body_velocity, run.body_velocity, speed_)});
+  worst = std::max(worst, errors_.support);
   errors_.energy_absorbed = error(absorbed(now), absorbed(before), absorbed(run), 1);
   const double residual = std::abs(absorbed(now) - now.pad_work / energy_);
   // The absorbed share, a small difference of large numbers, is held to ten times the tolerance relative to

@@ -9,21 +9,21 @@
 
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/model/nose/sections.hpp"
-#include "dashpad/model/support/support.hpp"
 #include "impact/motion.hpp"
 #include "impact/numerics.hpp"
 #include "impact/predictor.hpp"
+#include "model/support/foundation.hpp"
 
 namespace dashpad {
 
 class StepControl {
  public:
-  StepControl(double mass, const Sections& nose, double thickness, const Support& support)
+  StepControl(double mass, const Sections& nose, double thickness, const Foundation& foundation)
       : mass_(mass),
         nose_(nose),
         share_of_side_(1 - nose.tip / nose.area_beyond()),
         thickness_(thickness),
-        support_(support) {}
+        foundation_(foundation) {}
 
   /// `lock`: penetration at which the pad locks, m.
   void start(double resolution, double lock) {
@@ -49,6 +49,8 @@ class StepControl {
 
   /// The longest step from a state: it resolves the momentary oscillation, the strain and the closing gap.
   [[nodiscard]] double longest(Phase phase, const State& state, double pad_stiffness, double pad_rate) const {
+    if (phase == Phase::flight)
+      return std::min(oscillation_limit(phase, state, 0), resolution_ * thickness_ / std::abs(pad_rate));
     double step = oscillation_limit(phase, state, pad_stiffness);
     if (phase != Phase::held && pad_rate != 0)
       step = std::min({step, strain_limit(state, pad_rate), gap_limit(state, pad_rate)});
@@ -75,23 +77,30 @@ class StepControl {
                             double since_turning) const {
     const State& now = motion.now();
     double step = usual_;
-    if (phase == Phase::loading && support_.is_rigid())
+    const bool firm = foundation_.is_firm(now.back, now.force);
+    if (phase == Phase::loading && firm)
       step = std::min(step, turning_limit(now, predictor, FollowsRate<Contact>));
-    if (phase == Phase::unloading && support_.is_rigid() && FollowsRate<Contact> && since_turning > 0)
+    if (phase == Phase::unloading && firm && FollowsRate<Contact> && since_turning > 0)
       step = std::min(step, logarithm_limit(since_turning));
     if (phase == Phase::unloading) {
       step = std::min(step, end_of_unloading_limit(now, predictor));
       if (motion.force_rate() < 0) step = std::min(step, release_limit(now, motion.force_rate(), step));
     }
-    // On a rigid support the pad turns at rate zero, about which the force has a power of the time.
-    const double last = since_turning == 0 && support_.is_rigid() ? 0 : motion.last_step();
+    // On a firm support the pad turns at rate zero, about which the force has a power of the time.
+    const double last = since_turning == 0 && firm ? 0 : motion.last_step();
     return std::min(numerics.growth * std::max(last, resolution_ * usual_), step);
   }
 
  private:
   [[nodiscard]] double oscillation_limit(Phase phase, const State& state, double pad_stiffness) const {
-    const double compliance = support_.compliance(state.force);
-    const double stiffness = phase == Phase::held ? 1 / compliance : 1 / (1 / pad_stiffness + compliance);
+    const bool held = phase == Phase::held;
+    if (!foundation_.is_plain()) {
+      const double squared =
+          foundation_.square_frequency(state.back, state.force, pad_stiffness, held, mass_);
+      return squared > 0 ? resolution_ / std::sqrt(squared) : std::numeric_limits<double>::infinity();
+    }
+    const double compliance = foundation_.static_compliance(state.back, state.force);
+    const double stiffness = held ? 1 / compliance : 1 / (1 / pad_stiffness + compliance);
     return resolution_ * std::sqrt(mass_ / stiffness);
   }
   [[nodiscard]] double strain_limit(const State& state, double pad_rate) const {
@@ -136,7 +145,7 @@ class StepControl {
   Sections nose_;
   double share_of_side_;  ///< of the area of its widest section: what is not the tip's
   double thickness_;
-  const Support& support_;
+  const Foundation& foundation_;
   double resolution_ = 0;
   double lock_ = 0;
   double largest_force_ = 0;  ///< so far

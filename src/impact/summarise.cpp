@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace dashpad {
 namespace {
@@ -14,9 +16,11 @@ std::vector<std::string> extrapolations(const ImpactCase& impact, const Summary&
     reasons.push_back(std::move(reason));
   // A linear support has one point, which only says its slope.
   const auto& points = impact.support.points();
-  if (points.size() > 1 && summary.peak_force && *summary.peak_force > points.back().force)
-    reasons.push_back(fmt::format("the support's force reaches {:.4g} N; its curve ends at {:.4g} N",
-                                  *summary.peak_force, points.back().force));
+  const std::optional<double> force =
+      summary.support ? std::optional(summary.support->peak_transmitted) : summary.peak_force;
+  if (points.size() > 1 && force && *force > points.back().force)
+    reasons.push_back(fmt::format("the support's force reaches {:.4g} N; its curve ends at {:.4g} N", *force,
+                                  points.back().force));
   return reasons;
 }
 
@@ -24,6 +28,7 @@ Status status_of(const Refinement& refinement) {
   if (!refinement.settled()) return Status::tolerance_not_met;
   switch (refinement.figures().ending) {
     case Ending::released: return Status::released;
+    case Ending::at_rest: return Status::at_rest;
     case Ending::bottomed_out: return Status::bottomed_out;
     case Ending::time_limit: return Status::time_limit;
     default: return Status::tolerance_not_met;
@@ -34,9 +39,13 @@ EnergyLedger ledger_of(const Impactor& impactor, const Figures& figures) {
   EnergyLedger energy;
   energy.impact = impactor.mass * impactor.speed * impactor.speed / 2;
   energy.kinetic = impactor.mass * figures.final_velocity * figures.final_velocity / 2;
+  energy.weight = figures.weight_work;
   energy.support = figures.support_energy;
+  energy.support_loss = figures.support_loss;
+  energy.moving = figures.moving_energy;
   energy.pad = figures.pad_work;
-  energy.residual = energy.impact - energy.kinetic - energy.support - energy.pad;
+  energy.residual = energy.impact + energy.weight - energy.kinetic - energy.support - energy.support_loss -
+                    energy.moving - energy.pad;
   return energy;
 }
 
@@ -45,6 +54,7 @@ EnergyLedger ledger_of(const Impactor& impactor, const Figures& figures) {
 std::string to_string(Status status) {
   switch (status) {
     case Status::released: return "released";
+    case Status::at_rest: return "at rest";
     case Status::bottomed_out: return "bottomed out";
     case Status::time_limit: return "time limit";
     case Status::tolerance_not_met: return "tolerance not met";
@@ -72,11 +82,20 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement) {
   s.release = figures.release;
   s.bottomed = figures.bottomed;
   if (figures.release) {
-    s.rebound_speed = std::abs(figures.release->velocity);
-    s.restitution = *s.rebound_speed / impactor.speed;
+    // A rigid foam may leave an impactor at rest with a rounding of either sign.
+    const double velocity = figures.release->velocity;
+    s.rebound_speed = impact.backing.body_mass > 0 ? std::max(-velocity, 0.0) : std::abs(velocity);
+    s.restitution = impact.backing.body_mass > 0 ? (figures.body_velocity - velocity) / impactor.speed
+                                                 : *s.rebound_speed / impactor.speed;
   }
+  s.rest = figures.rest;
+  if (impact.backing != Backing{})
+    s.support =
+        SupportFigures{figures.peak_transmitted, figures.peak_deflection, figures.set, figures.body_velocity};
   s.energy = ledger_of(impactor, figures);
-  s.energy_absorbed_fraction = 1 - (s.energy.kinetic + s.energy.support) / s.energy.impact;
+  s.energy_absorbed_fraction =
+      1 - (s.energy.kinetic + s.energy.support + s.energy.support_loss + s.energy.moving - s.energy.weight) /
+              s.energy.impact;
   s.extrapolations = extrapolations(impact, s);
   s.extrapolated = !s.extrapolations.empty();
   s.softening_rates = softening_rates(impact.pad.material.law);

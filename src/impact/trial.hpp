@@ -2,6 +2,7 @@
 /// The state of an impact, and a step that is tried from it: values both.
 
 #include "model/contact/contact.hpp"
+#include "model/support/foundation.hpp"
 
 namespace dashpad {
 
@@ -10,12 +11,26 @@ struct State {
   double time = 0, motion = 0, velocity = 0, penetration = 0, force = 0;
   /// Speed by which the support outruns a pad held still; > 0 loads the pad (theory.md, Eq. 26).
   double drive = 0;
+  BackState back;  ///< left at 0 by an elastic support on the ground
 };
 
-enum class Phase { loading, unloading, held, over };
+/// In flight: no column is under pressure, but the back may come after the impactor.
+enum class Phase { loading, unloading, held, flight, over };
 
 /// What ends a phase or a smooth stretch (theory.md, section 4).
-enum class Event { none, release, unlock, yielding, turning, reloading, lock, corner, joining };
+enum class Event {
+  none,
+  release,
+  touch,
+  unlock,
+  yielding,
+  turning,
+  reloading,
+  lock,
+  support_turning,
+  corner,
+  joining
+};
 
 /// A step tried from the state now. Nothing has happened until it is accepted.
 struct Trial {
@@ -24,6 +39,7 @@ struct Trial {
   double step = 0;               ///< s
   double pad_stiffness = 0;      ///< dF/dY over the step, N/m
   double lasting_stiffness = 0;  ///< without what a change of the rate adds at once; 0: the same
+  double force_rate = 0;         ///< of the force, at the end, N/s: by the parabola of Eq. 23
   Event obstacle = Event::none;  ///< why Eq. 25 has no solution over this step in this phase
 
   /// Which steps must resolve, N/m.

@@ -56,7 +56,7 @@ Estimate estimate(const Criterion& criterion, const Solution& solution, const In
 }
 
 /// The force has had its largest value: the impactor came to rest, or went on to leave the pad.
-bool peak_is_final(const Summary& summary) { return summary.release.has_value(); }
+bool peak_is_final(const Summary& summary) { return summary.release.has_value() || summary.rest.has_value(); }
 
 bool is_lower_bound(Metric metric, const Summary& summary) {
   return metric == Metric::peak_acceleration ? !peak_is_final(summary) : !pulse_is_whole(summary);

@@ -26,11 +26,34 @@ double read_mass(TableReader& table) {
   return has_mass ? table.quantity("mass", "kg") : table.quantity("weight", "N") / standard_gravity;
 }
 
+/// What falls is pressed on the pad by its weight too.
+double read_gravity(TableReader& table) {
+  if (table.has("gravity")) return table.quantity("gravity", "m/s2");
+  return table.has("drop_height") ? standard_gravity : 0;
+}
+
+double read_speed(TableReader& table) {
+  if (!table.has("drop_height")) return table.quantity("speed", "m/s");
+  if (table.has("speed")) {
+    table.fault("drop_height", "give speed or drop_height, not both");
+    return no_number;
+  }
+  const double height = table.quantity("drop_height", "m");
+  if (height <= 0) {
+    table.fault("drop_height", "must be more than 0");
+    return no_number;
+  }
+  const double gravity = read_gravity(table);
+  if (gravity == 0) table.fault("drop_height", "without gravity nothing falls; give a speed");
+  return std::sqrt(2 * gravity * height);
+}
+
 Impactor read_impactor(TableReader& table, const std::filesystem::path& folder,
                        std::vector<InputFile>& files) {
   const Impactor impactor{.mass = read_mass(table),
                           .nose = read_nose(table, folder, files),
-                          .speed = table.quantity("speed", "m/s")};
+                          .speed = read_speed(table),
+                          .gravity = read_gravity(table)};
   table.refuse_others();
   return impactor;
 }
@@ -153,8 +176,10 @@ Options read_options(TableReader& table) {
 
 /// The mass is checked as what the case gave for it, and the material of a card with its card.
 std::vector<Violation> violations_in_terms_of(const TomlNode& root, const ImpactCase& impact,
-                                              bool material_to_check) {
+                                              bool material_to_check, bool support_to_check) {
   std::vector<Violation> broken = violations(impact);
+  if (!support_to_check)
+    std::erase_if(broken, [](const Violation& violation) { return violation.key.starts_with("support."); });
   if (!material_to_check)
     std::erase_if(broken, [](const Violation& violation) {
       return violation.key.starts_with("pad.") && violation.key != "pad.thickness" &&
@@ -165,6 +190,10 @@ std::vector<Violation> violations_in_terms_of(const TomlNode& root, const Impact
     if (violation.key == "impactor.mass" && root.nearest("impactor.weight").key == "weight") {
       violation.key = "impactor.weight";
       violation.rule = "the mass " + violation.rule;
+    } else if (violation.key == "impactor.speed" &&
+               root.nearest("impactor.drop_height").key == "drop_height") {
+      violation.key = "impactor.drop_height";
+      violation.rule = "the speed of the fall " + violation.rule;
     }
   return broken;
 }
@@ -201,12 +230,18 @@ CaseFile read_case(const std::filesystem::path& file, const std::filesystem::pat
     material_to_check = entry.material_to_check;
     if (entry.card) result.files.push_back({"the material card", *std::move(entry.card)});
   }
-  if (auto table = top.table("support")) impact.support = read_support(*table);
+  bool support_to_check = false;
+  if (auto table = top.table("support")) {
+    SupportEntry entry = read_support(*table);
+    impact.support = std::move(entry.support);
+    impact.backing = entry.backing;
+    support_to_check = entry.is_known;
+  }
   if (auto table = top.table("blows", Presence::optional)) impact.blows = read_blows(*table);
   if (auto table = top.table("solver", Presence::optional)) result.options = read_options(*table);
   top.refuse_others();
 
-  faults.add(violations_in_terms_of(root, impact, material_to_check), root);
+  faults.add(violations_in_terms_of(root, impact, material_to_check, support_to_check), root);
   faults.throw_if_any();
   return result;
 }

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
+
+#include "input/parameter_table.hpp"
 
 namespace dashpad::input {
 namespace {
@@ -57,14 +60,22 @@ Support read_curve(TableReader& table) {
 
 }  // namespace
 
-Support read_support(TableReader& table) {
+SupportEntry read_support(TableReader& table) {
+  const std::size_t faults = table.faults().size();
   const std::string type = table.choice("type", {"rigid", "linear", "curve"});
-  if (type.empty()) return Support::rigid();
-  const Support support = type == "linear"  ? read_linear(table)
-                          : type == "curve" ? read_curve(table)
-                                            : Support::rigid();
+  SupportEntry entry;
+  if (type.empty()) return {.is_known = false};
+  entry.support = type == "linear"  ? read_linear(table)
+                  : type == "curve" ? read_curve(table)
+                                    : Support::rigid();
+  entry.backing = read_parameters<Backing>(table);
+  for (const char* mass : {"mass", "body_mass"})
+    if (table.has(mass) &&
+        entry.backing.*(mass == std::string_view("mass") ? &Backing::mass : &Backing::body_mass) == 0)
+      table.fault(mass, "must be more than 0; without one, leave the key out");
   table.refuse_others();
-  return support;
+  entry.is_known = table.faults().size() == faults;
+  return entry;
 }
 
 }  // namespace dashpad::input

@@ -1,12 +1,18 @@
 #pragma once
 /// The table [support] of a case.
 
+#include "dashpad/model/support/backing.hpp"
 #include "dashpad/model/support/support.hpp"
 #include "input/table_reader.hpp"
 
 namespace dashpad::input {
 
-/// A rigid support after a fault.
-Support read_support(TableReader& table);
+struct SupportEntry {
+  Support support;  ///< rigid after a fault
+  Backing backing;
+  bool is_known = true;  ///< without a fault
+};
+
+SupportEntry read_support(TableReader& table);
 
 }  // namespace dashpad::input

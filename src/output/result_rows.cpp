@@ -53,16 +53,39 @@ ResultRow row_of(const ResultQuantity& of, double value, const UnitSystem& units
 }
 
 /// Those that a designer asks for first on top. Release and energy residual are for files.
-constexpr const char* rows_of_summary[] = {
-    "peak_force",  "peak_acceleration", "time_to_peak_force", "peak_penetration",
-    "peak_motion", "rebound_speed",     "contact_end",        "energy_absorbed_fraction",
-    "peak_strain", "peak_strain_rate",  "force_below_weight"};
+constexpr const char* rows_of_summary[] = {"peak_force",
+                                           "peak_acceleration",
+                                           "time_to_peak_force",
+                                           "peak_penetration",
+                                           "peak_transmitted_force",
+                                           "peak_motion",
+                                           "peak_support_deflection",
+                                           "support_set",
+                                           "rebound_speed",
+                                           "body_speed",
+                                           "contact_end",
+                                           "rest",
+                                           "energy_absorbed_fraction",
+                                           "peak_strain",
+                                           "peak_strain_rate",
+                                           "force_below_weight"};
 
-constexpr const char* main_rows[] = {
-    "peak_acceleration", "hic15",          "hic36",       "hic_unlimited",
-    "clip_3ms",          "cumulative_3ms", "peak_force",  "peak_penetration",
-    "peak_motion",       "rebound_speed",  "contact_end", "energy_absorbed_fraction",
-    "velocity_change"};
+constexpr const char* main_rows[] = {"peak_acceleration",
+                                     "hic15",
+                                     "hic36",
+                                     "hic_unlimited",
+                                     "clip_3ms",
+                                     "cumulative_3ms",
+                                     "peak_force",
+                                     "peak_penetration",
+                                     "peak_transmitted_force",
+                                     "support_set",
+                                     "body_speed",
+                                     "peak_motion",
+                                     "rebound_speed",
+                                     "contact_end",
+                                     "energy_absorbed_fraction",
+                                     "velocity_change"};
 
 bool is_main(const std::string& key) { return std::ranges::find(main_rows, key) != std::end(main_rows); }
 
@@ -109,7 +132,10 @@ std::string duration(double seconds) {
 std::string outcome(const Summary& summary) {
   switch (summary.status) {
     case Status::released: return end_of_contact(summary);
-    case Status::bottomed_out: return "The pad bottomed out on its rigid support: no finite force beyond.";
+    case Status::at_rest: return "The impactor came to rest on the pad.";
+    case Status::bottomed_out:
+      return summary.support ? "The pad bottomed out against the mass behind it: no finite force beyond."
+                             : "The pad bottomed out on its rigid support: no finite force beyond.";
     case Status::time_limit: return "The impactor was still on the pad when the time limit was reached.";
     case Status::tolerance_not_met:
       return summary.release ? end_of_contact(summary)

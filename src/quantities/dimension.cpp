@@ -14,6 +14,7 @@ constexpr Dimension dimensions[] = {
     {"kg", "a mass", {"kg", "g", "lb"}},
     {"N", "a force", {"N", "kN", "lbf", "kgf"}},
     {"N/m", "a stiffness", {"N/m", "N/mm", "kN/m", "lbf/in"}},
+    {"N s/m", "a damping", {"N s/m", "kN s/m", "lbf s/in"}},
     {"Pa", "a stress", {"Pa", "kPa", "MPa", "psi"}},
     {"J", "an energy", {"J", "kJ", "ft lbf", "in lbf"}},
     {"N s", "an impulse", {"N s", "lbf s"}},

@@ -15,6 +15,12 @@ EstimatedValue present(const std::optional<Moment>& moment, double error = 0) {
   return moment ? EstimatedValue{moment->time, error, moment->velocity} : EstimatedValue{};
 }
 
+template <class Figure>
+EstimatedValue of_support(const Summary& of, Figure figure) {
+  return of.support ? EstimatedValue{.value = figure(*of.support), .error = of.errors.support}
+                    : EstimatedValue{};
+}
+
 }  // namespace
 
 std::span<const SummaryQuantity> summary_quantities() {
@@ -45,6 +51,19 @@ std::span<const SummaryQuantity> summary_quantities() {
     moment("force_below_weight",
            [](const Summary& of) { return present(of.force_below_weight, of.errors.force_below_weight); });
     moment("bottomed", [](const Summary& of) { return present(of.bottomed, of.errors.bottomed); });
+    moment("rest", [](const Summary& of) { return present(of.rest); });
+    figure("peak_transmitted_force", [](const Summary& of) {
+      return of_support(of, [](const SupportFigures& support) { return support.peak_transmitted; });
+    });
+    figure("peak_support_deflection", [](const Summary& of) {
+      return of_support(of, [](const SupportFigures& support) { return support.peak_deflection; });
+    });
+    figure("support_set", [](const Summary& of) {
+      return of_support(of, [](const SupportFigures& support) { return support.set; });
+    });
+    figure("body_speed", [](const Summary& of) {
+      return of_support(of, [](const SupportFigures& support) { return support.body_speed; });
+    });
     figure("energy_absorbed_fraction",
            [](const Summary& of) { return present(of.energy_absorbed_fraction, of.errors.energy_absorbed); });
     figure("energy_residual_fraction",

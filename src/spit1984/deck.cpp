@@ -93,6 +93,13 @@ std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
                       "the 1984 program knows no pad that was struck before"});
   if (impact.pad.area)
     unsaid.push_back({"pad.area", *impact.pad.area, "the 1984 program knows no pad with an edge"});
+  if (impact.impactor.gravity != 0)
+    unsaid.push_back({"impactor.gravity", impact.impactor.gravity, "the 1984 program knows no gravity"});
+  for (const Parameter<Backing>& parameter : Backing::parameters)
+    if (const double value = impact.backing.*parameter.member; value != 0)
+      unsaid.push_back(
+          {std::string("support.") + parameter.key, value,
+           "the support of the 1984 program has no mass, loses nothing and stands on the ground"});
   if (impact.pad.material.law.index() >= laws_of_1984)
     unsaid.push_back(
         {"pad.law", 0,

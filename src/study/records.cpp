@@ -110,7 +110,8 @@ std::vector<Reading> readings_of(const Study& study, const Records& records, con
   readings.reserve(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Status status = records.statuses[group.places[i]];
-    const bool is_final = status == Status::released || status == Status::bottomed_out;
+    const bool is_final =
+        status == Status::released || status == Status::at_rest || status == Status::bottomed_out;
     const bool is_known = !std::isnan(values[i]) && (is_final || (status == Status::time_limit && grows));
     double low = -input::infinite;
     double high = input::infinite;

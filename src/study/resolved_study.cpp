@@ -64,6 +64,10 @@ Json case_json(const ImpactCase& of) {
   if (of.pad.area) json["area"] = *of.pad.area;
   if (of.pad.earlier_penetration > 0) json["earlier_penetration"] = of.pad.earlier_penetration;
   if (of.blows) json["blows"] = {of.blows->count, of.blows->recovery};
+  if (of.impactor.gravity != 0) json["impactor"]["gravity"] = of.impactor.gravity;
+  if (of.backing != Backing{})
+    for (const Parameter<Backing>& parameter : Backing::parameters)
+      json["backing"][parameter.key] = number(of.backing.*parameter.member);
   return json;
 }
 

@@ -37,12 +37,26 @@ constexpr PulseRecipe of_pulses[] = {
 };
 
 /// What is no figure of a study: moments of which not every impact has one, and an audit of the run.
-constexpr std::string_view left_out[] = {"force_below_weight", "bottomed", "energy_residual_fraction"};
+constexpr std::string_view left_out[] = {"force_below_weight", "bottomed", "rest",
+                                         "energy_residual_fraction"};
+
+/// Not every support has them: they are responses where they are asked for.
+constexpr std::string_view of_supports[] = {"peak_transmitted_force", "peak_support_deflection",
+                                            "support_set", "body_speed"};
+bool is_of_support(const ResponseKind& kind) {
+  return std::ranges::find(of_supports, std::string_view{kind.key}) != std::end(of_supports);
+}
+bool is_of_release(const ResponseKind& kind) {
+  for (const char* key : {"rebound_speed", "restitution", "contact_end", "release"})
+    if (kind.key == std::string_view{key}) return true;
+  return false;
+}
 
 Growth growth_of(std::string_view key) {
-  for (const char* with_force : {"peak_force", "peak_acceleration"})
+  for (const char* with_force : {"peak_force", "peak_acceleration", "peak_transmitted_force"})
     if (key == with_force) return Growth::with_force;
-  for (const char* with_motion : {"peak_motion", "peak_penetration", "peak_strain", "peak_strain_rate"})
+  for (const char* with_motion : {"peak_motion", "peak_penetration", "peak_strain", "peak_strain_rate",
+                                  "peak_support_deflection", "support_set"})
     if (key == with_motion) return Growth::with_motion;
   return Growth::none;
 }
@@ -92,7 +106,8 @@ bool is_possible(const ResponseKind& kind, double value) {
 bool has_response(const ResponseKind& kind, Status status) {
   switch (status) {
     // Contact may never be lost: a rigid foam stops the impactor on a rigid support.
-    case Status::released: return kind.key != std::string_view{"contact_end"};
+    case Status::released: return kind.key != std::string_view{"contact_end"} && !is_of_support(kind);
+    case Status::at_rest: return !is_of_support(kind) && !is_of_release(kind);
     case Status::bottomed_out: return kind.growth == Growth::with_motion;
     case Status::time_limit: return kind.growth != Growth::none && !kind.of_pulse;
     case Status::tolerance_not_met:
@@ -104,7 +119,7 @@ bool has_response(const ResponseKind& kind, Status status) {
 std::vector<std::string> default_responses() {
   std::vector<std::string> names;
   for (const ResponseKind& kind : response_kinds())
-    if (!kind.of_pulse) names.emplace_back(kind.key);
+    if (!kind.of_pulse && !is_of_support(kind)) names.emplace_back(kind.key);
   return names;
 }
 

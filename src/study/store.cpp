@@ -28,9 +28,9 @@ void check_rows(std::uint64_t batch, std::span<const StoredRow> rows, const Stor
 
 /// In the order of Status.
 const std::string& lasting_name(Status status) {
-  static const std::array names{to_string(Status::not_run), to_string(Status::released),
-                                to_string(Status::bottomed_out), to_string(Status::time_limit),
-                                to_string(Status::tolerance_not_met)};
+  static const std::array names{to_string(Status::not_run),           to_string(Status::released),
+                                to_string(Status::bottomed_out),      to_string(Status::time_limit),
+                                to_string(Status::tolerance_not_met), to_string(Status::at_rest)};
   return names.at(static_cast<std::size_t>(status));
 }
 

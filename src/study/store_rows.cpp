@@ -19,7 +19,7 @@ std::string row_query(const StoreHeading& heading) {
 
 Status status_of(const std::string& name, const Database& database) {
   for (const Status status : {Status::released, Status::bottomed_out, Status::time_limit,
-                              Status::tolerance_not_met, Status::not_run})
+                              Status::tolerance_not_met, Status::at_rest, Status::not_run})
     if (to_string(status) == name) return status;
   database.damaged("a status that there is not");
 }

@@ -105,17 +105,29 @@ std::optional<Blows> blows_of(const Json& json) {
                json["blows"].at(1)};
 }
 
+Backing backing_of(const Json& json) {
+  Backing backing;
+  if (!json.contains("backing")) return backing;
+  for (const Parameter<Backing>& parameter : Backing::parameters)
+    backing.*parameter.member = json["backing"].at(parameter.key).get<double>();
+  return backing;
+}
+
 ImpactCase case_of(const Json& json) {
   const Json& impactor = json.at("impactor");
   const Json& nose = impactor.at("nose");
   std::vector<Support::Point> points;
   for (const Json& point : json.at("support")) points.push_back({point.at(0), point.at(1)});
   return {.title = json.at("title"),
-          .impactor = {.mass = impactor.at("mass"), .nose = nose_of(nose), .speed = impactor.at("speed")},
+          .impactor = {.mass = impactor.at("mass"),
+                       .nose = nose_of(nose),
+                       .speed = impactor.at("speed"),
+                       .gravity = impactor.value("gravity", 0.0)},
           .pad = {json.at("thickness"), material_of(json.at("material")), condition_of(json),
                   json.contains("area") ? bound_of(json["area"]) : std::nullopt,
                   json.value("earlier_penetration", 0.0)},
           .support = points.empty() ? Support::rigid() : Support::through(points),
+          .backing = backing_of(json),
           .blows = blows_of(json)};
 }
 

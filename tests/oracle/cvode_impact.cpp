@@ -48,9 +48,13 @@ CvodeImpact solve_with_cvode(const ImpactCase& impact, const CvodeOptions& optio
                 impact.pad.thickness,
                 impact.pad.earlier_penetration,
                 SupportLine(impact.support),
+                impact.backing,
+                impact.impactor.gravity,
                 options,
                 {}};
   const auto solve = [&]<class Law>(const Law& law) {
+    if (!by_curves<Law> && (impact.backing != Backing{} || impact.impactor.gravity != 0))
+      throw std::invalid_argument("CVODE oracle: on such a support foams by curves only");
     if constexpr (by_curves<Law>) {
       solve_foam(run, FoamFormulas(law), impact.impactor.nose);
     } else if constexpr (std::is_same_v<Law, ViscoelasticFoam>) {

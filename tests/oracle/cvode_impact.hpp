@@ -58,6 +58,7 @@ struct CvodeImpact {
   std::optional<Moment> release;
   std::optional<Moment> bottomed;
   double energy_absorbed = 0;  ///< 1 - (release speed / impact speed)^2
+  double body_velocity = 0;    ///< m/s, of a free body behind the support, at release
   /// Pad force minus support force over the peak force: the drift of the rate form, largest magnitude at the
   /// turning point and at release.
   double drift = 0;

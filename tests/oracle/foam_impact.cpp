@@ -65,13 +65,21 @@ class FoamImpact final : public OdeSystem {
       : run_(run),
         law_(law),
         nose_(outline_of(nose)),
+        of_(run.backing),
+        moves_(of_.mass > 0 || of_.damping > 0),
+        inverse_body_(of_.body_mass > 0 ? 1 / of_.body_mass : 0),
         loading_(run.earlier == 0),
         largest_(run.earlier),
         crater_(law.stays_crushed() ? crater() : 0),
-        found_(crater_) {}
+        found_(crater_) {
+    if ((of_ != Backing{} && !moves_) || of_.loss_factor > 0 || of_.gap > 0 || of_.preload > 0)
+      throw std::invalid_argument("CVODE oracle: a support with a damper or a panel");
+  }
 
   void run() {
-    OdeSession session(*this, Method::bdf_dense, 0, {crater_, run_.speed, crater_ / run_.thickness});
+    std::vector<double> begin{crater_, run_.speed, crater_ / run_.thickness};
+    if (moves_) begin.resize(unknowns_of_moving);
+    OdeSession session(*this, Method::bdf_dense, 0, begin);
     std::array<double, 3> time{}, force{};
     int known = 0;
     CvodeImpact& result = run_.result;
@@ -87,6 +95,7 @@ class FoamImpact final : public OdeSystem {
       run_.note_force(now, f);
       if (known == 3) note_vertex(time, force);
       result.peak_penetration = std::max(result.peak_penetration, y);
+      if (moves_ && crushes_on_) yield_ = state[deflection];
       if (loading_) largest_ = y;
       if (!session.at_event()) continue;
       const auto& crossed = session.crossings();
@@ -98,6 +107,10 @@ class FoamImpact final : public OdeSystem {
         if (result.time_of_turning == 0) result.time_of_turning = now;
       }
       if (crossed[event_again] > 0 && !loading_) loading_ = changed = true;
+      if (moves_ && crossed[event_yield] != 0) {
+        crushes_on_ = !crushes_on_, changed = true;
+        if (!crushes_on_) yield_ = state[deflection];
+      }
       if (crossed[event_bottom] < 0) {
         result.bottomed = Moment{now, state[velocity]};
         result.ending = Ending::bottomed_out;
@@ -113,6 +126,7 @@ class FoamImpact final : public OdeSystem {
         result.release = Moment{now, state[velocity]};
         const double ratio = state[velocity] / run_.speed;
         result.energy_absorbed = 1 - ratio * ratio;
+        if (moves_) result.body_velocity = state[body_velocity];
         result.ending = Ending::released;
         break;
       }
@@ -127,8 +141,15 @@ class FoamImpact final : public OdeSystem {
     const double g = y / run_.thickness - state[slipped];
     if (std::fabs(g) > 60 * law_.lag()) return false;
     slope[motion] = state[velocity];
-    slope[velocity] = -std::fmax(contact_force(y, ahead(y), g), 0) / run_.mass;
+    const double force = std::fmax(contact_force(y, ahead(y), g), 0);
+    slope[velocity] = run_.gravity - force / run_.mass;
     slope[slipped] = law_.slip_rate(g);
+    if (!moves_) return true;
+    slope[deflection] = rate_of_support(state, force);
+    const double behind = spring(state[deflection]) + of_.damping * slope[deflection];
+    slope[rate] = of_.mass > 0 ? (force - behind) / of_.mass - behind * inverse_body_ : 0;
+    slope[body] = state[body_velocity];
+    slope[body_velocity] = behind * inverse_body_;
     return true;
   }
   void allowances(const double* state, double* allowance) override {
@@ -137,17 +158,28 @@ class FoamImpact final : public OdeSystem {
     allowance[motion] = rtol * std::fabs(state[motion]) + atol * run_.thickness;
     allowance[velocity] = rtol * std::fabs(state[velocity]) + atol * run_.speed;
     allowance[slipped] = rtol * std::fabs(state[slipped]) + rtol * law_.lag();
+    if (!moves_) return;
+    for (const std::size_t way : {deflection, body})
+      allowance[way] = rtol * std::fabs(state[way]) + atol * run_.thickness;
+    for (const std::size_t speed : {rate, body_velocity})
+      allowance[speed] = rtol * std::fabs(state[speed]) + atol * run_.speed;
   }
-  [[nodiscard]] int event_count() const override { return 9; }
+  [[nodiscard]] int event_count() const override { return 10; }
   void events(double, const double* state, double* values) override {
     const double y = find(state);
     const double g = y / run_.thickness - state[slipped];
     const double away = ahead(y);
     const double force = contact_force(y, away, g);
-    const bool rebound = state[velocity] < 0;
+    const double approach =
+        moves_ ? state[velocity] - state[body_velocity] - rate_of_support(state, std::fmax(force, 0))
+               : state[velocity];
+    const bool rebound = approach < 0;
+    values[event_yield] = !moves_ || of_.unloading_stiffness == 0 ? 1
+                          : crushes_on_ ? rate_of_support(state, std::fmax(force, 0))
+                                        : state[deflection] - yield_ * (1 + 1e-12);
     // d(pad force)/dt = Ks (V - v) gives the rate v the sign of this.
-    double drive = state[velocity];
-    if (!run_.support.rigid()) {
+    double drive = approach;
+    if (!moves_ && !run_.support.rigid()) {
       const double h = 1e-4 * law_.lag();
       const double by_g = (contact_force(y, away, g + h) - contact_force(y, away, g - h)) / (2 * h);
       drive += by_g * law_.slip_rate(g) / run_.support.stiffness();
@@ -159,9 +191,9 @@ class FoamImpact final : public OdeSystem {
     values[event_contact_end] = rebound ? force - contact_end_share * run_.result.peak_force : 1;
     values[event_release] = rebound ? largest_stress(y, away, g) : 1;
     values[event_bottom] = run_.thickness * (1 - 1e-7) - y;
-    const double deflection = state[motion] - y;
-    values[event_above] = run_.support.rigid() ? 1 : run_.support.to_corner_above(deflection);
-    values[event_below] = run_.support.rigid() ? 1 : run_.support.to_corner_below(deflection);
+    const bool has_corners = !moves_ && !run_.support.rigid();
+    values[event_above] = has_corners ? run_.support.to_corner_above(state[motion] - y) : 1;
+    values[event_below] = has_corners ? run_.support.to_corner_below(state[motion] - y) : 1;
   }
 
  private:
@@ -174,10 +206,21 @@ class FoamImpact final : public OdeSystem {
     event_release,
     event_bottom,
     event_above,
-    event_below
+    event_below,
+    event_yield
   };
-  /// The third unknown.
-  static constexpr std::size_t slipped = 2;
+  /// The third unknown, and those of a support that moves.
+  static constexpr std::size_t slipped = 2, deflection = 3, rate = 4, body = 5, body_velocity = 6;
+  static constexpr std::size_t unknowns_of_moving = 7;
+
+  /// Fs, of a linear support.
+  [[nodiscard]] double spring(double x) const {
+    if (crushes_on_ || of_.unloading_stiffness == 0) return run_.support.stiffness() * std::fmax(x, 0);
+    return std::fmax(run_.support.stiffness() * yield_ - of_.unloading_stiffness * (yield_ - x), 0);
+  }
+  [[nodiscard]] double rate_of_support(const double* state, double force) const {
+    return of_.mass > 0 ? state[rate] : (force - spring(state[deflection])) / of_.damping;
+  }
 
   /// By how much the largest penetration is above that of now, in thicknesses.
   [[nodiscard]] double ahead(double y) const {
@@ -279,6 +322,7 @@ class FoamImpact final : public OdeSystem {
 
   /// The penetration at which the pad carries what the support gives.
   double find(const double* state) {
+    if (moves_) return state[motion] - state[deflection] - state[body];
     if (run_.support.rigid()) return state[motion];
     const double x = state[motion];
     const auto surplus = [&](double y) {
@@ -330,6 +374,11 @@ class FoamImpact final : public OdeSystem {
   ImpactRun& run_;
   const FoamFormulas& law_;
   Outline nose_;
+  Backing of_;
+  bool moves_;
+  double inverse_body_;
+  bool crushes_on_ = true;
+  double yield_ = 0;
   bool loading_;
   double largest_;
   double crater_;

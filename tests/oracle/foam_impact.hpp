@@ -5,7 +5,13 @@
 ///   elastic one
 ///
 /// F is a function of Y, of its largest value so far and of the elastic strain; so Y is the root of
-/// F = Fs(X - Y), taken anew at each call, and three unknowns do. The contact integral is over depths even in
+/// F = Fs(X - Y), taken anew at each call, and three unknowns do. On a support that is damped or carries a
+/// panel
+///
+///   c dx/dt = F - Fs(x),  or  m d2(x + xb)/dt2 = F - T,  T = Fs(x) + c dx/dt,  Mb d2xb/dt2 = T,  Y = X - x -
+///   xb
+///
+/// where Fs of a crushed support comes back along its own slope. The contact integral is over depths even in
 /// the root of the strain, by Gauss between the places where the stress changes its sign. Stiff: BDF.
 ///
 /// A pad that was struck before begins as one that comes back from its largest penetration, with nothing

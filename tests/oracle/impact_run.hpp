@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "dashpad/model/support/backing.hpp"
 #include "oracle/cvode_impact.hpp"
 #include "oracle/ode_session.hpp"
 #include "oracle/support_line.hpp"
@@ -19,6 +20,8 @@ struct ImpactRun {
   double thickness = 0;  ///< m
   double earlier = 0;    ///< largest penetration of earlier blows, m; of foams only
   SupportLine support;
+  Backing backing;     ///< foams by curves only, on a linear support
+  double gravity = 0;  ///< m/s2
   CvodeOptions options;
   CvodeImpact result;
 

@@ -455,6 +455,34 @@ ImpactCase nose_case(std::uint64_t seed) {
   return impact;
 }
 
+ImpactCase moving_case(std::uint64_t seed) {
+  // Numbers of its own: the rest of the case is that of the other kind.
+  Draw draw(seed + 0x6d6f7665);
+  ImpactCase impact = draw.choice(2) == 0 ? foam_case(seed) : ordinary_case(seed);
+  impact.title = "moving case " + std::to_string(seed);
+  Impactor& impactor = impact.impactor;
+  if (draw.choice(3) == 0) impactor.gravity = 9.81;
+  if (impact.support.is_rigid()) impact.support = Support::linear(draw.decades(1e4, 1e7));
+  Backing& backing = impact.backing;
+  double steepest = 0;
+  Support::Point from;
+  for (const Support::Point& to : impact.support.points()) {
+    steepest = std::max(steepest, (to.force - from.force) / (to.deflection - from.deflection));
+    from = to;
+  }
+  if (draw.choice(2) == 0) backing.unloading_stiffness = steepest * draw.decades(1, 10);
+  if (draw.choice(2) == 0) backing.mass = impactor.mass * draw.decades(0.03, 10);
+  if (draw.choice(2) == 0)
+    backing.damping = 2 * std::sqrt(steepest * impactor.mass) * draw.decades(0.01, 2);
+  const bool is_free = draw.choice(3) == 0;
+  if (is_free && impactor.gravity == 0) backing.body_mass = impactor.mass * draw.decades(0.3, 30);
+  if (draw.choice(4) == 0)
+    backing.preload = impact.support.points().front().force * draw.decades(0.01, 1);
+  else if (backing.mass > 0 && draw.choice(4) == 0)
+    backing.gap = impact.pad.thickness * draw.decades(0.01, 0.3);
+  return impact;
+}
+
 ImpactCase random_case(std::uint64_t seed) {
   Draw draw(seed);
   ImpactCase impact;

@@ -32,4 +32,8 @@ ImpactCase foam_case(std::uint64_t seed);
 /// An ordinary case with a nose of every other shape, one in three on a pad that ends before the nose does.
 ImpactCase nose_case(std::uint64_t seed);
 
+/// A foam case or an ordinary one on a support that crushes, is damped, carries a panel or has a free body
+/// behind it, in all combinations, one in three under gravity.
+ImpactCase moving_case(std::uint64_t seed);
+
 }  // namespace dashpad::test

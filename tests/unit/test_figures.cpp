@@ -46,7 +46,7 @@ TEST(figures, reads_the_peak_of_a_parabola_between_the_entries) {
 
 /// A force with a long tail of 1e-5 of its peak: what decides is where it leaves 0.1 % for the last time.
 TEST(figures, reads_the_end_of_contact_at_a_thousandth_of_the_peak) {
-  constexpr double mass = 2;
+  const Impactor impactor{.mass = 2};
   const Path force = [](double t) { return 100 * (t < 1 ? 1 - t * t : 0) + (t < 3 ? 1e-3 : 0); };
   const Path velocity = [](double t) { return 5 - 50 * std::min(t - t * t * t / 3, 2.0 / 3); };
   std::vector<double> times = uneven_times(200, 1);
@@ -56,7 +56,7 @@ TEST(figures, reads_the_end_of_contact_at_a_thousandth_of_the_peak) {
   figures.peak_force = 100;
   Track track = track_of(times, force, nothing, velocity);
   track.stretch_starts.push_back(200);  // a kink
-  read_contact_end(track, mass, figures);
+  read_contact_end(track, impactor, figures);
   const double end = std::sqrt(1 - (0.1 - 1e-3) / 100);
   ASSERT_TRUE(figures.contact_end);
   EXPECT_NEAR(figures.contact_end->time, end, 1e-6);
@@ -68,12 +68,12 @@ TEST(figures, finds_no_end_of_contact_where_the_force_is_still_up_or_the_run_was
   Figures figures;
   figures.ending = Ending::released;
   figures.peak_force = 100;
-  read_contact_end(track_of({0, 0.5, 1}, rising, nothing, nothing), 1, figures);
+  read_contact_end(track_of({0, 0.5, 1}, rising, nothing, nothing), {.mass = 1}, figures);
   EXPECT_FALSE(figures.contact_end) << "the pad holds the impactor";
   const Path falling = [](double t) { return 100 * (1 - t); };
   for (const Ending ending : {Ending::time_limit, Ending::too_many_steps, Ending::bottomed_out}) {
     figures.ending = ending;
-    read_contact_end(track_of({0, 0.5, 1}, falling, nothing, nothing), 1, figures);
+    read_contact_end(track_of({0, 0.5, 1}, falling, nothing, nothing), {.mass = 1}, figures);
     EXPECT_FALSE(figures.contact_end);
   }
 }

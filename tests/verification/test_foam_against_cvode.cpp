@@ -257,6 +257,50 @@ TEST(FoamAgainstCvode, AgreesOnAPadStruckBeforeBelowOtherNoses) {
   compare_on({spring}, {stepped}, foams(), 16, 0.5);
 }
 
+/// A damper, a panel, a support that is crushed, a free body, gravity, by themselves and together.
+TEST(FoamAgainstCvode, AgreesOnSupportsThatMove) {
+  const auto with = [](auto&& change) {
+    Backing backing;
+    change(backing);
+    return backing;
+  };
+  const std::vector<Backing> backings{
+      with([](Backing& b) { b.damping = 300; }),
+      with([](Backing& b) { b.damping = 5000; }),
+      with([](Backing& b) { b.damping = 300, b.unloading_stiffness = 1e6; }),
+      with([](Backing& b) { b.damping = 300, b.body_mass = 10; }),
+      with([](Backing& b) { b.mass = 1; }),
+      with([](Backing& b) { b.mass = 6, b.damping = 200; }),
+      with([](Backing& b) { b.mass = 1, b.damping = 200, b.unloading_stiffness = 6e5; }),
+      with([](Backing& b) { b.mass = 2, b.damping = 200, b.body_mass = 20; }),
+  };
+  int compared = 0;
+  for (const Named& named : foams()) {
+    if (named.name != "table" && named.name != "power rate" && named.name != "sample" &&
+        named.name != "crushable sample")
+      continue;
+    for (std::size_t i = 0; i < backings.size(); ++i) {
+      ImpactCase impact = impact_on(named.law, spring);
+      if (i % 2 == 1) impact.impactor.nose = plate;
+      impact.impactor.speed = 2.5;
+      impact.backing = backings[i];
+      if (i < 3) impact.impactor.gravity = 9.81;
+      SCOPED_TRACE(fmt::format("{}, support {}", named.name, i));
+      const auto other = oracle::solve_with_cvode(impact);
+      ASSERT_EQ(other.ending, oracle::Ending::released);
+      const Summary summary = solve(impact, {.tolerance = tolerance}).summary;
+      fmt::print("{:18} {} strain {:.3f}: {}\n", named.name, i, summary.peak_strain,
+                 oracle::compare(summary, other).text());
+      EXPECT_EQ(summary.status, Status::released) << to_string(summary.status);
+      expect_same(summary, other, allowed);
+      if (backings[i].body_mass > 0)
+        expect_relative(summary.support->body_speed, other.body_velocity, allowed, "body");
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 32);
+}
+
 /// Beyond the radius of a small sphere.
 TEST(FoamAgainstCvode, AgreesBeyondTheRadius) {
   ImpactCase impact = impact_on(sample_law<Foam>());

@@ -8,12 +8,12 @@
 
 namespace dashpad {
 
-/// Whether the force rose and fell: contact was lost, and nothing of the pulse is missing. Otherwise HIC,
-/// clips, dwell times and the duration are those of a part of the pulse.
+/// Whether the force rose and fell: contact was lost, or the impactor came to rest, and nothing of the pulse
+/// is missing. Otherwise HIC, clips, dwell times and the duration are those of a part of the pulse.
 bool pulse_is_whole(const Summary& summary);
 
-/// Whether the pad was fully compressed on a rigid support, where no force is finite; also where the
-/// tolerance was missed on the way there.
+/// Whether the pad was fully compressed on what does not give way at once, where no force is finite; also
+/// where the tolerance was missed on the way there.
 bool bottomed_on_rigid_support(const Summary& summary);
 
 /// Whether a blow says what the next one would meet: it ended, its penetration is reliable, and it did not

@@ -7,6 +7,7 @@
 
 #include "dashpad/model/nose/nose.hpp"
 #include "dashpad/model/pad/stress_scale.hpp"
+#include "dashpad/model/support/backing.hpp"
 #include "dashpad/model/support/support.hpp"
 
 namespace dashpad {
@@ -16,6 +17,8 @@ struct Impactor {
   double mass = 0;   ///< kg, > 0
   Nose nose;         ///< the part of it that meets the pad
   double speed = 0;  ///< m/s at first contact, towards the pad, > 0
+  /// m/s2 along the motion, >= 0. 0: the weight does no work.
+  double gravity = 0;
 };
 
 struct Pad {
@@ -42,6 +45,7 @@ struct ImpactCase {
   Impactor impactor;
   Pad pad;
   Support support;
+  Backing backing = {};
   std::optional<Blows> blows = {};  ///< none: one blow
 };
 

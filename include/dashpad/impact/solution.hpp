@@ -32,11 +32,12 @@ inline constexpr double contact_end_share = 1e-3;
 enum class Status {
   not_run,
   released,           ///< the impactor left the pad
-  bottomed_out,       ///< the pad was fully compressed on a rigid support: no finite force beyond it
+  bottomed_out,       ///< the pad was fully compressed on what does not give way at once: no finite force
   time_limit,         ///< still in contact at Options::time_limit
   tolerance_not_met,  ///< finished, but an error estimate or the energy residual is above the tolerance
+  at_rest,            ///< under its weight the impactor came to rest on the pad
 };
-/// "released", "bottomed out", "time limit", "tolerance not met", "not run".
+/// "released", "bottomed out", "time limit", "tolerance not met", "at rest", "not run".
 std::string to_string(Status status);
 
 struct Moment {
@@ -57,15 +58,30 @@ struct ErrorEstimates {
   double force_below_weight = 0;  ///< of time and velocity when the force falls below the weight, the larger
   double bottomed = 0;            ///< of time and velocity at bottoming, the larger
   double energy_absorbed = 0;     ///< of the absorbed fraction, relative to the impact energy
+  double support = 0;             ///< of SupportFigures, the largest; of speeds relative to the impact speed
 };
 
-/// Energies at the end of the run, J. impact = kinetic + support + pad + residual.
+/// Energies at the end of the run, J. impact + weight = kinetic + support + support_loss + moving + pad +
+/// residual.
 struct EnergyLedger {
   double impact = 0;
+  double weight = 0;  ///< work of the impactor's weight
   double kinetic = 0;
-  double support = 0;   ///< stored in the support
-  double pad = 0;       ///< work done on the pad: what it stores and what it has lost
-  double residual = 0;  ///< what the numbers fail to account for
+  double support = 0;       ///< stored in the support
+  double support_loss = 0;  ///< crushed and damped
+  double moving = 0;        ///< kinetic, of the panel and of the body behind the support
+  double pad = 0;           ///< work done on the pad: what it stores and what it has lost
+  double residual = 0;      ///< what the numbers fail to account for
+
+  [[nodiscard]] double supply() const { return impact + weight; }
+};
+
+/// What a support that loses energy or moves has done; forces of the pad and the support differ there.
+struct SupportFigures {
+  double peak_transmitted = 0;  ///< force on the ground or the body behind, N
+  double peak_deflection = 0;   ///< m
+  double set = 0;               ///< deflection that stays, m
+  double body_speed = 0;        ///< of the body behind, at the end, m/s
 };
 
 /// Peak accelerations, m/s2, with the curve of a foam continued as gently and as steeply as its card admits;
@@ -100,8 +116,13 @@ struct Summary {
   std::optional<Moment> release;
   /// Pad fully compressed on the axis for the first time.
   std::optional<Moment> bottomed;
-  std::optional<double> rebound_speed;  ///< at release, m/s
-  std::optional<double> restitution;    ///< rebound speed over impact speed
+  /// Of an impactor that its weight presses on the pad.
+  std::optional<Moment> rest;
+  std::optional<double> rebound_speed;  ///< at release, m/s; 0 if the impactor then still goes on
+  /// Speed of separation over impact speed; from a body behind the support, if it is free.
+  std::optional<double> restitution;
+  /// Of supports that are more than an elastic curve on the ground.
+  std::optional<SupportFigures> support;
   double energy_absorbed_fraction = 0;  ///< of the impact energy, by the pad, until the end of the run
   EnergyLedger energy;
   bool extrapolated = false;
@@ -120,7 +141,8 @@ struct Summary {
 
   /// Whether the figures may be relied on to the tolerance asked for.
   [[nodiscard]] bool trustworthy() const {
-    return status == Status::released || status == Status::bottomed_out || status == Status::time_limit;
+    return status == Status::released || status == Status::at_rest || status == Status::bottomed_out ||
+           status == Status::time_limit;
   }
 };
 
@@ -135,6 +157,9 @@ struct History {
   std::vector<double> support_deflection;  ///< m
   std::vector<double> contact_radius;      ///< m, outer edge of the stressed area
   std::vector<double> axis_strain;         ///< on the axis
+  /// Of supports that are more than an elastic curve on the ground; else empty.
+  std::vector<double> transmitted_force;  ///< N, on the ground or the body behind
+  std::vector<double> body_motion;        ///< m
   [[nodiscard]] std::size_t size() const { return time.size(); }
 };
 

@@ -83,4 +83,14 @@ double Support::energy(double force) const {
   return energy_[segment] + 0.5 * (force + lower) * (force - lower) / stiffness_[segment];
 }
 
+double Support::balanced(double slope, double force) const {
+  if (force <= 0) return force / slope;
+  const auto upper = std::partition_point(points_.begin(), points_.end() - 1, [&](const Point& point) {
+    return point.force + slope * point.deflection <= force;
+  });
+  const auto segment = static_cast<std::size_t>(upper - points_.begin());
+  const Point lower = segment > 0 ? points_[segment - 1] : Point{};
+  return lower.deflection + (force - lower.force - slope * lower.deflection) / (stiffness_[segment] + slope);
+}
+
 }  // namespace dashpad

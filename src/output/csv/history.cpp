@@ -1,6 +1,5 @@
 #include "dashpad/output/csv/history.hpp"
 
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
@@ -33,7 +32,7 @@ void append_number(fmt::memory_buffer& text, double value) {
 }  // namespace
 
 std::string history_csv(const History& history, const UnitSystem& units) {
-  const std::array<Column, 9> columns{
+  std::vector<Column> columns{
       column("time", history.time, units),
       column("force", history.force, units),
       column("acceleration", history.acceleration, units),
@@ -44,6 +43,10 @@ std::string history_csv(const History& history, const UnitSystem& units) {
       column("contact_radius", history.contact_radius, units),
       column("axis_strain", history.axis_strain, units),
   };
+  if (!history.transmitted_force.empty()) {
+    columns.push_back(column("transmitted_force", history.transmitted_force, units));
+    columns.push_back(column("body_motion", history.body_motion, units));
+  }
   fmt::memory_buffer text;
   const auto end_field = [&](const Column& of) { text.push_back(&of == &columns.back() ? '\n' : ','); };
   for (const Column& of : columns) {

@@ -32,8 +32,11 @@ void add_figures(Json& result, Json& errors, const Summary& summary) {
 Json energy(const EnergyLedger& ledger) {
   const auto key = [](const char* of) { return key_with_unit(result_quantity(of)); };
   return {{key("impact_energy"), number(ledger.impact)},
+          {key("weight_work"), number(ledger.weight)},
           {key("kinetic_energy"), number(ledger.kinetic)},
           {key("support_energy"), number(ledger.support)},
+          {key("support_loss"), number(ledger.support_loss)},
+          {key("moving_energy"), number(ledger.moving)},
           {key("pad_energy"), number(ledger.pad)},
           {key("residual_energy"), number(ledger.residual)}};
 }
@@ -57,7 +60,7 @@ Json pad(const Pad& of) {
   return json;
 }
 
-Json support(const Support& of) {
+Json curve_of(const Support& of) {
   Json points = Json::array();
   for (const Support::Point& point : of.points())
     points.push_back({{"deflection_m", number(point.deflection)}, {"force_N", number(point.force)}});
@@ -68,8 +71,17 @@ Json support(const Support& of) {
       {"type", "linear"}, {"stiffness_N_per_m", number(point.force / point.deflection)}, {"points", points}};
 }
 
+Json support(const ImpactCase& of) {
+  Json json = curve_of(of.support);
+  for (const Parameter<Backing>& parameter : Backing::parameters)
+    json[name_with_unit(parameter.key, parameter.unit)] = number(of.backing.*parameter.member);
+  return json;
+}
+
 Json impactor(const Impactor& of) {
-  Json json = {{"mass_kg", number(of.mass)}, {"speed_m_per_s", number(of.speed)}};
+  Json json = {{"mass_kg", number(of.mass)},
+               {"speed_m_per_s", number(of.speed)},
+               {"gravity_m_per_s2", number(of.gravity)}};
   json["nose"] = name_of(of.nose);
   for (const ParameterValue& value : parameter_values(of.nose))
     json[name_with_unit(value.key, value.unit)] = number(value.value);
@@ -90,7 +102,7 @@ Json echo(const ImpactCase& impact) {
   return {{"title", impact.title},
           {"impactor", impactor(impact.impactor)},
           {"pad", pad(impact.pad)},
-          {"support", support(impact.support)},
+          {"support", support(impact)},
           {"blows", blows_asked(impact.blows)}};
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "model/parameter_values.hpp"
 #include "quantities/text.hpp"
@@ -76,6 +77,20 @@ std::string rests_text(const PadLaw& law, const Blows& blows) {
   return fmt::format("in between the pad recovers by {}", percentage(blows.recovery));
 }
 
+/// `, with a panel of 2 kg and damping 30 N s/m`
+std::string backing_text(const Backing& backing, const UnitSystem& units) {
+  std::string text;
+  for (const Parameter<Backing>& parameter : Backing::parameters) {
+    const double value = backing.*parameter.member;
+    if (value == 0) continue;
+    std::string key = parameter.key == std::string_view("mass") ? "panel mass" : parameter.key;
+    std::ranges::replace(key, '_', ' ');
+    text += fmt::format("{} {} {}", text.empty() ? " with" : ",", key,
+                        brief_quantity(value, parameter.unit, units));
+  }
+  return text;
+}
+
 std::string support_in_si(const Support& support) {
   if (support.is_rigid()) return "rigid\n";
   if (support.points().size() == 1) {
@@ -98,10 +113,10 @@ std::string case_text(const ImpactCase& impact, const UnitSystem& units) {
   nose.front() = 'A';
   text += fmt::format("{} of {} strikes at {}\n", nose, impactor_text(impactor, units),
                       brief_quantity(impactor.speed, "m/s", units));
-  text +=
-      fmt::format("a pad of {} {} ({} law){}{} on {}.\n", brief_quantity(impact.pad.thickness, "m", units),
-                  one_line(material.name), name_of(material.law), face_text(impact.pad, units),
-                  history_text(impact.pad, units), support_text(impact.support, units));
+  text += fmt::format("a pad of {} {} ({} law){}{} on {}.\n",
+                      brief_quantity(impact.pad.thickness, "m", units), one_line(material.name),
+                      name_of(material.law), face_text(impact.pad, units), history_text(impact.pad, units),
+                      support_text(impact.support, units) + backing_text(impact.backing, units));
   if (impact.blows)
     text += fmt::format("It strikes {} times; {}.\n", impact.blows->count,
                         rests_text(material.law, *impact.blows));
@@ -120,6 +135,7 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
     line("impactor." + number.key, number.value, number.unit);
   if (const auto* profile = std::get_if<Profile>(&impact.impactor.nose)) text += profile_in_si(*profile);
   line("impactor.speed", impact.impactor.speed, "m/s");
+  if (impact.impactor.gravity != 0) line("impactor.gravity", impact.impactor.gravity, "m/s2");
   line("pad.thickness", impact.pad.thickness, "m");
   if (impact.pad.area) line("pad.area", *impact.pad.area, "m2");
   if (impact.pad.earlier_penetration > 0)
@@ -133,6 +149,9 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
   for (const ParameterValue& parameter : parameter_values(material.law))
     line("pad.parameters." + parameter.key, parameter.value, parameter.unit);
   text += "  support = " + support_in_si(impact.support);
+  for (const Parameter<Backing>& parameter : Backing::parameters)
+    if (const double value = impact.backing.*parameter.member; value != 0)
+      line(std::string("support.") + parameter.key, value, parameter.unit);
   if (impact.blows) line("blows.count", impact.blows->count, "1");
   if (impact.blows) line("blows.recovery", impact.blows->recovery, "1");
   line("solver.tolerance", options.tolerance, "1");

@@ -28,6 +28,14 @@ std::string support_toml(const Support& support) {
   return text + "]\n";
 }
 
+std::string backing_toml(const Backing& backing) {
+  std::string text;
+  for (const Parameter<Backing>& parameter : Backing::parameters)
+    if (const double value = backing.*parameter.member; value != 0)
+      text += toml_line(parameter.key, value, parameter.unit);
+  return text;
+}
+
 std::string profile_toml(const Profile& profile) {
   const bool by_radius = profile.of == Profile::Of::radius;
   std::string text = by_radius ? "radii = [\n" : "areas = [\n";
@@ -63,7 +71,8 @@ std::string case_toml(const ImpactCase& impact, const Options& options) {
     text += toml_line(number.key, number.value, number.unit);
   if (const auto* profile = std::get_if<Profile>(&impactor.nose)) text += profile_toml(*profile);
   text += toml_line("speed", impactor.speed, "m/s");
-  text += pad_toml(impact.pad) + support_toml(impact.support);
+  if (impactor.gravity != 0) text += toml_line("gravity", impactor.gravity, "m/s2");
+  text += pad_toml(impact.pad) + support_toml(impact.support) + backing_toml(impact.backing);
   if (impact.blows)
     text += "\n[blows]\n" + toml_line("count", impact.blows->count, "1") +
             toml_line("recovery", impact.blows->recovery, "1");

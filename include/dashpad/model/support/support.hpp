@@ -1,11 +1,11 @@
 #pragma once
-/// The elastic support of the pad: its force over its deflection.
+/// The support of the pad: its force over its deflection, as long as that grows.
 ///
 ///   F = Fs(Xs), piecewise linear through the origin and any number of points, increasing; beyond the last
 ///   point the last slope goes on; below the origin the force is 0          (theory.md, Eq. 4; report, Eq. 6)
 ///
-/// F and Xs are positive in compression. A rigid support deflects by nothing under any force. The support
-/// has no mass and loses no energy.
+/// F and Xs are positive in compression. A rigid support deflects by nothing under any force. What it may
+/// have beside this curve, mass and losses among it, is its Backing.
 
 #include <vector>
 
@@ -40,6 +40,8 @@ class Support {
   [[nodiscard]] double compliance(double force) const;
   /// Elastic energy at a force, J.
   [[nodiscard]] double energy(double force) const;
+  /// The deflection at which Fs(Xs) + slope Xs = force, m; `slope` > 0, N/m. Not for a rigid support.
+  [[nodiscard]] double balanced(double slope, double force) const;
   /// Forces at which the slope changes, increasing.
   [[nodiscard]] const std::vector<double>& corners() const { return corners_; }
 

@@ -1,0 +1,35 @@
+#pragma once
+/// When an impactor that its weight presses on the pad has come to rest (theory.md, section 4, Rest).
+
+#include <algorithm>
+#include <cmath>
+
+#include "dashpad/impact/impact_case.hpp"
+#include "impact/numerics.hpp"
+#include "impact/trial.hpp"
+
+namespace dashpad {
+
+/// Follows the speed from one turn of the impactor to the next.
+class Swing {
+ public:
+  /// `before`: velocity of the impactor at the state before `now`, m/s.
+  bool comes_to_rest(double before, const State& now, const Impactor& impactor) {
+    const double slow = numerics.speed_at_rest * impactor.speed;
+    const bool turns = (before > 0) != (now.velocity > 0);
+    const bool had_little_left = turns_ > 0 && fastest_ < slow;
+    fastest_ = turns ? std::abs(now.velocity) : std::max(fastest_, std::abs(now.velocity));
+    if (turns) ++turns_;
+    if (std::abs(now.back.velocity()) > slow || turns_ == 0) return false;
+    const double weight = impactor.mass * impactor.gravity;
+    const bool creeps = std::abs(now.velocity) < numerics.creep_at_rest * impactor.speed &&
+                        std::abs(now.force - weight) < numerics.creep_at_rest * weight;
+    return (turns && had_little_left) || creeps;
+  }
+
+ private:
+  double fastest_ = 0;  ///< since the last turn, m/s
+  int turns_ = 0;
+};
+
+}  // namespace dashpad

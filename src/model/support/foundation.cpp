@@ -1,0 +1,317 @@
+#include "model/support/foundation.hpp"
+
+#include <cmath>
+
+namespace dashpad {
+namespace {
+
+/// Corners that crushing moves: where it goes on, and where the force is used up.
+constexpr std::size_t moving_corners = 2;
+/// Corners that are closer, relative, are one.
+constexpr double same_corner = 1e-6;
+
+Foundation::Kind kind_of(const Support& support, const Backing& backing) {
+  if (support.is_rigid()) return Foundation::Kind::at_once;
+  if (backing.mass > 0) return Foundation::Kind::panel;
+  return backing.damping > 0 || backing.loss_factor > 0 ? Foundation::Kind::damper
+                                                        : Foundation::Kind::at_once;
+}
+
+}  // namespace
+
+Foundation::Foundation(const Support& support, const Backing& backing, double impactor_mass)
+    : support_(support),
+      backing_(backing),
+      kind_(kind_of(support, backing)),
+      crushes_(backing.unloading_stiffness > 0 && !support.is_rigid()),
+      bare_(kind_ == Kind::at_once && !crushes_ && !(backing.preload > 0)),
+      plain_(bare_ && !(backing.body_mass > 0)),
+      damping_(backing.damping),
+      inverse_body_(backing.body_mass > 0 ? 1 / backing.body_mass : 0) {
+  if (bare_) return;
+  if (backing.loss_factor > 0)
+    damping_ = backing.loss_factor * std::sqrt((impactor_mass + backing.mass) / support.compliance(0));
+  offset_ = support.deflection(backing.preload);
+  lay_corners();
+}
+
+void Foundation::lay_corners() {
+  const bool at_once = kind_ == Kind::at_once;
+  if (at_once && backing_.preload > 0) of_curve_.push_back(backing_.preload);
+  if (!at_once) of_curve_.push_back(backing_.gap);
+  for (const double force : support_.corners())
+    if (force > backing_.preload) of_curve_.push_back(at_once ? force : curve_deflection(force));
+  corners_.reserve(of_curve_.size() + moving_corners);
+}
+
+void Foundation::start() {
+  yield_ = backing_.gap;
+  yield_force_ = backing_.preload;
+  damped_ = 0;
+  turned_ = false;
+  last_step_ = 0;
+  corners_ = of_curve_;
+}
+
+// ---------------------------------------------------------------- the curve
+
+double Foundation::curve_force(double x) const { return support_.force(offset_ + (x - backing_.gap)); }
+
+double Foundation::curve_deflection(double force) const {
+  return force <= backing_.preload ? backing_.gap : backing_.gap + (support_.deflection(force) - offset_);
+}
+
+double Foundation::energy_of_curve(double x) const {
+  return x <= backing_.gap ? 0 : support_.energy(curve_force(x)) - support_.energy(backing_.preload);
+}
+
+double Foundation::spring(double x) const {
+  if (crushes_ && x < yield_)
+    return std::max(yield_force_ - backing_.unloading_stiffness * (yield_ - x), 0.0);
+  return curve_force(x);
+}
+
+double Foundation::stiffness(double x) const {
+  if (crushes_ && x < yield_) return spring(x) > 0 ? backing_.unloading_stiffness : 0;
+  return x < backing_.gap ? 0 : 1 / support_.compliance(curve_force(x));
+}
+
+double Foundation::set() const {
+  return crushes_ ? std::max(yield_ - yield_force_ / backing_.unloading_stiffness, 0.0) : 0;
+}
+
+double Foundation::balanced(double slope, double force) const {
+  const double gap = backing_.gap;
+  if (crushes_ && force < yield_force_ + slope * yield_) {
+    const double set = yield_ - yield_force_ / backing_.unloading_stiffness;
+    const double x = force <= slope * set ? force / slope
+                                          : (force - yield_force_ + backing_.unloading_stiffness * yield_) /
+                                                (slope + backing_.unloading_stiffness);
+    return backing_.preload > 0 ? std::max(x, 0.0) : x;
+  }
+  const double at_rest = backing_.preload + slope * gap;
+  if (force <= at_rest) return backing_.preload > 0 ? 0 : std::min(force / slope, gap);
+  return gap + (support_.balanced(slope, force - slope * gap + slope * offset_) - offset_);
+}
+
+// ---------------------------------------------------------------- a step
+
+double Foundation::deflection_at_once(double force) const {
+  if (crushes_ && force < yield_force_)
+    return std::max(yield_ - (yield_force_ - std::max(force, 0.0)) / backing_.unloading_stiffness, 0.0);
+  return curve_deflection(force);
+}
+
+BackState Foundation::after(const BackState& now, const StepForce& force) const {
+  if (kind_ == Kind::panel) return after_swing(now, force, backing_.mass);
+  BackState end = now;
+  if (kind_ == Kind::damper)
+    end = after_creep(now, force);
+  else
+    end.deflection = deflection(force.end);
+  end.body_motion += (now.body_velocity + inverse_body_ * force.moment * force.step) * force.step;
+  end.body_velocity += inverse_body_ * force.mean * force.step;
+  end.transmitted = force.end;
+  return end;
+}
+
+/// Backwards, of second order after a step that went on smoothly: the creep that a step does not resolve dies
+/// out in it.
+Foundation::Backward Foundation::backward(const BackState& now, double step) const {
+  if (last_step_ == 0) return {1 / step, now.deflection / step};
+  const double w = step / last_step_;
+  return {(1 + 2 * w) / ((1 + w) * step),
+          ((1 + w) * now.deflection - w * w / (1 + w) * last_deflection_) / step};
+}
+
+BackState Foundation::after_creep(const BackState& now, const StepForce& force) const {
+  const Backward rate = backward(now, force.step);
+  BackState end = now;
+  end.deflection = balanced(damping_ * rate.slope, force.end + damping_ * rate.rest);
+  end.rate = rate.slope * end.deflection - rate.rest;
+  return end;
+}
+
+BackState Foundation::after_with(const BackState& now, double impactor_mass, double weight,
+                                 double step) const {
+  return after_swing(now, {weight, weight, weight, weight / 2, step}, backing_.mass + impactor_mass);
+}
+
+BackState Foundation::stuck(const BackState& now, double velocity) const {
+  BackState back = now;
+  if (kind_ == Kind::damper) {
+    back.rate = velocity - now.body_velocity;
+    back.transmitted = spring(now.deflection) + damping_ * back.rate;
+  }
+  return back;
+}
+
+double Foundation::force_when_stuck(const BackState& now, double force, double impactor_mass,
+                                    double weight) const {
+  if (kind_ == Kind::at_once) return std::max(force, backing_.preload);
+  return (weight * backing_.mass + impactor_mass * now.transmitted) / (impactor_mass + backing_.mass);
+}
+
+/// Average acceleration by what the support does, the moments of the force by what the pad does.
+BackState Foundation::after_swing(const BackState& now, const StepForce& force, double mass) const {
+  const double dt = force.step;
+  const double inverse_mass = 1 / mass;
+  if (rests_on_stop(now)) {
+    // Body and panel are one until the stop is left.
+    const double leaving = backing_.preload * (1 + mass * inverse_body_);
+    if (force.end <= leaving) {
+      const double share = inverse_body_ / (1 + mass * inverse_body_);
+      BackState end = now;
+      end.rate = 0;
+      end.body_motion += (now.body_velocity + share * force.moment * dt) * dt;
+      end.body_velocity += share * force.mean * dt;
+      end.transmitted = force.end / (1 + mass * inverse_body_);
+      return end;
+    }
+    if (force.now < leaving) return left_stop(now, force, leaving, mass);
+  }
+  const double inverse = inverse_mass + inverse_body_;
+  const double slowed = 1 / (1 + inverse * damping_ * dt / 2);
+  const double free_rate =
+      slowed * (now.rate + dt * (force.mean * inverse_mass - inverse * now.transmitted / 2));
+  const double free_way =
+      now.deflection + dt * (now.rate + dt * (force.moment * inverse_mass -
+                                              inverse / 4 * (now.transmitted + damping_ * free_rate)));
+  const double give = dt * dt * inverse / 4 * slowed;  // of the way, by the force of the spring
+  BackState end;
+  end.deflection = balanced(1 / give, free_way / give);
+  if (backing_.preload > 0 && end.deflection <= 0) {
+    end.deflection = 0;  // it has landed
+    end.transmitted = backing_.preload;
+  } else {
+    const double pushed = spring(end.deflection);
+    end.rate = free_rate - slowed * dt * inverse / 2 * pushed;
+    end.transmitted = pushed + damping_ * end.rate;
+  }
+  const double sum = now.transmitted + end.transmitted;
+  end.body_motion = now.body_motion + dt * (now.body_velocity + dt * inverse_body_ * sum / 4);
+  end.body_velocity = now.body_velocity + dt * inverse_body_ * sum / 2;
+  return end;
+}
+
+/// A step in which the force passes that at which the panel leaves its stop.
+BackState Foundation::left_stop(const BackState& now, const StepForce& force, double leaving,
+                                double mass) const {
+  const double before = force.step * (leaving - force.now) / (force.end - force.now);
+  const auto line = [](double from, double to, double step) {
+    return StepForce{from, to, (from + to) / 2, from / 3 + to / 6, step};
+  };
+  const BackState then = after_swing(now, line(force.now, leaving, before), mass);
+  return after_swing(then, line(leaving, force.end, force.step - before), mass);
+}
+
+double Foundation::static_compliance(const BackState& now, double force) const {
+  if (bare_) return support_.compliance(force);
+  if (kind_ != Kind::at_once) {
+    const double slope = stiffness(now.deflection);
+    return slope > 0 ? 1 / slope : std::numeric_limits<double>::infinity();
+  }
+  if (crushes_ && (force < yield_force_ || (turned_ && force <= yield_force_)))
+    return 1 / backing_.unloading_stiffness;
+  return force < backing_.preload ? 0 : support_.compliance(force);
+}
+
+double Foundation::moving_compliance(const BackState& now, double force, double step, double share) const {
+  if (kind_ == Kind::at_once) return static_compliance(now, force) + inverse_body_ * step * step * share;
+  if (kind_ == Kind::damper)
+    return 1 / (stiffness(now.deflection) + damping_ * backward(now, step).slope) +
+           inverse_body_ * step * step * share;
+  const double inverse_mass = 1 / backing_.mass;
+  const double inverse = inverse_mass + inverse_body_;
+  const double give = step * step * inverse / 4 / (1 + inverse * damping_ * step / 2);
+  return step * step * share * inverse_mass / (1 + give * stiffness(now.deflection));
+}
+
+double Foundation::square_frequency(const BackState& now, double force, double pad_stiffness, bool held,
+                                    double impactor_mass) const {
+  const double free = 1 / impactor_mass + inverse_body_;
+  if (kind_ == Kind::at_once) {
+    double compliance = static_compliance(now, force);
+    if (held && compliance == 0) compliance = support_.compliance(backing_.preload);
+    if (held) return compliance > 0 ? free / compliance : 0;
+    return free / (1 / pad_stiffness + compliance);
+  }
+  const double spring = stiffness(now.deflection);
+  // A stiff pad leaves a damper that slows the impactor down.
+  if (kind_ == Kind::damper)
+    return (held ? spring : std::min(pad_stiffness, std::max(spring, damping_ * damping_ * free))) * free;
+  if (held) return spring * (1 / (impactor_mass + backing_.mass) + inverse_body_);
+  return pad_stiffness / impactor_mass + (pad_stiffness + spring) / backing_.mass + spring * inverse_body_;
+}
+
+double Foundation::moving_retreat(const BackState& end, double force, double of_pad,
+                                  double force_rate) const {
+  switch (kind_) {
+    case Kind::at_once: return end.body_velocity + static_compliance(end, force) * force_rate;
+    case Kind::damper: {
+      const double rate = (of_pad - spring(end.deflection)) / damping_;
+      return end.body_velocity + (backing_.preload > 0 && end.deflection <= 0 ? std::max(rate, 0.0) : rate);
+    }
+    case Kind::panel: break;
+  }
+  return end.velocity();
+}
+
+void Foundation::accept(const BackState& now, const BackState& end, double force, double step, bool smooth) {
+  if (bare_) return;
+  if (kind_ != Kind::at_once) {
+    damped_ += damping_ * step * (now.rate * now.rate + now.rate * end.rate + end.rate * end.rate) / 3;
+    if (kind_ == Kind::panel && backing_.preload > 0 && end.deflection <= 0 && now.deflection > 0)
+      damped_ += now.rate * now.rate / (1 / backing_.mass + inverse_body_) / 2;
+    last_deflection_ = now.deflection;
+    last_step_ = smooth ? step : 0;
+  }
+  const bool at_once = kind_ == Kind::at_once;
+  if (!crushes_ || !(at_once ? force > yield_force_ : end.deflection > yield_)) return;
+  yield_ = end.deflection;
+  yield_force_ = at_once ? force : curve_force(yield_);
+  turned_ = false;
+  // The curve behind is passed on the way back along the line of unloading.
+  const double front = at_once ? yield_force_ : yield_;
+  corners_.clear();
+  corners_.push_back(front);
+  if (!at_once) corners_.push_back(yield_ - yield_force_ / backing_.unloading_stiffness);
+  for (const double corner : of_curve_)
+    if (corner > (1 + same_corner) * front) corners_.push_back(corner);
+}
+
+// ---------------------------------------------------------------- energy
+
+Foundation::Energy Foundation::energy(const BackState& now, double force) const {
+  if (bare_ && inverse_body_ == 0) return {.stored = support_.energy(force)};
+  Energy energy;
+  energy.damped = damped_;
+  const double x = kind_ == Kind::at_once ? deflection(force) : now.deflection;
+  if (crushes_) {
+    const double left = x < yield_ ? spring(x) : yield_force_;
+    energy.stored = left * left / (2 * backing_.unloading_stiffness);
+    energy.crushed =
+        energy_of_curve(yield_) - yield_force_ * yield_force_ / (2 * backing_.unloading_stiffness);
+    // What the preload had stored is not given back.
+    const double before = backing_.preload * backing_.preload / (2 * backing_.unloading_stiffness);
+    energy.crushed += before;
+    energy.stored -= before;
+  } else {
+    energy.stored = support_.is_rigid() ? 0 : bare_ ? support_.energy(force) : energy_of_curve(x);
+  }
+  if (inverse_body_ > 0) energy.moving += backing_.body_mass * now.body_velocity * now.body_velocity / 2;
+  if (kind_ == Kind::panel) energy.moving += backing_.mass * now.velocity() * now.velocity() / 2;
+  return energy;
+}
+
+double Foundation::fastest_return(const BackState& now) const {
+  if (kind_ != Kind::panel) return 0;
+  const double inverse = 1 / backing_.mass + inverse_body_;
+  const double fastest = std::sqrt(2 * energy(now, 0).stored * inverse + now.rate * now.rate);
+  if (inverse_body_ == 0) return fastest;
+  // About the common centre of gravity.
+  const double share = 1 / (1 + backing_.mass * inverse_body_);
+  return share * fastest - (now.body_velocity + (1 - share) * now.rate);
+}
+
+}  // namespace dashpad
