@@ -32,6 +32,7 @@ struct Figures {
   double peak_transmitted = 0;  ///< N
   double peak_deflection = 0;   ///< m
   double set = 0;               ///< m
+  double crushing_force = 0;    ///< N, largest of a support that crushes
   double body_velocity = 0;     ///< m/s, at the end
   double pad_work = 0;          ///< J, integral of F dY
   int reloadings = 0;

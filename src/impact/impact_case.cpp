@@ -140,6 +140,7 @@ void check_backing(std::vector<Violation>& broken, const Support& support, const
   within("support.damping", of.damping, dampings);
   within("support.gap", of.gap, lengths);
   within("support.preload", of.preload, forces);
+  within("support.earlier_force", of.earlier_force, forces);
   within("support.unloading_stiffness", of.unloading_stiffness, stiffnesses);
   if (support.is_rigid()) {
     for (const Parameter<Backing>& parameter : Backing::parameters)
@@ -155,6 +156,11 @@ void check_backing(std::vector<Violation>& broken, const Support& support, const
   if (of.gap > 0 && !(of.mass > 0))
     broken.push_back({"support.gap", of.gap,
                       "needs the mass of the panel, which nothing but its mass holds up in the gap"});
+  if (of.earlier_force > 0 && !(of.unloading_stiffness > 0))
+    broken.push_back({"support.earlier_force", of.earlier_force,
+                      "needs an unloading_stiffness: what an elastic support has carried leaves nothing"});
+  if (of.earlier_force > 0 && of.preload > 0)
+    broken.push_back({"support.earlier_force", of.earlier_force, "a support with a preload has none"});
   double steepest = 0;
   for (double force : {0.0, support.points().back().force})
     steepest = std::max(steepest, 1 / support.compliance(force));

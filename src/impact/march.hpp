@@ -354,6 +354,7 @@ class March {
     figures_.moving_energy = energy.moving;
     figures_.weight_work = impactor_.mass * impactor_.gravity * now_.motion;
     figures_.set = foundation_.set();
+    figures_.crushing_force = foundation_.crushing_force();
     figures_.body_velocity = now_.back.body_velocity;
     read_peaks(track, figures_);
     read_weight(track, impactor_, figures_);

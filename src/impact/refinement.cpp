@@ -28,6 +28,7 @@ void for_each_number(Visit&& visit, Run&... runs) {
   visit(runs.peak_transmitted...);
   visit(runs.peak_deflection...);
   visit(runs.set...);
+  visit(runs.crushing_force...);
   visit(runs.body_velocity...);
   visit(runs.pad_work...);
   const auto moment = [&](auto&... moments) {

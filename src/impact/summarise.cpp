@@ -49,6 +49,17 @@ EnergyLedger ledger_of(const Impactor& impactor, const Figures& figures) {
   return energy;
 }
 
+SupportFigures support_figures(const Backing& backing, const Figures& figures) {
+  SupportFigures of{.peak_transmitted = figures.peak_transmitted,
+                    .peak_deflection = figures.peak_deflection,
+                    .crushing_force = figures.crushing_force,
+                    .set = {},
+                    .body_speed = {}};
+  if (backing.unloading_stiffness > 0) of.set = figures.set;
+  if (backing.body_mass > 0) of.body_speed = figures.body_velocity;
+  return of;
+}
+
 }  // namespace
 
 std::string to_string(Status status) {
@@ -89,9 +100,7 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement) {
                                                  : *s.rebound_speed / impactor.speed;
   }
   s.rest = figures.rest;
-  if (impact.backing != Backing{})
-    s.support =
-        SupportFigures{figures.peak_transmitted, figures.peak_deflection, figures.set, figures.body_velocity};
+  if (impact.backing != Backing{}) s.support = support_figures(impact.backing, figures);
   s.energy = ledger_of(impactor, figures);
   s.energy_absorbed_fraction =
       1 - (s.energy.kinetic + s.energy.support + s.energy.support_loss + s.energy.moving - s.energy.weight) /

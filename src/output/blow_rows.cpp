@@ -30,7 +30,8 @@ std::string change(double from, double to, const std::string& unit) {
 }
 
 bool is_as_the_first(const BlowResult& first, const BlowResult& other) {
-  return first.earlier_penetration == other.earlier_penetration;
+  return first.earlier_penetration == other.earlier_penetration &&
+         first.summary.peak_force == other.summary.peak_force;
 }
 
 std::string why_alike(const PadLaw& law) {

@@ -17,8 +17,7 @@ EstimatedValue present(const std::optional<Moment>& moment, double error = 0) {
 
 template <class Figure>
 EstimatedValue of_support(const Summary& of, Figure figure) {
-  return of.support ? EstimatedValue{.value = figure(*of.support), .error = of.errors.support}
-                    : EstimatedValue{};
+  return of.support ? present(figure(*of.support), of.errors.support) : EstimatedValue{};
 }
 
 }  // namespace

@@ -82,6 +82,23 @@ TEST_F(SchemaTest, DescribesTheBlowsOfASeries) {
   EXPECT_EQ(result["blows"][2]["hic15"], result["injury"]["hic15"]["value"]);
 }
 
+TEST_F(SchemaTest, DescribesWhatASupportHasBesideItsCurve) {
+  const std::string head = "[impactor]\nmass = \"4 kg\"\nradius = \"80 mm\"\nspeed = \"3 m/s\"\n";
+  const std::string pad =
+      "[pad]\nthickness = \"40 mm\"\nlaw = \"elastic\"\nparameters = { modulus = \"40 psi\" }\n";
+  for (const std::string support :
+       {"unloading_stiffness = \"400 N/mm\"\nearlier_force = \"100 N\"", "mass = \"1 kg\"\ngap = \"1 mm\"",
+        "loss_factor = 0.2\npreload = \"50 N\"", "body_mass = \"20 kg\"\ndamping = \"10 N s/m\""}) {
+    write_file(file("moving.toml"),
+               head + pad + "[support]\ntype = \"linear\"\nstiffness = \"100 N/mm\"\n" + support);
+    const auto outcome = dashpad({"run", file("moving.toml"), "--json", "-"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json result = json::parse(outcome.out);
+    EXPECT_EQ(schema_faults(result), "") << support;
+    EXPECT_TRUE(result["peak_transmitted_force_N"].is_number()) << support;
+  }
+}
+
 TEST_F(SchemaTest, NoticesWhatIsMissingOrTooMuch) {
   const json result = json::parse(dashpad({"run", case_file(), "--json", "-"}).out);
   ASSERT_EQ(schema_faults(result), "");

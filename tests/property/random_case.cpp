@@ -472,8 +472,7 @@ ImpactCase moving_case(std::uint64_t seed) {
   }
   if (draw.choice(2) == 0) backing.unloading_stiffness = steepest * draw.decades(1, 10);
   if (draw.choice(2) == 0) backing.mass = impactor.mass * draw.decades(0.03, 10);
-  if (draw.choice(2) == 0)
-    backing.damping = 2 * std::sqrt(steepest * impactor.mass) * draw.decades(0.01, 2);
+  if (draw.choice(2) == 0) backing.damping = 2 * std::sqrt(steepest * impactor.mass) * draw.decades(0.01, 2);
   const bool is_free = draw.choice(3) == 0;
   if (is_free && impactor.gravity == 0) backing.body_mass = impactor.mass * draw.decades(0.3, 30);
   if (draw.choice(4) == 0)

@@ -135,6 +135,32 @@ TEST(RandomCases, OfEveryNoseAreSolved) {
   EXPECT_LE(static_cast<double>(not_met), (cases < 100 ? 1 : 0.01) * static_cast<double>(cases));
 }
 
+/// Of 300 such cases 10 miss a tolerance of 1e-3: pads of laws 4 and 5 on a damper, where more than one rate
+/// is in equilibrium, light panels, and pads that close on a preloaded or damped support.
+TEST(RandomCases, OnSupportsThatMoveAreSolved) {
+  int not_met = 0;
+  constexpr int cases = 120;
+  for (std::uint64_t seed = 1; seed <= cases; ++seed) {
+    const ImpactCase impact = moving_case(seed);
+    SCOPED_TRACE(impact.title);
+    ASSERT_TRUE(violations(impact).empty());
+    const Summary s = solve(impact, {.tolerance = 1e-3}).summary;
+    if (!s.trustworthy()) {
+      ++not_met;
+      continue;
+    }
+    expect_numbers(s);
+    ASSERT_TRUE(s.support);
+    expect_finite("transmitted force", s.support->peak_transmitted);
+    expect_finite("deflection", s.support->peak_deflection);
+    // Nothing comes back that was not there, but for what laws 4 and 5 may give.
+    EXPECT_GE(s.energy_absorbed_fraction, -largest_gain(impact.pad.material.law) - 2e-3);
+    EXPECT_GE(s.energy.support_loss, -1e-9 * s.energy.impact);
+    EXPECT_LE(std::abs(s.energy.residual), 1e-3 * s.energy.impact);
+  }
+  EXPECT_LE(not_met, 9);
+}
+
 TEST(RandomCases, AreSolvedOrSaidNotToBe) {
   const std::uint64_t first = environment("DASHPAD_RANDOM_SEED", 1);
   const std::uint64_t cases = environment("DASHPAD_RANDOM_CASES", default_cases);

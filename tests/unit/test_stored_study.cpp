@@ -85,6 +85,22 @@ TEST_F(StoredStudyTest, EveryNoseOnAPadWithAnEdge) {
   }
 }
 
+TEST_F(StoredStudyTest, SupportsThatMove) {
+  Study study = small_study(3);
+  study.base.support = Support::linear(2e5);
+  study.base.backing = {.unloading_stiffness = 4e5, .damping = 30, .mass = 1.5, .earlier_force = 20};
+  study.base.impactor.gravity = 9.81;
+  study.factors.push_back({.key = "support.damping",
+                           .unit = "N s/m",
+                           .spread = study::Levels{{0, 100}},
+                           .lowest = {},
+                           .highest = {}});
+  expect_same_rows(study, "moving.db");
+  const Study read = study::stored_study(Store::open_to_read(file("moving.db")));
+  EXPECT_EQ(read.base.backing, study.base.backing);
+  EXPECT_EQ(read.base.impactor.gravity, 9.81);
+}
+
 TEST_F(StoredStudyTest, RepeatedBlowsOnAPadThatWasStruckBefore) {
   Study study = small_study(3);
   study.base.pad.material = input::read_material(source / "materials/vn600.toml");

@@ -294,7 +294,7 @@ TEST(FoamAgainstCvode, AgreesOnSupportsThatMove) {
       EXPECT_EQ(summary.status, Status::released) << to_string(summary.status);
       expect_same(summary, other, allowed);
       if (backings[i].body_mass > 0)
-        expect_relative(summary.support->body_speed, other.body_velocity, allowed, "body");
+        expect_relative(*summary.support->body_speed, other.body_velocity, allowed, "body");
       ++compared;
     }
   }

@@ -78,10 +78,11 @@ struct EnergyLedger {
 
 /// What a support that loses energy or moves has done; forces of the pad and the support differ there.
 struct SupportFigures {
-  double peak_transmitted = 0;  ///< force on the ground or the body behind, N
-  double peak_deflection = 0;   ///< m
-  double set = 0;               ///< deflection that stays, m
-  double body_speed = 0;        ///< of the body behind, at the end, m/s
+  double peak_transmitted = 0;       ///< force on the ground or the body behind, N
+  double peak_deflection = 0;        ///< m
+  double crushing_force = 0;         ///< largest so far of a support that crushes, N
+  std::optional<double> set;         ///< deflection of such a support that stays, m
+  std::optional<double> body_speed;  ///< of a free body behind, at the end, m/s
 };
 
 /// Peak accelerations, m/s2, with the curve of a foam continued as gently and as steeply as its card admits;

@@ -32,6 +32,11 @@ Foundation::Foundation(const Support& support, const Backing& backing, double im
   if (backing.loss_factor > 0)
     damping_ = backing.loss_factor * std::sqrt((impactor_mass + backing.mass) / support.compliance(0));
   offset_ = support.deflection(backing.preload);
+  if (backing.earlier_force > 0) {
+    const double stored = backing.earlier_force * backing.earlier_force / (2 * backing.unloading_stiffness);
+    offset_ = support.deflection(backing.earlier_force) - backing.earlier_force / backing.unloading_stiffness;
+    crushed_before_ = support.energy(backing.earlier_force) - support.energy(support.force(offset_)) - stored;
+  }
   lay_corners();
 }
 
@@ -40,17 +45,20 @@ void Foundation::lay_corners() {
   if (at_once && backing_.preload > 0) of_curve_.push_back(backing_.preload);
   if (!at_once) of_curve_.push_back(backing_.gap);
   for (const double force : support_.corners())
-    if (force > backing_.preload) of_curve_.push_back(at_once ? force : curve_deflection(force));
+    if (force > std::max(backing_.preload, backing_.earlier_force))
+      of_curve_.push_back(at_once ? force : curve_deflection(force));
   corners_.reserve(of_curve_.size() + moving_corners);
 }
 
 void Foundation::start() {
-  yield_ = backing_.gap;
-  yield_force_ = backing_.preload;
+  const double earlier = backing_.earlier_force;
+  yield_ = backing_.gap + (earlier > 0 ? earlier / backing_.unloading_stiffness : 0);
+  yield_force_ = std::max(backing_.preload, earlier);
   damped_ = 0;
   turned_ = false;
   last_step_ = 0;
   corners_ = of_curve_;
+  if (backing_.earlier_force > 0) corners_.push_back(kind_ == Kind::at_once ? yield_force_ : yield_);
 }
 
 // ---------------------------------------------------------------- the curve
@@ -58,11 +66,14 @@ void Foundation::start() {
 double Foundation::curve_force(double x) const { return support_.force(offset_ + (x - backing_.gap)); }
 
 double Foundation::curve_deflection(double force) const {
-  return force <= backing_.preload ? backing_.gap : backing_.gap + (support_.deflection(force) - offset_);
+  return force <= std::max(backing_.preload, curve_force(backing_.gap))
+             ? backing_.gap
+             : backing_.gap + (support_.deflection(force) - offset_);
 }
 
 double Foundation::energy_of_curve(double x) const {
-  return x <= backing_.gap ? 0 : support_.energy(curve_force(x)) - support_.energy(backing_.preload);
+  if (x <= backing_.gap) return 0;
+  return support_.energy(curve_force(x)) - support_.energy(curve_force(backing_.gap));
 }
 
 double Foundation::spring(double x) const {
@@ -77,7 +88,8 @@ double Foundation::stiffness(double x) const {
 }
 
 double Foundation::set() const {
-  return crushes_ ? std::max(yield_ - yield_force_ / backing_.unloading_stiffness, 0.0) : 0;
+  const double before = backing_.earlier_force > 0 ? offset_ : 0;
+  return crushes_ ? before + std::max(yield_ - yield_force_ / backing_.unloading_stiffness, 0.0) : 0;
 }
 
 double Foundation::balanced(double slope, double force) const {
@@ -294,7 +306,7 @@ Foundation::Energy Foundation::energy(const BackState& now, double force) const 
         energy_of_curve(yield_) - yield_force_ * yield_force_ / (2 * backing_.unloading_stiffness);
     // What the preload had stored is not given back.
     const double before = backing_.preload * backing_.preload / (2 * backing_.unloading_stiffness);
-    energy.crushed += before;
+    energy.crushed += before - crushed_before_;
     energy.stored -= before;
   } else {
     energy.stored = support_.is_rigid() ? 0 : bare_ ? support_.energy(force) : energy_of_curve(x);

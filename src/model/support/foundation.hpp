@@ -136,8 +136,10 @@ class Foundation {
   [[nodiscard]] double elastic_energy(double force) const {
     return bare_ ? support_.energy(force) : energy_of_curve(curve_deflection(force));
   }
-  /// Deflection that stays, m.
+  /// Deflection that stays, from the support as it was when new, m.
   [[nodiscard]] double set() const;
+  /// Largest force that the support has carried, N; 0 where that leaves nothing.
+  [[nodiscard]] double crushing_force() const { return crushes_ ? yield_force_ : 0; }
   /// With which the back may come after the impactor at the most, by what is stored, m/s.
   [[nodiscard]] double fastest_return(const BackState& now) const;
 
@@ -177,9 +179,10 @@ class Foundation {
   bool bare_ = true;   ///< the curve alone
   bool plain_ = true;  ///< and no body behind
   double damping_ = 0;
-  double inverse_body_ = 0;  ///< 1/Mb
-  double offset_ = 0;        ///< deflection of the curve at rest, by the preload, m
-  double yield_ = 0;         ///< x up to which it has been crushed, m
+  double inverse_body_ = 0;    ///< 1/Mb
+  double offset_ = 0;          ///< deflection of the curve at rest, by the preload or an earlier force, m
+  double crushed_before_ = 0;  ///< J
+  double yield_ = 0;           ///< x up to which it has been crushed, m
   double yield_force_ = 0;
   double damped_ = 0;  ///< J
   bool turned_ = false;

@@ -22,13 +22,14 @@ struct Backing {
   double body_mass = 0;            ///< Mb, kg; 0: the ground
   double gap = 0;                  ///< m, which the panel goes before it meets the support
   double preload = 0;              ///< N, with which the support holds the panel against a stop
+  double earlier_force = 0;        ///< N, the largest that a support which crushes has carried before
 
-  static const std::array<Parameter<Backing>, 7> parameters;
+  static const std::array<Parameter<Backing>, 8> parameters;
 
   friend bool operator==(const Backing&, const Backing&) = default;
 };
 
-inline constexpr std::array<Parameter<Backing>, 7> Backing::parameters{{
+inline constexpr std::array<Parameter<Backing>, 8> Backing::parameters{{
     {"unloading_stiffness", "k_u", "N/m", &Backing::unloading_stiffness, not_negative,
      "slope on which a crushed support comes back", true},
     {"damping", "c", "N s/m", &Backing::damping, not_negative, "of a damper beside the support", true},
@@ -44,6 +45,8 @@ inline constexpr std::array<Parameter<Backing>, 7> Backing::parameters{{
     {"gap", "x_g", "m", &Backing::gap, not_negative, "between panel and support", true},
     {"preload", "F_p", "N", &Backing::preload, not_negative, "force of the support at rest, against a stop",
      true},
+    {"earlier_force", "F_e", "N", &Backing::earlier_force, not_negative,
+     "largest force of the support before, if it crushes", true},
 }};
 
 }  // namespace dashpad
