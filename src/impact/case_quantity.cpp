@@ -5,6 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include <fmt/format.h>
+
 #include "dashpad/impact/solution.hpp"
 
 namespace dashpad {
@@ -41,23 +43,21 @@ void add_parameters(const ImpactCase& base, const std::string& prefix, Place pla
       place(base));
 }
 
-void add_pad(const ImpactCase& base, std::vector<CaseQuantity>& into) {
+/// What a material and its condition have. `of` gives a reference to the one or the other: a pad or a layer.
+template <class Of>
+void add_material(const ImpactCase& base, const std::string& prefix, Of of, std::vector<CaseQuantity>& into) {
   into.push_back(quantity_at(
-      "pad.thickness", "m", [](auto& impact) -> auto& { return impact.pad.thickness; }));
-  if (base.pad.area)
-    into.push_back(quantity_at(
-        "pad.area", "m2", [](auto& impact) -> auto& { return impact.pad.area; }));
-  into.push_back(quantity_at(
-      "pad.scale", "1", [](auto& impact) -> auto& { return impact.pad.condition.scale; }));
-  const Material& material = base.pad.material;
+      prefix + "scale", "1", [of](auto& impact) -> auto& { return of(impact).condition.scale; }));
+  const Material& material = of(base).material;
   if (material.density_exponent)
     into.push_back(quantity_at(
-        "pad.density", "kg/m3", [](auto& impact) -> auto& { return impact.pad.condition.density; }));
+        prefix + "density", "kg/m3", [of](auto& impact) -> auto& { return of(impact).condition.density; }));
   if (!material.temperature_table.temperature.empty())
     into.push_back(quantity_at(
-        "pad.temperature", "K", [](auto& impact) -> auto& { return impact.pad.condition.temperature; }));
-  const auto law_in = [](auto& impact) -> auto& { return impact.pad.material.law; };
-  add_parameters(base, "pad.parameters.", law_in, into);
+        prefix + "temperature",
+        "K", [of](auto& impact) -> auto& { return of(impact).condition.temperature; }));
+  const auto law_in = [of](auto& impact) -> auto& { return of(impact).material.law; };
+  add_parameters(base, prefix + "parameters.", law_in, into);
   std::visit(
       [&]<class Law>(const Law&) {
         if constexpr (SharesSlip<Law>) {
@@ -65,10 +65,11 @@ void add_pad(const ImpactCase& base, std::vector<CaseQuantity>& into) {
             return std::get<Law>(law_in(impact)).curves;
           };
           add_parameters(
-              base, "pad.curve.", [curves_in](auto& impact) -> auto& { return curves_in(impact).base; },
+              base, prefix + "curve.", [curves_in](auto& impact) -> auto& { return curves_in(impact).base; },
               into);
           add_parameters(
-              base, "pad.rate.", [curves_in](auto& impact) -> auto& { return curves_in(impact).rate_effect; },
+              base,
+              prefix + "rate.", [curves_in](auto& impact) -> auto& { return curves_in(impact).rate_effect; },
               into);
         }
       },
@@ -77,13 +78,41 @@ void add_pad(const ImpactCase& base, std::vector<CaseQuantity>& into) {
 
 /// What earlier blows have left in the pad, and leave in it.
 void add_blows(const ImpactCase& base, std::vector<CaseQuantity>& into) {
-  if (blow_memory(base.pad.material.law) != BlowMemory::none)
+  if (base.pad.layers.empty() && blow_memory(base.pad.material.law) != BlowMemory::none)
     into.push_back(quantity_at(
         "pad.earlier_penetration", "m",
         [](auto& impact) -> auto& { return impact.pad.earlier_penetration; }));
   if (base.blows)
     into.push_back(quantity_at(
         "blows.recovery", "1", [](auto& impact) -> auto& { return impact.blows->recovery; }));
+}
+
+void add_layer(const ImpactCase& base, std::size_t i, std::vector<CaseQuantity>& into) {
+  const std::string prefix = fmt::format("pad.layers[{}].", i + 1);
+  into.push_back({.key = prefix + "thickness",
+                  .unit = "m",
+                  .get = [i](const ImpactCase& impact) { return impact.pad.layers.at(i).thickness; },
+                  .set =
+                      [i](ImpactCase& impact, double value) {
+                        impact.pad.layers.at(i).thickness = value;
+                        set_layers(impact.pad, std::move(impact.pad.layers));
+                      }});
+  add_material(
+      base, prefix, [i](auto& impact) -> auto& { return impact.pad.layers.at(i); }, into);
+}
+
+void add_pad(const ImpactCase& base, std::vector<CaseQuantity>& into) {
+  const bool is_layered = !base.pad.layers.empty();
+  if (!is_layered)
+    into.push_back(quantity_at(
+        "pad.thickness", "m", [](auto& impact) -> auto& { return impact.pad.thickness; }));
+  if (base.pad.area)
+    into.push_back(quantity_at(
+        "pad.area", "m2", [](auto& impact) -> auto& { return impact.pad.area; }));
+  if (!is_layered)
+    add_material(
+        base, "pad.", [](auto& impact) -> auto& { return impact.pad; }, into);
+  for (std::size_t i = 0; i < base.pad.layers.size(); ++i) add_layer(base, i, into);
 }
 
 void add_support(const Support& base, std::vector<CaseQuantity>& into) {

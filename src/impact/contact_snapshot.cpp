@@ -7,9 +7,11 @@
 #include <numbers>
 #include <type_traits>
 
+#include "impact/layers.hpp"
 #include "model/contact/column_field.hpp"
 #include "model/contact/curve_contact.hpp"
 #include "model/contact/foam_contact.hpp"
+#include "model/contact/layered_contact.hpp"
 
 namespace dashpad {
 
@@ -132,6 +134,33 @@ std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const Impact
   return snapshots;
 }
 
+std::vector<ContactSnapshot> from_layers(const ImpactCase& impact, const History& history) {
+  const Sections nose = sections_of(impact);
+  LayeredContact contact(layers_of(impact.pad), nose);
+  contact.start(resolution, *std::max_element(history.penetration.begin(), history.penetration.end()));
+  std::vector<ContactSnapshot> snapshots;
+  std::size_t now = 0;
+  for (const std::size_t entry : chosen_entries(history)) {
+    for (; now < entry; ++now)
+      contact.accept(contact.trial(history.penetration[now + 1] - history.penetration[now], history.time[now],
+                                   history.time[now + 1] - history.time[now]));
+    ContactSnapshot snapshot = empty_snapshot(history, entry);
+    snapshot.determined = history.penetration[entry] < contact.lock_penetration() * (1 - 1e-12);
+    // Below a flat tip all is as on the axis.
+    if (nose.tip > 0 && contact.column(0).stress > 0)
+      add_point(snapshot, 0, contact.column(0).strain, contact.column(0).stress);
+    for (std::size_t j = 0; j < contact.touched_columns(); ++j)
+      if (const auto column = contact.column(j); column.strain > 0 && column.stress > 0)
+        add_point(snapshot, nose.radius(column.depth), column.strain, column.stress);
+    if (const double edge = contact.contact_radius();
+        !snapshot.radius.empty() && edge > snapshot.radius.back())
+      add_point(snapshot, edge, (history.penetration[entry] - nose.depth_at(edge)) / impact.pad.thickness,
+                nose.depth_at(edge) < nose.depth ? 0 : snapshot.stress.back());
+    if (snapshot.radius.size() > 1) snapshots.push_back(std::move(snapshot));
+  }
+  return snapshots;
+}
+
 /// Without memory the stress is the curve's. A foam that does not recover is off its curve once its
 /// penetration has stopped.
 std::vector<ContactSnapshot> from_curve(const StressCurve& curve, const ImpactCase& impact,
@@ -168,6 +197,7 @@ double ContactSnapshot::force_of_stress() const {
 
 std::vector<ContactSnapshot> contact_snapshots(const ImpactCase& impact, const History& history) {
   if (history.size() < 2) return {};
+  if (!impact.pad.layers.empty()) return from_layers(impact, history);
   return std::visit(
       [&](const auto& law) {
         using Law = std::decay_t<decltype(law)>;

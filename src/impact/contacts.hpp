@@ -7,9 +7,11 @@
 #include <variant>
 
 #include "dashpad/impact/impact_case.hpp"
+#include "impact/layers.hpp"
 #include "model/contact/column_field.hpp"
 #include "model/contact/curve_contact.hpp"
 #include "model/contact/foam_contact.hpp"
+#include "model/contact/layered_contact.hpp"
 #include "model/contact/nine_parameter_contact.hpp"
 
 namespace dashpad {
@@ -22,17 +24,12 @@ class Contacts {
   /// Returns visit(contact). Plain: columns computed one by one, without short cuts.
   template <class Visit>
   auto visit(const ImpactCase& impact, ColumnMath math, Visit&& visit) {
+    if (!impact.pad.layers.empty())
+      return visit(renewed(layered_, layers_of(impact.pad), sections_of(impact)));
     const double thickness = impact.pad.thickness;
     const double factor = stress_factor(impact.pad.condition, impact.pad.material);
     const Sections sections = sections_of(impact);
     const double earlier = impact.pad.earlier_penetration;
-    const auto renewed = [&](auto& contact, const auto&... arguments) -> auto& {
-      if (contact)
-        contact->set(arguments...);
-      else
-        contact.emplace(arguments...);
-      return *contact;
-    };
     const auto of_law = [&](const auto& law) {
       using Law = std::decay_t<decltype(law)>;
       if constexpr (IsMemoryless<Law>) {
@@ -53,6 +50,16 @@ class Contacts {
   }
 
  private:
+  template <class Contact, class... Arguments>
+  static Contact& renewed(std::optional<Contact>& contact, const Arguments&... arguments) {
+    if (contact)
+      contact->set(arguments...);
+    else
+      contact.emplace(arguments...);
+    return *contact;
+  }
+
+  std::optional<LayeredContact> layered_;
   std::optional<NineParameterContact> nine_parameter_;
   std::optional<FoamContact> foam_;
   template <class Law>

@@ -1,6 +1,8 @@
 #include "dashpad/impact/flags.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -42,6 +44,19 @@ std::string series_cut(const Summary& summary) {
   return fmt::format(
       "SERIES CUT: blow {} of {} {}, and what it leaves behind is not known; no further blow was computed",
       summary.blow, summary.blows, why);
+}
+
+/// The layers in the order in which they were struck through; empty if none was.
+std::string striking_through(const Summary& summary) {
+  std::vector<std::pair<double, std::size_t>> layers;
+  for (std::size_t i = 0; i < summary.layers.size(); ++i)
+    if (const auto& time = summary.layers[i].struck_through) layers.emplace_back(*time, i + 1);
+  if (layers.empty()) return "";
+  std::ranges::sort(layers);
+  std::string text;
+  for (const auto& [time, layer] : layers)
+    text += fmt::format("{}layer {} at {:.4g} ms", text.empty() ? "" : ", then ", layer, 1e3 * time);
+  return fmt::format("STRUCK THROUGH: {}; from then on the others alone gave way", text);
 }
 
 std::string softening(const Summary& summary) {
@@ -102,6 +117,8 @@ std::vector<Flag> flags(const Summary& summary) {
   if (gained_energy(summary)) all.push_back({"ENERGY GAINED", gain(summary)});
   if (summary.bottomed) all.push_back({"BOTTOMED", bottoming(summary)});
   if (is_series_cut(summary)) all.push_back({"SERIES CUT", series_cut(summary)});
+  if (const std::string text = striking_through(summary); !text.empty())
+    all.push_back({"STRUCK THROUGH", text});
   if (!summary.softening_rates.empty()) all.push_back({"SOFTENING", softening(summary)});
   if (summary.continuation) all.push_back({"EXTRAPOLATED", continuation(*summary.continuation)});
   for (const std::string& reason : summary.extrapolations)

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "model/pad/layer/layer_law.hpp"
 
 #include "model/parameter_values.hpp"
 
@@ -171,22 +175,57 @@ void check_backing(std::vector<Violation>& broken, const Support& support, const
          fmt::format("must be at least the steepest slope of the support, {:.6g} N/m", steepest)});
 }
 
+void add(std::vector<Violation>& broken, std::vector<Violation> more, const std::string& prefix) {
+  for (Violation& violation : more) {
+    violation.key = prefix + violation.key;
+    broken.push_back(std::move(violation));
+  }
+}
+
+/// Thinnest layer, of the pad.
+constexpr double least_share = 1e-6;
+
+void check_layers(std::vector<Violation>& broken, const Pad& pad) {
+  if (pad.layers.size() > most_layers)
+    broken.push_back(
+        {"pad.layers", double(pad.layers.size()), fmt::format("must be at most {}", most_layers)});
+  double sum = 0;
+  for (const PadLayer& layer : pad.layers) sum += layer.thickness;
+  if (std::abs(sum - pad.thickness) > 1e-9 * sum)
+    broken.push_back({"pad.thickness", pad.thickness, "must be the sum of its layers"});
+  for (std::size_t i = 0; i < pad.layers.size(); ++i) {
+    const PadLayer& layer = pad.layers[i];
+    const std::string prefix = fmt::format("pad.layers[{}].", i + 1);
+    const std::size_t before = broken.size();
+    if (!(layer.thickness > 0) || layer.thickness < least_share * sum)
+      broken.push_back({prefix + "thickness", layer.thickness,
+                        fmt::format("must be more than 0 and at least {} of the pad", least_share)});
+    add(broken, violations(layer.material), prefix);
+    add(broken, violations(layer.condition, layer.material), prefix);
+    if (broken.size() == before) add(broken, violations_as_layer(layer.material.law), prefix);
+  }
+}
+
 std::vector<Violation> violations_with(std::vector<Violation> of_material, const ImpactCase& impact) {
   std::vector<Violation> broken;
   check(broken, "impactor.mass", impact.impactor.mass, masses);
   check_nose(broken, impact.impactor.nose);
   check(broken, "impactor.speed", impact.impactor.speed, speeds);
-  check(broken, "pad.thickness", impact.pad.thickness, lengths);
+  // Of layers the sum, where each of them has a thickness.
+  if (std::ranges::all_of(impact.pad.layers, [](const PadLayer& layer) { return layer.thickness > 0; }))
+    check(broken, "pad.thickness", impact.pad.thickness, lengths);
   if (impact.pad.area) check(broken, "pad.area", *impact.pad.area, areas);
-  for (Violation& violation : of_material) {
-    violation.key = "pad." + violation.key;
-    broken.push_back(std::move(violation));
+  if (impact.pad.layers.empty()) {
+    add(broken, std::move(of_material), "pad.");
+    add(broken, violations(impact.pad.condition, impact.pad.material), "pad.");
+  } else {
+    check_layers(broken, impact.pad);
   }
-  for (Violation& violation : violations(impact.pad.condition, impact.pad.material)) {
-    violation.key = "pad." + violation.key;
-    broken.push_back(std::move(violation));
-  }
-  check_earlier_penetration(broken, impact.pad);
+  if (impact.pad.layers.empty())
+    check_earlier_penetration(broken, impact.pad);
+  else if (impact.pad.earlier_penetration != 0)
+    broken.push_back({"pad.earlier_penetration", impact.pad.earlier_penetration,
+                      "must be 0: what earlier blows leave in a pad of layers is not known"});
   if (const auto rule = broken_rule(impact.impactor.gravity, gravities, "m/s2"))
     broken.push_back({"impactor.gravity", impact.impactor.gravity, *rule});
   check_support(broken, impact.support);
@@ -194,11 +233,21 @@ std::vector<Violation> violations_with(std::vector<Violation> of_material, const
   if (impact.impactor.gravity > 0 && impact.backing.body_mass > 0)
     broken.push_back({"impactor.gravity", impact.impactor.gravity,
                       "must be 0 with a free body behind the support, which would fall as well"});
-  check_blows(broken, impact);
+  if (impact.pad.layers.empty())
+    check_blows(broken, impact);
+  else if (impact.blows)
+    broken.push_back({"blows.count", double(impact.blows->count),
+                      "a pad of layers is struck once: what a blow leaves in it is not known"});
   return broken;
 }
 
 }  // namespace
+
+void set_layers(Pad& pad, std::vector<PadLayer> layers) {
+  pad.layers = std::move(layers);
+  pad.thickness = 0;
+  for (const PadLayer& layer : pad.layers) pad.thickness += layer.thickness;
+}
 
 Sections sections_of(const ImpactCase& impact) {
   const Sections nose = sections_of(impact.impactor.nose);
@@ -206,7 +255,8 @@ Sections sections_of(const ImpactCase& impact) {
 }
 
 std::vector<Violation> violations(const ImpactCase& impact) {
-  return violations_with(violations(impact.pad.material), impact);
+  const bool is_layered = !impact.pad.layers.empty();
+  return violations_with(is_layered ? std::vector<Violation>() : violations(impact.pad.material), impact);
 }
 
 std::vector<Violation> violations_beside_law(const ImpactCase& impact) {

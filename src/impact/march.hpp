@@ -96,7 +96,10 @@ class March {
     motion_.start(impactor_.speed, phase_ == Phase::held ? at_once : strength);
     equilibrium_.start(resolution);
     control_.start(resolution, contact_.lock_penetration());
-    track.clear();
+    if constexpr (HasLayers<Contact>)
+      track.clear(contact_.layers());
+    else
+      track.clear();
     add_entry(track);
     double stiffness = 0;
     const auto force_of = [&](double y, double step) { return contact_.trial(y, 0, step).force - strength; };
@@ -342,6 +345,9 @@ class March {
     }
     h.contact_radius.push_back(contact_.contact_radius());
     h.axis_strain.push_back(h.penetration.back() / thickness_);
+    if constexpr (HasLayers<Contact>)
+      for (std::size_t i = 0; i < contact_.layers(); ++i)
+        h.layer_strain[i].push_back(contact_.axis_strain(i));
   }
 
   Figures read_figures(const Track& track) {

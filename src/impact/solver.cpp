@@ -74,7 +74,7 @@ struct Solver::Memory {
   void solve(const ImpactCase& impact, const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     const Refinement refinement = refine_law(impact, options);
-    solution.summary = summarise(impact, refinement);
+    solution.summary = summarise(impact, refinement, track.history);
     solution.summary.tolerance = options.tolerance;
     solution.summary.steps = track.size() - 1;
     std::swap(solution.history, track.history);
@@ -83,7 +83,7 @@ struct Solver::Memory {
   }
 
   void check(const ImpactCase& impact, const Options& options) {
-    dashpad::check(impact, contacts.know(impact.pad.material.law), options);
+    dashpad::check(impact, impact.pad.layers.empty() && contacts.know(impact.pad.material.law), options);
   }
 };
 

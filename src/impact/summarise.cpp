@@ -6,14 +6,18 @@
 #include <cmath>
 #include <optional>
 
+#include "impact/layer_figures.hpp"
+
 namespace dashpad {
 namespace {
 
 std::vector<std::string> extrapolations(const ImpactCase& impact, const Summary& summary) {
-  std::vector<std::string> reasons =
-      extrapolations(impact.pad.material, summary.peak_strain, summary.peak_strain_rate);
-  for (std::string& reason : extrapolations(impact.pad.condition, impact.pad.material))
-    reasons.push_back(std::move(reason));
+  std::vector<std::string> reasons = layer_extrapolations(impact.pad, summary.layers);
+  if (impact.pad.layers.empty()) {
+    reasons = extrapolations(impact.pad.material, summary.peak_strain, summary.peak_strain_rate);
+    for (std::string& reason : extrapolations(impact.pad.condition, impact.pad.material))
+      reasons.push_back(std::move(reason));
+  }
   // A linear support has one point, which only says its slope.
   const auto& points = impact.support.points();
   const std::optional<double> force =
@@ -74,7 +78,7 @@ std::string to_string(Status status) {
   return "not run";
 }
 
-Summary summarise(const ImpactCase& impact, const Refinement& refinement) {
+Summary summarise(const ImpactCase& impact, const Refinement& refinement, const History& finest) {
   const Figures& figures = refinement.figures();
   const Impactor& impactor = impact.impactor;
   Summary s;
@@ -105,9 +109,10 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement) {
   s.energy_absorbed_fraction =
       1 - (s.energy.kinetic + s.energy.support + s.energy.support_loss + s.energy.moving - s.energy.weight) /
               s.energy.impact;
+  s.layers = layer_summaries(impact.pad, finest);
   s.extrapolations = extrapolations(impact, s);
   s.extrapolated = !s.extrapolations.empty();
-  s.softening_rates = softening_rates(impact.pad.material.law);
+  s.softening_rates = softening_rates(impact.pad.material.law);  // layers have no such curve
   s.errors = refinement.errors();
   s.stations = figures.stations;
   s.runs = refinement.runs();

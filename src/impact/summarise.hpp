@@ -7,7 +7,7 @@
 
 namespace dashpad {
 
-/// All but steps, tolerance and wall time.
-Summary summarise(const ImpactCase& impact, const Refinement& refinement);
+/// All but steps, tolerance and wall time. `finest`: the history of the finest run.
+Summary summarise(const ImpactCase& impact, const Refinement& refinement, const History& finest);
 
 }  // namespace dashpad

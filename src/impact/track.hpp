@@ -17,8 +17,14 @@ struct Track {
     for (auto* column : columns()) column->reserve(entries);
     stretch_starts.reserve(entries);
   }
-  void clear() {
+  /// `layers`: of a pad of layers, how many.
+  void clear(std::size_t layers = 0) {
     for (auto* column : columns()) column->clear();
+    history.layer_strain.resize(layers);
+    for (auto& strain : history.layer_strain) {
+      strain.clear();
+      strain.reserve(history.time.capacity());
+    }
     stretch_starts.assign(1, 0);
   }
   /// The last entry is where a smooth stretch ends and the next begins.

@@ -187,7 +187,9 @@ Assessment assess(const Standard& standard, const ImpactCase& impact, const Solu
   assessment.verdict = overall(assessment.results);
   assessment.figures = key_figures(solution.summary, figures);
   assessment.reservations = flags(solution.summary);
-  add_reservations_about(impact.pad.material, assessment.reservations);
+  if (impact.pad.layers.empty()) add_reservations_about(impact.pad.material, assessment.reservations);
+  for (const PadLayer& layer : impact.pad.layers)
+    add_reservations_about(layer.material, assessment.reservations);
   add_reservations_about(standard, assessment.reservations);
   return assessment;
 }

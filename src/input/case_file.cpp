@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
+
+#include <fmt/format.h>
 
 #include "input/law_table.hpp"
 #include "input/nose_table.hpp"
@@ -10,6 +13,7 @@
 #include "input/parameter_table.hpp"
 #include "input/spelling.hpp"
 #include "input/support_table.hpp"
+#include "model/pad/layer/layer_law.hpp"
 
 namespace dashpad::input {
 namespace {
@@ -126,26 +130,77 @@ std::optional<Material> read_material_in_line(TableReader& pad) {
   return material;
 }
 
+/// A material in a case, with its condition.
+struct MaterialEntry {
+  Material material;
+  PadCondition condition;
+  bool to_check = false;  ///< given in the case itself
+};
+
 struct PadEntry {
   Pad pad;
-  bool material_to_check = false;  ///< given in the case itself
-  std::optional<std::filesystem::path> card;
+  std::vector<MaterialEntry> materials;  ///< of the pad, or of each of its layers
+  std::vector<std::filesystem::path> cards;
 };
+
+/// `table`: [pad] or a layer of it.
+MaterialEntry read_material_entry(TableReader& table, const Folders& folders,
+                                  std::vector<std::filesystem::path>& cards) {
+  MaterialEntry entry;
+  PadMaterial of = read_pad_material(table, folders.of_case, folders.materials);
+  if (of.card && !std::ranges::count(cards, *of.card)) cards.push_back(*of.card);
+  entry.to_check = of.is_in_line && of.material.has_value();
+  entry.material = std::move(of.material).value_or(Material());
+  if (table.has("scale")) entry.condition.scale = table.number("scale");
+  if (table.has("density")) entry.condition.density = table.quantity("density", "kg/m3");
+  if (table.has("temperature")) entry.condition.temperature = table.quantity("temperature", "K");
+  return entry;
+}
+
+void refuse_beside_layers(TableReader& table) {
+  if (table.has("thickness")) table.fault("thickness", "leave it out: it is the sum of the layers");
+  for (const char* key : {"material", "law", "parameters", "curve", "rate", "unloading", "fitted", "scale",
+                          "density", "temperature"})
+    if (table.has(key)) table.fault(key, "leave it out: each layer has its own");
+}
+
+void read_layers(TableReader& table, const Folders& folders, PadEntry& into) {
+  refuse_beside_layers(table);
+  const TomlNode* nodes = table.array("layers");
+  if (!nodes) return;
+  if (nodes->children.empty() || nodes->children.size() > most_layers) {
+    table.fault("layers", fmt::format("must hold 1 to {} layers, each as [[pad.layers]]", most_layers));
+    return;
+  }
+  std::vector<PadLayer> layers;
+  for (const TomlNode& node : nodes->children) {
+    const std::string key = table.full_key("layers") + node.key;
+    if (node.kind != TomlNode::Kind::table) {
+      table.faults().add(node.line, key, node.written(), "must be a table: [[pad.layers]]");
+      continue;
+    }
+    TableReader layer(node, key, table.faults());
+    const double thickness = layer.quantity("thickness", "m");
+    into.materials.push_back(read_material_entry(layer, folders, into.cards));
+    layer.refuse_others();
+    layers.push_back({thickness, into.materials.back().material, into.materials.back().condition});
+  }
+  set_layers(into.pad, std::move(layers));
+}
 
 PadEntry read_pad(TableReader& table, const Folders& folders) {
   PadEntry entry;
-  entry.pad.thickness = table.quantity("thickness", "m");
   if (table.has("area")) entry.pad.area = table.quantity("area", "m2");
   if (table.has("earlier_penetration"))
     entry.pad.earlier_penetration = table.quantity("earlier_penetration", "m");
-  PadMaterial of = read_pad_material(table, folders.of_case, folders.materials);
-  entry.card = std::move(of.card);
-  entry.material_to_check = of.is_in_line && of.material.has_value();
-  entry.pad.material = std::move(of.material).value_or(Material());
-  PadCondition& condition = entry.pad.condition;
-  if (table.has("scale")) condition.scale = table.number("scale");
-  if (table.has("density")) condition.density = table.quantity("density", "kg/m3");
-  if (table.has("temperature")) condition.temperature = table.quantity("temperature", "K");
+  if (table.has("layers")) {
+    read_layers(table, folders, entry);
+  } else {
+    entry.pad.thickness = table.quantity("thickness", "m");
+    entry.materials = {read_material_entry(table, folders, entry.cards)};
+    entry.pad.material = entry.materials.front().material;
+    entry.pad.condition = entry.materials.front().condition;
+  }
   table.refuse_others();
   return entry;
 }
@@ -174,17 +229,42 @@ Options read_options(TableReader& table) {
   return options;
 }
 
+/// Whether the key of a broken rule is of a case, and not of the card that it names.
+bool is_of_case(std::string_view key) {
+  return key == "thickness" || key == "area" || key == "layers" || key == "scale" || key == "density" ||
+         key == "temperature" || key == "earlier_penetration";
+}
+
+/// What a layer may not have is, of a layer with a card, the choice of that card.
+constexpr std::string_view rules_of_layers[] = {"law", "rate", "unloading"};
+
+/// Takes away what is said with a card itself, under the keys of [pad] or of a layer.
+void drop_faults_of_card(const std::string& prefix, bool is_layer, std::vector<Violation>& broken) {
+  std::erase_if(broken, [&](Violation& violation) {
+    if (!violation.key.starts_with(prefix)) return false;
+    const std::string_view key = std::string_view(violation.key).substr(prefix.size());
+    if (is_of_case(key) || key.starts_with("layers[")) return false;
+    if (!is_layer || !std::ranges::count(rules_of_layers, key)) return true;
+    violation.key = prefix + "material";
+    return false;
+  });
+}
+
 /// The mass is checked as what the case gave for it, and the material of a card with its card.
 std::vector<Violation> violations_in_terms_of(const TomlNode& root, const ImpactCase& impact,
-                                              bool material_to_check, bool support_to_check) {
+                                              const std::vector<MaterialEntry>& materials,
+                                              bool support_to_check) {
   std::vector<Violation> broken = violations(impact);
   if (!support_to_check)
     std::erase_if(broken, [](const Violation& violation) { return violation.key.starts_with("support."); });
-  if (!material_to_check)
+  const bool is_layered = !impact.pad.layers.empty();
+  for (std::size_t i = 0; i < materials.size(); ++i)
+    if (!materials[i].to_check)
+      drop_faults_of_card(is_layered ? fmt::format("pad.layers[{}].", i + 1) : "pad.", is_layered, broken);
+  // Layers that could not be read have said so.
+  if (materials.empty())
     std::erase_if(broken, [](const Violation& violation) {
-      return violation.key.starts_with("pad.") && violation.key != "pad.thickness" &&
-             violation.key != "pad.area" && violation.key != "pad.scale" && violation.key != "pad.density" &&
-             violation.key != "pad.temperature" && violation.key != "pad.earlier_penetration";
+      return violation.key.starts_with("pad.") && violation.key != "pad.area";
     });
   for (Violation& violation : broken)
     if (violation.key == "impactor.mass" && root.nearest("impactor.weight").key == "weight") {
@@ -220,15 +300,16 @@ CaseFile read_case(const std::filesystem::path& file, const std::filesystem::pat
   CaseFile result;
   result.files.push_back({"the case file", file});
   ImpactCase& impact = result.impact;
-  bool material_to_check = false;
+  std::vector<MaterialEntry> materials_of_pad;
   impact.title = top.text("title", Presence::optional);
   if (auto table = top.table("impactor"))
     impact.impactor = read_impactor(*table, file.parent_path(), result.files);
   if (auto table = top.table("pad")) {
     PadEntry entry = read_pad(*table, {file.parent_path(), materials});
     impact.pad = std::move(entry.pad);
-    material_to_check = entry.material_to_check;
-    if (entry.card) result.files.push_back({"the material card", *std::move(entry.card)});
+    materials_of_pad = std::move(entry.materials);
+    for (std::filesystem::path& card : entry.cards)
+      result.files.push_back({"the material card", std::move(card)});
   }
   bool support_to_check = false;
   if (auto table = top.table("support")) {
@@ -241,7 +322,7 @@ CaseFile read_case(const std::filesystem::path& file, const std::filesystem::pat
   if (auto table = top.table("solver", Presence::optional)) result.options = read_options(*table);
   top.refuse_others();
 
-  faults.add(violations_in_terms_of(root, impact, material_to_check, support_to_check), root);
+  faults.add(violations_in_terms_of(root, impact, materials_of_pad, support_to_check), root);
   faults.throw_if_any();
   return result;
 }

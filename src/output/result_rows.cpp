@@ -46,6 +46,22 @@ std::string remark_on(const std::string& key, const ImpactCase& impact, const Su
   return "";
 }
 
+/// Largest strain of each layer on the axis.
+void add_layers(std::vector<ResultRow>& rows, const Pad& pad, const Summary& summary, int digits) {
+  for (std::size_t i = 0; i < summary.layers.size(); ++i) {
+    const Material& material = pad.layers[i].material;
+    const auto tested = range_of(material);
+    std::string remark = one_line(material.name);
+    if (tested) remark += fmt::format(", tested up to {}", significant(tested->highest_strain, digits));
+    rows.push_back({fmt::format("layer_{}_peak_strain", i + 1),
+                    fmt::format("Strain of layer {}", i + 1),
+                    significant(summary.layers[i].peak_strain, digits),
+                    "",
+                    {},
+                    remark});
+  }
+}
+
 ResultRow row_of(const ResultQuantity& of, double value, const UnitSystem& units, int digits) {
   const bool is_share = of.key == std::string_view{"energy_absorbed_fraction"};
   const ScaledUnit shown = is_share ? ScaledUnit{100, "%"} : shown_as(of.si_unit, units);
@@ -173,6 +189,7 @@ std::vector<ResultRow> summary_rows(const ImpactCase& impact, const Summary& sum
     if (quantity.has_estimate) rows.back().error = of.error;
     rows.back().remark = remark_on(key, impact, summary, units, digits);
   }
+  add_layers(rows, impact.pad, summary, digits);
   return rows;
 }
 

@@ -100,7 +100,10 @@ std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
       unsaid.push_back(
           {std::string("support.") + parameter.key, value,
            "the support of the 1984 program has no mass, loses nothing and stands on the ground"});
-  if (impact.pad.material.law.index() >= laws_of_1984)
+  if (!impact.pad.layers.empty())
+    unsaid.push_back(
+        {"pad.layers", double(impact.pad.layers.size()), "the 1984 program knows no pad of several layers"});
+  else if (impact.pad.material.law.index() >= laws_of_1984)
     unsaid.push_back(
         {"pad.law", 0,
          "the 1984 program has five laws, and " + name_of(impact.pad.material.law) + " is none of them"});

@@ -52,7 +52,7 @@ std::string rule_for_curves(const std::string& table, const PadLaw& law,
 std::vector<FactorKey> factor_keys(const ImpactCase& base) {
   std::vector<FactorKey> keys;
   for (const CaseQuantity& of : quantities_of(base)) keys.push_back({of.key, of.unit});
-  keys.push_back({"pad.material", ""});
+  if (base.pad.layers.empty()) keys.push_back({"pad.material", ""});
   return keys;
 }
 
@@ -64,14 +64,18 @@ std::string rule_for_unknown(const std::string& key, const ImpactCase& base) {
   std::vector<std::string> known;
   for (const FactorKey& of : factor_keys(base)) known.push_back(of.key);
   for (const char* table : {"pad.curve.", "pad.rate."})
-    if (is_in(key, table)) return rule_for_curves(table, base.pad.material.law, known);
+    if (is_in(key, table) && base.pad.layers.empty())
+      return rule_for_curves(table, base.pad.material.law, known);
   const std::string meant = input::did_you_mean(key, known);
   return "is no quantity of the case that can vary" +
          (meant.empty() ? "; there are " + input::listing(known) : meant);
 }
 
 bool is_of_law(const std::string& key) {
-  return is_in(key, "pad.parameters.") || is_in(key, "pad.curve.") || is_in(key, "pad.rate.");
+  // Of a layer, "pad.layers[2].parameters.friction", as of a pad.
+  const std::size_t bracket = key.starts_with("pad.layers[") ? key.find("].") : std::string::npos;
+  const std::string of_pad = bracket == std::string::npos ? key : "pad." + key.substr(bracket + 2);
+  return is_in(of_pad, "pad.parameters.") || is_in(of_pad, "pad.curve.") || is_in(of_pad, "pad.rate.");
 }
 
 Application::Application(const Study& study) {

@@ -68,6 +68,10 @@ Json case_json(const ImpactCase& of) {
   if (of.backing != Backing{})
     for (const Parameter<Backing>& parameter : Backing::parameters)
       json["backing"][parameter.key] = number(of.backing.*parameter.member);
+  for (const PadLayer& layer : of.pad.layers)
+    json["layers"].push_back({{"thickness", layer.thickness},
+                              {"condition", condition_json(layer.condition)},
+                              {"material", material_json(layer.material)}});
   return json;
 }
 

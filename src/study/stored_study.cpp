@@ -113,6 +113,14 @@ Backing backing_of(const Json& json) {
   return backing;
 }
 
+std::vector<PadLayer> layers_of(const Json& json) {
+  std::vector<PadLayer> layers;
+  if (!json.contains("layers")) return layers;
+  for (const Json& layer : json["layers"])
+    layers.push_back({layer.at("thickness"), material_of(layer.at("material")), condition_of(layer)});
+  return layers;
+}
+
 ImpactCase case_of(const Json& json) {
   const Json& impactor = json.at("impactor");
   const Json& nose = impactor.at("nose");
@@ -125,7 +133,7 @@ ImpactCase case_of(const Json& json) {
                        .gravity = impactor.value("gravity", 0.0)},
           .pad = {json.at("thickness"), material_of(json.at("material")), condition_of(json),
                   json.contains("area") ? bound_of(json["area"]) : std::nullopt,
-                  json.value("earlier_penetration", 0.0)},
+                  json.value("earlier_penetration", 0.0), layers_of(json)},
           .support = points.empty() ? Support::rigid() : Support::through(points),
           .backing = backing_of(json),
           .blows = blows_of(json)};

@@ -99,6 +99,18 @@ TEST_F(SchemaTest, DescribesWhatASupportHasBesideItsCurve) {
   }
 }
 
+TEST_F(SchemaTest, DescribesAPadOfLayers) {
+  const std::string example = DASHPAD_SOURCE_DIR "/examples/playground-mat-in-layers.toml";
+  const auto outcome = dashpad({"run", example, "--tolerance", "1e-2", "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json result = json::parse(outcome.out);
+  EXPECT_EQ(schema_faults(result), "");
+  ASSERT_EQ(result["layers"].size(), 2U);
+  EXPECT_EQ(result["layers"][1]["material"], "plastazote-ld33");
+  EXPECT_EQ(result["case"]["pad"]["layers"][0]["law"], "foam");
+  EXPECT_TRUE(result["case"]["pad"]["law"].is_null());
+}
+
 TEST_F(SchemaTest, NoticesWhatIsMissingOrTooMuch) {
   const json result = json::parse(dashpad({"run", case_file(), "--json", "-"}).out);
   ASSERT_EQ(schema_faults(result), "");

@@ -26,6 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 
   const std::string written = output::case_toml(read->impact, read->options);
   read->impact.pad.material.name = "in line";
+  for (PadLayer& layer : read->impact.pad.layers) layer.material.name = "in line";
   const input::CaseFile again = input::read_case(write("again.toml", written), materials);
   require(output::case_in_si(again.impact, again.options) == output::case_in_si(read->impact, read->options),
           "a case that was written is read as the same numbers");

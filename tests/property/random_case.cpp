@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/pad/layer/layer_law.hpp"
 #include "property/draw.hpp"
 
 namespace dashpad::test {
@@ -390,6 +391,41 @@ ImpactCase foam_case(std::uint64_t seed) {
   else
     impact.pad.material.law = foam_of(draw);
   impact.support = ordinary_support(draw);
+  return impact;
+}
+
+PadLaw random_layer_law(Draw& draw) {
+  for (;;) {
+    PadLaw law;
+    switch (draw.choice(6)) {
+      case 0: law = crushable_of(draw); break;
+      case 1:
+        if (draw.choice(2) == 0)
+          law = Elastic{draw.decades(1e5, 1e7)};
+        else
+          law = LinearViscoelastic{draw.decades(1e5, 1e6), draw.decades(1e6, 1e7), draw.decades(1e-4, 0.1)};
+        break;
+      default: law = foam_of(draw);
+    }
+    if (violations(law).empty() && violations_as_layer(law).empty()) return law;
+  }
+}
+
+ImpactCase layered_case(std::uint64_t seed) {
+  ImpactCase impact = foam_case(seed);
+  impact.title = "layered case " + std::to_string(seed);
+  // Numbers of its own: the rest of the case is that of the foam case.
+  Draw draw(seed + 0x6c617965);
+  const double thickness = impact.pad.thickness;
+  std::vector<PadLayer> layers(static_cast<std::size_t>(2 + draw.choice(3)));
+  double sum = 0;
+  for (PadLayer& layer : layers) {
+    layer.material.name = "in line";
+    layer.material.law = random_layer_law(draw);
+    sum += layer.thickness = draw.uniform(0.1, 0.9);
+  }
+  for (PadLayer& layer : layers) layer.thickness *= thickness / sum;
+  set_layers(impact.pad, std::move(layers));
   return impact;
 }
 

@@ -25,9 +25,13 @@ ImpactCase plausible_case(std::uint64_t seed);
 Foam random_foam(std::uint64_t seed);
 CrushableFoam random_crushable_foam(std::uint64_t seed);
 
-/// A sphere or a flat disc, 0.5 to 20 kg at 1 to 10 m/s, on 1 to 10 cm of a foam by curves (one in three stays
-/// crushed) on a rigid, linear or curved support.
+/// A sphere or a flat disc, 0.5 to 20 kg at 1 to 10 m/s, on 1 to 10 cm of a foam by curves (one in three
+/// stays crushed) on a rigid, linear or curved support.
 ImpactCase foam_case(std::uint64_t seed);
+
+/// A foam case on two to four layers of such foams, or linear ones (one in six), each a tenth to nine tenths
+/// of the pad; none that a layer may not have.
+ImpactCase layered_case(std::uint64_t seed);
 
 /// An ordinary case with a nose of every other shape, one in three on a pad that ends before the nose does.
 ImpactCase nose_case(std::uint64_t seed);

@@ -21,9 +21,16 @@ struct Impactor {
   double gravity = 0;
 };
 
-struct Pad {
+/// One layer of a pad, as wide as the pad.
+struct PadLayer {
   double thickness = 0;  ///< m, > 0
   Material material;
+  PadCondition condition = {};
+};
+
+struct Pad {
+  double thickness = 0;  ///< m, > 0; of a pad of layers, their sum (set_layers)
+  Material material;     ///< of a pad of layers, none
   PadCondition condition = {};
   /// Of its face, m2, > 0: a block that may end before the nose does. Without it the pad is wider than the
   /// nose.
@@ -31,6 +38,8 @@ struct Pad {
   /// Largest penetration that earlier blows of the same nose at the same place have left in the pad, m, in
   /// [0, thickness): 0 for a new pad, and for laws that recover fully (theory.md, Eq. 61).
   double earlier_penetration = 0;
+  /// From the struck face on; none: the pad is of one foam, `material` under `condition`.
+  std::vector<PadLayer> layers = {};
 };
 
 /// The same blow again and again, with rests between.
@@ -39,6 +48,9 @@ struct Blows {
   /// Share of the pad's memory that is gone after each rest, in [0, 1]; 0 for foams that stay crushed.
   double recovery = 0;
 };
+
+/// Gives the pad these layers, and their thickness.
+void set_layers(Pad& pad, std::vector<PadLayer> layers);
 
 struct ImpactCase {
   std::string title;

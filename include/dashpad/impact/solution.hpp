@@ -94,6 +94,17 @@ struct ContinuationRange {
   std::optional<double> steepest;
 };
 
+/// A layer of a pad, on the axis: of the finest run, not extrapolated.
+struct LayerSummary {
+  double peak_strain = 0;
+  double peak_strain_rate = 0;           ///< 1/s, magnitude
+  std::optional<double> beyond_tested;   ///< when its strain passed the highest tested one, s
+  std::optional<double> struck_through;  ///< when less than struck_through_gap of it was left, s
+};
+
+/// Of a layer's thickness: with less left it counts as struck through.
+inline constexpr double struck_through_gap = 1e-3;
+
 struct Summary {
   Status status = Status::not_run;
   int blow = 1;   ///< of a series, which of its blows this is
@@ -131,6 +142,7 @@ struct Summary {
   /// Of foams whose curve ends below the strain reached; set by explore_continuation().
   std::optional<ContinuationRange> continuation;
   std::vector<double> softening_rates;  ///< tested rates whose curve falls somewhere, 1/s
+  std::vector<LayerSummary> layers;     ///< from the struck face on; none of a pad of one foam
   ErrorEstimates errors;
   std::size_t steps = 0;  ///< of the finest run
   /// Of the finest run; 0 where the force was a closed form throughout (laws without memory; law 4 if never
@@ -161,6 +173,8 @@ struct History {
   /// Of supports that are more than an elastic curve on the ground; else empty.
   std::vector<double> transmitted_force;  ///< N, on the ground or the body behind
   std::vector<double> body_motion;        ///< m
+  /// Of each layer on the axis, from the struck face on; none of a pad of one foam.
+  std::vector<std::vector<double>> layer_strain = {};
   [[nodiscard]] std::size_t size() const { return time.size(); }
 };
 

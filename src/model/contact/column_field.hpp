@@ -23,21 +23,11 @@
 #include "dashpad/model/pad/law.hpp"
 #include "model/contact/columns.hpp"
 #include "model/contact/contact.hpp"
+#include "model/contact/station_layout.hpp"
 #include "model/contact/sweep.hpp"
 #include "model/pad/column_law.hpp"
 
 namespace dashpad {
-
-/// Spacing of the stations, in the resolution rho of a run (theory.md, section 4). None of these is physics:
-/// with a finer resolution the integral tends to the same value whatever they are.
-struct StationSpacing {
-  double even = 0.8;    ///< of the contact that is expected, between two stations
-  double first = 0.2;   ///< of that, from the axis to the first station off it (no rho)
-  double of_gap = 8;    ///< of the gap above a station: the stress at the axis grows over the gap
-  double of_depth = 3;  ///< of the depth of a station: those near the axis are touched first
-  double graded = 4;    ///< gaps from the axis within which stations are added as the gap closes (no rho)
-};
-inline constexpr StationSpacing station_spacing;
 
 template <HasMemory Law>
 class ColumnField {
@@ -187,9 +177,6 @@ class ColumnField {
 
  private:
   static constexpr double unknown_edge = -1;
-  /// Cell between the rim and the next column, of the rim's depth: strains in it differ by more than
-  /// rounding.
-  static constexpr double least_rim = 1e-6;
   using Formulas = scalar::Formulas<Law>;
 
   [[nodiscard]] Strain strain_at(double penetration, double depth) const {
@@ -284,31 +271,10 @@ class ColumnField {
     return std::min(cell, 1.5 * top * (outer - columns_.depth()[a]) / thickness_);
   }
 
-  /// Columns at rest from the axis to the depth `reach`, or as far as the nose grows wider: evenly as far as
-  /// the contact is expected to grow, closer towards the axis, which is touched first and carries the
-  /// steepest stress when the gap closes. Where a' ends with a jump, at the rim of a nose that is cut off,
-  /// there is a column too: g ends with a jump there.
+  /// Columns at rest from the axis to the depth `reach`, or as far as the nose grows wider.
   void lay_columns(double expected, double reach) {
-    const bool has_rim = nose_.depth < reach && nose_.rate(nose_.depth) > 0;
-    const double end = std::min(reach, nose_.depth);
-    const double widest = station_spacing.even * resolution_ * std::min(expected, end);
-    const double of_gap = station_spacing.of_gap * resolution_;
-    const double gap = thickness_ - penetration_;
-    double first = station_spacing.first * widest;
-    if (nose_.shape && nose_.shape->is_steep_at_tip()) first *= station_spacing.even * resolution_;
-    const auto spacing = [&](double depth) {
-      return std::min({std::max(widest, resolution_ * (depth - expected)), of_gap * (gap + depth),
-                       station_spacing.of_depth * resolution_ * depth});
-    };
-    columns_.append(0);
-    KnotsAhead knots(nose_);
-    for (double depth = knots.stop(std::min(first, of_gap * gap), 0);
-         depth < end * (1 - (has_rim ? least_rim : 1e-9)) && columns_.size() < ColumnStorage::most;) {
-      columns_.append(depth);
-      const double step = spacing(depth);
-      depth = knots.stop(depth + step, step);
-    }
-    if (has_rim && columns_.size() < ColumnStorage::most) columns_.append(end);
+    lay_stations(nose_, {resolution_, expected, reach, thickness_ - penetration_}, ColumnStorage::most,
+                 [this](double depth) { columns_.append(depth); });
     columns_.fill_spare();
     for (std::size_t j = 0; j + 1 < columns_.size(); ++j) weigh_cell(j);
   }
@@ -317,25 +283,6 @@ class ColumnField {
     const Sections::Weights weights = nose_.weights(columns_.depth()[j], columns_.depth()[j + 1]);
     columns_.set_weights(j, weights.inner, weights.outer);
   }
-  /// Columns stand where a' jumps: at each knot of a shape in turn.
-  class KnotsAhead {
-   public:
-    explicit KnotsAhead(const Sections& nose) {
-      if (!nose.shape) return;
-      next_ = nose.shape->knots().data();
-      end_ = next_ + nose.shape->knots().size();
-    }
-    /// The next knot, if it is not much farther than the depth to which a step leads; else that depth.
-    double stop(double depth, double step) {
-      if (next_ == end_ || *next_ > depth + 0.3 * step) return depth;
-      return *next_++;
-    }
-
-   private:
-    const double* next_ = nullptr;
-    const double* end_ = nullptr;
-  };
-
   /// Near the axis the stress varies over the gap: cells there are split as the gap closes.
   void grade_axis() {
     const double gap = thickness_ - penetration_;

@@ -75,4 +75,12 @@ concept FollowsRate = IsContact<C> && requires(C contact, const PadTrial& trial)
   { contact.lasting_stiffness(trial) } -> std::same_as<double>;
 };
 
+/// The pad has layers, each with a strain of its own.
+template <class C>
+concept HasLayers = IsContact<C> && requires(const C contact, std::size_t layer) {
+  { contact.layers() } -> std::same_as<std::size_t>;
+  /// Strain of a layer on the axis.
+  { contact.axis_strain(layer) } -> std::same_as<double>;
+};
+
 }  // namespace dashpad

@@ -96,11 +96,7 @@ class FoamContact {
     trial_penetration_ = penetration_ + advance;
     trial_largest_ = std::max(largest_, trial_penetration_);
     trial_rate_ = advance / (thickness_ * step);
-    // The rate within the step goes on as from the last step to this one, but keeps its sign.
-    const double trend = rate_step_ > 0 ? (trial_rate_ - rate_) * step / (step + rate_step_) : 0;
-    const double at_end =
-        std::clamp(trial_rate_ + trend, std::min(0.0, 2 * trial_rate_), std::max(0.0, 2 * trial_rate_));
-    trial_slip_ = stress_.slip().after(slip_, 2 * trial_rate_ - at_end, at_end, step);
+    trial_slip_ = stress_.slip().after_step(slip_, trial_rate_, step, rate_, rate_step_);
     last_.force = factor_ * integrate();
     updates_ += points_;
     return last_;

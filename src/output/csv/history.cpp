@@ -47,6 +47,10 @@ std::string history_csv(const History& history, const UnitSystem& units) {
     columns.push_back(column("transmitted_force", history.transmitted_force, units));
     columns.push_back(column("body_motion", history.body_motion, units));
   }
+  for (std::size_t i = 0; i < history.layer_strain.size(); ++i) {
+    columns.push_back(column("axis_strain", history.layer_strain[i], units));
+    columns.back().header += fmt::format("_layer_{}", i + 1);
+  }
   fmt::memory_buffer text;
   const auto end_field = [&](const Column& of) { text.push_back(&of == &columns.back() ? '\n' : ','); };
   for (const Column& of : columns) {

@@ -49,15 +49,47 @@ Json solver(const Summary& summary) {
           {"wall_time_s", number(summary.wall_time)}};
 }
 
+Json condition(const PadCondition& of) {
+  Json json{{"scale", number(of.scale)}};
+  json["density_kg_per_m3"] = number(of.density);
+  json["temperature_K"] = number(of.temperature);
+  return json;
+}
+
+/// A pad of layers has no material of its own.
 Json pad(const Pad& of) {
   Json json{{"thickness_m", number(of.thickness)},
             {"area_m2", number(of.area)},
-            {"earlier_penetration_m", number(of.earlier_penetration)},
-            {"scale", number(of.condition.scale)}};
-  json["density_kg_per_m3"] = number(of.condition.density);
-  json["temperature_K"] = number(of.condition.temperature);
+            {"earlier_penetration_m", number(of.earlier_penetration)}};
+  json.update(condition(of.condition));
   json.update(material_json(of.material));
+  json["layers"] = Json::array();
+  for (const PadLayer& layer : of.layers) {
+    Json entry{{"thickness_m", number(layer.thickness)}};
+    entry.update(condition(layer.condition));
+    entry.update(material_json(layer.material));
+    json["layers"].push_back(std::move(entry));
+  }
+  if (!of.layers.empty())
+    for (const char* key : {"material", "title", "source", "law", "parameters"}) json[key] = nullptr;
   return json;
+}
+
+Json layers(const Pad& pad, const Summary& summary) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < summary.layers.size(); ++i) {
+    const LayerSummary& layer = summary.layers[i];
+    const auto tested = range_of(pad.layers[i].material);
+    all.push_back(
+        {{"layer", i + 1},
+         {"material", pad.layers[i].material.name},
+         {"peak_strain", number(layer.peak_strain)},
+         {"peak_strain_rate_per_s", number(layer.peak_strain_rate)},
+         {"highest_tested_strain", number_if(tested.has_value(), tested ? tested->highest_strain : 0)},
+         {"time_beyond_tested_s", number(layer.beyond_tested)},
+         {"time_struck_through_s", number(layer.struck_through)}});
+  }
+  return all;
 }
 
 Json curve_of(const Support& of) {
@@ -147,6 +179,7 @@ std::string result_json(const ImpactCase& impact, const Summary& summary,
                               {"gentlest_peak_acceleration_m_per_s2", number(range->gentlest)},
                               {"steepest_peak_acceleration_m_per_s2", number(range->steepest)}};
   result["softening_rates_per_s"] = numbers(summary.softening_rates);
+  result["layers"] = layers(impact.pad, summary);
   result["injury"] = injury ? injury_json(*injury, true) : Json(nullptr);
   result["errors"] = errors;
   result["solver"] = solver(summary);

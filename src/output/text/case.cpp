@@ -42,6 +42,22 @@ std::string profile_in_si(const Profile& profile) {
   return fmt::format("  impactor.{} = {}\n", by_radius ? "radii" : "areas", points);
 }
 
+/// `45 mm vn600 (foam law)`
+std::string foam_text(double thickness, const Material& material, const UnitSystem& units) {
+  return fmt::format("{} {} ({} law)", brief_quantity(thickness, "m", units), one_line(material.name),
+                     name_of(material.law));
+}
+
+/// `45 mm vn600 (foam law)`, or all layers from the struck face on.
+std::string pad_text(const Pad& pad, const UnitSystem& units) {
+  if (pad.layers.empty()) return foam_text(pad.thickness, pad.material, units);
+  std::string text;
+  for (const PadLayer& layer : pad.layers)
+    text += (text.empty() ? "" : ", then ") + foam_text(layer.thickness, layer.material, units);
+  return fmt::format("{} in {} {}, {}", brief_quantity(pad.thickness, "m", units), pad.layers.size(),
+                     pad.layers.size() == 1 ? "layer" : "layers", text);
+}
+
 /// `, cut to 0.01 m2,`
 std::string face_text(const Pad& pad, const UnitSystem& units) {
   return pad.area ? ", cut to " + brief_quantity(*pad.area, "m2", units) + "," : "";
@@ -107,24 +123,21 @@ std::string support_in_si(const Support& support) {
 
 std::string case_text(const ImpactCase& impact, const UnitSystem& units) {
   const Impactor& impactor = impact.impactor;
-  const Material& material = impact.pad.material;
   std::string text = impact.title.empty() ? "" : one_line(impact.title) + "\n";
   std::string nose = with_article(words_of(impactor.nose));
   nose.front() = 'A';
   text += fmt::format("{} of {} strikes at {}\n", nose, impactor_text(impactor, units),
                       brief_quantity(impactor.speed, "m/s", units));
-  text += fmt::format("a pad of {} {} ({} law){}{} on {}.\n",
-                      brief_quantity(impact.pad.thickness, "m", units), one_line(material.name),
-                      name_of(material.law), face_text(impact.pad, units), history_text(impact.pad, units),
+  text += fmt::format("a pad of {}{}{} on {}.\n", pad_text(impact.pad, units), face_text(impact.pad, units),
+                      history_text(impact.pad, units),
                       support_text(impact.support, units) + backing_text(impact.backing, units));
   if (impact.blows)
     text += fmt::format("It strikes {} times; {}.\n", impact.blows->count,
-                        rests_text(material.law, *impact.blows));
+                        rests_text(impact.pad.material.law, *impact.blows));
   return text;
 }
 
 std::string case_in_si(const ImpactCase& impact, const Options& options) {
-  const Material& material = impact.pad.material;
   std::string text;
   const auto line = [&](const std::string& key, double value, const std::string& unit) {
     text += fmt::format("  {} = {}{}{}\n", key, value, unit == "1" ? "" : " ", unit == "1" ? "" : unit);
@@ -140,14 +153,23 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
   if (impact.pad.area) line("pad.area", *impact.pad.area, "m2");
   if (impact.pad.earlier_penetration > 0)
     line("pad.earlier_penetration", impact.pad.earlier_penetration, "m");
-  const PadCondition& condition = impact.pad.condition;
-  if (condition.scale != 1) line("pad.scale", condition.scale, "1");
-  if (condition.density) line("pad.density", *condition.density, "kg/m3");
-  if (condition.temperature) line("pad.temperature", *condition.temperature, "K");
-  text +=
-      fmt::format("  pad.material = {}\n  pad.law = {}\n", one_line(material.name), name_of(material.law));
-  for (const ParameterValue& parameter : parameter_values(material.law))
-    line("pad.parameters." + parameter.key, parameter.value, parameter.unit);
+  const auto material_lines = [&](const std::string& prefix, const PadCondition& condition,
+                                  const Material& material) {
+    if (condition.scale != 1) line(prefix + "scale", condition.scale, "1");
+    if (condition.density) line(prefix + "density", *condition.density, "kg/m3");
+    if (condition.temperature) line(prefix + "temperature", *condition.temperature, "K");
+    text += fmt::format("  {0}material = {1}\n  {0}law = {2}\n", prefix, one_line(material.name),
+                        name_of(material.law));
+    for (const ParameterValue& parameter : parameter_values(material.law))
+      line(prefix + "parameters." + parameter.key, parameter.value, parameter.unit);
+  };
+  if (impact.pad.layers.empty()) material_lines("pad.", impact.pad.condition, impact.pad.material);
+  for (std::size_t i = 0; i < impact.pad.layers.size(); ++i) {
+    const PadLayer& layer = impact.pad.layers[i];
+    const std::string prefix = fmt::format("pad.layers[{}].", i + 1);
+    line(prefix + "thickness", layer.thickness, "m");
+    material_lines(prefix, layer.condition, layer.material);
+  }
   text += "  support = " + support_in_si(impact.support);
   for (const Parameter<Backing>& parameter : Backing::parameters)
     if (const double value = impact.backing.*parameter.member; value != 0)

@@ -45,18 +45,27 @@ std::string profile_toml(const Profile& profile) {
   return text + "]\n";
 }
 
-std::string pad_toml(const Pad& pad) {
-  const Material& material = pad.material;
-  std::string text = "\n[pad]\n" + toml_line("thickness", pad.thickness, "m");
-  if (pad.area) text += toml_line("area", *pad.area, "m2");
-  if (pad.earlier_penetration > 0) text += toml_line("earlier_penetration", pad.earlier_penetration, "m");
-  text += comment_line("material", material.name) + comment_line("title", material.title) +
-          comment_line("source", material.source);
+/// `prefix`: of the tables of the law.
+std::string material_toml(const Material& material, const PadCondition& condition,
+                          const std::string& prefix) {
   // A law in line has no card whose density or temperature could be changed: its stresses are written as
   // used.
   Material as_used = material;
-  as_used.law = scaled(material.law, stress_factor(pad.condition, material));
-  return text + law_toml(as_used, "pad.");
+  as_used.law = scaled(material.law, stress_factor(condition, material));
+  return comment_line("material", material.name) + comment_line("title", material.title) +
+         comment_line("source", material.source) + law_toml(as_used, prefix);
+}
+
+std::string pad_toml(const Pad& pad) {
+  std::string text = "\n[pad]\n";
+  if (pad.layers.empty()) text += toml_line("thickness", pad.thickness, "m");
+  if (pad.area) text += toml_line("area", *pad.area, "m2");
+  if (pad.earlier_penetration > 0) text += toml_line("earlier_penetration", pad.earlier_penetration, "m");
+  if (pad.layers.empty()) text += material_toml(pad.material, pad.condition, "pad.");
+  for (const PadLayer& layer : pad.layers)
+    text += "\n[[pad.layers]]\n" + toml_line("thickness", layer.thickness, "m") +
+            material_toml(layer.material, layer.condition, "pad.layers.");
+  return text;
 }
 
 }  // namespace

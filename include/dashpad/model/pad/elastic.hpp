@@ -25,6 +25,8 @@ struct Elastic {
     curve.add_kink(0, modulus);
     return curve;
   }
+
+  friend bool operator==(const Elastic&, const Elastic&) = default;
 };
 
 inline constexpr std::array<Parameter<Elastic>, 1> Elastic::parameters{{

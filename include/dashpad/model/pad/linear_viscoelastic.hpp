@@ -39,6 +39,8 @@ struct LinearViscoelastic {
   [[nodiscard]] double relaxation_rate(double) const { return 1 / relaxation_time; }
   /// Limit of stress / A at the contact edge, where the strain has just begun to grow.
   [[nodiscard]] double edge_ratio(RatePart) const { return initial_modulus; }
+
+  friend bool operator==(const LinearViscoelastic&, const LinearViscoelastic&) = default;
 };
 
 inline constexpr std::array<Parameter<LinearViscoelastic>, 3> LinearViscoelastic::parameters{{

@@ -102,10 +102,14 @@ class FoamStress {
   }
   /// The stress of one column, Pa, with the elastic strain g (theory.md, Eq. 34).
   [[nodiscard]] double stress(Strain strain, double ahead, double g, bool in_crater = false) const {
+    return response(strain, ahead, slip_.slip_rate(g), in_crater).stress;
+  }
+  /// The stress of one column at a slip rate, Pa, and its change with time while the strain is held, Pa/s.
+  [[nodiscard]] Ratio response(Strain strain, double ahead, double slip_rate, bool in_crater = false) const {
     const double beyond = lead(ahead);
     const Place leading = at({strain.value + beyond, strain.complement - beyond});
-    const double u = slip_.slip_rate(g);
-    return leading.base.stress * ratio(leading, ahead, overstress_.at(u), u, 0, in_crater).stress;
+    const Ratio of = ratio(leading, ahead, overstress_.at(slip_rate), slip_rate, 0, in_crater);
+    return {leading.base.stress * of.stress, leading.base.stress * of.relaxing};
   }
   /// The strain of the axis at which a nose meets again the foam that it strained to `largest` there, and to
   /// no less than `least` beside it: what a column springs back is s(e*) / max(E, s'(e*)) (theory.md, Eq.

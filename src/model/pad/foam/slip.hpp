@@ -42,6 +42,15 @@ struct SlipScale {
   [[nodiscard]] double after(double g, double from_rate, double to_rate, double time) const {
     return strain_of(after(state_of(g), from_rate, to_rate, time));
   }
+  /// The same over a step of a mean rate, after one of another: the rate within the step goes on as from the
+  /// last step to this one, but keeps its sign. `last_time` 0: there was no step before.
+  [[nodiscard]] State after_step(State state, double mean_rate, double time, double last_rate,
+                                 double last_time) const {
+    const double trend = last_time > 0 ? (mean_rate - last_rate) * time / (time + last_time) : 0;
+    const double at_end =
+        std::clamp(mean_rate + trend, std::min(0.0, 2 * mean_rate), std::max(0.0, 2 * mean_rate));
+    return after(state, 2 * mean_rate - at_end, at_end, time);
+  }
   [[nodiscard]] State after(State state, double from_rate, double to_rate, double time) const {
     if (state.z == 1) state.side = from_rate < 0 ? -1 : 1;
     const double from = state.side * from_rate + rate;

@@ -1,0 +1,106 @@
+#pragma once
+/// A nose on a pad of layers: columns of layers in series at fixed depths (theory.md, Eqs. 71 to 75).
+///
+///   F = a0 max(stress(0), 0) + int max(stress(s), 0) a'(s) ds, over s in [0, min(Y, d)]   (theory.md, Eq. 6)
+///   int = 2 pi L int max(g, 0) dw,  g = stress a' / (2 pi A),  dw = A d(y / L)            (theory.md, Eq.
+///   75)
+///
+/// A is the stress of the column pressed slowly, and w its area: stress over A is smooth at the contact edge
+/// and near full compression, and g is taken as linear in w between stations. Every column and layer keeps
+/// its own strain, largest strain and slip: layers share the shortening of a column differently as its rate
+/// changes.
+///
+/// Lengths in m, stress in Pa, compression positive.
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "dashpad/model/nose/sections.hpp"
+#include "model/contact/contact.hpp"
+#include "model/contact/layer_columns.hpp"
+#include "model/pad/layer/series.hpp"
+
+namespace dashpad {
+
+class LayeredContact {
+ public:
+  using Parts = std::vector<LayerSeries::Part>;
+
+  LayeredContact(const Parts& parts, const Sections& nose);
+  void set(const Parts& parts, const Sections& nose);
+
+  [[nodiscard]] bool recovers() const { return true; }
+  [[nodiscard]] double first_force() const { return 0; }
+  [[nodiscard]] double lock_penetration() const { return series_.thickness() * (1 - 1e-9); }
+  [[nodiscard]] std::size_t stations() const { return columns_.size(); }
+  /// Stresses of a layer that were computed in all trials since the start.
+  [[nodiscard]] std::size_t updates() const { return updates_; }
+
+  void start(double resolution, double expected);
+  PadTrial trial(double advance, double from, double step);
+  [[nodiscard]] double force_rate_when_held(const PadTrial& trial);
+  /// dF/dY if only the slow stress changed: what a change of the rate adds is none of a spring's.
+  [[nodiscard]] double lasting_stiffness(const PadTrial& trial);
+  [[nodiscard]] double largest_stress(const PadTrial& trial);
+  void accept(const PadTrial& trial);
+
+  /// Outer radius of the stressed area in the accepted state, m.
+  [[nodiscard]] double contact_radius() const;
+
+  /// A column in the accepted state.
+  struct Column {
+    double depth = 0;   ///< at which the nose's surface meets it, m
+    double strain = 0;  ///< of the pad, y / L
+    double stress = 0;  ///< Pa; below 0 where it is free of stress
+  };
+  /// Columns that the nose has reached so far, from the axis outwards.
+  [[nodiscard]] std::size_t touched_columns() const { return touched_; }
+  [[nodiscard]] Column column(std::size_t j) const;
+  [[nodiscard]] std::size_t layers() const { return series_.size(); }
+  /// Strain of a layer on the axis in the accepted state.
+  [[nodiscard]] double axis_strain(std::size_t layer) const;
+
+ private:
+  [[nodiscard]] Shortening shortening(std::size_t j, double penetration) const;
+  [[nodiscard]] LayerStates states_before(std::size_t j) const;
+  [[nodiscard]] ColumnGuess guess(std::size_t j, const LayerStates& now, double y) const;
+  void solve_column(std::size_t j);
+  void weigh_columns();
+  [[nodiscard]] double integrate() const;
+  /// Between two columns, or from the last one on to the edge of the contact.
+  struct Cell {
+    std::size_t inner = 0;
+    std::size_t outer = 0;
+    Sections::Weights weights;
+    double width = 0;  ///< in w, Pa
+  };
+  template <class Visit>
+  void for_each_cell(Visit&& visit) const;
+  [[nodiscard]] double g(std::size_t j, double weight) const;
+  /// A and w there.
+  [[nodiscard]] FoamCurve::Point edge_of_contact() const;
+  [[nodiscard]] Strain pad_strain(const Shortening& of) const;
+  void recall(const PadTrial& wanted) {
+    if (!last_.is_same_step_as(wanted)) trial(wanted.advance, wanted.from, wanted.step);
+  }
+
+  Parts parts_;
+  LayerSeries series_;
+  Sections nose_;
+  LayerColumns columns_;
+  double penetration_ = 0;
+  double largest_ = 0;       ///< penetration so far
+  double last_step_ = 0;     ///< length of the last step, s; 0: there was none
+  std::size_t touched_ = 0;  ///< columns that the nose has reached so far
+  PadTrial last_;            ///< without step: none from the accepted state
+  bool has_trial_ = false;   ///< of the same times, from the accepted state
+  double trial_penetration_ = 0;
+  std::size_t trial_touched_ = 0;
+  std::size_t trial_live_ = 0;  ///< columns under the nose at the end of the trial
+  std::size_t updates_ = 0;
+};
+
+static_assert(FollowsRate<LayeredContact>);
+
+}  // namespace dashpad

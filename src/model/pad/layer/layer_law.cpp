@@ -1,0 +1,102 @@
+#include "model/pad/layer/layer_law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+#include "model/pad/foam/foam_curve.hpp"
+#include "model/pad/foam/foam_rules.hpp"
+#include "model/pad/foam/foam_stress.hpp"
+
+namespace dashpad {
+namespace {
+
+const std::string must = "a layer needs a law whose stress rises with the strain: ";
+
+/// Largest strain of a column from which it comes back with a stress that rises on the way, by more than
+/// what a digitiser leaves; nothing for a foam without such a strain.
+std::optional<double> strain_of_falling_return(const Foam& law) {
+  if (!law.unloading_curve) return std::nullopt;
+  constexpr int places = 40;
+  constexpr double noticed = 0.02;
+  const FoamStress stress(law);
+  for (int i = 1; i <= places; ++i) {
+    const double largest = last_strain_of(law.curves.base) * i / places;
+    double most = 0;
+    for (int k = 1; k <= places; ++k) {
+      const double strain = largest * k / places;
+      const double value = stress.response(strain_of(strain), largest - strain, 0).stress;
+      most = std::max(most, value);
+      if (most - value > noticed * stress.curve().at(strain_of(largest)).stress) return largest;
+    }
+  }
+  return std::nullopt;
+}
+
+/// A rate, 1/s, at which the loading curve falls behind a larger stress, by more than what a digitiser
+/// leaves; nothing where all curves rise.
+std::optional<double> falling_rate(const FoamCurves& curves) {
+  if (const std::vector<double> rates = softening_rates(curves); !rates.empty()) return rates.front();
+  const auto* power = std::get_if<PowerRateEffect>(&curves.rate_effect);
+  if (power == nullptr || power->exponent_slope >= 0) return std::nullopt;
+  // The curve of the highest rate is the first to fall where the rate counts less at larger strains.
+  constexpr int places = 400;
+  constexpr double noticed = 1e-3;
+  const FoamStress stress(Foam{.curves = curves, .unloading_curve = {}});
+  double most = 0;
+  for (int i = 1; i <= places; ++i) {
+    const Strain strain = strain_of(last_strain_of(curves.base) * i / places);
+    const double value = stress.response(strain, 0, power->highest_rate).stress;
+    if (value < most * (1 - noticed)) return power->highest_rate;
+    most = std::max(most, value);
+  }
+  return std::nullopt;
+}
+
+std::vector<Violation> of_curves(const FoamCurves& curves) {
+  if (const auto rate = falling_rate(curves))
+    return {{"rate", *rate, must + fmt::format("its curve at {:.3g} per second falls", *rate)}};
+  return {};
+}
+
+}  // namespace
+
+std::optional<LayerLaw> layer_law(const PadLaw& law) {
+  return std::visit(
+      []<class Law>(const Law& of) -> std::optional<LayerLaw> {
+        if constexpr (std::is_constructible_v<LayerLaw, Law>)
+          return LayerLaw(of);
+        else
+          return std::nullopt;
+      },
+      law);
+}
+
+std::vector<Violation> violations_as_layer(const PadLaw& law) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (std::holds_alternative<RigidFoam>(law))
+    return {
+        {"law", none, must + "rigid-foam is rigid on the way back, and a stress does not tell its strain"}};
+  if (std::holds_alternative<NineParameter>(law) || std::holds_alternative<TwentyOneParameter>(law))
+    return {
+        {"law", none, must + "that of " + name_of(law) + " jumps and falls where the rate changes its sign"}};
+  if (!layer_law(law))
+    return {
+        {"law", none,
+         name_of(law) +
+             " is not available in layers; these are elastic, linear-viscoelastic, foam and crushable-foam"}};
+  if (const auto* crushable = std::get_if<CrushableFoam>(&law)) return of_curves(crushable->curves);
+  if (const auto* foam = std::get_if<Foam>(&law)) {
+    if (const auto largest = strain_of_falling_return(*foam))
+      return {
+          {"unloading", *largest,
+           must + fmt::format("on the way back from the strain {:.3g} it grows before it falls", *largest)}};
+    return of_curves(foam->curves);
+  }
+  return {};
+}
+
+}  // namespace dashpad

@@ -1,0 +1,142 @@
+#include "model/pad/layer/series.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/increasing_root.hpp"
+
+namespace dashpad {
+LayerSeries::LayerSeries(const std::vector<Part>& parts) {
+  for (const Part& part : parts) {
+    layers_.push_back(made_layer(part.law, part.factor));
+    thicknesses_.push_back(part.thickness);
+    thickness_ += part.thickness;
+  }
+  slow_ = made_slow_curve();
+  least_stress_ = 1e-9 * slow_.at(strain_of(0.1)).stress;
+}
+
+double LayerSeries::memory_at_rest(std::size_t layer) const {
+  return std::visit([](const auto& of) { return of.memory_at_rest; }, layers_[layer]);
+}
+double LayerSeries::memory_off_contact(std::size_t layer, double memory) const {
+  return std::visit([&](const auto& of) { return of.memory_off_contact(memory); }, layers_[layer]);
+}
+
+LayerState LayerSeries::after(std::size_t layer, Strain end, const LayerState& now,
+                              const LayerStep& step) const {
+  return std::visit([&](const auto& of) { return of.after(end, now, step); }, layers_[layer]);
+}
+
+LayerSeries::Solution LayerSeries::solve(const Shortening& wanted, const LayerStates& now,
+                                         const LayerStep& step, const ColumnGuess& guess) const {
+  Solution found;
+  if (wanted.y <= 0) {
+    found.strain.fill({wanted.y / thickness_, wanted.gap / thickness_});
+    return found;
+  }
+  // A step may be tried that goes beyond full compression.
+  const double least_gap = 2 * LogStrain::least_complement * thickness_;
+  const Shortening end = wanted.gap > least_gap ? wanted : Shortening{thickness_ - least_gap, least_gap};
+  StepSolver at(layers_, thicknesses_, now, step);
+  at.begin(guess);
+  const double first = std::max(guess.stress, least_stress_);
+  const double scale = std::max(first, slow_.at({end.y / thickness_, end.gap / thickness_}).stress);
+  IncreasingRoot root;
+  if (!at.settle(end, least_stress_, root.x)) {
+    at.begin(guess);
+    root = increasing_root([&](double stress) { return at.excess(stress, end); },
+                           {.guess = first,
+                            .slope = guess.total_flexibility,
+                            .low = least_stress_,
+                            .high = 1e200,
+                            .stride = scale / 4,
+                            .precision = 1e-12 * scale});
+  }
+  const double excess = at.last_excess();
+  const bool is_free = root.x == least_stress_ && excess > 0;
+  found.looks = at.looks();
+  found.flexibility = at.flexibility();
+  found.stress = is_free ? -excess / std::max(found.flexibility, 1e-300) : root.x;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const StrainOfStress& layer = at.layer(i);
+    found.layer_flexibility[i] = layer.flexibility;
+    if (is_free) {
+      // The nose has left the column behind, or would pull it: its layers share what is left in proportion.
+      const double share = end.y / (end.y + excess);
+      found.strain[i] = {layer.strain.value * share, 1 - layer.strain.value * share};
+    } else {
+      // What the last look left over.
+      const double change =
+          excess * (found.flexibility > 0 ? layer.flexibility / found.flexibility : 1 / thickness_);
+      found.strain[i] = {layer.strain.value - change, layer.strain.complement + change};
+    }
+  }
+  return found;
+}
+
+double LayerSeries::stress_rate_when_held(std::span<const Strain> strain, const LayerStates& state) const {
+  std::array<LayerTangent, most_layers> tangent;
+  for (std::size_t i = 0; i < size(); ++i)
+    tangent[i] =
+        std::visit([&](const auto& layer) { return layer.tangent(strain[i], state[i]); }, layers_[i]);
+  // Of the rate r of the stress, sum L_i (r - relaxing_i) / slope_i = 0, with the slope of the side to which
+  // the layer moves: rising and convex, so Newton's rule comes from above and stops at a side it has seen.
+  double rate = 0;
+  for (std::size_t k = 0; k <= size() + 1; ++k) {
+    double relaxing = 0;
+    double flexibility = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const double slope = rate >= tangent[i].relaxing ? tangent[i].loading : tangent[i].unloading;
+      const double soft = thicknesses_[i] / std::max(slope, 1e-300);
+      relaxing += soft * tangent[i].relaxing;
+      flexibility += soft;
+    }
+    const double next = relaxing / flexibility;
+    if (next == rate) break;
+    rate = next;
+  }
+  return rate;
+}
+
+FoamCurve LayerSeries::made_slow_curve() const {
+  constexpr int points = 96;
+  constexpr double last = 0.9;
+  constexpr double exponent = 1;
+  TableCurve table;
+  double stress = 0;
+  for (int k = 1; k <= points; ++k) {
+    const double share = double(k) / points;
+    const double strain = last * share * share;
+    const IncreasingRoot root = increasing_root(
+        [&](double at) {
+          double sum = -strain * thickness_;
+          for (std::size_t i = 0; i < size(); ++i) sum += thicknesses_[i] * slow_strain(i, at);
+          return sum;
+        },
+        {.guess = k == 1 ? slow_stress(0, strain)
+                         : stress * share * share * points * points / ((k - 1.0) * (k - 1.0)),
+         .low = stress,
+         .high = 1e200,
+         .stride = std::max(stress, slow_stress(0, strain)) / 4,
+         .precision = 1e-9 * std::max(stress, slow_stress(0, strain))});
+    stress = std::max(root.x, stress * (1 + 1e-9));
+    table.strain.push_back(strain);
+    table.stress.push_back(stress);
+  }
+  return FoamCurve(table, exponent);
+}
+
+double LayerSeries::slow_stress(std::size_t layer, double strain) const {
+  return std::visit([&](const auto& of) { return of.slow_stress(strain_of(strain)); }, layers_[layer]);
+}
+double LayerSeries::slow_strain(std::size_t layer, double stress) const {
+  return std::visit(
+      [&](const auto& of) {
+        return strain_at(stress, 0.1, 0, 0.1, [&](Strain strain) { return of.slow_stress(strain); })
+            .strain.value;
+      },
+      layers_[layer]);
+}
+
+}  // namespace dashpad

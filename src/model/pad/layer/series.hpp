@@ -1,0 +1,76 @@
+#pragma once
+/// A column of layers in series: one stress in all of them, and strains that sum up to its shortening.
+///
+///   y = sum of L_i e_i,   stress_i(e_i) = stress for every layer                      (theory.md, Eq. 71)
+///
+/// The unknown of a step is the stress at its end. A layer's stress at the end of a step rises with its
+/// strain there, if as steeply as a jump where the layer turns, so e_i and y are single-valued, continuous
+/// functions of the stress that do not fall (theory.md, Eq. 72): y has one root, whatever branch each layer
+/// is on.
+///
+/// Lengths in m, stress in Pa, compression positive.
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "model/pad/foam/foam_curve.hpp"
+#include "model/pad/layer/layer.hpp"
+#include "model/pad/layer/step_solver.hpp"
+
+namespace dashpad {
+
+class LayerSeries {
+ public:
+  /// A layer as it is made; its law must keep its rules (layer_law.hpp).
+  struct Part {
+    double thickness = 0;
+    LayerLaw law;
+    double factor = 1;  ///< by which every stress is multiplied
+
+    friend bool operator==(const Part&, const Part&) = default;
+  };
+  explicit LayerSeries(const std::vector<Part>& parts);
+
+  [[nodiscard]] std::size_t size() const { return layers_.size(); }
+  [[nodiscard]] double thickness() const { return thickness_; }
+  [[nodiscard]] double thickness(std::size_t layer) const { return thicknesses_[layer]; }
+  [[nodiscard]] double memory_at_rest(std::size_t layer) const;
+  [[nodiscard]] double memory_off_contact(std::size_t layer, double memory) const;
+
+  /// The whole column pressed slowly, as one foam: stress over y / L. It is what contact integrals are
+  /// weighted with, and no result depends on it.
+  [[nodiscard]] const FoamCurve& slow_curve() const { return slow_; }
+
+  struct Solution {
+    /// Below 0 where the column is free of stress: then what a spring of its stiffness would pull.
+    double stress = 0;
+    double flexibility = 0;  ///< dy/d(stress), m/Pa, >= 0
+    std::array<Strain, most_layers> strain;
+    PerLayer layer_flexibility{};
+    std::size_t looks = 0;  ///< stresses of a layer that were computed
+  };
+  [[nodiscard]] Solution solve(const Shortening& end, const LayerStates& now, const LayerStep& step,
+                               const ColumnGuess& guess) const;
+
+  /// The states at the end of a solved step.
+  [[nodiscard]] LayerState after(std::size_t layer, Strain end, const LayerState& now,
+                                 const LayerStep& step) const;
+  /// d(stress)/dt if the shortening is held from a state on: layers that relax more give way to the others
+  /// (theory.md, Eq. 74). Pa/s.
+  [[nodiscard]] double stress_rate_when_held(std::span<const Strain> strain, const LayerStates& state) const;
+
+ private:
+  [[nodiscard]] FoamCurve made_slow_curve() const;
+  [[nodiscard]] double slow_stress(std::size_t layer, double strain) const;
+  [[nodiscard]] double slow_strain(std::size_t layer, double stress) const;
+
+  std::vector<Layer> layers_;
+  std::vector<double> thicknesses_;
+  double thickness_ = 0;
+  FoamCurve slow_;
+  double least_stress_ = 0;  ///< what counts as none
+};
+
+}  // namespace dashpad

@@ -1,0 +1,110 @@
+#include "model/pad/layer/step_solver.hpp"
+
+#include <cmath>
+
+namespace dashpad {
+namespace {
+
+double within_layer(double strain) { return std::clamp(strain, 0.0, 1 - LogStrain::least_complement); }
+
+/// Sum of L_i e_i less y, one layer after the other; near full compression by the gaps, which keep their
+/// digits there.
+class Excess {
+ public:
+  explicit Excess(const Shortening& end) : by_gap_(end.gap < end.y), sum_(by_gap_ ? end.gap : -end.y) {}
+  void add(double thickness, Strain strain) {
+    sum_ += by_gap_ ? -thickness * strain.complement : thickness * strain.value;
+  }
+  [[nodiscard]] double value() const { return sum_; }
+
+ private:
+  bool by_gap_;
+  double sum_;
+};
+
+}  // namespace
+
+void StepSolver::begin(const ColumnGuess& guess) {
+  last_stress_ = guess.stress;
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    last_[i] = {strain_of(within_layer(guess.strain[i])), guess.flexibility[i]};
+    stride_[i] = std::max(std::abs(guess.strain[i] - now_[i].strain), 1e-6);
+  }
+}
+
+double StepSolver::excess(double stress, const Shortening& end) {
+  flexibility_ = 0;
+  Excess excess(end);
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    look(i, stress);
+    excess.add(thicknesses_[i], last_[i].strain);
+    flexibility_ += thicknesses_[i] * last_[i].flexibility;
+  }
+  last_stress_ = stress;
+  return excess_ = excess.value();
+}
+
+void StepSolver::look(std::size_t i, double stress) {
+  StrainOfStress& last = last_[i];
+  const double change = (stress - last_stress_) * last.flexibility;
+  const double x =
+      change == 0 ? LogStrain::of(last.strain) : LogStrain::of(within_layer(last.strain.value + change));
+  const double slope = last.flexibility > 0 ? last.strain.complement / last.flexibility : 0;
+  last = std::visit(
+      [&](const auto& layer) {
+        return strain_at(stress, std::min(x, LogStrain::most()), slope, stride_[i], [&](Strain strain) {
+          ++looks_;
+          return layer.stress(strain, now_[i], step_);
+        });
+      },
+      layers_[i]);
+}
+
+bool StepSolver::settle(const Shortening& end, double least_stress, double& stress) {
+  constexpr int most = 8;
+  constexpr double precision = LogStrain::precision;
+  PerLayer x{}, before{}, value{}, slope{}, chord{};
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    if (!(last_[i].flexibility > 0)) return false;
+    slope[i] = last_[i].strain.complement / last_[i].flexibility;
+    x[i] = LogStrain::of(last_[i].strain);
+    chord[i] = 1;
+  }
+  for (int k = 0; k < most; ++k) {
+    Excess excess(end);
+    double weighted = 0;
+    flexibility_ = 0;
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+      const Strain strain = LogStrain::strain(x[i]);
+      const double now = stress_of(i, strain);
+      if (k > 0 && std::abs(x[i] - before[i]) > precision) {
+        slope[i] = (now - value[i]) / (x[i] - before[i]);
+        chord[i] = std::abs(x[i] - before[i]);
+        if (!(slope[i] > 0)) return false;
+      }
+      value[i] = now;
+      last_[i] = {strain, strain.complement / slope[i]};
+      excess.add(thicknesses_[i], strain);
+      weighted += thicknesses_[i] * last_[i].flexibility * now;
+      flexibility_ += thicknesses_[i] * last_[i].flexibility;
+    }
+    stress = (weighted - excess.value()) / flexibility_;
+    if (!(stress > least_stress)) return false;
+    bool settled = true;
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+      const double step = (stress - value[i]) / slope[i];
+      settled = settled && is_close_to_root(step, chord[i], precision);
+      before[i] = x[i];
+      x[i] += step;
+      if (!(x[i] >= 0 && x[i] < LogStrain::most())) return false;
+    }
+    if (!settled) continue;
+    for (std::size_t i = 0; i < layers_.size(); ++i) last_[i].strain = LogStrain::strain(x[i]);
+    last_stress_ = stress;
+    excess_ = 0;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace dashpad

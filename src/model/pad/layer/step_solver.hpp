@@ -1,0 +1,74 @@
+#pragma once
+/// The strains of all layers of a column at the end of one step, by the stress there (theory.md, Eq. 72).
+/// What was found last is the guess for the next.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "model/pad/layer/layer.hpp"
+#include "model/pad/layer/layer_state.hpp"
+
+namespace dashpad {
+
+/// A number for each layer, from the struck face on.
+using PerLayer = std::array<double, most_layers>;
+using LayerStates = std::array<LayerState, most_layers>;
+
+/// How far a column is pressed, m.
+struct Shortening {
+  double y = 0;    ///< below 0 where the nose does not reach the column
+  double gap = 0;  ///< L - y, without cancellation
+};
+
+/// Where the solution of a step is likely to be.
+struct ColumnGuess {
+  double stress = 0;
+  PerLayer strain{};
+  PerLayer flexibility{};        ///< of each layer, d(strain)/d(stress), 1/Pa; 0: not known
+  double total_flexibility = 0;  ///< dy/d(stress), m/Pa; 0: not known
+};
+
+class StepSolver {
+ public:
+  /// The arguments must outlive the solver.
+  StepSolver(const std::vector<Layer>& layers, const std::vector<double>& thicknesses, const LayerStates& now,
+             const LayerStep& step)
+      : layers_(layers), thicknesses_(thicknesses), now_(now), step_(step) {}
+
+  void begin(const ColumnGuess& guess);
+  /// All layers at once, by secants from the guess on; false where they do not settle soon, or not above
+  /// `least_stress`. Each look tells every layer's stress and slope, from which follow the stress of the
+  /// column and the strains of the next: half as many looks as for a root within a root, which is what is
+  /// left where this fails.
+  bool settle(const Shortening& end, double least_stress, double& stress);
+  /// y at a stress, less that of `end`, m.
+  double excess(double stress, const Shortening& end);
+
+  [[nodiscard]] double last_excess() const { return excess_; }
+  [[nodiscard]] double flexibility() const { return flexibility_; }  ///< dy/d(stress), m/Pa
+  [[nodiscard]] const StrainOfStress& layer(std::size_t i) const { return last_[i]; }
+  /// Stresses of a layer that were computed.
+  [[nodiscard]] std::size_t looks() const { return looks_; }
+
+ private:
+  double stress_of(std::size_t i, Strain strain) {
+    ++looks_;
+    return std::visit([&](const auto& layer) { return layer.stress(strain, now_[i], step_); }, layers_[i]);
+  }
+  void look(std::size_t i, double stress);
+
+  const std::vector<Layer>& layers_;
+  const std::vector<double>& thicknesses_;
+  const LayerStates& now_;
+  const LayerStep& step_;
+  double last_stress_ = 0;
+  std::array<StrainOfStress, most_layers> last_;
+  PerLayer stride_{};
+  double excess_ = 0;
+  double flexibility_ = 0;
+  std::size_t looks_ = 0;
+};
+
+}  // namespace dashpad
