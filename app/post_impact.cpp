@@ -59,6 +59,11 @@ PostImpactInput read_and_check(const PostImpactRequest& request, const std::file
     input.file = *std::move(file);
     if (input.file.impact.blows)
       wrong.push_back(request.case_file + ": blows: two bodies meet once; leave the table out");
+    if (input.file.impact.backing != Backing{} || input.file.impact.impactor.gravity != 0)
+      wrong.push_back(
+          request.case_file +
+          ": here a support has nothing beside its curve, and there is no gravity; give the other body as "
+          "support.body_mass, and dashpad run has the velocities of both");
     const Impactor& impactor = input.file.impact.impactor;
     input.first = {impactor.mass, impactor.speed};
     if (!(impactor.speed > input.second.velocity))

@@ -36,11 +36,16 @@ std::string remark_on(const std::string& key, const ImpactCase& impact, const Su
   if (key == "peak_penetration") return part_of_pad(summary.peak_penetration, impact.pad.thickness, digits);
   if (key == "peak_motion") return "pad and support";
   if (key == "peak_strain") return "on the axis";
+  if (key == "rebound_speed" && summary.restitution && summary.release->velocity > 0 && summary.support &&
+      summary.support->body_speed)
+    return "goes on at " + brief_quantity(summary.release->velocity, "m/s", units, digits) +
+           "; restitution " + significant(*summary.restitution, digits);
   if (key == "rebound_speed" && summary.restitution)
     return "restitution " + significant(*summary.restitution, digits);
   if (key == "contact_end") return fmt::format("force below {} of its peak", percentage(contact_end_share));
   if (key == "force_below_weight")
-    return "rebounding at " + brief_quantity(-summary.force_below_weight->velocity, "m/s", units, digits);
+    return (summary.force_below_weight->velocity > 0 ? "going on at " : "rebounding at ") +
+           brief_quantity(std::abs(summary.force_below_weight->velocity), "m/s", units, digits);
   if (key == "energy_absorbed_fraction")
     return fmt::format("of the {} of the impact", brief_quantity(summary.energy.impact, "J", units, digits));
   return "";
@@ -135,6 +140,8 @@ std::string tolerance_text(const Summary& summary) {
 
 /// Of a run that went through.
 std::string end_of_contact(const Summary& summary) {
+  if (summary.release && summary.support && summary.support->body_speed && summary.release->velocity > 0)
+    return "The impactor left the pad and goes on, more slowly than the body behind it.";
   return pulse_is_whole(summary) ? "The impactor rebounded and left the pad."
                                  : "The pad stopped the impactor and does not push it back.";
 }
@@ -220,7 +227,7 @@ std::vector<ResultRow> pulse_rows(const injury::InjuryFigures& figures, const Un
 
 std::string laid_out(const ResultRow& row) {
   std::string line = fmt::format("  {:<21}{:>9} {:<7}", row.label, row.value, row.unit);
-  if (row.error) line += fmt::format("± {:<10}", shown_error(*row.error));
+  if (row.error) line += fmt::format("± {:<9} ", shown_error(*row.error));
   line += row.remark;
   line.erase(line.find_last_not_of(' ') + 1);
   return wrapped(line, 40) + "\n";

@@ -15,9 +15,14 @@
 namespace dashpad::test {
 namespace {
 
-const Support rigid = Support::rigid();
-const Support spring = Support::linear(1e4);
-const Support corners = Support::through({{0.01, 100}, {0.02, 400}, {0.03, 1000}});
+constexpr double mass = 4, radius = 0.08, thickness = 0.03, resolution = 0.1;
+
+const Support rigid_support = Support::rigid();
+const Support linear_support = Support::linear(1e4);
+const Support curved_support = Support::through({{0.01, 100}, {0.02, 400}, {0.03, 1000}});
+const Foundation rigid{rigid_support, {}, mass};
+const Foundation spring{linear_support, {}, mass};
+const Foundation corners{curved_support, {}, mass};
 
 /// A trial from a state with the force and drive `now` to one with those of `end`.
 struct Tried {
@@ -28,8 +33,10 @@ struct Tried {
     trial.end.force = force, trial.end.drive = drive;
     trial.step = 1e-3;
   }
-  [[nodiscard]] FirstEvent in(Phase phase, const Support& support = spring, bool recovers = true) const {
-    return first_event({phase, now, trial, recovers}, support);
+  [[nodiscard]] FirstEvent in(Phase phase, const Foundation& foundation = spring,
+                              bool recovers = true) const {
+    return first_event(
+        {.phase = phase, .now = now, .trial = trial, .foundation = foundation, .recovers = recovers});
   }
 };
 
@@ -90,7 +97,8 @@ TEST(Events, ATrialWithoutSolutionHasNoOtherEventThanWhatIsInItsWay) {
 }
 
 TEST(Branch, FollowsTheEventPadAndSupport) {
-  const BranchConditions foam, foam_on_rock{true, true}, crushed{false, false}, crushed_on_rock{false, true};
+  const BranchConditions foam, foam_on_rock{true, true, true}, crushed{false, false, false},
+      crushed_on_rock{false, true, true};
   EXPECT_EQ(phase_after(Event::turning, Phase::loading, 0, foam), Phase::unloading);
   EXPECT_EQ(phase_after(Event::turning, Phase::loading, 0, foam_on_rock), Phase::unloading);
   EXPECT_EQ(phase_after(Event::turning, Phase::loading, 0, crushed), Phase::held);
@@ -157,10 +165,8 @@ TEST(Predictor, UnloadsWithTheStiffnessBeforeTheRateBrokeDown) {
   EXPECT_EQ(predictor.pad_rate(), -0.5);
 }
 
-constexpr double mass = 4, radius = 0.08, thickness = 0.03, resolution = 0.1;
-
-StepControl control_on(const Support& support) {
-  StepControl control(mass, Sphere{radius}.sections(), thickness, support);
+StepControl control_on(const Foundation& foundation) {
+  StepControl control(mass, Sphere{radius}.sections(), thickness, foundation);
   control.start(resolution, thickness);
   return control;
 }
@@ -198,7 +204,7 @@ TEST(StepControl, BeginsWithAQuarterOfWhatItsOwnStiffnessAllows) {
 
 TEST(StepControl, GrowsByHalf) {
   StepControl control = control_on(rigid);
-  Motion<CurveContact> motion(mass, spring);
+  Motion<CurveContact> motion({.mass = mass}, spring);
   Predictor predictor;
   predictor.start(2, 1e5);
   control.learn(Phase::loading, {}, predictor);
@@ -212,9 +218,9 @@ TEST(StepControl, GrowsByHalf) {
 
 /// The impactor comes to rest in the time that is left, and goes back from there by a short step.
 TEST(StepControl, ShrinksAboutTheTurningPointOnARigidSupport) {
-  const auto steps_on = [](const Support& support) {
-    StepControl control = control_on(support);
-    Motion<CurveContact> motion(mass, support);
+  const auto steps_on = [](const Foundation& foundation) {
+    StepControl control = control_on(foundation);
+    Motion<CurveContact> motion({.mass = mass}, foundation);
     Predictor predictor;
     predictor.start(2, 1e5);
     control.learn(Phase::loading, {}, predictor);
@@ -240,7 +246,7 @@ TEST(StepControl, ShrinksAboutTheTurningPointOnARigidSupport) {
 
 TEST(StepControl, ShrinksTowardsTheRelease) {
   StepControl control = control_on(rigid);
-  Motion<CurveContact> motion(mass, spring);
+  Motion<CurveContact> motion({.mass = mass}, spring);
   Predictor predictor;
   predictor.start(-0.01, 1e5);
   control.learn(Phase::unloading, {}, predictor);

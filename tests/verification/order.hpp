@@ -46,8 +46,9 @@ inline void expect_order(const std::vector<double>& size, const std::vector<doub
 inline State loaded_for(const ImpactCase& impact, double time, int steps, double resolution = 0.01) {
   State end;
   Contacts().visit(impact, ColumnMath::vector, [&]<class Contact>(Contact& contact) {
-    Motion<Contact> motion(impact.impactor.mass, impact.support);
-    Equilibrium<Contact> equilibrium(contact, impact.support, motion, impact.pad.thickness);
+    const Foundation foundation(impact.support, impact.backing, impact.impactor.mass);
+    Motion<Contact> motion(impact.impactor, foundation);
+    Equilibrium<Contact> equilibrium(contact, foundation, motion, impact.pad.thickness);
     Predictor predictor;
     const double step = time / steps;
     contact.start(resolution, impact.impactor.speed * time);
