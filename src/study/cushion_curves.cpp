@@ -45,6 +45,7 @@ std::optional<CushionCurves> cushion_curves(const Study& study, const Records& r
     places[impact.impactor.speed][impact.pad.thickness][impact.impactor.mass] = place;
   }
   CushionCurves curves;
+  curves.whole_cushion = study.base.pad.area && sections_of(study.base).tip == *study.base.pad.area;
   for (const auto& [speed, by_thickness] : places) {
     CushionCurves::Drop drop{.height = speed * speed / (2 * standard_gravity), .speed = speed, .curves = {}};
     for (const auto& [thickness, by_mass] : by_thickness) {

@@ -213,6 +213,15 @@ TEST_F(StoredStudyTest, CushionCurvesHoldTheRowsInOrder) {
     EXPECT_DOUBLE_EQ(thin.static_stress[i],
                      mass * standard_gravity / Sphere{0.08}.sections().area(records.responses[0][place]));
   }
+  EXPECT_FALSE(curves->whole_cushion);
+
+  study.base.impactor.nose = Platen{0.1, 0.1};
+  study.base.pad.area = 0.004;
+  const auto of_block = study::cushion_curves(study, records);
+  ASSERT_TRUE(of_block.has_value());
+  EXPECT_TRUE(of_block->whole_cushion);
+  EXPECT_DOUBLE_EQ(of_block->drops[0].curves.at(0).static_stress.at(1), 2 * standard_gravity / 0.004);
+
   study.responses = {"peak_acceleration"};
   EXPECT_FALSE(study::cushion_curves(study, records).has_value()) << "no penetration, no area";
 }

@@ -31,6 +31,7 @@ struct CushionCurves {
     std::vector<CushionCurve> curves;
   };
   std::vector<Drop> drops;
+  bool whole_cushion = false;  ///< the nose is flat and covers all of the pad, as in ASTM D1596
 };
 
 /// Absent unless the study is a grid of impactor.mass (or impactor.weight) and at most speed and thickness

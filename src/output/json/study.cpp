@@ -96,8 +96,10 @@ Json cushion_json(const study::CushionCurves& curves) {
                        {"thickness_m", curve.thickness},
                        {"points", points}});
     }
-  return {{"loaded_area", "projected contact area of the nose at the largest penetration"},
-          {"curves", drops}};
+  return {
+      {"loaded_area", curves.whole_cushion ? "area of the cushion"
+                                           : "projected contact area of the nose at the largest penetration"},
+      {"curves", drops}};
 }
 
 }  // namespace

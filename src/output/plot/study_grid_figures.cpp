@@ -90,17 +90,18 @@ Plot map_of(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
           .source = study_source(answers)};
 }
 
-Panel cushion_panel(const study::CushionCurves::Drop& drop, const UnitSystem& units) {
+Panel cushion_panel(const study::CushionCurves::Drop& drop, bool whole_cushion, const UnitSystem& units) {
   const ScaledUnit height = shown_as("m", units), stress = shown_as("Pa", units),
                    speed = shown_as("m/s", units);
-  Panel panel{
-      .title = fmt::format("Drop height {} {} ({} {})", four_digits(height.scale * drop.height), height.unit,
-                           four_digits(speed.scale * drop.speed), speed.unit),
-      .x = {.label = fmt::format("Static stress: weight over contact area at the largest penetration ({})",
-                                 stress.unit),
-            .logarithmic = true},
-      .y = {.label = "Peak acceleration (g)", .low = 0},
-      .series = {}};
+  Panel panel{.title = fmt::format("Drop height {} {} ({} {})", four_digits(height.scale * drop.height),
+                                   height.unit, four_digits(speed.scale * drop.speed), speed.unit),
+              .x = {.label = fmt::format(
+                        "Static stress: weight over {} ({})",
+                        whole_cushion ? "area of the cushion" : "contact area at the largest penetration",
+                        stress.unit),
+                    .logarithmic = true},
+              .y = {.label = "Peak acceleration (g)", .low = 0},
+              .series = {}};
   for (std::size_t i = 0; i < drop.curves.size(); ++i)
     panel.series.push_back(
         {.label = fmt::format("thickness {} {}", four_digits(height.scale * drop.curves[i].thickness),
@@ -143,8 +144,8 @@ std::vector<CaptionedPlot> cushion_figures(const study::StudyAnswers& answers, c
   const std::string nose = with_article(words_of(base.impactor.nose));
   Plot plot{.title = "Cushion curves of " + nose, .panels = {}, .source = study_source(answers)};
   for (const study::CushionCurves::Drop& drop : answers.cushion_curves->drops)
-    plot.panels.push_back(cushion_panel(drop, units));
-  if (base.pad.area && sections_of(base).tip == *base.pad.area)
+    plot.panels.push_back(cushion_panel(drop, answers.cushion_curves->whole_cushion, units));
+  if (answers.cushion_curves->whole_cushion)
     return {{"", std::move(plot),
              "In the manner of ASTM D1596, of " + nose +
                  " that covers all of the cushion. They are computed, of a cushion that does not bulge."}};
