@@ -37,8 +37,9 @@ double read_gravity(TableReader& table) {
 }
 
 double read_speed(TableReader& table) {
+  const bool has_speed = table.has("speed");
   if (!table.has("drop_height")) return table.quantity("speed", "m/s");
-  if (table.has("speed")) {
+  if (has_speed) {
     table.fault("drop_height", "give speed or drop_height, not both");
     return no_number;
   }

@@ -42,8 +42,11 @@ TEST(ResultJson, HasTheFiguresInSI) {
 TEST(ResultJson, EchoesTheCase) {
   const json echo = written(test::example_summary())["case"];
   EXPECT_EQ(echo["title"], "Head on a dashboard");
-  EXPECT_EQ(echo["impactor"],
-            (json{{"mass_kg", 4.5}, {"nose", "sphere"}, {"radius_m", 0.0762}, {"speed_m_per_s", 8.9408}}));
+  EXPECT_EQ(echo["impactor"], (json{{"gravity_m_per_s2", 0},
+                                    {"mass_kg", 4.5},
+                                    {"nose", "sphere"},
+                                    {"radius_m", 0.0762},
+                                    {"speed_m_per_s", 8.9408}}));
   EXPECT_EQ(echo["pad"]["law"], "linear-viscoelastic");
   EXPECT_EQ(echo["pad"]["parameters"]["relaxation_time"]["value"], 1.0 / 3000);
   EXPECT_EQ(echo["pad"]["parameters"]["initial_modulus"]["unit"], "Pa");
