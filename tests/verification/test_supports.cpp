@@ -363,6 +363,51 @@ TEST(Gravity, BringsAnImpactorToRestOnADamper) {
   EXPECT_NEAR(summary.energy.residual, 0, 1e-4 * summary.energy.impact);
 }
 
+// --- Invariance, and the two paths
+
+std::vector<Backing> kinds_of_backing() {
+  return {{.unloading_stiffness = 6e5},
+          {.damping = 300},
+          {.damping = 200, .mass = 1},
+          {.unloading_stiffness = 6e5, .damping = 200, .mass = 1, .body_mass = 20}};
+}
+
+/// Twice the masses, stresses, stiffnesses and damping: the same motion under twice the forces.
+TEST(MovingSupport, DoublesItsForcesWithAllThatIsHeavyAndStiff) {
+  for (const Backing& backing : kinds_of_backing()) {
+    ImpactCase impact = impact_on(sample_law<Foam>(), Support::linear(2e5));
+    impact.backing = backing;
+    const Summary once = solve(impact, {.fixed_runs = 3}).summary;
+    impact.impactor.mass *= 2;
+    impact.pad.condition.scale = 2;
+    impact.support = Support::linear(4e5);
+    for (double Backing::*of :
+         {&Backing::unloading_stiffness, &Backing::damping, &Backing::mass, &Backing::body_mass})
+      impact.backing.*of *= 2;
+    const Summary twice = solve(impact, {.fixed_runs = 3}).summary;
+    expect_relative(*twice.peak_force, 2 * *once.peak_force, 1e-9, "peak force");
+    expect_relative(twice.support->peak_transmitted, 2 * once.support->peak_transmitted, 1e-9, "behind");
+    expect_relative(twice.peak_penetration, once.peak_penetration, 1e-9, "penetration");
+    expect_relative(twice.contact_end->time, once.contact_end->time, 1e-9, "end of contact");
+    expect_relative(twice.energy.support_loss, 2 * once.energy.support_loss, 1e-9, "lost");
+  }
+}
+
+TEST(MovingSupport, IsTheSameByVectorsAndColumnByColumn) {
+  for (const PadLaw& law :
+       {PadLaw(sample_law<LinearViscoelastic>()), PadLaw(sample_law<TwentyOneParameter>()),
+        PadLaw(sample_law<Foam>()), PadLaw(sample_law<CrushableFoam>())})
+    for (const Backing& backing : kinds_of_backing()) {
+      ImpactCase impact = impact_on(law, Support::linear(2e5));
+      impact.backing = backing;
+      const Summary vectors = solve(impact, {.tolerance = 1e-3}).summary;
+      const Summary plain = solve(impact, {.tolerance = 1e-3, .plain = true}).summary;
+      EXPECT_EQ(vectors.status, plain.status) << name_of(law);
+      expect_relative(*vectors.peak_force, *plain.peak_force, 1e-3, name_of(law) + ", peak force");
+      expect_relative(vectors.peak_penetration, plain.peak_penetration, 1e-3, name_of(law) + ", penetration");
+    }
+}
+
 // --- The ledger
 
 /// Each part by itself: what goes in is what is left, and what is lost.
