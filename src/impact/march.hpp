@@ -336,7 +336,9 @@ class March {
     h.acceleration.push_back(0 - now_.force / impactor_.mass);
     h.velocity.push_back(now_.velocity);
     h.motion.push_back(now_.motion);
-    h.penetration.push_back(crater_ + std::max(now_.penetration, 0.0));
+    // In flight the nose is above the pad.
+    const double in_pad = foundation_.swings() ? std::max(now_.penetration, 0.0) : now_.penetration;
+    h.penetration.push_back(crater_ + in_pad);
     h.support_deflection.push_back(foundation_.is_plain() ? now_.motion - now_.penetration
                                                           : now_.back.deflection);
     if (!foundation_.is_plain()) {

@@ -150,9 +150,11 @@ TEST(RandomCases, OnSupportsThatMoveAreSolved) {
       continue;
     }
     expect_numbers(s);
-    ASSERT_TRUE(s.support);
-    expect_finite("transmitted force", s.support->peak_transmitted);
-    expect_finite("deflection", s.support->peak_deflection);
+    ASSERT_EQ(s.support.has_value(), impact.backing != Backing{});
+    if (s.support) {
+      expect_finite("transmitted force", s.support->peak_transmitted);
+      expect_finite("deflection", s.support->peak_deflection);
+    }
     // Nothing comes back that was not there, but for what laws 4 and 5 may give.
     EXPECT_GE(s.energy_absorbed_fraction, -largest_gain(impact.pad.material.law) - 2e-3);
     EXPECT_GE(s.energy.support_loss, -1e-9 * s.energy.impact);
