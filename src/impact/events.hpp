@@ -63,8 +63,11 @@ inline double force(const Sight& s) { return s.trial.end.force; }
 inline double force_over_held_pad(const Sight& s) { return s.trial.end.force - s.trial.pad.force; }
 inline double strength_left(const Sight& s) { return s.trial.pad.force - s.trial.end.force; }
 /// A flat nose stands on the uncrushed foam until the support pushes hard enough; on foam that has been
-/// crushed, until a panel does.
-inline bool is_below_strength(const Sight& s) { return !s.recovers && s.now.force < s.trial.pad.force; }
+/// crushed, until a panel or a damper does. (A support at once never pushes harder than it has.)
+inline bool is_below_strength(const Sight& s) {
+  const bool may_push_harder = s.now.penetration == 0 || s.foundation.kind() != Foundation::Kind::at_once;
+  return !s.recovers && may_push_harder && s.now.force < s.trial.pad.force;
+}
 inline bool pad_recovers(const Sight& s) { return s.recovers; }
 /// Eq. 26; without a solution of Eq. 25 it is passed.
 inline double drive(const Sight& s) {
