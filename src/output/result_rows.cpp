@@ -47,7 +47,11 @@ std::string remark_on(const std::string& key, const ImpactCase& impact, const Su
     return (summary.force_below_weight->velocity > 0 ? "going on at " : "rebounding at ") +
            brief_quantity(std::abs(summary.force_below_weight->velocity), "m/s", units, digits);
   if (key == "energy_absorbed_fraction")
-    return fmt::format("of the {} of the impact", brief_quantity(summary.energy.impact, "J", units, digits));
+    return fmt::format("of the {} of the impact", brief_quantity(summary.energy.impact, "J", units, digits)) +
+           (summary.energy.weight > 0.1 * summary.energy.impact
+                ? fmt::format("; the weight adds {}",
+                              brief_quantity(summary.energy.weight, "J", units, digits))
+                : "");
   return "";
 }
 
