@@ -103,11 +103,17 @@ Found walk(const json& object, const std::set<std::string>& containers, const st
 
 Found walk_result(const json& result) {
   Found found = walk(result, {"energy", "injury", "errors"},
-                     {"status", "blows", "extrapolated", "extrapolations", "continuation",
+                     {"status", "blows", "layers", "extrapolated", "extrapolations", "continuation",
                       "softening_rates_per_s", "solver", "case", "program"});
   for (const json& blow : result.value("blows", json::array()))
     for (const std::string& word : walk(blow, {}, {"blow", "status", "earlier_penetration_m"}).foreign)
       found.foreign.push_back("blows." + word);
+  for (const json& layer : result.value("layers", json::array()))
+    for (const std::string& word :
+         walk(layer, {},
+              {"layer", "material", "highest_tested_strain", "time_beyond_tested_s", "time_struck_through_s"})
+             .foreign)
+      found.foreign.push_back("layers." + word);
   return found;
 }
 
