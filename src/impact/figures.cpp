@@ -86,6 +86,9 @@ Moment where_force_falls_below(double level, const Track& track, std::size_t i, 
   return {time, h.velocity[i] - impulse / impactor.mass + impactor.gravity * duration};
 }
 
+/// Values that differ by less, relative, are the same.
+constexpr double plateau = 1e-12;
+
 struct Peak {
   double time = 0;
   double value = 0;
@@ -100,7 +103,9 @@ Peak peak_of(const std::vector<double>& values, const Track& track) {
     for (std::size_t i = first; i <= last; ++i)
       if (values[i] > values[top]) top = i;
     Peak here{times[top], values[top]};
-    if (top > first && top < last) {
+    // On a plateau there is nothing between the entries.
+    const bool is_peak = top > first && top < last && values[top + 1] < (1 - plateau) * values[top];
+    if (is_peak) {
       const Parabola p(times, values, top - 1);
       if (p.curvature() < 0) {
         here.time =
