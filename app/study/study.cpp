@@ -40,12 +40,13 @@ are there but some are doubtful (tolerance missed, no valid case, a figure missi
 Ctrl-C or SIGTERM: the same command goes on.)";
 
 int run_here(const StudyRequest& request, const fs::path& materials) {
+  // Before the store is there: who sees its file may stop the study, and is told how it goes on.
+  const StopSignal stop;
   const study::Study study = study::read_study(request.study_file, materials);
   study::Store store = open_store(study, request.store_file);
   const std::uint64_t before = store.rows_done();
   const auto begin = std::chrono::steady_clock::now();
   bool complete = false;
-  const StopSignal stop;
   {
     StudyProgress progress{request.quiet};
     complete = study::run(study, store,

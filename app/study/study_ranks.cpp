@@ -115,6 +115,7 @@ int lead(const study::Study& study, study::Store& store, const StudyRequest& req
 }
 
 int run_on(const Ranks& ranks, const StudyRequest& request, const std::filesystem::path& materials) {
+  const StopSignal stop;
   std::optional<study::Study> study;
   std::optional<study::Store> store;
   const auto read = [&] {
@@ -132,7 +133,6 @@ int run_on(const Ranks& ranks, const StudyRequest& request, const std::filesyste
   if (!is_agreed(ranks, complaints_of(open))) return exit_done;
 
   const std::uint64_t batch_size = ranks.of_first(store ? store->batch_size() : 0);
-  const StopSignal stop;
   if (ranks.is_first()) return lead(*study, *store, request, ranks.size() - 1);
   compute_what_is_asked(*study, batch_size, ranks.rank());
   return exit_done;

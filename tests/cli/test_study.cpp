@@ -133,11 +133,12 @@ TEST_F(StudyTest, ASignalStopsItAndTheSameCommandGoesOn) {
   write_file(file("long.toml"), with(drawn_study, "samples = 200", "samples = 20000"));
   const std::string command = "$DASHPAD study " + file("long.toml") + " --out " + file("long.db");
   for (const auto& [signal, code] : {std::pair{"TERM", 128 + SIGTERM}, std::pair{"HUP", 128 + SIGHUP}}) {
-    // Not before the study has begun to write, however slow the machine and the build are.
-    const std::string begun = "find " + file("") + " -name 'long.db*' -newer " + file("stamp");
-    const Outcome stopped =
-        shell("touch " + file("stamp") + "; sleep 0.02; " + command + " & until " + begun +
-              " | grep -q .; do sleep 0.02; done; sleep 0.3; kill -" + signal + " $!; wait $!");
+    // Not before the study has begun to write and has rows, however slow the machine and the build are.
+    const std::string begun = "find " + file("") + " -name 'long.db*' -newer " + file("stamp") +
+                              " | grep -q . && $DASHPAD study summary " + file("long.db") +
+                              " > /dev/null 2> /dev/null";
+    const Outcome stopped = shell("touch " + file("stamp") + "; sleep 0.02; " + command + " & until " +
+                                  begun + "; do sleep 0.02; done; kill -" + signal + " $!; wait $!");
     EXPECT_EQ(stopped.exit_code, code) << stopped.err;
     EXPECT_THAT(stopped.err, HasSubstr("The same command goes on"));
     EXPECT_EQ(stopped.out, "");
