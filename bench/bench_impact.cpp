@@ -7,7 +7,7 @@
 
 #include "cases.hpp"
 #include "dashpad/impact/solve.hpp"
-#include "impact/track.hpp"
+#include "dashpad/impact/solver.hpp"
 #include "model/contact/column_field.hpp"
 
 namespace dashpad::bench {
@@ -29,9 +29,8 @@ void impact(benchmark::State& state, const std::string& id) {
 /// What solve() takes before its first step, whatever the case: the storage of a history.
 void storage(benchmark::State& state) {
   while (state.KeepRunning()) {
-    Track track;
-    track.reserve(Options{}.most_steps + 2);
-    benchmark::DoNotOptimize(track);
+    Solver solver;
+    benchmark::DoNotOptimize(solver);
   }
 }
 

@@ -64,6 +64,14 @@ void add_point(ContactSnapshot& snapshot, double radius, double strain, double s
   snapshot.stress.push_back(std::max(stress, 0.0));
 }
 
+/// Takes a contact from one entry of a history to another, step by step.
+template <IsContact Contact>
+void replay(const History& history, std::size_t& now, std::size_t entry, Contact& contact) {
+  for (; now < entry; ++now)
+    contact.accept(contact.trial(history.penetration[now + 1] - history.penetration[now], history.time[now],
+                                 history.time[now + 1] - history.time[now]));
+}
+
 /// The columns that press, out to where the stress vanishes.
 template <class Law>
 void look_at(const ColumnField<Law>& field, double penetration, const Sections& nose, double thickness,
@@ -95,11 +103,7 @@ std::vector<ContactSnapshot> replayed(const Law& law, const ImpactCase& impact, 
   std::vector<ContactSnapshot> snapshots;
   std::size_t now = 0;
   for (const std::size_t entry : chosen_entries(history)) {
-    for (; now < entry; ++now) {
-      const double step = history.time[now + 1] - history.time[now];
-      field.accept(
-          field.trial(history.penetration[now + 1] - history.penetration[now], history.time[now], step));
-    }
+    replay(history, now, entry, field);
     ContactSnapshot snapshot = empty_snapshot(history, entry);
     snapshot.determined = history.penetration[entry] < field.lock_penetration() * (1 - 1e-12);
     look_at(field, history.penetration[entry], nose, thickness, snapshot);
@@ -117,9 +121,7 @@ std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const Impact
   std::vector<ContactSnapshot> snapshots;
   std::size_t now = 0;
   for (const std::size_t entry : chosen_entries(history)) {
-    for (; now < entry; ++now)
-      contact.accept(contact.trial(history.penetration[now + 1] - history.penetration[now], history.time[now],
-                                   history.time[now + 1] - history.time[now]));
+    replay(history, now, entry, contact);
     ContactSnapshot snapshot = empty_snapshot(history, entry);
     snapshot.determined =
         history.penetration[entry] < (contact.crater() + contact.lock_penetration()) * (1 - 1e-12);
@@ -141,9 +143,7 @@ std::vector<ContactSnapshot> from_layers(const ImpactCase& impact, const History
   std::vector<ContactSnapshot> snapshots;
   std::size_t now = 0;
   for (const std::size_t entry : chosen_entries(history)) {
-    for (; now < entry; ++now)
-      contact.accept(contact.trial(history.penetration[now + 1] - history.penetration[now], history.time[now],
-                                   history.time[now + 1] - history.time[now]));
+    replay(history, now, entry, contact);
     ContactSnapshot snapshot = empty_snapshot(history, entry);
     snapshot.determined = history.penetration[entry] < contact.lock_penetration() * (1 - 1e-12);
     // Below a flat tip all is as on the axis.

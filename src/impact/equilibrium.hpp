@@ -112,7 +112,7 @@ class Equilibrium {
     const auto residual = [&](double force) {
       const double extended =
           force >= 0 ? 0 : force * foundation_.static_compliance(now().back, foundation_.backing().preload);
-      return motion_.residual(contact_, now().penetration, force, step, trial.end) + extended;
+      return motion_.residual(now().penetration, force, step, trial.end) + extended;
     };
     find_root(
         residual, [&](double left) { return is_rounding(left, scale); }, search);
@@ -126,7 +126,7 @@ class Equilibrium {
     Trial trial;
     trial.step = step;
     trial.pad_stiffness = predictor.pad_stiffness();
-    trial.end.penetration = -motion_.residual(contact_, 0, 0, step, trial.end);
+    trial.end.penetration = -motion_.residual(0, 0, step, trial.end);
     trial.end.drive = trial.end.velocity - trial.end.back.velocity();
     // Foam that stays crushed waits for the nose where it was left.
     const double advance = contact_.recovers() ? trial.end.penetration - now().penetration : 0;
@@ -141,7 +141,7 @@ class Equilibrium {
     trial.pad_stiffness = predictor.pad_stiffness();
     const double y = contact_.lock_penetration();
     trial.pad = contact_.trial(y - now().penetration, now().time, step);
-    motion_.residual(contact_, y, trial.pad.force, step, trial.end);
+    motion_.residual(y, trial.pad.force, step, trial.end);
     trial.end.drive = trial.end.velocity - trial.end.back.velocity();
     return trial;
   }
@@ -153,7 +153,7 @@ class Equilibrium {
     Trial trial;
     trial.step = step;
     trial.pad_stiffness = predictor.pad_stiffness();
-    trial.end.penetration = -motion_.residual(contact_, 0, force, step, trial.end);
+    trial.end.penetration = -motion_.residual(0, force, step, trial.end);
     const double advance = trial.end.penetration - now().penetration;
     if (phase == Phase::loading ? advance > 0 : advance < 0) {
       trial.pad = contact_.trial(advance, now().time, step);
@@ -178,7 +178,7 @@ class Equilibrium {
     const double rate = contact_.force_rate_when_held(trial.pad);
     trial.end.drive =
         trial.end.velocity - foundation_.retreat(trial.end.back, trial.end.force, trial.pad.force, rate);
-    trial.force_rate = motion_.force_rate_after(trial.end.force, trial.step);
+    if (foundation_.crushes()) trial.force_rate = motion_.force_rate_after(trial.end.force, trial.step);
     if constexpr (FollowsRate<Contact>) {
       trial.lasting_stiffness = contact_.lasting_stiffness(trial.pad);
       if (trial.pad.advance < 0 || is_loaded_again())
@@ -261,8 +261,7 @@ class Equilibrium {
           std::abs(force - before.force) > numerics.least_change_of_force * std::abs(force))
         trial.pad_stiffness = std::max((force - before.force) / distance, force / of_.thickness_);
       ++trials_;
-      return of_.motion_.residual(of_.contact_, of_.now().penetration + advance, force, trial.step,
-                                  trial.end);
+      return of_.motion_.residual(of_.now().penetration + advance, force, trial.step, trial.end);
     }
 
     /// What is left of the residual is taken up by the force, in proportion: Eq. 25 then holds but for the
@@ -282,8 +281,8 @@ class Equilibrium {
                 std::abs(missing) < numerics.most_take_up * std::abs(trial.pad.advance));
       const double force = end.force;
       if (force > 0)
-        of_.motion_.residual(of_.contact_, end.penetration,
-                             std::max(force + trial.pad_stiffness * missing, force / 2), trial.step, end);
+        of_.motion_.residual(end.penetration, std::max(force + trial.pad_stiffness * missing, force / 2),
+                             trial.step, end);
       return true;
     }
 

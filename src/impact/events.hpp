@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "impact/numerics.hpp"
 #include "impact/trial.hpp"
@@ -39,7 +41,7 @@ struct EventKind {
   /// The step ends just after the event: its far side has a solution.
   bool ends_after;
 
-  [[nodiscard]] bool may_happen_in(Phase phase) const {
+  [[nodiscard]] constexpr bool may_happen_in(Phase phase) const {
     switch (phase) {
       case Phase::loading: return from_loading;
       case Phase::unloading: return from_unloading;
@@ -48,9 +50,6 @@ struct EventKind {
       case Phase::over: break;
     }
     return false;
-  }
-  [[nodiscard]] bool has_happened(const Sight& sight) const {
-    return may_happen_in(sight.phase) && is_armed(sight) && indicator(sight) <= 0;
   }
 };
 
@@ -127,22 +126,42 @@ struct FirstEvent {
   [[nodiscard]] Event event() const { return kind == nullptr ? Event::none : kind->event; }
 };
 
-/// `sight.corner` is overwritten. A trial without a solution has no other event than what is in its way.
-inline FirstEvent first_event(Sight sight) {
+/// The rows that can happen in a phase, each looked at by a call that the compiler knows.
+template <Phase phase>
+FirstEvent first_event_in(Sight sight) {
   FirstEvent first;
   const auto look = [&](const EventKind& kind, double corner) {
     sight.corner = corner;
-    if (!kind.has_happened(sight)) return;
+    if (!(kind.is_armed(sight) && kind.indicator(sight) <= 0)) return;
     if (first.count++ == 0) first.kind = &kind, first.corner = corner;
   };
-  for (const EventKind& kind : event_table) {
-    if (sight.trial.obstacle != Event::none && kind.event != sight.trial.obstacle) continue;
-    if (kind.event != Event::corner)
-      look(kind, 0);
-    else
-      for (const double corner : sight.foundation.corners()) look(kind, corner);
+  const auto look_at = [&]<std::size_t row>(std::integral_constant<std::size_t, row>) {
+    constexpr const EventKind& kind = event_table[row];
+    if constexpr (kind.may_happen_in(phase)) {
+      if (sight.trial.obstacle != Event::none && kind.event != sight.trial.obstacle) return;
+      if constexpr (kind.event != Event::corner)
+        look(kind, 0);
+      else
+        for (const double corner : sight.foundation.corners()) look(kind, corner);
+    }
+  };
+  [&]<std::size_t... row>(std::index_sequence<row...>) {
+    (look_at(std::integral_constant<std::size_t, row>()), ...);
   }
+  (std::make_index_sequence<event_table.size()>());
   return first;
+}
+
+/// `sight.corner` is overwritten. A trial without a solution has no other event than what is in its way.
+inline FirstEvent first_event(const Sight& sight) {
+  switch (sight.phase) {
+    case Phase::loading: return first_event_in<Phase::loading>(sight);
+    case Phase::unloading: return first_event_in<Phase::unloading>(sight);
+    case Phase::held: return first_event_in<Phase::held>(sight);
+    case Phase::flight: return first_event_in<Phase::flight>(sight);
+    case Phase::over: break;
+  }
+  return {};
 }
 
 }  // namespace dashpad

@@ -37,7 +37,7 @@ class March {
         foundation_(impact.support, impact.backing, impactor_.mass),
         contact_(contact),
         options_(options),
-        motion_(impactor_, foundation_),
+        motion_(impactor_, foundation_, contact),
         equilibrium_(contact, foundation_, motion_, thickness_),
         control_(impactor_.mass, sections_of(impact), thickness_, foundation_) {
     if constexpr (RemembersBlows<Contact>) {

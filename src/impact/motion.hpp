@@ -21,16 +21,16 @@ namespace dashpad {
 template <IsContact Contact>
 class Motion {
  public:
-  Motion(const Impactor& impactor, const Foundation& foundation)
-      : mass_(impactor.mass), gravity_(impactor.gravity), foundation_(foundation) {}
+  Motion(const Impactor& impactor, const Foundation& foundation, const Contact& contact)
+      : mass_(impactor.mass), gravity_(impactor.gravity), foundation_(foundation), contact_(contact) {}
 
   /// `force`: at first contact, N.
   void start(double speed, double force) {
     now_ = {};
     now_.velocity = now_.drive = speed;
-    now_.force = now_.back.transmitted = force;
-    force_rate_ = last_step_ = 0;
-    smooth_ = false;
+    now_.back.transmitted = force;
+    last_step_ = 0;
+    jump_to(force);
   }
   [[nodiscard]] const State& now() const { return now_; }
   /// Of the last step, N/s and s.
@@ -43,6 +43,7 @@ class Motion {
     last_step_ = step;
     smooth_ = smooth;
     now_ = end;
+    learn_work();
   }
   void stop() { now_.velocity = 0; }
   /// The nose meets foam that stayed crushed: the force jumps.
@@ -68,22 +69,13 @@ class Motion {
 
   /// Fills `end`, but for its drive, for a trial penetration and its force; returns the residual of Eq. 25,
   /// m.
-  double residual(const Contact& contact, double penetration, double force, double step, State& end) const {
+  double residual(double penetration, double force, double step, State& end) const {
     end.penetration = penetration;
     end.force = force;
     end.time = now_.time + step;
-    StepForce over = force_over(force, step);
-    if constexpr (HasEnergy<Contact>) {
-      if (foundation_.is_elastic()) {
-        over.mean = mean_force(contact, penetration, force);
-        over.moment = over.mean / 2;
-      }
-    }
+    const StepForce over = force_over(penetration, force, step);
     end.velocity = now_.velocity - over.mean * step / mass_ + gravity_ * step;
-    if (HasEnergy<Contact> && foundation_.is_elastic())
-      end.motion = now_.motion + (now_.velocity + end.velocity) / 2 * step;
-    else
-      end.motion = now_.motion + (now_.velocity - over.moment * step / mass_ + gravity_ * step / 2) * step;
+    end.motion = now_.motion + (now_.velocity - over.moment * step / mass_ + gravity_ * step / 2) * step;
     if (foundation_.is_plain()) return penetration + foundation_.deflection(force) - end.motion;
     end.back = foundation_.after(now_.back, over);
     return penetration + end.back.motion() - end.motion;
@@ -121,34 +113,51 @@ class Motion {
     now_.force = force;
     force_rate_ = 0;
     smooth_ = false;
+    learn_work();
   }
-  [[nodiscard]] StepForce force_over(double force, double step) const {
+  /// A pad without memory on an elastic support: the work is a function of where the two are.
+  [[nodiscard]] bool keeps_energy() const { return HasEnergy<Contact> && foundation_.is_elastic(); }
+  [[nodiscard]] StepForce force_over(double penetration, double force, double step) const {
+    if constexpr (HasEnergy<Contact>) {
+      if (foundation_.is_elastic()) {
+        const double mean = mean_force(penetration, force);
+        return {now_.force, force, mean, mean / 2, step};
+      }
+    }
     const double rise = force - now_.force;
     const double bend = share_of_bend(step) * (rise - force_rate_ * step);
     return {now_.force, force, now_.force + rise / 2 - bend / 6, now_.force / 2 + rise / 6 - bend / 12, step};
   }
-  double mean_force(const Contact& contact, double penetration, double force) const {
-    const double closer = penetration + foundation_.deflection(force);
-    const double closer_now = now_.penetration + foundation_.deflection(now_.force);
-    const double distance = closer - closer_now;
-    if (std::abs(distance) > 1e-7 * (std::abs(closer) + std::abs(closer_now)))
-      return (foundation_.elastic_energy(force) - foundation_.elastic_energy(now_.force) +
-              contact.energy(penetration) - contact.energy(now_.penetration)) /
-             distance;
+  /// Way and work of pad and support together up to now, which all trials from here share.
+  void learn_work() {
+    if constexpr (HasEnergy<Contact>) {
+      if (!foundation_.is_elastic()) return;
+      way_ = now_.penetration + foundation_.deflection(now_.force);
+      work_ = foundation_.elastic_energy(now_.force) + contact_.energy(now_.penetration);
+    }
+  }
+  [[nodiscard]] double mean_force(double penetration, double force) const {
+    const double way = penetration + foundation_.deflection(force);
+    const double distance = way - way_;
+    if (std::abs(distance) > 1e-7 * (std::abs(way) + std::abs(way_)))
+      return (foundation_.elastic_energy(force) + contact_.energy(penetration) - work_) / distance;
     return (now_.force + force) / 2;
   }
   [[nodiscard]] double share_of_moment(double step) const {
-    return HasEnergy<Contact> && foundation_.is_elastic() ? 0.25 : 1.0 / 6 - share_of_bend(step) / 12;
+    return keeps_energy() ? 0.25 : 1.0 / 6 - share_of_bend(step) / 12;
   }
   [[nodiscard]] double share_of_bend(double step) const { return smooth_ ? step / (step + last_step_) : 0; }
 
   double mass_;
   double gravity_;
   const Foundation& foundation_;
+  const Contact& contact_;
   State now_;
   double force_rate_ = 0;
   double last_step_ = 0;
   bool smooth_ = false;
+  double way_ = 0;   ///< m
+  double work_ = 0;  ///< J
 };
 
 }  // namespace dashpad

@@ -34,8 +34,9 @@ void check(const ImpactCase& impact, bool law_is_sound, const Options& options) 
   throw std::invalid_argument(message);
 }
 
-/// Entries of a history for which there is room from the start: more than most impacts need.
-constexpr std::size_t usual_entries = 2000;
+/// Entries of a history for which there is room from the start: more than most impacts need, and in all less
+/// than the 128 KiB that the heap hands back to the system, and has to ask for anew, with every Solver.
+constexpr std::size_t usual_entries = 700;
 
 /// Runs the impact at finer and finer resolution until the figures settle.
 template <class Contact>

@@ -48,8 +48,8 @@ EnergyLedger ledger_of(const Impactor& impactor, const Figures& figures) {
   energy.support_loss = figures.support_loss;
   energy.moving = figures.moving_energy;
   energy.pad = figures.pad_work;
-  energy.residual = energy.impact + energy.weight - energy.kinetic - energy.support - energy.support_loss -
-                    energy.moving - energy.pad;
+  energy.residual =
+      energy.supply() - energy.kinetic - energy.support - energy.support_loss - energy.moving - energy.pad;
   return energy;
 }
 

@@ -39,7 +39,7 @@ struct Trial {
   double step = 0;               ///< s
   double pad_stiffness = 0;      ///< dF/dY over the step, N/m
   double lasting_stiffness = 0;  ///< without what a change of the rate adds at once; 0: the same
-  double force_rate = 0;         ///< of the force, at the end, N/s: by the parabola of Eq. 23
+  double force_rate = 0;         ///< dF/dt at the end, N/s, by the parabola of Eq. 23; of supports that crush
   Event obstacle = Event::none;  ///< why Eq. 25 has no solution over this step in this phase
 
   /// Which steps must resolve, N/m.

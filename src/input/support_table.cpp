@@ -69,10 +69,10 @@ SupportEntry read_support(TableReader& table) {
                   : type == "curve" ? read_curve(table)
                                     : Support::rigid();
   entry.backing = read_parameters<Backing>(table);
-  for (const char* mass : {"mass", "body_mass"})
-    if (table.has(mass) &&
-        entry.backing.*(mass == std::string_view("mass") ? &Backing::mass : &Backing::body_mass) == 0)
-      table.fault(mass, "must be more than 0; without one, leave the key out");
+  for (const Parameter<Backing>& parameter : Backing::parameters)
+    if (parameter.unit == std::string_view("kg") && table.has(parameter.key) &&
+        entry.backing.*parameter.member == 0)
+      table.fault(parameter.key, "must be more than 0; without one, leave the key out");
   table.refuse_others();
   entry.is_known = table.faults().size() == faults;
   return entry;

@@ -23,6 +23,7 @@ const Support curved_support = Support::through({{0.01, 100}, {0.02, 400}, {0.03
 const Foundation rigid{rigid_support, {}, mass};
 const Foundation spring{linear_support, {}, mass};
 const Foundation corners{curved_support, {}, mass};
+const CurveContact pad{StressCurve{}, true, thickness, Sphere{radius}.sections()};
 
 /// A trial from a state with the force and drive `now` to one with those of `end`.
 struct Tried {
@@ -204,7 +205,7 @@ TEST(StepControl, BeginsWithAQuarterOfWhatItsOwnStiffnessAllows) {
 
 TEST(StepControl, GrowsByHalf) {
   StepControl control = control_on(rigid);
-  Motion<CurveContact> motion({.mass = mass}, spring);
+  Motion<CurveContact> motion({.mass = mass}, spring, pad);
   Predictor predictor;
   predictor.start(2, 1e5);
   control.learn(Phase::loading, {}, predictor);
@@ -220,7 +221,7 @@ TEST(StepControl, GrowsByHalf) {
 TEST(StepControl, ShrinksAboutTheTurningPointOnARigidSupport) {
   const auto steps_on = [](const Foundation& foundation) {
     StepControl control = control_on(foundation);
-    Motion<CurveContact> motion({.mass = mass}, foundation);
+    Motion<CurveContact> motion({.mass = mass}, foundation, pad);
     Predictor predictor;
     predictor.start(2, 1e5);
     control.learn(Phase::loading, {}, predictor);
@@ -246,7 +247,7 @@ TEST(StepControl, ShrinksAboutTheTurningPointOnARigidSupport) {
 
 TEST(StepControl, ShrinksTowardsTheRelease) {
   StepControl control = control_on(rigid);
-  Motion<CurveContact> motion({.mass = mass}, spring);
+  Motion<CurveContact> motion({.mass = mass}, spring, pad);
   Predictor predictor;
   predictor.start(-0.01, 1e5);
   control.learn(Phase::unloading, {}, predictor);

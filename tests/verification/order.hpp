@@ -47,7 +47,7 @@ inline State loaded_for(const ImpactCase& impact, double time, int steps, double
   State end;
   Contacts().visit(impact, ColumnMath::vector, [&]<class Contact>(Contact& contact) {
     const Foundation foundation(impact.support, impact.backing, impact.impactor.mass);
-    Motion<Contact> motion(impact.impactor, foundation);
+    Motion<Contact> motion(impact.impactor, foundation, contact);
     Equilibrium<Contact> equilibrium(contact, foundation, motion, impact.pad.thickness);
     Predictor predictor;
     const double step = time / steps;

@@ -10,29 +10,38 @@ namespace {
 
 constexpr int series_terms = 80;  // 2^-80: below rounding on [0, 1/2]
 
+/// What interpolation at Chebyshev points shares, whatever the function: it takes longer than all else here.
+template <std::size_t N>
+struct ChebyshevTable {
+  std::array<double, N> point{};                      ///< from -1 to 1
+  std::array<std::array<double, N>, N> polynomial{};  ///< [j][k]: T_j at point k
+  std::array<std::array<double, N>, N> monomial{};    ///< [j][i]: factor of y^i in T_j
+
+  ChebyshevTable() {
+    for (std::size_t j = 0; j < N; ++j)
+      for (std::size_t k = 0; k < N; ++k)
+        polynomial[j][k] =
+            std::cos(std::numbers::pi * static_cast<double>(j) * (static_cast<double>(k) + 0.5) / N);
+    point = polynomial[1];
+    monomial[0][0] = monomial[1][1] = 1;
+    for (std::size_t j = 2; j < N; ++j)
+      for (std::size_t i = 0; i < N; ++i)
+        monomial[j][i] = (i > 0 ? 2 * monomial[j - 1][i - 1] : 0) - monomial[j - 2][i];
+  }
+};
+
 /// Monomial coefficients in y = 4x - 1 of the Chebyshev interpolant of f on 0 <= x <= 1/2.
 template <std::size_t N, class F>
 std::array<double, N> interpolate(F&& f) {
+  static const ChebyshevTable<N> table;
   std::array<double, N> value{};
-  for (std::size_t k = 0; k < N; ++k)
-    value[k] = f((1 + std::cos(std::numbers::pi * (static_cast<double>(k) + 0.5) / N)) / 4);
+  for (std::size_t k = 0; k < N; ++k) value[k] = f((1 + table.point[k]) / 4);
   std::array<double, N> coefficient{};
-  std::array<double, N> before{};  // T_(j-1) and T_j as monomials
-  std::array<double, N> now{};
-  now[0] = 1;
   for (std::size_t j = 0; j < N; ++j) {
     double c = 0;
-    for (std::size_t k = 0; k < N; ++k)
-      c +=
-          value[k] * std::cos(std::numbers::pi * static_cast<double>(j) * (static_cast<double>(k) + 0.5) / N);
+    for (std::size_t k = 0; k < N; ++k) c += value[k] * table.polynomial[j][k];
     c *= (j == 0 ? 1.0 : 2.0) / N;
-    for (std::size_t i = 0; i < N; ++i) coefficient[i] += c * now[i];
-    std::array<double, N> next{};
-    for (std::size_t i = 0; i + 1 < N; ++i) next[i + 1] = (j == 0 ? 1.0 : 2.0) * now[i];
-    if (j > 0)
-      for (std::size_t i = 0; i < N; ++i) next[i] -= before[i];
-    before = now;
-    now = next;
+    for (std::size_t i = 0; i <= j; ++i) coefficient[i] += c * table.monomial[j][i];
   }
   return coefficient;
 }

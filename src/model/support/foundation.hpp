@@ -65,7 +65,6 @@ class Foundation {
   }
   /// Whether a force without limit would be needed to stop a pad that is fully compressed.
   [[nodiscard]] bool stops_hard() const { return support_.is_rigid() || kind_ == Kind::panel; }
-  [[nodiscard]] bool is_rigid() const { return support_.is_rigid(); }
   [[nodiscard]] bool crushes() const { return crushes_; }
   /// Whether the back may come after an impactor that has left the pad.
   [[nodiscard]] bool swings() const { return kind_ == Kind::panel; }
