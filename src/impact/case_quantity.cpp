@@ -109,6 +109,9 @@ void add_pad(const ImpactCase& base, std::vector<CaseQuantity>& into) {
   if (base.pad.area)
     into.push_back(quantity_at(
         "pad.area", "m2", [](auto& impact) -> auto& { return impact.pad.area; }));
+  if (base.pad.sheet > 0)
+    into.push_back(quantity_at(
+        "pad.sheet_mass_per_area", "kg/m2", [](auto& impact) -> auto& { return impact.pad.sheet; }));
   if (!is_layered)
     add_material(
         base, "pad.", [](auto& impact) -> auto& { return impact.pad; }, into);

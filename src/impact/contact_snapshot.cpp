@@ -51,7 +51,7 @@ std::vector<std::size_t> chosen_entries(const History& history) {
 ContactSnapshot empty_snapshot(const History& history, std::size_t entry) {
   ContactSnapshot snapshot;
   snapshot.time = history.time[entry];
-  snapshot.force = history.force[entry];
+  snapshot.force = history.force_of_pad()[entry];
   const auto peak = std::max_element(history.force.begin(), history.force.end()) - history.force.begin();
   const auto place = static_cast<std::ptrdiff_t>(entry) - peak;
   snapshot.when = place < 0 ? "loading" : place == 0 ? "peak force" : "unloading";

@@ -86,6 +86,28 @@ Moment where_force_falls_below(double level, const Track& track, std::size_t i, 
   return {time, h.velocity[i] - impulse / impactor.mass + impactor.gravity * duration};
 }
 
+/// Integral of a force over a way, both given at the entries of a track.
+double work_of(const Track& track, const std::vector<double>& force, const std::vector<double>& way) {
+  const std::vector<double>& time = track.history.time;
+  double sum = 0;
+  for_each_stretch(track, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto with = [&](std::size_t start) {
+        return work_of(Parabola(time, force, start), Parabola(time, way, start), time[i], time[i + 1]);
+      };
+      const bool behind = i > first;
+      const bool ahead = i + 2 <= last;
+      if (behind && ahead)
+        sum += (with(i - 1) + with(i)) / 2;
+      else if (behind || ahead)
+        sum += with(behind ? i - 1 : i);
+      else
+        sum += (force[i] + force[i + 1]) / 2 * (way[i + 1] - way[i]);
+    }
+  });
+  return sum;
+}
+
 /// Values that differ by less, relative, are the same.
 constexpr double plateau = 1e-12;
 
@@ -177,24 +199,12 @@ void read_contact_end(const Track& track, const Impactor& impactor, Figures& fig
 
 double work_on_pad(const Track& track) {
   const History& h = track.history;
-  double sum = 0;
-  for_each_stretch(track, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const auto with = [&](std::size_t start) {
-        return work_of(Parabola(h.time, h.force, start), Parabola(h.time, h.penetration, start), h.time[i],
-                       h.time[i + 1]);
-      };
-      const bool behind = i > first;
-      const bool ahead = i + 2 <= last;
-      if (behind && ahead)
-        sum += (with(i - 1) + with(i)) / 2;
-      else if (behind || ahead)
-        sum += with(behind ? i - 1 : i);
-      else
-        sum += (h.force[i] + h.force[i + 1]) / 2 * (h.penetration[i + 1] - h.penetration[i]);
-    }
-  });
-  return sum;
+  return work_of(track, h.force_of_pad(), h.penetration);
+}
+
+double work_on_sheet(const Track& track) {
+  const History& h = track.history;
+  return work_of(track, h.force, h.motion) - work_of(track, h.pad_force, h.motion);
 }
 
 }  // namespace dashpad

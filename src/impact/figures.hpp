@@ -35,6 +35,8 @@ struct Figures {
   double crushing_force = 0;    ///< N, largest of a support that crushes
   double body_velocity = 0;     ///< m/s, at the end
   double pad_work = 0;          ///< J, integral of F dY
+  double sheet_energy = 0;      ///< J, that the impactor has given a sheet on the pad
+  double speed_to_sheet = 0;    ///< m/s, lost to it by a flat tip at first contact
   int reloadings = 0;
   std::size_t stations = 0;
   std::size_t updates = 0;  ///< of columns, in all trials
@@ -54,5 +56,7 @@ void read_contact_end(const Track& track, const Impactor& impactor, Figures& fig
 /// Integral of F dY over the track, by local parabolas of F(t) and Y(t) within each smooth stretch: of higher
 /// order than the step, so that it audits the step's energy (theory.md, Eq. 30).
 double work_on_pad(const Track& track);
+/// Of what a sheet on the pad takes from the impactor, over its motion, likewise.
+double work_on_sheet(const Track& track);
 
 }  // namespace dashpad

@@ -114,6 +114,12 @@ std::vector<Flag> flags(const Summary& summary) {
     all.push_back({"PULSE CUT",
                    "PULSE CUT: the pulse ends before the force has returned to zero; HIC, clips and the "
                    "duration of the whole pulse are not known"});
+  if (summary.speed_to_sheet > 0)
+    all.push_back(
+        {"SHEET STRUCK FLAT",
+         fmt::format("SHEET STRUCK FLAT: the flat nose loses {:.2g} m/s to the sheet at first contact, in "
+                     "a blow that no force or acceleration here shows",
+                     summary.speed_to_sheet)});
   if (gained_energy(summary)) all.push_back({"ENERGY GAINED", gain(summary)});
   if (summary.bottomed) all.push_back({"BOTTOMED", bottoming(summary)});
   if (is_series_cut(summary)) all.push_back({"SERIES CUT", series_cut(summary)});

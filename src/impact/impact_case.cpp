@@ -31,6 +31,7 @@ struct Range {
 constexpr Range masses{1e-6, 1e6, "kg"};
 constexpr Range lengths{1e-5, 1e2, "m"};
 constexpr Range areas{1e-10, 1e4, "m2"};
+constexpr Range masses_per_area{1e-3, 1e3, "kg/m2"};
 constexpr Range speeds{1e-4, 1e3, "m/s"};
 constexpr Range stiffnesses{1e-3, 1e15, "N/m"};
 constexpr Range dampings{1e-6, 1e12, "N s/m"};
@@ -131,6 +132,14 @@ void check_blows(std::vector<Violation>& broken, const ImpactCase& impact) {
         {"blows.recovery", recovery, "must be 0: a pad of the law " + name_of(law) + " does not recover"});
 }
 
+void check_sheet(std::vector<Violation>& broken, const ImpactCase& impact) {
+  const char* const key = "pad.sheet_mass_per_area";
+  check(broken, key, impact.pad.sheet, masses_per_area);
+  if (impact.blows || impact.pad.earlier_penetration != 0)
+    broken.push_back({key, impact.pad.sheet,
+                      "must be left out with earlier blows: how a sheet lies after a blow is not known"});
+}
+
 /// What is 0 is not there.
 void check_backing(std::vector<Violation>& broken, const Support& support, const Backing& of) {
   const std::size_t before = broken.size();
@@ -215,6 +224,7 @@ std::vector<Violation> violations_with(std::vector<Violation> of_material, const
   if (std::ranges::all_of(impact.pad.layers, [](const PadLayer& layer) { return layer.thickness > 0; }))
     check(broken, "pad.thickness", impact.pad.thickness, lengths);
   if (impact.pad.area) check(broken, "pad.area", *impact.pad.area, areas);
+  if (impact.pad.sheet != 0) check_sheet(broken, impact);
   if (impact.pad.layers.empty()) {
     add(broken, std::move(of_material), "pad.");
     add(broken, violations(impact.pad.condition, impact.pad.material), "pad.");

@@ -20,6 +20,7 @@
 #include "impact/motion.hpp"
 #include "impact/numerics.hpp"
 #include "impact/predictor.hpp"
+#include "impact/sheet.hpp"
 #include "impact/step_control.hpp"
 #include "impact/swing.hpp"
 #include "impact/track.hpp"
@@ -37,7 +38,8 @@ class March {
         foundation_(impact.support, impact.backing, impactor_.mass),
         contact_(contact),
         options_(options),
-        motion_(impactor_, foundation_, contact),
+        has_sheet_(impact.pad.sheet > 0),
+        motion_(impactor_, foundation_, contact, Sheet(impact.pad.sheet, sections_of(impact))),
         equilibrium_(contact, foundation_, motion_, thickness_),
         control_(impactor_.mass, sections_of(impact), thickness_, foundation_) {
     if constexpr (RemembersBlows<Contact>) {
@@ -83,7 +85,6 @@ class March {
   double begin(double resolution, double expected, Track& track) {
     resolution_ = resolution;
     figures_ = {};
-    figures_.peak_pad_rate = impactor_.speed;
     // What does not give way at once is held until the support pushes hard enough.
     const double strength = contact_.first_force();
     const double at_once = foundation_.force_at_once(impactor_.speed);
@@ -94,6 +95,7 @@ class March {
     turning_time_ = std::numeric_limits<double>::infinity();
     contact_.start(resolution, expected);
     motion_.start(impactor_.speed, phase_ == Phase::held ? at_once : strength);
+    figures_.peak_pad_rate = now_.velocity;
     equilibrium_.start(resolution);
     control_.start(resolution, contact_.lock_penetration());
     if constexpr (HasLayers<Contact>)
@@ -179,8 +181,8 @@ class March {
 
   /// The corner of a support at once at a moving pad with memory: the force is known.
   [[nodiscard]] bool is_corner(Event event) const {
-    return !memoryless && event == Event::corner && phase_ != Phase::held && phase_ != Phase::flight &&
-           foundation_.kind() == Foundation::Kind::at_once;
+    return !memoryless && !has_sheet_ && event == Event::corner && phase_ != Phase::held &&
+           phase_ != Phase::flight && foundation_.kind() == Foundation::Kind::at_once;
   }
 
   /// A trial that ends where an event is looked for, and its indicator: positive before the event.
@@ -332,8 +334,10 @@ class March {
     control_.learn_force(now_.force);
     History& h = track.history;
     h.time.push_back(now_.time);
-    h.force.push_back(now_.force);
-    h.acceleration.push_back(0 - now_.force / impactor_.mass);
+    const double force = motion_.force_on_impactor();
+    h.force.push_back(force);
+    h.acceleration.push_back(0 - force / impactor_.mass);
+    if (has_sheet_) h.pad_force.push_back(now_.force);
     h.velocity.push_back(now_.velocity);
     h.motion.push_back(now_.motion);
     // In flight the nose is above the pad.
@@ -372,6 +376,12 @@ class March {
                                                               : figures_.peak_penetration - crater_);
     else
       figures_.pad_work = work_on_pad(track);
+    if (has_sheet_) {
+      const double left = track.history.velocity.front();
+      figures_.speed_to_sheet = impactor_.speed - left;
+      figures_.sheet_energy =
+          impactor_.mass * figures_.speed_to_sheet * (impactor_.speed + left) / 2 + work_on_sheet(track);
+    }
     return figures_;
   }
 
@@ -382,6 +392,7 @@ class March {
   Foundation foundation_;
   Contact& contact_;
   const Options& options_;
+  bool has_sheet_;
   Motion<Contact> motion_;
   const State& now_ = motion_.now();
   Equilibrium<Contact> equilibrium_;

@@ -5,13 +5,15 @@
 ///   X1 = X0 + V0 dt - (F0 / 3 + F1 / 6 - q / 12) dt^2 / M
 ///
 /// and for gravity V1 + g dt, X1 + g dt^2 / 2. q is the bend of the parabola of F(t) through the last three
-/// moments, 0 after an event. For a pad without memory on an elastic support the mean force is the one whose
-/// work is exact (theory.md, Eq. 24). The back of the pad moves by the same force. Compression positive; SI
-/// units.
+/// moments, 0 after an event. A sheet adds its mass and drag (impact/sheet.hpp). For a pad without memory on
+/// an elastic support the mean force is the one whose work is exact (theory.md, Eq. 24). The back of the pad
+/// moves by the same force. Compression positive; SI units.
 
 #include <cmath>
+#include <utility>
 
 #include "dashpad/impact/impact_case.hpp"
+#include "impact/sheet.hpp"
 #include "impact/trial.hpp"
 #include "model/contact/contact.hpp"
 #include "model/support/foundation.hpp"
@@ -21,13 +23,18 @@ namespace dashpad {
 template <IsContact Contact>
 class Motion {
  public:
-  Motion(const Impactor& impactor, const Foundation& foundation, const Contact& contact)
-      : mass_(impactor.mass), gravity_(impactor.gravity), foundation_(foundation), contact_(contact) {}
+  Motion(const Impactor& impactor, const Foundation& foundation, const Contact& contact, Sheet sheet = {})
+      : mass_(impactor.mass),
+        gravity_(impactor.gravity),
+        foundation_(foundation),
+        contact_(contact),
+        sheet_(std::move(sheet)) {}
 
   /// `force`: at first contact, N.
   void start(double speed, double force) {
     now_ = {};
-    now_.velocity = now_.drive = speed;
+    sheet_.start();
+    now_.velocity = now_.drive = speed * mass_ / moving_mass();
     now_.back.transmitted = force;
     last_step_ = 0;
     jump_to(force);
@@ -39,6 +46,10 @@ class Motion {
 
   /// Takes the end of a step; `smooth`: the force goes on from it without a kink.
   void accept(const State& end, double step, bool smooth) {
+    if (sheet_.has_mass()) {
+      slope_ = force_rate_after(end.force, step);
+      sheet_.accept(contact_.contact_radius(), end.penetration < now_.penetration, step);
+    }
     force_rate_ = (end.force - now_.force) / step;
     last_step_ = step;
     smooth_ = smooth;
@@ -54,14 +65,14 @@ class Motion {
   /// The pad keeps its shape from now on, and what is behind it sets the force.
   void begin_holding() {
     now_.back = foundation_.stuck(now_.back, now_.velocity);
-    jump_to(foundation_.force_when_stuck(now_.back, now_.force, mass_, mass_ * gravity_));
+    jump_to(foundation_.force_when_stuck(now_.back, now_.force, moving_mass(), mass_ * gravity_));
   }
   /// Fills `end`, but for its drive, for a step in which it does; not for a support at once.
   void stick(double step, State& end) const {
     const BackState from = foundation_.stuck(now_.back, now_.velocity);
     end.time = now_.time + step;
     end.penetration = now_.penetration;
-    end.back = foundation_.after_with(from, mass_, mass_ * gravity_, step);
+    end.back = foundation_.after_with(from, moving_mass(), mass_ * gravity_, step);
     end.motion = now_.motion + (end.back.motion() - now_.back.motion());
     end.velocity = end.back.velocity();
     end.force = foundation_.force_when_stuck(end.back, now_.force, mass_, mass_ * gravity_);
@@ -74,11 +85,29 @@ class Motion {
     end.force = force;
     end.time = now_.time + step;
     const StepForce over = force_over(penetration, force, step);
-    end.velocity = now_.velocity - over.mean * step / mass_ + gravity_ * step;
-    end.motion = now_.motion + (now_.velocity - over.moment * step / mass_ + gravity_ * step / 2) * step;
+    if (sheet_.has_mass()) [[unlikely]] {
+      const Sheet::Load sheet = sheet_.load(now_.penetration, penetration, step);
+      const double mass = mass_ + sheet.mass;
+      move(end, over.mean + sheet.drag, over.moment + sheet.drag / 2, mass, gravity_ * mass_ / mass, step);
+    } else {
+      move(end, over.mean, over.moment, mass_, gravity_, step);
+    }
     if (foundation_.is_plain()) return penetration + foundation_.deflection(force) - end.motion;
     end.back = foundation_.after(now_.back, over);
     return penetration + end.back.motion() - end.motion;
+  }
+  /// N: what slows the impactor down, of the pad and of a sheet on it.
+  [[nodiscard]] double force_on_impactor() const {
+    if (!sheet_.has_mass()) return now_.force;
+    // A support at once has no rate of its own: that of the force tells it.
+    const bool at_once = foundation_.kind() == Foundation::Kind::at_once;
+    const double of_back =
+        at_once ? now_.back.body_velocity + foundation_.static_compliance(now_.back, now_.force) * slope_
+                : now_.back.velocity();
+    const double rate = now_.velocity - of_back;
+    const double carried = sheet_.carried();
+    return (now_.force + sheet_.drag(now_.penetration, rate) + carried * gravity_) * mass_ /
+           (mass_ + carried);
   }
   /// The same for a state that was filled before.
   [[nodiscard]] double residual(const State& end) const {
@@ -109,6 +138,12 @@ class Motion {
   }
 
  private:
+  /// Of the impactor and what it carries, kg.
+  [[nodiscard]] double moving_mass() const { return mass_ + sheet_.carried(); }
+  void move(State& end, double mean, double moment, double mass, double gravity, double step) const {
+    end.velocity = now_.velocity - mean * step / mass + gravity * step;
+    end.motion = now_.motion + (now_.velocity - moment * step / mass + gravity * step / 2) * step;
+  }
   void jump_to(double force) {
     now_.force = force;
     force_rate_ = 0;
@@ -152,12 +187,14 @@ class Motion {
   double gravity_;
   const Foundation& foundation_;
   const Contact& contact_;
+  Sheet sheet_;
   State now_;
   double force_rate_ = 0;
   double last_step_ = 0;
   bool smooth_ = false;
-  double way_ = 0;   ///< m
-  double work_ = 0;  ///< J
+  double way_ = 0;    ///< m
+  double work_ = 0;   ///< J
+  double slope_ = 0;  ///< dF/dt now, of a pad with a sheet, N/s
 };
 
 }  // namespace dashpad

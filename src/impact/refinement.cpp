@@ -31,6 +31,7 @@ void for_each_number(Visit&& visit, Run&... runs) {
   visit(runs.crushing_force...);
   visit(runs.body_velocity...);
   visit(runs.pad_work...);
+  visit(runs.sheet_energy...);
   const auto moment = [&](auto&... moments) {
     if (!(moments.has_value() && ...)) return;
     visit(moments->time...);
@@ -149,7 +150,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
        of_support(now.body_velocity, before.body_velocity, run.body_velocity, speed_)});
   worst = std::max(worst, errors_.support);
   errors_.energy_absorbed = error(absorbed(now), absorbed(before), absorbed(run), 1);
-  const double residual = std::abs(absorbed(now) - now.pad_work / energy_);
+  const double residual = std::abs(absorbed(now) - (now.pad_work + now.sheet_energy) / energy_);
   // The absorbed share, a small difference of large numbers, is held to ten times the tolerance relative to
   // itself, down to a twentieth of the impact energy.
   worst = std::max(worst, errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)));

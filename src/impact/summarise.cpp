@@ -48,8 +48,9 @@ EnergyLedger ledger_of(const Impactor& impactor, const Figures& figures) {
   energy.support_loss = figures.support_loss;
   energy.moving = figures.moving_energy;
   energy.pad = figures.pad_work;
-  energy.residual =
-      energy.supply() - energy.kinetic - energy.support - energy.support_loss - energy.moving - energy.pad;
+  energy.sheet = figures.sheet_energy;
+  energy.residual = energy.supply() - energy.kinetic - energy.support - energy.support_loss - energy.moving -
+                    energy.pad - energy.sheet;
   return energy;
 }
 
@@ -106,6 +107,7 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement, const 
   s.rest = figures.rest;
   if (impact.backing != Backing{}) s.support = support_figures(impact.backing, figures);
   s.energy = ledger_of(impactor, figures);
+  s.speed_to_sheet = figures.speed_to_sheet;
   s.energy_absorbed_fraction =
       1 - (s.energy.kinetic + s.energy.support + s.energy.support_loss + s.energy.moving - s.energy.weight) /
               s.energy.impact;

@@ -34,19 +34,11 @@ struct Track {
   [[nodiscard]] std::size_t size() const { return history.time.size(); }
 
  private:
-  std::array<std::vector<double>*, 11> columns() {
+  std::array<std::vector<double>*, 12> columns() {
     History& h = history;
-    return {&h.time,
-            &h.force,
-            &h.acceleration,
-            &h.velocity,
-            &h.motion,
-            &h.penetration,
-            &h.support_deflection,
-            &h.contact_radius,
-            &h.axis_strain,
-            &h.transmitted_force,
-            &h.body_motion};
+    return {&h.time,           &h.force,       &h.pad_force,         &h.acceleration,
+            &h.velocity,       &h.motion,      &h.penetration,       &h.support_deflection,
+            &h.contact_radius, &h.axis_strain, &h.transmitted_force, &h.body_motion};
   }
 };
 

@@ -192,6 +192,11 @@ void read_layers(TableReader& table, const Folders& folders, PadEntry& into) {
 PadEntry read_pad(TableReader& table, const Folders& folders) {
   PadEntry entry;
   if (table.has("area")) entry.pad.area = table.quantity("area", "m2");
+  if (table.has("sheet_mass_per_area")) {
+    entry.pad.sheet = table.quantity("sheet_mass_per_area", "kg/m2");
+    if (entry.pad.sheet == 0)
+      table.fault("sheet_mass_per_area", "must be more than 0; without a sheet, leave the key out");
+  }
   if (table.has("earlier_penetration"))
     entry.pad.earlier_penetration = table.quantity("earlier_penetration", "m");
   if (table.has("layers")) {
@@ -233,7 +238,7 @@ Options read_options(TableReader& table) {
 /// Whether the key of a broken rule is of a case, and not of the card that it names.
 bool is_of_case(std::string_view key) {
   return key == "thickness" || key == "area" || key == "layers" || key == "scale" || key == "density" ||
-         key == "temperature" || key == "earlier_penetration";
+         key == "temperature" || key == "earlier_penetration" || key == "sheet_mass_per_area";
 }
 
 /// What a layer may not have is, of a layer with a card, the choice of that card.
@@ -265,7 +270,8 @@ std::vector<Violation> violations_in_terms_of(const TomlNode& root, const Impact
   // Layers that could not be read have said so.
   if (materials.empty())
     std::erase_if(broken, [](const Violation& violation) {
-      return violation.key.starts_with("pad.") && violation.key != "pad.area";
+      return violation.key.starts_with("pad.") && violation.key != "pad.area" &&
+             violation.key != "pad.sheet_mass_per_area";
     });
   for (Violation& violation : broken)
     if (violation.key == "impactor.mass" && root.nearest("impactor.weight").key == "weight") {

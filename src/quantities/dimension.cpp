@@ -19,6 +19,7 @@ constexpr Dimension dimensions[] = {
     {"J", "an energy", {"J", "kJ", "ft lbf", "in lbf"}},
     {"N s", "an impulse", {"N s", "lbf s"}},
     {"kg/m3", "a density", {"kg/m3", "g/cm3", "lb/ft3"}},
+    {"kg/m2", "a mass per area", {"kg/m2", "g/m2", "lb/ft2"}},
     {"V", "a voltage", {"V", "mV"}},
     {"m2", "an area", {"m2", "mm2", "in2"}},
     {"m3", "a volume", {"m3", "cm3", "in3"}},

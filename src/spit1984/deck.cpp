@@ -91,6 +91,9 @@ std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
   if (impact.pad.earlier_penetration > 0)
     unsaid.push_back({"pad.earlier_penetration", impact.pad.earlier_penetration,
                       "the 1984 program knows no pad that was struck before"});
+  if (impact.pad.sheet > 0)
+    unsaid.push_back(
+        {"pad.sheet_mass_per_area", impact.pad.sheet, "the 1984 program knows no sheet on the pad"});
   if (impact.pad.area)
     unsaid.push_back({"pad.area", *impact.pad.area, "the 1984 program knows no pad with an edge"});
   if (impact.impactor.gravity != 0)

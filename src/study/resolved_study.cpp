@@ -63,6 +63,7 @@ Json case_json(const ImpactCase& of) {
       {"support", points}};
   if (of.pad.area) json["area"] = *of.pad.area;
   if (of.pad.earlier_penetration > 0) json["earlier_penetration"] = of.pad.earlier_penetration;
+  if (of.pad.sheet > 0) json["sheet"] = of.pad.sheet;
   if (of.blows) json["blows"] = {of.blows->count, of.blows->recovery};
   if (of.impactor.gravity != 0) json["impactor"]["gravity"] = of.impactor.gravity;
   if (of.backing != Backing{})

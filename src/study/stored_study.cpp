@@ -133,7 +133,7 @@ ImpactCase case_of(const Json& json) {
                        .gravity = impactor.value("gravity", 0.0)},
           .pad = {json.at("thickness"), material_of(json.at("material")), condition_of(json),
                   json.contains("area") ? bound_of(json["area"]) : std::nullopt,
-                  json.value("earlier_penetration", 0.0), layers_of(json)},
+                  json.value("earlier_penetration", 0.0), json.value("sheet", 0.0), layers_of(json)},
           .support = points.empty() ? Support::rigid() : Support::through(points),
           .backing = backing_of(json),
           .blows = blows_of(json)};

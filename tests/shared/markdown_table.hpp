@@ -1,6 +1,7 @@
 #pragma once
 /// Tables in Markdown, read back and compared.
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -36,8 +37,9 @@ inline std::vector<std::vector<std::string>> read_markdown(const std::string& te
   return rows;
 }
 
-/// Words the same, numbers within one unit of the last digit of the coarser of the two.
-inline bool same_cell(const std::string& a, const std::string& b) {
+/// Words the same, numbers within one unit of the last digit of the coarser of the two, or within a share of
+/// themselves.
+inline bool same_cell(const std::string& a, const std::string& b, double share = 0) {
   static const std::regex number(R"([+-]?\d+(\.(\d+))?(e[+-]?\d+)?)");
   if (std::regex_replace(a, number, "#") != std::regex_replace(b, number, "#")) return false;
   const auto unit = [](const std::smatch& match) {
@@ -46,8 +48,8 @@ inline bool same_cell(const std::string& a, const std::string& b) {
   };
   std::sregex_iterator in_a(a.begin(), a.end(), number), in_b(b.begin(), b.end(), number);
   for (; in_a != std::sregex_iterator{}; ++in_a, ++in_b) {
-    const double difference = std::atof(in_a->str().c_str()) - std::atof(in_b->str().c_str());
-    if (std::abs(difference) > 1.000001 * std::max(unit(*in_a), unit(*in_b))) return false;
+    const double x = std::atof(in_a->str().c_str()), y = std::atof(in_b->str().c_str());
+    if (std::abs(x - y) > 1.000001 * std::max({unit(*in_a), unit(*in_b), share * std::abs(y)})) return false;
   }
   return true;
 }

@@ -154,12 +154,14 @@ TEST(case_toml, keeps_every_nose_and_the_face_of_the_pad) {
     ImpactCase impact = dashboard().impact;
     impact.impactor.nose = nose;
     impact.pad.area = 0.0123;
+    impact.pad.sheet = 4.7;
     const ImpactCase again = read(output::case_toml(impact, {})).impact;
     ASSERT_EQ(name_of(again.impactor.nose), name_of(nose));
     const auto numbers = parameter_values(nose), read_again = parameter_values(again.impactor.nose);
     for (std::size_t i = 0; i < numbers.size(); ++i)
       EXPECT_EQ(read_again[i].value, numbers[i].value) << name_of(nose) << ", " << numbers[i].key;
     EXPECT_EQ(again.pad.area, 0.0123);
+    EXPECT_EQ(again.pad.sheet, 4.7);
   }
 }
 

@@ -150,6 +150,14 @@ TEST(case_rules, each_is_checked) {
       {[](ImpactCase& impact) { impact.pad.area = 0.01; }, {}},
       {[](ImpactCase& impact) { impact.pad.area = 0; }, {"pad.area"}},
       {[](ImpactCase& impact) { impact.pad.area = nan; }, {"pad.area"}},
+      {[](ImpactCase& impact) { impact.pad.sheet = 5; }, {}},
+      {[](ImpactCase& impact) { impact.pad.sheet = -1; }, {"pad.sheet_mass_per_area"}},
+      {[](ImpactCase& impact) { impact.pad.sheet = nan; }, {"pad.sheet_mass_per_area"}},
+      {[](ImpactCase& impact) {
+         impact.pad.sheet = 5;
+         impact.blows = Blows{};
+       },
+       {"pad.sheet_mass_per_area"}},
       {[](ImpactCase& impact) { impact.impactor.speed = 1e4; }, {"impactor.speed"}},
       {[](ImpactCase& impact) { impact.pad.thickness = 1e-9; }, {"pad.thickness"}},
       {[](ImpactCase& impact) { impact.pad.material.law = Elastic(); }, {"pad.parameters.modulus"}},

@@ -87,6 +87,9 @@ TEST(Spit1984Deck, CannotSayARigidSupportFivePointsOrAnotherNose) {
   EXPECT_EQ(keys(), (std::vector<std::string>{"impactor.nose", "support.points"}));
   impact.pad.area = 0.01;
   EXPECT_EQ(keys(), (std::vector<std::string>{"impactor.nose", "pad.area", "support.points"}));
+  impact.pad.sheet = 5;
+  EXPECT_EQ(keys(), (std::vector<std::string>{"impactor.nose", "pad.sheet_mass_per_area", "pad.area",
+                                              "support.points"}));
 }
 
 TEST(Spit1984Deck, TheConstantsOf1984MakeItFasterAndLighter) {

@@ -25,13 +25,17 @@ std::map<std::string, std::string> computed_tables() {
       report1986::run_study(data, input::read_material(source_folder / "materials/ensolite-aac-9.toml")));
 }
 
+/// What is predicted by fits repeats as well as their runs of the solver do, which are within 0.1 % of the
+/// full tolerance: another order of roundings ends a fit elsewhere in there.
+double share_of(const std::string& name) { return name.starts_with("held-out") ? 1e-3 : 0; }
+
 void expect_alike(const std::string& name, const std::string& computed, const std::string& written) {
   const auto now = read_markdown(computed), before = read_markdown(written);
   ASSERT_EQ(now.size(), before.size()) << name;
   for (std::size_t row = 0; row < now.size(); ++row) {
     ASSERT_EQ(now[row].size(), before[row].size()) << name << ", row " << row;
     for (std::size_t i = 0; i < now[row].size(); ++i)
-      EXPECT_TRUE(same_cell(now[row][i], before[row][i]))
+      EXPECT_TRUE(same_cell(now[row][i], before[row][i], share_of(name)))
           << name << ", row " << row << ": \"" << now[row][i] << "\", written \"" << before[row][i] << "\"";
   }
 }

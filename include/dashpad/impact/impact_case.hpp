@@ -38,6 +38,9 @@ struct Pad {
   /// Largest penetration that earlier blows of the same nose at the same place have left in the pad, m, in
   /// [0, thickness): 0 for a new pad, and for laws that recover fully (theory.md, Eq. 61).
   double earlier_penetration = 0;
+  /// Mass per area of a sheet on the struck face, kg/m2, 0 (none) or in [1e-3, 1e3]; it has no stiffness
+  /// (theory.md, Eq. 76).
+  double sheet = 0;
   /// From the struck face on; none: the pad is of one foam, `material` under `condition`.
   std::vector<PadLayer> layers = {};
 };

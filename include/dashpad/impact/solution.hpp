@@ -62,7 +62,7 @@ struct ErrorEstimates {
 };
 
 /// Energies at the end of the run, J. impact + weight = kinetic + support + support_loss + moving + pad +
-/// residual.
+/// sheet + residual.
 struct EnergyLedger {
   double impact = 0;
   double weight = 0;  ///< work of the impactor's weight
@@ -71,6 +71,7 @@ struct EnergyLedger {
   double support_loss = 0;  ///< crushed and damped
   double moving = 0;        ///< kinetic, of the panel and of the body behind the support
   double pad = 0;           ///< work done on the pad: what it stores and what it has lost
+  double sheet = 0;         ///< given to a sheet on the pad: lost where it was struck, or carried away by it
   double residual = 0;      ///< what the numbers fail to account for
 
   [[nodiscard]] double supply() const { return impact + weight; }
@@ -137,6 +138,8 @@ struct Summary {
   std::optional<SupportFigures> support;
   double energy_absorbed_fraction = 0;  ///< of the impact energy, by the pad, until the end of the run
   EnergyLedger energy;
+  /// Lost by a flat tip to a sheet on the pad, at first contact and at once, m/s; 0 without either.
+  double speed_to_sheet = 0;
   bool extrapolated = false;
   std::vector<std::string> extrapolations;  ///< why, in words
   /// Of foams whose curve ends below the strain reached; set by explore_continuation().
@@ -162,7 +165,7 @@ struct Summary {
 /// The impact over time, one entry a time step of the finest run.
 struct History {
   std::vector<double> time;                ///< s
-  std::vector<double> force;               ///< N
+  std::vector<double> force;               ///< N, on the impactor
   std::vector<double> acceleration;        ///< m/s2, negative while the pad pushes
   std::vector<double> velocity;            ///< m/s
   std::vector<double> motion;              ///< m
@@ -173,9 +176,15 @@ struct History {
   /// Of supports that are more than an elastic curve on the ground; else empty.
   std::vector<double> transmitted_force;  ///< N, on the ground or the body behind
   std::vector<double> body_motion;        ///< m
+  /// Of a pad under a sheet with mass, of the foam; else empty: it is the force on the impactor.
+  std::vector<double> pad_force = {};  ///< N
   /// Of each layer on the axis, from the struck face on; none of a pad of one foam.
   std::vector<std::vector<double>> layer_strain = {};
   [[nodiscard]] std::size_t size() const { return time.size(); }
+  /// Of the foam, with or without a sheet on it, N.
+  [[nodiscard]] const std::vector<double>& force_of_pad() const {
+    return pad_force.empty() ? force : pad_force;
+  }
 };
 
 struct Solution {

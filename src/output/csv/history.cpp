@@ -43,6 +43,7 @@ std::string history_csv(const History& history, const UnitSystem& units) {
       column("contact_radius", history.contact_radius, units),
       column("axis_strain", history.axis_strain, units),
   };
+  if (!history.pad_force.empty()) columns.push_back(column("pad_force", history.pad_force, units));
   if (!history.transmitted_force.empty()) {
     columns.push_back(column("transmitted_force", history.transmitted_force, units));
     columns.push_back(column("body_motion", history.body_motion, units));

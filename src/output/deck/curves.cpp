@@ -76,7 +76,7 @@ Curve empty_branch(const char* name) { return {name, {"penetration", "m"}, {"for
 
 /// When the largest penetration was first reached.
 std::size_t deepest(const History& history) {
-  if (history.force.size() != history.size() || history.penetration.size() != history.size())
+  if (history.force_of_pad().size() != history.size() || history.penetration.size() != history.size())
     throw std::invalid_argument("history: penetration or force has gaps");
   const auto& y = history.penetration;
   return static_cast<std::size_t>(std::max_element(y.begin(), y.end()) - y.begin());
@@ -108,8 +108,8 @@ Curve loading_branch(const History& history) {
   const double largest = history.penetration[last];
   Builder builder(empty_branch(loading), largest);
   builder.add(0, 0);
-  for (std::size_t i = 0; i < last; ++i) builder.add(history.penetration[i], history.force[i]);
-  builder.add_last(largest, history.force[last]);
+  for (std::size_t i = 0; i < last; ++i) builder.add(history.penetration[i], history.force_of_pad()[i]);
+  builder.add_last(largest, history.force_of_pad()[last]);
   return builder.take();
 }
 
@@ -123,9 +123,9 @@ Curve unloading_branch(const Solution& solution) {
   // A rigid foam on a rigid support is released at the largest force: it does not follow the impactor.
   builder.add(history.penetration.back(), 0);
   for (std::size_t i = history.size() - 1; i > first; --i)
-    builder.add(history.penetration[i], history.force[i]);
+    builder.add(history.penetration[i], history.force_of_pad()[i]);
   builder.leave_room_at(largest);
-  builder.add_last(largest, history.force[first]);
+  builder.add_last(largest, history.force_of_pad()[first]);
   return builder.take();
 }
 

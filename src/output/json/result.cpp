@@ -38,6 +38,7 @@ Json energy(const EnergyLedger& ledger) {
           {key("support_loss"), number(ledger.support_loss)},
           {key("moving_energy"), number(ledger.moving)},
           {key("pad_energy"), number(ledger.pad)},
+          {key("sheet_energy"), number(ledger.sheet)},
           {key("residual_energy"), number(ledger.residual)}};
 }
 
@@ -60,7 +61,8 @@ Json condition(const PadCondition& of) {
 Json pad(const Pad& of) {
   Json json{{"thickness_m", number(of.thickness)},
             {"area_m2", number(of.area)},
-            {"earlier_penetration_m", number(of.earlier_penetration)}};
+            {"earlier_penetration_m", number(of.earlier_penetration)},
+            {"sheet_mass_per_area_kg_per_m2", number(of.sheet)}};
   json.update(condition(of.condition));
   json.update(material_json(of.material));
   json["layers"] = Json::array();

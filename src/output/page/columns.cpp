@@ -42,12 +42,12 @@ Json column(const std::vector<double>& values) {
   return numbers;
 }
 
-/// Integral of the force over the way that it goes, up to each entry, by trapezoids.
+/// Integral of a force over the way that it goes, up to each entry, by trapezoids.
 template <class Way>
-std::vector<double> work_on(const History& history, Way&& way) {
-  std::vector<double> work(history.size(), 0.0);
-  for (std::size_t i = 1; i < history.size(); ++i)
-    work[i] = work[i - 1] + (history.force[i - 1] + history.force[i]) / 2 * (way(i) - way(i - 1));
+std::vector<double> work_of(const std::vector<double>& force, Way&& way) {
+  std::vector<double> work(force.size(), 0.0);
+  for (std::size_t i = 1; i < force.size(); ++i)
+    work[i] = work[i - 1] + (force[i - 1] + force[i]) / 2 * (way(i) - way(i - 1));
   return work;
 }
 
@@ -64,17 +64,22 @@ Json page_history(const ImpactCase& impact, const History& history) {
   const auto shown = [&](const std::vector<double>& values) {
     return column(entries, [&](std::size_t i) { return values[i]; });
   };
-  const std::vector<double> pad = work_on(history, [&](std::size_t i) { return history.penetration[i]; });
   const auto kinetic = [&](std::size_t i) {
     return impact.impactor.mass * history.velocity[i] * history.velocity[i] / 2;
   };
-  const std::vector<double> back = work_on(history, [&](std::size_t i) {
+  const std::vector<double> back = work_of(history.force_of_pad(), [&](std::size_t i) {
     return history.support_deflection[i] + (history.body_motion.empty() ? 0 : history.body_motion[i]);
   });
+  // With the sheet on it, which takes its share from the impactor.
+  std::vector<double> pad = work_of(history.force, [&](std::size_t i) {
+    return history.pad_force.empty() ? history.penetration[i] : history.motion[i];
+  });
+  if (!history.pad_force.empty())
+    for (std::size_t i = 0; i < pad.size(); ++i) pad[i] -= back[i];
   // What a support has taken is a function of the force as long as it is only elastic.
   const auto support = [&](std::size_t i) {
     if (!history.body_motion.empty()) return back[i];
-    return impact.support.is_rigid() ? 0.0 : impact.support.energy(history.force[i]);
+    return impact.support.is_rigid() ? 0.0 : impact.support.energy(history.force_of_pad()[i]);
   };
   const double weight = impact.impactor.mass * impact.impactor.gravity;
   const auto sum = [&](std::size_t i) {

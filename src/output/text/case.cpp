@@ -63,6 +63,11 @@ std::string face_text(const Pad& pad, const UnitSystem& units) {
   return pad.area ? ", cut to " + brief_quantity(*pad.area, "m2", units) + "," : "";
 }
 
+/// `, under a sheet of 4 kg/m2,`
+std::string sheet_text(const Pad& pad, const UnitSystem& units) {
+  return pad.sheet > 0 ? ", under a sheet of " + brief_quantity(pad.sheet, "kg/m2", units) + "," : "";
+}
+
 std::string support_text(const Support& support, const UnitSystem& units) {
   if (support.is_rigid()) return "a rigid support";
   const Support::Point& last = support.points().back();
@@ -128,8 +133,8 @@ std::string case_text(const ImpactCase& impact, const UnitSystem& units) {
   nose.front() = 'A';
   text += fmt::format("{} of {} strikes at {}\n", nose, impactor_text(impactor, units),
                       brief_quantity(impactor.speed, "m/s", units));
-  text += fmt::format("a pad of {}{}{} on {}.\n", pad_text(impact.pad, units), face_text(impact.pad, units),
-                      history_text(impact.pad, units),
+  text += fmt::format("a pad of {}{}{}{} on {}.\n", pad_text(impact.pad, units), face_text(impact.pad, units),
+                      sheet_text(impact.pad, units), history_text(impact.pad, units),
                       support_text(impact.support, units) + backing_text(impact.backing, units));
   if (impact.blows)
     text += fmt::format("It strikes {} times; {}.\n", impact.blows->count,
@@ -151,6 +156,7 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
   if (impact.impactor.gravity != 0) line("impactor.gravity", impact.impactor.gravity, "m/s2");
   line("pad.thickness", impact.pad.thickness, "m");
   if (impact.pad.area) line("pad.area", *impact.pad.area, "m2");
+  if (impact.pad.sheet > 0) line("pad.sheet_mass_per_area", impact.pad.sheet, "kg/m2");
   if (impact.pad.earlier_penetration > 0)
     line("pad.earlier_penetration", impact.pad.earlier_penetration, "m");
   const auto material_lines = [&](const std::string& prefix, const PadCondition& condition,

@@ -60,6 +60,7 @@ std::string pad_toml(const Pad& pad) {
   std::string text = "\n[pad]\n";
   if (pad.layers.empty()) text += toml_line("thickness", pad.thickness, "m");
   if (pad.area) text += toml_line("area", *pad.area, "m2");
+  if (pad.sheet > 0) text += toml_line("sheet_mass_per_area", pad.sheet, "kg/m2");
   if (pad.earlier_penetration > 0) text += toml_line("earlier_penetration", pad.earlier_penetration, "m");
   if (pad.layers.empty()) text += material_toml(pad.material, pad.condition, "pad.");
   for (const PadLayer& layer : pad.layers)

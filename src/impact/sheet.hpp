@@ -1,0 +1,67 @@
+#pragma once
+/// A sheet on the struck face of the pad, with mass and neither stiffness nor tension: a cover of rubber, a
+/// trim of steel.
+///
+///   (M + m) dV/dt = M g - F - D,   m = mu a,   D = (dm/dt) (dY/dt) while the nose goes in   (theory.md, Eq.
+///   76)
+///
+/// A column's share of it is at rest with the pad until the nose meets it, is then taken along in a plastic
+/// blow, and goes on with the speed that it has where the column is left without stress. Compression
+/// positive; SI units.
+
+#include <algorithm>
+#include <numbers>
+
+#include "dashpad/model/nose/sections.hpp"
+
+namespace dashpad {
+
+class Sheet {
+ public:
+  /// None.
+  Sheet() = default;
+  /// `mass_per_area`: mu, kg/m2, >= 0; 0: none.
+  Sheet(double mass_per_area, const Sections& nose) : mass_per_area_(mass_per_area), nose_(nose) {}
+
+  [[nodiscard]] bool has_mass() const { return mass_per_area_ > 0; }
+  /// The tip has met its share.
+  void start() {
+    carried_ = mass_per_area_ * nose_.tip;
+    loss_rate_ = 0;
+  }
+  /// m: what moves with the nose, kg.
+  [[nodiscard]] double carried() const { return carried_; }
+
+  /// Over a step from one penetration to another: the mean of m, kg, and of D, N.
+  struct Load {
+    double mass = 0;
+    double drag = 0;
+  };
+  [[nodiscard]] Load load(double from, double to, double step) const {
+    if (to > from) {
+      const double met = mass_per_area_ * (nose_.area(to) - nose_.area(from));
+      return {carried_ + met / 2, met * (to - from) / (step * step)};
+    }
+    // On the way back the columns that are left are known by the end of a step only.
+    return {to < from ? std::max(carried_ - loss_rate_ * step / 2, 0.0) : carried_, 0};
+  }
+  /// D at a penetration and its rate, N.
+  [[nodiscard]] double drag(double penetration, double rate) const {
+    if (rate <= 0) return 0;
+    return mass_per_area_ * 2 * std::numbers::pi * nose_.rate(penetration) * rate * rate;
+  }
+  /// The end of a step; `radius` of the columns under stress, m.
+  void accept(double radius, bool goes_back, double step) {
+    const double before = carried_;
+    carried_ = mass_per_area_ * std::numbers::pi * radius * radius;
+    loss_rate_ = goes_back ? std::max(before - carried_, 0.0) / step : 0;
+  }
+
+ private:
+  double mass_per_area_ = 0;
+  Sections nose_;
+  double carried_ = 0;
+  double loss_rate_ = 0;  ///< kg/s
+};
+
+}  // namespace dashpad
