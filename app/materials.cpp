@@ -26,8 +26,8 @@ constexpr const char* materials_footer = R"(Examples:
   dashpad materials ./my-foam.toml         a card anywhere: a name that ends in .toml is a file
 
 The table tells the tested strain and rates (1/s), and the first reservation with the number of the others:
-docs/materials.md says how each card came about. A picture (.svg, .png, .pdf) needs gnuplot; an existing file is
-kept unless --force is given.
+docs/materials.md says how each card came about. A picture is .svg, .png or .pdf; an existing file is kept unless
+--force is given.
 
 Exit codes: 0 done, 1 the picture could not be written, 2 refused: no such card, or a card with faults (the other
 cards are listed all the same, and not drawn).)";

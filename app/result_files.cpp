@@ -29,7 +29,7 @@ void add_result_files(CLI::App& app, ResultFiles& files) {
   app.add_option("--csv", files.csv, "Write the history, of the last blow, as CSV (- for standard output)")
       ->type_name("FILE");
   add_report(app, files.report);
-  app.add_option("--png", files.png, "Draw acceleration and hysteresis as a still; needs gnuplot")
+  app.add_option("--png", files.png, "Draw acceleration and hysteresis as a still")
       ->type_name("FILE");
   add_units(app, files.units);
   add_all(app, files.detail);

@@ -32,9 +32,9 @@ of 1984: errors test by test, verdicts by rules that were fixed before the first
 the report's own statements, and the nose radius that the readings favour. Everything is in the report's units:
 lb, in, mph, ms. docs/validation.md says what came out and what remains uncertain.
 
-Files: the report is one HTML file; the figures are stills, one a file, in a folder that is made if need be;
-they need gnuplot (Debian package gnuplot-nox). - as FILE is standard output; the summary then goes to standard
-error. Existing files are kept unless --force is given. All files are written at the end, or none.
+Files: the report is one HTML file; the figures are stills, one a file, in a folder that is made if need be.
+- as FILE is standard output; the summary then goes to standard error. Existing files are kept unless --force is
+given. All files are written at the end, or none.
 
 Exit codes: 0 the study was made, whether or not the predictions pass; 4 with --strict, if the accurate solver
 misses a rule; 1 a result could not be written; 2 refused and nothing was run.)";
@@ -97,13 +97,6 @@ std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector
   else  // A file in its place is refused for the reasons that forbid the folder.
     targets.push_back({"--figures", (folder.has_filename() ? folder : folder.parent_path()).string()});
   return targets;
-}
-
-/// gnuplot fails before the study, not after it.
-void try_to_draw(const ValidateRequest& request) {
-  output::Plot trial;
-  trial.panels.push_back({.series = {{.x = {0, 1}, .y = {0, 1}}}});
-  if (request.figures) output::picture(trial, picture_format_of(request));
 }
 
 ValidateInput read_and_check(const ValidateRequest& request, const ValidateFolders& folders) {
@@ -179,7 +172,6 @@ void write_results(const ValidateRequest& request, const report1986::Study& stud
 
 int run_validation(const ValidateRequest& request, const ValidateFolders& folders) {
   const ValidateInput input = read_and_check(request, folders);
-  try_to_draw(request);
   const report1986::Study study = study_of(input);
   write_results(request, study);
   return request.strict && !report1986::passes(study) ? exit_not_passed : exit_done;

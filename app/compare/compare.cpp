@@ -30,7 +30,7 @@ constexpr const char* compare_footer = R"(Examples:
 Without --pulse, rows: the accurate solver (exact units, and with the constants of 1984), the program of 1984 in
 the arithmetic of its machine, in single and in double precision, and with its defects mended. docs/spit1984.md
 explains what to believe. --picture draws force and penetration over time; the ending of FILE says what it
-becomes: .svg, .png or .pdf. Drawing needs gnuplot (Debian package gnuplot-nox).
+becomes: .svg, .png or .pdf.
 
 With --pulse FILE, a measured pulse is laid over the computed deceleration, and the differences are named: peak,
 time to peak, width (all time above half the peak), velocity change over contact, HIC15, restitution. FILE is

@@ -36,7 +36,7 @@ MATERIAL is the name of a card, as dashpad materials lists them, or a file that 
 table with a header line that names its units: time_s,strain or "time [ms];strain [%]".
 
 Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file
-is kept unless --force is given. A file is written whole or not at all. Pictures need gnuplot.
+is kept unless --force is given. A file is written whole or not at all.
 
 Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was run.)";
 

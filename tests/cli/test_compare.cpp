@@ -22,10 +22,6 @@ const std::vector<std::string> run_names{"accurate",       "accurate, constants 
 
 class CompareTest : public CommandTest {
  protected:
-  void SetUp() override {
-    CommandTest::SetUp();
-    has_gnuplot_ = shell("command -v gnuplot").exit_code == 0;
-  }
   /// Runs with both files asked for; nothing may come of it but complaints.
   Outcome refused(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "compare");
@@ -36,8 +32,6 @@ class CompareTest : public CommandTest {
     EXPECT_EQ(other_files(), before);
     return outcome;
   }
-
-  bool has_gnuplot_ = false;
 };
 
 /// Every tag of the text is closed, in order, and nothing stands outside the one root.
@@ -116,7 +110,6 @@ TEST_F(CompareTest, TakesTheTimeStepOfTheProgram) {
 }
 
 TEST_F(CompareTest, DrawsAPicture) {
-  if (!has_gnuplot_) GTEST_SKIP() << "gnuplot is not installed";
   const Outcome outcome = dashpad({"compare", nine, "--picture", file("a.svg"), "--json", file("a.json")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("1984, pdp10"));
@@ -130,7 +123,6 @@ TEST_F(CompareTest, DrawsAPicture) {
 }
 
 TEST_F(CompareTest, TheEndingSaysWhatThePictureBecomes) {
-  if (!has_gnuplot_) GTEST_SKIP() << "gnuplot is not installed";
   ASSERT_EQ(dashpad({"compare", nine, "--picture", file("a.png")}).exit_code, 0);
   EXPECT_THAT(read_file(file("a.png")), StartsWith("\x89PNG\r\n\x1a\n"));
   ASSERT_EQ(dashpad({"compare", nine, "--picture", file("a.pdf")}).exit_code, 0);
@@ -141,16 +133,6 @@ TEST_F(CompareTest, RefusesAnotherEnding) {
   for (const char* name : {"a.jpg", "svg", "a.svg.gz", "a"})
     EXPECT_THAT(refused({nine, "--picture", file(name)}).err, HasSubstr("must end in .svg, .png or .pdf"));
   EXPECT_THAT(refused({nine, "--picture", "-"}).err, HasSubstr("must end in .svg, .png or .pdf"));
-}
-
-TEST_F(CompareTest, WithoutGnuplotItSaysWhatToInstallAndWritesNothing) {
-  const Outcome outcome = shell("PATH=/nowhere; export PATH; exec $DASHPAD compare " + nine + " --picture " +
-                                file("a.svg") + " --json " + file("a.json"));
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("gnuplot"), HasSubstr("install the Debian package gnuplot-nox")));
-  EXPECT_THAT(other_files(), IsEmpty());
-  EXPECT_EQ(shell("PATH=/nowhere; export PATH; exec $DASHPAD compare " + nine).exit_code, 0);
 }
 
 TEST_F(CompareTest, RefusesARigidSupportAndABadCase) {

@@ -274,7 +274,6 @@ TEST_F(PulseTest, ListsAndChoosesChannels) {
 }
 
 TEST_F(PulseTest, DrawsThePulse) {
-  if (shell("command -v gnuplot").exit_code != 0) GTEST_SKIP() << "gnuplot is not installed";
   const Outcome outcome = pulse({file("drop.csv"), "--filter", "CFC180", "--picture", file("drop.svg")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(read_file(file("drop.svg")),

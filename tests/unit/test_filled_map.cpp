@@ -8,8 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "output/plot/legend.hpp"
-#include "output/plot/script.hpp"
+#include "output/plot/looks.hpp"
 
 namespace dashpad {
 namespace {
@@ -72,9 +71,11 @@ TEST(FilledMap, IsDrawnInTheColourOfItsShade) {
   const output::Plot plot{
       .title = "Map",
       .panels = {{.series = output::filled_areas({0, 1}, {0, 1}, {{0, 1}, {1, 2}}, {0, 1, 2}, "g")}}};
-  const std::string script = output::plot_script(plot, output::PictureFormat::svg);
-  EXPECT_THAT(script, HasSubstr("with filledcurves closed fillcolor rgb '#440154' fillstyle solid 1"));
-  EXPECT_THAT(script, HasSubstr("title '1 to 2 g'"));
+  const std::string svg = output::picture(plot, output::PictureFormat::svg);
+  EXPECT_THAT(
+      svg,
+      HasSubstr("<g class=\"dp-series\" color=\"#440154\" data-label=\"0 to 1 g\" data-style=\"area\">"));
+  EXPECT_THAT(svg, HasSubstr(">1 to 2 g</text>"));
 }
 
 }  // namespace

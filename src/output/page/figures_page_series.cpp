@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "output/page/columns.hpp"
-#include "output/plot/legend.hpp"
+#include "output/plot/looks.hpp"
 #include "output/plot/rows.hpp"
 #include "quantities/text.hpp"
 

@@ -23,7 +23,7 @@ std::vector<double> shown(const std::vector<double>& values, const Axis& axis) {
 }
 
 SeriesDrawing drawing_of(const Series& series, const Panel& panel) {
-  SeriesDrawing drawing{.style = series.style, .looks = {}, .runs = {}, .places = {}};
+  SeriesDrawing drawing{.label = series.label, .looks = {}, .runs = {}, .places = {}};
   if (series.style == SeriesStyle::vertical_line)
     drawing.places = shown(series.x, panel.x);
   else if (series.style == SeriesStyle::horizontal_line)
@@ -36,7 +36,7 @@ SeriesDrawing drawing_of(const Series& series, const Panel& panel) {
 /// Those points of a line that have a gap on either side, which no line can show.
 PlotRun lone_points(const SeriesDrawing& drawing) {
   PlotRun points;
-  if (drawing.style == SeriesStyle::points || is_ground(drawing.style)) return points;
+  if (drawing.looks.style == SeriesStyle::points || is_ground(drawing.looks.style)) return points;
   for (const PlotRun& run : drawing.runs) {
     if (run.size() == 1) points.push_back(run.front());
   }
@@ -48,23 +48,39 @@ Span with_limits(Span span, const Axis& axis) {
   return {.low = axis.low.value_or(span.low), .high = axis.high.value_or(span.high)};
 }
 
-void thin(PanelDrawing& drawing, const Panel& panel) {
-  Span x, y;
-  for (const SeriesDrawing& series : drawing.series) {
-    for (const PlotRun& run : series.runs) {
-      for (const PlotRow& row : run) {
-        x.include(row.x);
-        y.include(row.y);
-      }
+/// Calls `use` for each row of the panel.
+template <typename Use>
+void for_rows(const PanelDrawing& drawing, const Use& use) {
+  for (const SeriesDrawing& series : drawing.series)
+    for (const PlotRun& run : series.runs)
+      for (const PlotRow& row : run) use(row);
+}
+
+/// What the axes have to include: along y, what the x axis shows.
+void find_spans(PanelDrawing& drawing, const Panel& panel) {
+  Span shown_y, all_y;
+  for_rows(drawing, [&](const PlotRow& row) {
+    drawing.x.include(row.x);
+    const bool is_shown = row.x >= panel.x.low.value_or(row.x) && row.x <= panel.x.high.value_or(row.x);
+    for (const double value : {row.y, row.y2}) {
+      all_y.include(value);
+      if (is_shown) shown_y.include(value);
     }
+  });
+  drawing.y = shown_y.is_empty() ? all_y : shown_y;
+  for (const SeriesDrawing& series : drawing.series) {
+    Span& lines = series.looks.style == SeriesStyle::vertical_line ? drawing.x : drawing.y;
+    for (const double place : series.places) lines.include(place);
   }
-  x = with_limits(x, panel.x);
-  y = with_limits(y, panel.y);
+}
+
+void thin(PanelDrawing& drawing, const Panel& panel) {
+  const Span x = with_limits(drawing.x, panel.x), y = with_limits(drawing.y, panel.y);
   for (SeriesDrawing& series : drawing.series) {
-    if (series.style == SeriesStyle::area) continue;
+    if (series.looks.style == SeriesStyle::area) continue;
     for (PlotRun& run : series.runs) {
-      run = series.style == SeriesStyle::points ? thinned_points(run, panel.x, x, panel.y, y)
-                                                : thinned_line(run, panel.x, x);
+      run = series.looks.style == SeriesStyle::points ? thinned_points(run, panel.x, x, panel.y, y)
+                                                      : thinned_line(run, panel.x, x);
     }
   }
 }
@@ -74,27 +90,24 @@ PanelDrawing drawing_of(const Panel& panel, Turns& turns, Legend& legend) {
   for (const Series& series : panel.series) {
     SeriesDrawing drawing = drawing_of(series, panel);
     if (drawing.runs.empty() && drawing.places.empty()) continue;
-    const std::size_t turn = turns.turn_of(series);
-    drawing.looks = looks(series, turn);
+    drawing.looks = looks_of(series, turns.turn_of(series));
     legend.add({shortened(series.label, longest_label), drawing.looks});
     if (!drawing.runs.empty()) {
       result.has_data = true;
       if (!series.end_label.empty())
         result.end_labels.push_back(
-            end_label_of(series, colour_of(series, turn), drawing.runs.back().back(), panel.y));
+            end_label_of(series, drawing.looks.colour, drawing.runs.back().back(), panel.y));
     }
-    Span& lines =
-        series.style == SeriesStyle::vertical_line ? result.vertical_lines : result.horizontal_lines;
-    for (const double place : drawing.places) lines.include(place);
     if (PlotRun dots = lone_points(drawing); !dots.empty())
-      result.series.push_back({.style = SeriesStyle::points,
-                               .looks = looks_of_dot(turn),
+      result.series.push_back({.label = series.label,
+                               .looks = looks_of_dot(drawing.looks),
                                .runs = {std::move(dots)},
                                .places = {}});
     result.series.push_back(std::move(drawing));
   }
   std::stable_partition(result.series.begin(), result.series.end(),
-                        [](const SeriesDrawing& series) { return is_ground(series.style); });
+                        [](const SeriesDrawing& series) { return is_ground(series.looks.style); });
+  find_spans(result, panel);
   thin(result, panel);
   make_room(result.end_labels);
   return result;

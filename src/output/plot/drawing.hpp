@@ -13,8 +13,8 @@ namespace dashpad::output {
 
 /// A series with what its panel shows of it.
 struct SeriesDrawing {
-  SeriesStyle style = SeriesStyle::line;
-  std::string looks;           ///< in gnuplot's words
+  std::string label;
+  Looks looks;
   std::vector<PlotRun> runs;   ///< thinned; none for vertical and horizontal lines
   std::vector<double> places;  ///< of vertical and horizontal lines
 };
@@ -22,8 +22,7 @@ struct SeriesDrawing {
 struct PanelDrawing {
   std::vector<SeriesDrawing> series;  ///< those that have something to show, bands first
   std::vector<EndLabel> end_labels;   ///< each in its place
-  Span vertical_lines;                ///< which the x axis has to include
-  Span horizontal_lines;              ///< which the y axis has to include
+  Span x, y;                          ///< what the axes have to include
   bool has_data = false;              ///< more than vertical and horizontal lines
 };
 

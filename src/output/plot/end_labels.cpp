@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "output/plot/text.hpp"
-#include "quantities/text.hpp"
+#include "output/svg/text_fit.hpp"
 
 namespace dashpad::output {
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t longest_end_label = 40;
 /// Of a line of text, as a share of the axis.
-constexpr double line_spacing = 15.0 / 330;
+constexpr double line_spacing = 15.0 / panel_height;
 
 double share_of(double value, const Axis& axis) {
   const auto scale = [&axis](double x) { return axis.logarithmic ? std::log(x) : x; };
@@ -30,7 +30,7 @@ struct Block {
 
 }  // namespace
 
-EndLabel end_label_of(const Series& series, const std::string& colour, const PlotRow& end, const Axis& y) {
+EndLabel end_label_of(const Series& series, const SeriesColour& colour, const PlotRow& end, const Axis& y) {
   const double height = share_of(end.y, y);
   return {shortened(series.end_label, longest_end_label), colour, end.x, height, height};
 }
@@ -59,11 +59,10 @@ void make_room(std::vector<EndLabel>& labels) {
   }
 }
 
-int width_beside_axes(const std::vector<EndLabel>& labels) {
-  constexpr double width_of_character = 7.0, beside = 36;  // pixels; a wide font
-  std::size_t longest = 0;
-  for (const EndLabel& label : labels) longest = std::max(longest, width_of(label.text));
-  return longest == 0 ? 0 : static_cast<int>(beside + width_of_character * static_cast<double>(longest));
+double width_beside_axes(const std::vector<EndLabel>& labels) {
+  double longest = 0;
+  for (const EndLabel& label : labels) longest = std::max(longest, text_room(label.text, end_label_text));
+  return labels.empty() ? 0 : beside_axes + longest;
 }
 
 }  // namespace dashpad::output

@@ -2,26 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <utility>
 
 #include "output/plot/check.hpp"
-#include "output/plot/gnuplot_process.hpp"
-#include "output/plot/script.hpp"
-#include "quantities/text.hpp"
+#include "output/plot/rendered.hpp"
+#include "output/plot/svg_plot.hpp"
 
 namespace dashpad::output {
-
-namespace {
-
-/// gnuplot 5.4 leaves these two of a text as they are, though in XML they stand for something else. It writes
-/// neither by itself.
-std::string with_plain_texts(std::string svg) {
-  replace_all(svg, "]]>", "]]&gt;");
-  replace_all(svg, "&#x", "&amp;#x");
-  return svg;
-}
-
-}  // namespace
 
 std::optional<PictureFormat> picture_format(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
@@ -32,10 +18,14 @@ std::optional<PictureFormat> picture_format(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
-std::string picture(const Plot& plot, PictureFormat format, const std::string& program) {
+std::string picture(const Plot& plot, PictureFormat format) {
   for (const Panel& panel : plot.panels) check(panel);
-  std::string bytes = gnuplot_output(program, plot_script(plot, format));
-  return format == PictureFormat::svg ? with_plain_texts(std::move(bytes)) : bytes;
+  switch (format) {
+    case PictureFormat::svg: return svg_plot(plot, PlotStyle::light_and_dark);
+    case PictureFormat::png: return png_of(svg_plot(plot, PlotStyle::light));
+    case PictureFormat::pdf: return pdf_of(svg_plot(plot, PlotStyle::light), plot.title);
+  }
+  return {};
 }
 
 }  // namespace dashpad::output

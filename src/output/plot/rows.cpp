@@ -11,7 +11,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// gnuplot takes larger numbers for undefined.
+/// Differences of larger numbers need not be numbers.
 constexpr double largest_drawn = 1e300;
 
 // Cells of the axes, which are about 800 by 330 pixels large.
@@ -58,8 +58,8 @@ bool is_beyond(const PlotRun& run, const Axis& x_axis, const Axis& y_axis) {
   return is_beyond(x, x_axis) || is_beyond(y, y_axis);
 }
 
-/// Adds points where the line crosses the ends of the x axis: gnuplot chooses the ends of the y axis by the
-/// points that the x axis shows.
+/// Adds points where the line crosses the ends of the x axis: the ends of the y axis follow from the points
+/// that the x axis shows.
 PlotRun with_crossings(const PlotRun& run, const Axis& x, const Axis& y) {
   PlotRun result;
   for (const PlotRow& row : run) {

@@ -1,9 +1,5 @@
 #include "output/plot/text.hpp"
 
-#include <algorithm>
-
-#include <fmt/format.h>
-
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -70,36 +66,6 @@ std::string shortened(std::string_view text, std::size_t length) {
   std::string result = readable(text);
   if (width_of(result) <= length) return result;
   return result.substr(0, bytes_of(result, length - 1)) + "…";
-}
-
-std::vector<std::string> lines_of(std::string_view text, std::size_t length) {
-  const std::string whole = readable(text);
-  std::string_view rest = whole;
-  std::vector<std::string> lines;
-  while (width_of(rest) > length) {
-    const std::size_t room = bytes_of(rest, length);
-    const std::size_t space = rest.substr(0, room + 1).rfind(' ');
-    const bool breaks_at_space = space != std::string_view::npos && space > 0;
-    lines.emplace_back(rest.substr(0, breaks_at_space ? space : room));
-    rest.remove_prefix(breaks_at_space ? space + 1 : room);
-  }
-  if (!rest.empty()) lines.emplace_back(rest);
-  return lines;
-}
-
-std::string literal(std::string_view text) {
-  // Single quotes are not enough: gnuplot 5.4 ends a string too early at some doubled quotes, and it looks
-  // for
-  // @macros before it looks for strings. So what could have a meaning is not written.
-  constexpr std::string_view meaningful = "'\"`@\\#{}$";
-  std::string result = "'";
-  for (const char character : readable(text)) {
-    if (meaningful.find(character) == std::string_view::npos)
-      result += character;
-    else
-      result += fmt::format("'.sprintf('%c',{}).'", static_cast<int>(character));
-  }
-  return result + "'";
 }
 
 }  // namespace dashpad::output

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace dashpad::output {
 
@@ -13,11 +12,5 @@ std::string readable(std::string_view text);
 
 /// `text`, readable, and at most `length` characters long. Where it is cut it ends with "…".
 std::string shortened(std::string_view text, std::size_t length);
-
-/// `text`, readable, in lines of at most `length` characters, where possible broken at spaces.
-std::vector<std::string> lines_of(std::string_view text, std::size_t length);
-
-/// `text`, readable, as an expression of gnuplot's language in which no character has a meaning.
-std::string literal(std::string_view text);
 
 }  // namespace dashpad::output

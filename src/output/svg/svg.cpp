@@ -18,8 +18,8 @@ constexpr std::array<int, 95> widths{
     611, 778, 722, 278, 500, 667, 556, 833, 722, 778, 667, 778, 722, 667,  611, 722, 667, 944, 667,
     667, 611, 278, 278, 278, 469, 556, 333, 556, 556, 500, 556, 556, 278,  556, 556, 222, 222, 500,
     222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500,  500, 334, 260, 334, 584};
-/// Of any other character.
-constexpr int usual_width = 600;
+/// Of any other character, and of those from U+3000 on, most of which are as wide as high.
+constexpr int usual_width = 600, full_width = 1000;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ double text_width(std::string_view text, double size) {
     if (byte >= 0x20 && byte < 0x7f)
       sum += widths[byte - 0x20];
     else if ((byte & 0xc0) != 0x80)  // the first of a character's bytes
-      sum += usual_width;
+      sum += byte >= 0xe3 ? full_width : usual_width;
   }
   return sum * size / 1000;
 }

@@ -1,6 +1,5 @@
 #pragma once
-/// Plots for documents: what to draw as plain values, and the bytes of the picture. gnuplot draws; it must be
-/// installed where picture() is called.
+/// Plots for documents: what to draw as plain values, and the bytes of the picture.
 
 #include <cstddef>
 #include <filesystem>
@@ -75,9 +74,9 @@ enum class PictureFormat { svg, png, pdf };
 /// By the ending of a file's name, in small or capital letters. None for other endings.
 std::optional<PictureFormat> picture_format(const std::filesystem::path& file);
 
-/// The bytes of the picture file. The same plot gives the same SVG on the same system; PDF holds the date.
-/// `program` is gnuplot's name or path. Throws std::invalid_argument if there is nothing to draw, or if
-/// columns or limits do not fit together; std::runtime_error if gnuplot is missing or fails.
-std::string picture(const Plot& plot, PictureFormat format, const std::string& program = "gnuplot");
+/// The bytes of the picture file. The same plot gives the same SVG everywhere, and the same PNG and PDF where
+/// fonts and libraries are the same. Throws std::invalid_argument if there is nothing to draw, or if columns
+/// or limits do not fit together; std::runtime_error if a PNG or PDF cannot be made.
+std::string picture(const Plot& plot, PictureFormat format);
 
 }  // namespace dashpad::output

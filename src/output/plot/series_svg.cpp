@@ -1,0 +1,170 @@
+#include "output/plot/series_svg.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "output/plot/simplified.hpp"
+#include "output/svg/svg.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+/// Beyond it a place is as good as there: renderers count in thousandths of a px in 32 bits.
+constexpr double far_away = 1e7;  // px
+
+std::string pair(const PlotPlace& place) { return px(place.x) + " " + px(place.y); }
+
+/// "M1 2 3 4": what follows the first pair are lines. Places that are the same when written are one.
+std::string path_of(const PlaceLine& line) {
+  std::string path, before;
+  for (const PlotPlace& place : line) {
+    std::string next = pair(place);
+    if (next == before) continue;
+    path += (path.empty() ? "M" : " ") + next;
+    before = std::move(next);
+  }
+  return path;
+}
+
+/// With round ends, a line of no length is a disc. (With square ones cairo leaves some out.)
+constexpr auto nothing_long = "h0";
+
+/// What a point of that shape adds to its place.
+const char* shape_around(const Looks& looks) {
+  constexpr std::array<const char*, shapes_by_turn> shapes{
+      nothing_long,                                        // disc
+      "m-2.6-2.6h5.2v5.2h-5.2z",                           // square
+      "m-3.5 2.5h7l-3.5-6z",                               // triangle
+      "m0-4 4 4-4 4-4-4z",                                 // diamond
+      "m-3.5-2.5h7l-3.5 6z",                               // triangle on its tip
+      "m-2.6 0a2.6 2.6 0 1 0 5.2 0 2.6 2.6 0 1 0-5.2 0"};  // ring
+  return shapes[looks.pattern];
+}
+
+const char* class_of_shape(const Looks& looks) {
+  constexpr std::array<const char*, shapes_by_turn> classes{"dp-disc",  "dp-shape", "dp-shape",
+                                                            "dp-shape", "dp-shape", "dp-ring"};
+  return looks.is_dot ? "dp-dot" : classes[looks.pattern];
+}
+
+std::string class_of_line(const Looks& looks) {
+  if (is_marker(looks.style)) return "dp-line dp-across";
+  return looks.pattern == 0 ? "dp-line" : fmt::format("dp-line dp-dash-{}", looks.pattern);
+}
+
+/// A path with these looks; nothing if it has no places.
+std::string path_element(const Looks& looks, const std::string& path) {
+  if (path.empty()) return {};
+  switch (looks.style) {
+    case SeriesStyle::band: return fmt::format("<path class=\"dp-band\" d=\"{}\"/>", path);
+    case SeriesStyle::area: return fmt::format("<path class=\"dp-area\" d=\"{}\"/>", path);
+    case SeriesStyle::points:
+      return fmt::format("<path class=\"{}\" d=\"{}\"/>", class_of_shape(looks), path);
+    default:
+      return fmt::format("<path class=\"{}\" stroke-width=\"{}\" d=\"{}\"/>", class_of_line(looks),
+                         px(looks.width), path);
+  }
+}
+
+PlaceLine places_of(const PlotRun& run, const PanelScale& scale) {
+  PlaceLine places;
+  places.reserve(run.size());
+  for (const PlotRow& row : run) places.push_back({scale.across(row.x), scale.down(row.y)});
+  return places;
+}
+
+std::string area_path(const PlaceLine& outline, const PanelScale& scale) {
+  const std::string path = path_of(area_inside(outline, scale.size));
+  return path.empty() ? path : path + "z";
+}
+
+/// There along y, and back along y2.
+std::string band_path(const PlotRun& run, const PanelScale& scale) {
+  PlaceLine outline = places_of(run, scale);
+  for (auto row = run.rbegin(); row != run.rend(); ++row)
+    outline.push_back({scale.across(row->x), scale.down(row->y2)});
+  return area_path(simplified(outline), scale);
+}
+
+std::string points_path(const PlotRun& run, const Looks& looks, const PanelScale& scale) {
+  std::string path;
+  for (const PlotPlace& place : places_of(run, scale))
+    if (is_inside(place, scale.size)) path += fmt::format("M{}{}", pair(place), shape_around(looks));
+  return path;
+}
+
+std::string line_path(const PlotRun& run, const PanelScale& scale) {
+  std::string path;
+  for (const PlaceLine& part : line_inside(places_of(run, scale), scale.size))
+    path += path_of(simplified(part));
+  return path;
+}
+
+std::string run_path(const PlotRun& run, const Looks& looks, const PanelScale& scale) {
+  switch (looks.style) {
+    case SeriesStyle::band: return band_path(run, scale);
+    case SeriesStyle::area: return area_path(places_of(run, scale), scale);
+    case SeriesStyle::points: return points_path(run, looks, scale);
+    default: return run.size() > 1 ? line_path(run, scale) : std::string{};
+  }
+}
+
+/// A line across the whole panel.
+std::string marker_path(double place, SeriesStyle style, const PanelScale& scale) {
+  if (style == SeriesStyle::vertical_line)
+    return fmt::format("M{} 0V{}", px(scale.across(place)), px(scale.size.height));
+  return fmt::format("M0 {}H{}", px(scale.down(place)), px(scale.size.width));
+}
+
+const char* word_of(const Looks& looks) {
+  switch (looks.style) {
+    case SeriesStyle::points: return looks.is_dot ? "dots" : "points";
+    case SeriesStyle::band: return "band";
+    case SeriesStyle::area: return "area";
+    case SeriesStyle::vertical_line: return "vertical";
+    case SeriesStyle::horizontal_line: return "horizontal";
+    default: return "line";
+  }
+}
+
+}  // namespace
+
+double PanelScale::across(double value) const {
+  return std::clamp(size.width * x.share(value), -far_away, far_away);
+}
+
+double PanelScale::down(double value) const {
+  return std::clamp(size.height * (1 - y.share(value)), -far_away, far_away);
+}
+
+std::string colour_attributes(const SeriesColour& colour, const std::string& classes) {
+  if (colour.shade.empty()) return fmt::format(" class=\"{} {}\"", classes, colour.class_name);
+  return fmt::format(" class=\"{}\" color=\"{}\"", classes, colour.shade);
+}
+
+std::string series_svg(const SeriesDrawing& series, const PanelScale& scale) {
+  std::string path;
+  for (const PlotRun& run : series.runs) path += run_path(run, series.looks, scale);
+  for (const double place : series.places) path += marker_path(place, series.looks.style, scale);
+  return fmt::format("<g{} data-label=\"{}\" data-style=\"{}\">{}</g>\n",
+                     colour_attributes(series.looks.colour, "dp-series"), xml_text(series.label),
+                     word_of(series.looks), path_element(series.looks, path));
+}
+
+std::string sample_svg(const Looks& looks, double left, double middle, double width) {
+  std::string path;
+  if (is_ground(looks.style))
+    path = fmt::format("M{} {}h{}v10h-{}z", px(left), px(middle - 5), px(width), px(width));
+  else if (looks.style == SeriesStyle::points)
+    path = fmt::format("M{}{}", pair({left + width / 2, middle}), shape_around(looks));
+  else
+    path = fmt::format("M{} {}h{}", px(left), px(middle), px(width));
+  return fmt::format("<g{}>{}</g>", colour_attributes(looks.colour, "dp-sample"), path_element(looks, path));
+}
+
+}  // namespace dashpad::output

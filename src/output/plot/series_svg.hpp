@@ -1,0 +1,32 @@
+#pragma once
+/// Series as SVG.
+
+#include <string>
+
+#include "output/plot/axis_ticks.hpp"
+#include "output/plot/clip.hpp"
+#include "output/plot/drawing.hpp"
+#include "output/plot/looks.hpp"
+
+namespace dashpad::output {
+
+/// Where a panel shows its numbers: px from the upper left corner of its rectangle.
+struct PanelScale {
+  AxisRange x, y;
+  PlotSize size;
+
+  [[nodiscard]] double across(double value) const;
+  [[nodiscard]] double down(double value) const;
+};
+
+/// The group of a series, with its label and style as data for scripts. Each point begins with its own place
+/// ("M"), whatever its shape; a line goes through its points in their order.
+std::string series_svg(const SeriesDrawing& series, const PanelScale& scale);
+
+/// A piece of such a series for the legend.
+std::string sample_svg(const Looks& looks, double left, double middle, double width);
+
+/// Attributes of a group in that colour, with further classes: ` class="dp-series dp-turn-0"`.
+std::string colour_attributes(const SeriesColour& colour, const std::string& classes);
+
+}  // namespace dashpad::output

@@ -1,0 +1,21 @@
+#pragma once
+/// The one renderer of plots: for pages, stills and documents.
+
+#include <string>
+
+#include "dashpad/output/plot/plot.hpp"
+#include "output/plot/svg_style.hpp"
+
+namespace dashpad::output {
+
+/// One SVG without script, identifiers and anything from elsewhere, so that several can stand in one page.
+/// The same plot gives the same bytes everywhere. The plot has been checked. Throws std::invalid_argument if
+/// nothing in it can be drawn.
+///
+/// For scripts, all that is drawn of a panel is `g.dp-panel`: data-x-low, -x-high, -x-log (0 or 1), -x-label
+/// and the same of y; data-left, -top, -width and -height of its axes in px. In it, `svg.dp-inside` begins
+/// where the axes do, and holds a `g.dp-series` for each series, with data-label and data-style, and one path
+/// in px.
+std::string svg_plot(const Plot& plot, PlotStyle style);
+
+}  // namespace dashpad::output

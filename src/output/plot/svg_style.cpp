@@ -1,0 +1,75 @@
+#include "output/plot/svg_style.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+// The colours by turns are Okabe and Ito's, which the colour-blind tell apart, but for yellow, which is too
+// pale on white; on dark paper the same, lighter. Series take theirs as currentColor: not every renderer has
+// variables.
+constexpr std::string_view both = R"(
+.dp-plot{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
+.dp-paper{fill:#fff}
+.dp-title{font-size:18px;font-weight:600;fill:#1a2028}
+.dp-panel-title{font-size:14px;font-weight:600;fill:#1a2028}
+.dp-axis-title,.dp-label{font-size:12.5px;fill:#1a2028}
+.dp-tick{font-size:12px;fill:#3c4652;font-variant-numeric:tabular-nums}
+.dp-source{font-size:11px;fill:#58626e}
+.dp-end-label{font-size:11.5px;fill:currentColor}
+.dp-to-end{text-anchor:end}
+.dp-centred{text-anchor:middle}
+.dp-axis{fill:none;stroke:#58626e}
+.dp-grid{fill:none;stroke:#dde1e6}
+.dp-minor-grid{fill:none;stroke:#eef0f3}
+.dp-line{fill:none;stroke:currentColor;stroke-linejoin:round}
+.dp-dash-1{stroke-dasharray:10 4}
+.dp-dash-2{stroke-dasharray:3 3}
+.dp-dash-3{stroke-dasharray:10 4 2 4}
+.dp-dash-4{stroke-dasharray:16 4 2 4 2 4}
+.dp-dash-5{stroke-dasharray:6 4 2 2}
+.dp-across{stroke-dasharray:5 3}
+.dp-band{fill:currentColor;fill-opacity:.22}
+.dp-area{fill:currentColor;stroke:currentColor;stroke-width:.7;stroke-linejoin:round}
+.dp-disc{fill:none;stroke:currentColor;stroke-width:5.6;stroke-linecap:round}
+.dp-dot{fill:none;stroke:currentColor;stroke-width:3.2;stroke-linecap:round}
+.dp-shape{fill:currentColor}
+.dp-ring{fill:none;stroke:currentColor;stroke-width:1.4}
+.dp-leader{fill:none;stroke:currentColor;stroke-width:.8}
+.dp-grey{color:#555}
+.dp-turn-0{color:#0072b2}
+.dp-turn-1{color:#d55e00}
+.dp-turn-2{color:#009e73}
+.dp-turn-3{color:#cc79a7}
+.dp-turn-4{color:#e69f00}
+.dp-turn-5{color:#56b4e9}
+.dp-turn-6{color:#000}
+@media screen and (prefers-color-scheme:dark){
+.dp-paper{fill:#14181d}
+.dp-title,.dp-panel-title,.dp-axis-title,.dp-label{fill:#e6eaef}
+.dp-tick,.dp-source{fill:#a3adb8}
+.dp-axis{stroke:#a3adb8}
+.dp-grid{stroke:#39424d}
+.dp-minor-grid{stroke:#232a31}
+.dp-grey{color:#a3adb8}
+.dp-turn-0{color:#4aa8e8}
+.dp-turn-1{color:#f5874a}
+.dp-turn-2{color:#2fc79a}
+.dp-turn-3{color:#e79ccb}
+.dp-turn-4{color:#f0b840}
+.dp-turn-5{color:#a5dcfb}
+.dp-turn-6{color:#f2f2f2}
+}
+)";
+
+}  // namespace
+
+std::string_view style_sheet(PlotStyle style) {
+  switch (style) {
+    case PlotStyle::none: return {};
+    case PlotStyle::light: return both.substr(0, both.find("@media"));
+    case PlotStyle::light_and_dark: return both;
+  }
+  return {};
+}
+
+}  // namespace dashpad::output
