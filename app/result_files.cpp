@@ -1,7 +1,10 @@
 #include "result_files.hpp"
 
+#include <fmt/format.h>
+
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/output/csv/history.hpp"
+#include "dashpad/output/drawing/impact_drawing.hpp"
 #include "dashpad/output/json/result.hpp"
 #include "dashpad/output/page/page.hpp"
 #include "dashpad/output/plot/result.hpp"
@@ -18,6 +21,7 @@ std::vector<Target> targets(const ResultFiles& files) {
   if (files.csv) wanted.push_back({"--csv", *files.csv});
   if (files.report) wanted.push_back({"--report", *files.report});
   if (files.png) wanted.push_back({"--png", *files.png});
+  if (files.drawing) wanted.push_back({"--drawing", *files.drawing});
   return wanted;
 }
 
@@ -31,6 +35,9 @@ void add_result_files(CLI::App& app, ResultFiles& files) {
   add_report(app, files.report);
   app.add_option("--png", files.png, "Draw acceleration and hysteresis as a still")
       ->type_name("FILE");
+  app.add_option("--drawing", files.drawing,
+                 "Draw nose, pad and support to scale, at first contact and at greatest penetration (.svg)")
+      ->type_name("FILE");
   add_units(app, files.units);
   add_all(app, files.detail);
 }
@@ -39,6 +46,8 @@ void judge_result_files(const ResultFiles& files, const std::vector<input::Input
                         std::vector<std::string>& wrong) {
   judge_targets(targets(files), inputs, files.force, wrong);
   judge_report(files.report, wrong);
+  if (files.drawing && *files.drawing != "-" && !files.drawing->ends_with(".svg"))
+    wrong.push_back(fmt::format("--drawing {}: must end in .svg", *files.drawing));
 }
 
 void publish(const ResultFiles& files, const SolvedCase& solved, std::string_view heading,
@@ -54,6 +63,7 @@ void publish(const ResultFiles& files, const SolvedCase& solved, std::string_vie
     if (target.option == "--png")
       return output::picture(output::result_plot(impact, solution, injury, units),
                              output::PictureFormat::png);
+    if (target.option == "--drawing") return output::impact_drawing(last_blow, solution, units);
     if (target.option == "--csv") return output::history_csv(solution.history, units_of_files(units));
     return output::page(impact, solved.options, solution, units,
                         contact_snapshots(last_blow, solution.history), blows);

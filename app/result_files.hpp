@@ -17,13 +17,13 @@ namespace dashpad::app {
 
 /// What the user wants written, and how.
 struct ResultFiles {
-  std::optional<std::string> json, csv, report, png;
+  std::optional<std::string> json, csv, report, png, drawing;
   std::string units;
   output::Detail detail = output::Detail::main;
   bool force = false;
 };
 
-/// Adds --json, --csv, --report, --png, --units and --all.
+/// Adds --json, --csv, --report, --png, --drawing, --units and --all.
 void add_result_files(CLI::App& app, ResultFiles& files);
 
 /// Tells `wrong` what forbids writing them, as judge_targets does.

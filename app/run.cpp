@@ -19,6 +19,7 @@ constexpr const char* run_footer = R"(Examples:
   dashpad run examples/dashboard-20mph.toml --units us
   dashpad run examples/dashboard-20mph.toml --json result.json --csv history.csv
   dashpad run examples/dashboard-20mph.toml --report result.html --png result.png
+  dashpad run examples/dashboard-20mph.toml --drawing dashboard.svg
   dashpad run examples/dashboard-20mph.toml --tolerance 1e-6 --json - | jq .peak_force_N
 
 Units: si shows mm, kg, ms, m/s, N, J; us shows in, lb, ms, mph, lbf, in-lbf; engineering-metric shows
@@ -27,7 +28,7 @@ name the units; the CSV history is in SI (m, s, N, m/s, g) or, with --units us o
 those units, which its header names. Case files take any unit.
 
 A case with repeated blows ([blows]) is answered with a row for each of them, then with the figures of the
-last; the CSV history, page and still are of the last.
+last; the CSV history, page, still and drawing are of the last.
 
 The text has what matters first, to four digits: the law of a foam is rarely known to three. --all shows every
 figure with its estimated error; files have all digits.

@@ -77,6 +77,7 @@ TEST_F(InputFilesTest, TheCaseAndItsCardAreKept) {
       {"run", input, "--csv"},
       {"run", input, "--report"},
       {"run", input, "--png"},
+      {"run", input, "--drawing"},
       {"assess", input, "--standard", "en-1177", "--json"},
       {"export", input, "--format", "ls-dyna", "--out"},
       {"post-impact", input, "--json"},

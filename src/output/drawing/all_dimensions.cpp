@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "output/drawing/annotations.hpp"
+#include "output/drawing/dimensions.hpp"
+#include "output/drawing/elements.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+/// Between a picture and the column of dimensions beside it, px.
+constexpr double clearance = 14;
+/// How far the line that leads to a dimension goes beyond it.
+constexpr double overshoot = 5;
+
+/// At most ten characters or so, which is what there is room for.
+std::string shown_length(const Scene& scene, double length) {
+  const std::string text = brief_quantity(length, "m", scene.units, 3);
+  return text.find('e') == std::string::npos ? text : brief_quantity(length, "m", scene.units, 2);
+}
+
+/// What is left of the pad. Digits of next to nothing say nothing.
+std::string shown_rest(const Scene& scene) {
+  const double left = scene.moments.left(), least = struck_through_gap * scene.moments.thickness;
+  if (left == 0 || left >= least) return shown_length(scene, left);
+  return "< " + brief_quantity(least, "m", scene.units, 2);
+}
+
+DimensionColumn column_at(const Scene& scene, double x, bool labels_left) {
+  return {.x = x, .labels_left = labels_left, .top = picture_top + 8, .bottom = scene.layout.bottom - 4};
+}
+
+std::string thicknesses(const Scene& scene) {
+  const Layout& layout = scene.layout;
+  const double edge = scene.left.axis + scene.pad_half_width();
+  const double x = scene.left.axis + layout.half_width + clearance;
+  std::vector<Dimension> dimensions;
+  std::string text = line_element("dp-extension", {edge, layout.face}, {x + overshoot, layout.face});
+  for (std::size_t i = 0; i < scene.moments.layers.size(); ++i) {
+    const double thickness = scene.moments.layers[i].thickness;
+    const double to = layout.face + scene.front_of_layer(i + 1);
+    dimensions.push_back({.of = "thickness",
+                          .metres = thickness,
+                          .from = layout.face + scene.front_of_layer(i),
+                          .to = to,
+                          .value = shown_length(scene, thickness),
+                          .is_cut = layout.pad_is_cut});
+    text += line_element("dp-extension", {edge, to}, {x + overshoot, to});
+  }
+  return text + dimension_column(dimensions, column_at(scene, x, false));
+}
+
+std::string penetration_and_rest(const Scene& scene) {
+  const DrawnMoments& moments = scene.moments;
+  const Layout& layout = scene.layout;
+  const double axis = scene.right.axis;
+  const double x = axis + layout.half_width + clearance;
+  const double face = scene.face(scene.right), tip = scene.tip(scene.right);
+  const double back = scene.back() + scene.right.sink();
+  // The lines to the dimensions begin at what they touch: the pad, or a nose that hides its edge.
+  const double pad = scene.pad_half_width();
+  const double nose = scene.outline.radius(moments.penetration) * layout.scale;
+  const double seen = std::clamp(nose, pad, layout.half_width);
+  std::string text = line_element("dp-extension", {axis + seen, face}, {x + overshoot, face});
+  if (!moments.struck_through) text += line_element("dp-extension", {axis, tip}, {x + overshoot, tip});
+  text += line_element("dp-extension", {axis + pad, back}, {x + overshoot, back});
+  return text + dimension_column({{.of = "penetration",
+                                   .metres = moments.penetration,
+                                   .from = face,
+                                   .to = tip,
+                                   .value = shown_length(scene, moments.penetration),
+                                   .word = "penetration"},
+                                  {.of = "left",
+                                   .metres = moments.left(),
+                                   .from = tip,
+                                   .to = back,
+                                   .value = shown_rest(scene),
+                                   .word = "left",
+                                   .is_cut = layout.pad_is_cut,
+                                   .is_alarm = moments.struck_through}},
+                                 column_at(scene, x, false));
+}
+
+std::string way_of_support(const Scene& scene) {
+  if (!(scene.moments.sink() > 0)) return "";
+  const double left = scene.right.axis - scene.layout.half_width;
+  const double x = left - clearance, edge = scene.right.axis - scene.pad_half_width();
+  std::vector<Dimension> dimensions;
+  std::string text =
+      line_element("dp-rest", {x - overshoot, scene.back()}, {std::max(left + 40, edge + 16), scene.back()});
+  double y = scene.back();
+  const auto add = [&](const char* of, const char* word, double metres, double way) {
+    if (!(metres > 0)) return;
+    dimensions.push_back({.of = of,
+                          .metres = metres,
+                          .from = y,
+                          .to = y + way,
+                          .value = shown_length(scene, metres),
+                          .word = word,
+                          .is_cut = scene.layout.sink_is_cut});
+    y += way;
+    text += line_element("dp-extension", {x - overshoot, y}, {edge, y});
+  };
+  add("deflection", "deflection", scene.moments.deflection, scene.right.deflection);
+  add("body-motion", "body moved", scene.moments.body_motion, scene.right.body_motion);
+  return text + dimension_column(dimensions, column_at(scene, x, true));
+}
+
+}  // namespace
+
+std::string all_dimensions(const Scene& scene) {
+  return thicknesses(scene) + penetration_and_rest(scene) + way_of_support(scene);
+}
+
+}  // namespace dashpad::output

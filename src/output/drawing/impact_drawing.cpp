@@ -1,0 +1,87 @@
+#include "dashpad/output/drawing/impact_drawing.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "output/drawing/annotations.hpp"
+#include "output/drawing/drawing_words.hpp"
+#include "output/drawing/elements.hpp"
+#include "output/drawing/pad_picture.hpp"
+#include "output/drawing/pictures.hpp"
+#include "output/drawing/scene.hpp"
+#include "output/drawing/strain_scale.hpp"
+#include "output/svg/svg.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+constexpr double line_distance = 17;  ///< px
+
+/// The captions below the left picture.
+std::string captions(const std::vector<std::string>& lines, double x, double y) {
+  std::string text;
+  for (const std::string& line : lines) {
+    text += text_element("dp-text", {x, y}, "start", line);
+    y += line_distance;
+  }
+  return text;
+}
+
+std::string whole_drawing(const Scene& scene) {
+  const Layout& layout = scene.layout;
+  const std::vector<std::string> lines = caption_lines(scene);
+  const double below = std::max(14 + line_distance * static_cast<double>(lines.size()), strain_legend_height);
+  const double height = layout.bottom + below + 12;
+  std::string text = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"dp-drawing\" viewBox=\"0 0 {0} {1}\" "
+      "role=\"img\" aria-labelledby=\"{2}-title {2}-description\" data-scale=\"{3}\">\n"
+      "<title id=\"{2}-title\">{4}</title>\n<desc id=\"{2}-description\">{5}</desc>\n"
+      "<style>{6}</style>\n",
+      px(drawing_width), px(height), own_name, layout.scale, xml_text(drawing_title(scene.impact)),
+      xml_text(drawing_description(scene.impact, scene.moments, layout, scene.units)),
+      impact_drawing_style());
+  text += "<defs>\n" + hatchings(scene.moments) + picture_clip(scene, scene.left) +
+          picture_clip(scene, scene.right) + "</defs>\n";
+  text += rectangle_element("dp-paper", 0, 0, drawing_width, height);
+  text += picture_of(scene, scene.left) + picture_of(scene, scene.right);
+  text += names_on_pad(scene) + text_above(scene) + all_dimensions(scene);
+  text += captions(lines, scene.left.axis - layout.half_width, layout.bottom + 25);
+  text += strain_legend(scene.moments, {scene.right.axis - layout.half_width, layout.bottom + 14},
+                        2 * layout.half_width);
+  return text + "</svg>\n";
+}
+
+/// A name from what is drawn, so that two drawings in one page have ids of their own and the same drawing
+/// always has the same (FNV-1a, 32 bits).
+std::string name_from(const std::string& text) {
+  std::uint32_t hash = 2166136261U;
+  for (const char character : text) hash = (hash ^ static_cast<unsigned char>(character)) * 16777619U;
+  return fmt::format("dp-{:08x}", hash);
+}
+
+std::string no_drawing(const ImpactCase& impact) {
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"dp-drawing\" viewBox=\"0 0 {} 60\" "
+             "role=\"img\">\n<title>{}</title>\n<desc>No drawing: the case breaks a rule.</desc>\n"
+             "<style>{}</style>\n",
+             px(drawing_width), xml_text(impact.title), impact_drawing_style()) +
+         rectangle_element("dp-paper", 0, 0, drawing_width, 60) +
+         text_element("dp-text", {drawing_width / 2, 34}, "middle", "No drawing: the case breaks a rule.") +
+         "</svg>\n";
+}
+
+}  // namespace
+
+std::string impact_drawing(const ImpactCase& impact, const Solution& solution, const UnitSystem& units) {
+  if (!violations(impact).empty()) return no_drawing(impact);
+  std::string text = whole_drawing(Scene(impact, solution, units));
+  replace_all(text, own_name, name_from(text));
+  return text;
+}
+
+}  // namespace dashpad::output

@@ -1,0 +1,123 @@
+#include "output/drawing/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "output/drawing/nose_outline.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+constexpr double picture_height = 270;
+constexpr double least_nose = 60;  ///< of its height above the pad
+constexpr double most_nose = 130;
+constexpr double least_pad = 44;         ///< of a pad thin against the nose
+constexpr double least_nose_width = 30;  ///< half the width of a nose small against the pad
+constexpr double margin = 8;
+constexpr double solid_spring = 22;  ///< what is left of a spring at its greatest deflection
+
+/// Heights at a scale, with the sink of the pad as given, px.
+SupportHeights support_heights(const ImpactCase& impact, const DrawnMoments& moments, double scale,
+                               double deflection) {
+  const Backing& backing = impact.backing;
+  SupportHeights heights;
+  const bool has_panel = backing.mass > 0 || backing.gap > 0 || backing.preload > 0;
+  heights.plate = has_panel ? 8 : 0;
+  heights.base = backing.body_mass > 0 ? 30 : 12;
+  if (impact.support.is_rigid() && backing.damping == 0) return heights;
+  if (backing.gap > 0) {
+    heights.gap = std::clamp(backing.gap * scale, 5.0, 40.0);
+    // Where the travel is not to scale the gap is not either, so that it closes if it did.
+    if (moments.deflection > 0 && deflection < moments.deflection * scale * (1 - 1e-9))
+      heights.gap = std::clamp(backing.gap / moments.deflection * deflection, 5.0, 40.0);
+  }
+  heights.spring = std::max(34.0, deflection - heights.gap + solid_spring);
+  return heights;
+}
+
+double sum_of(const SupportHeights& heights) {
+  return heights.plate + heights.gap + heights.spring + heights.base;
+}
+
+/// The largest scale at which everything along the motion has room.
+double scale_by_height(const ImpactCase& impact, const DrawnMoments& moments) {
+  double low = -30, high = 30;  // logarithms
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    const double scale = std::exp(middle);
+    const double height = least_nose + moments.thickness * scale + moments.body_motion * scale +
+                          sum_of(support_heights(impact, moments, scale, moments.deflection * scale));
+    (height <= picture_height ? low : high) = middle;
+  }
+  return std::exp(low);
+}
+
+double chosen_scale(const ImpactCase& impact, const DrawnMoments& moments, double half_width) {
+  const Sections outline = outline_of(impact.impactor.nose);
+  const double widest = outline.radius(outline.depth);
+  double contact = outline.radius(moments.penetration);
+  if (moments.half_width) contact = std::min(contact, *moments.half_width);
+  double scale = scale_by_height(impact, moments);
+  if (contact > 0) scale = std::min(scale, 0.82 * half_width / contact);
+  if (moments.half_width) scale = std::min(scale, 0.92 * half_width / *moments.half_width);
+  return std::max(
+      {scale, least_pad / moments.thickness, least_nose_width / std::max(widest, moments.penetration)});
+}
+
+}  // namespace
+
+double Layout::below_face(double depth, double thickness) const {
+  if (!pad_is_cut) return std::clamp(depth / thickness, 0.0, 1.0) * pad;
+  // True to scale from both faces; what lies between is squeezed into the break.
+  const double from_face = depth * scale, from_back = (thickness - depth) * scale;
+  const double upper = 0.6 * pad, lower = 0.3 * pad;
+  if (from_face <= upper) return std::max(from_face, 0.0);
+  if (from_back <= lower) return pad - std::max(from_back, 0.0);
+  return 0.65 * pad;
+}
+
+double Layout::pad_half_width(const DrawnMoments& moments) const {
+  const double beyond = half_width + 20;
+  return moments.half_width ? std::min(*moments.half_width * scale, beyond) : beyond;
+}
+
+Layout layout_of(const ImpactCase& impact, const DrawnMoments& moments) {
+  Layout layout;
+  const bool sinks = moments.sink() > 0;
+  layout.half_width = sinks ? 130 : 146;
+  layout.left = margin + layout.half_width;
+  layout.right = (sinks ? 448 : 416) + layout.half_width;
+  layout.scale = chosen_scale(impact, moments, layout.half_width);
+
+  const SupportHeights at_rest = support_heights(impact, moments, layout.scale, 0);
+  const double room = picture_height - least_nose - sum_of(at_rest);
+  layout.pad = moments.thickness * layout.scale;
+  layout.pad_is_cut = layout.pad > std::max(room, least_pad) * (1 + 1e-9);
+  if (layout.pad_is_cut) layout.pad = std::max(room, 2 * least_pad);
+  const double travel = moments.sink() * layout.scale;
+  const double whole =
+      least_nose + layout.pad + moments.body_motion * layout.scale +
+      sum_of(support_heights(impact, moments, layout.scale, moments.deflection * layout.scale));
+  const double room_to_sink = std::max(
+      picture_height - least_nose - layout.pad - at_rest.plate - at_rest.base - at_rest.gap - solid_spring,
+      24.0);
+  layout.sink_is_cut = whole > picture_height * (1 + 1e-6) && travel > room_to_sink;
+  const double share = layout.sink_is_cut ? room_to_sink / travel : 1;
+  layout.deflection = moments.deflection * layout.scale * share;
+  layout.body_motion = moments.body_motion * layout.scale * share;
+  layout.support = support_heights(impact, moments, layout.scale, layout.deflection);
+
+  const double below = layout.pad + layout.body_motion + sum_of(layout.support);
+  const Sections outline = outline_of(impact.impactor.nose);
+  const double ball = is_ball(impact.impactor.nose) ? 2 * outline.depth * layout.scale + 4
+                                                    : std::numeric_limits<double>::infinity();
+  const double nose =
+      std::clamp(std::min(ball, picture_height - below), std::min(ball, least_nose), most_nose);
+  layout.face = picture_top + nose;
+  layout.bottom = layout.face + below;
+  return layout;
+}
+
+}  // namespace dashpad::output

@@ -1,0 +1,147 @@
+#include "output/drawing/pad_picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "output/drawing/elements.hpp"
+#include "output/drawing/nose_picture.hpp"
+#include "output/drawing/strain_scale.hpp"
+#include "output/svg/svg.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+class PadPicture {
+ public:
+  PadPicture(const DrawnMoments& moments, const Layout& layout, const Sections& outline, const PadView& view)
+      : moments_(moments),
+        layout_(layout),
+        outline_(outline),
+        view_(view),
+        half_width_(layout.pad_half_width(moments)),
+        share_(moments.penetration > 0 ? view.penetration / moments.penetration : 0) {}
+
+  [[nodiscard]] std::string all() const {
+    std::string text;
+    for (std::size_t i = 0; i < moments_.layers.size(); ++i)
+      text += i == 0 ? shades(i) + hatching(i) : within_layer(i, shades(i) + hatching(i));
+    for (std::size_t i = 0; i + 1 < moments_.layers.size(); ++i)
+      text += path_element("dp-layer-edge", back_of(i), false);
+    return text + rectangle_element("dp-pad-edge", view_.axis - half_width_, view_.face, 2 * half_width_,
+                                    layout_.pad);
+  }
+
+ private:
+  /// The pad's area in the colours of one layer: one rectangle in another, from small strains to large ones.
+  [[nodiscard]] std::string shades(std::size_t layer) const {
+    std::string text =
+        rectangle_element(shade_class(0), view_.axis - half_width_, view_.face, 2 * half_width_, layout_.pad);
+    const double strain = moments_.layers[layer].strain * share_;
+    for (int shade = 1; shade < shades_of_strain; ++shade) {
+      const double least = static_cast<double>(shade) / shades_of_strain;
+      if (strain < least) break;
+      // The depth behind the tip at which a column of this layer has that strain.
+      const double depth = view_.penetration * (1 - least / strain);
+      const double radius = std::min(outline_.radius(depth) * layout_.scale, half_width_);
+      text += rectangle_element(shade_class(shade), view_.axis - radius, view_.face, 2 * radius, layout_.pad);
+    }
+    return text;
+  }
+
+  [[nodiscard]] std::string hatching(std::size_t layer) const {
+    if (moments_.layers.size() == 1) return "";
+    return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"url(#{}-hatching-{})\"/>\n",
+                       px(view_.axis - half_width_), px(view_.face), px(2 * half_width_), px(layout_.pad),
+                       own_name, layer + 1);
+  }
+
+  /// `content` only behind the layer in front of this one.
+  [[nodiscard]] std::string within_layer(std::size_t layer, const std::string& content) const {
+    const std::string name = fmt::format("{}-{}-layer-{}", own_name, view_.name, layer + 1);
+    std::vector<Place> region = back_of(layer - 1);
+    const double bottom = view_.face + layout_.pad;
+    region.push_back({view_.axis + half_width_, bottom});
+    region.push_back({view_.axis - half_width_, bottom});
+    return fmt::format(
+        "<clipPath id=\"{0}\"><path d=\"{1}\"/></clipPath>\n<g clip-path=\"url(#{0})\">\n{2}</g>\n", name,
+        path_data(region, true), content);
+  }
+
+  /// The back of a layer, from the left edge of the pad to its right one.
+  [[nodiscard]] std::vector<Place> back_of(std::size_t layer) const {
+    const NoseFrame frame{.axis = 0,
+                          .tip = 0,
+                          .scale = layout_.scale,
+                          .half_width = half_width_,
+                          .height = view_.penetration * layout_.scale};
+    std::vector<Place> right;
+    for (const double depth : outline_depths(outline_, frame)) {
+      if (depth > view_.penetration) break;
+      const double x = std::min(outline_.radius(depth) * layout_.scale, half_width_);
+      if (right.empty() && x > 0) right.push_back({0, depth_of_back(layer, 1)});
+      right.push_back({x, depth_of_back(layer, view_.penetration > 0 ? 1 - depth / view_.penetration : 0)});
+    }
+    // The edge of the contact, where the side of a nose deep in the pad stands upright.
+    const double edge = std::min(outline_.radius(view_.penetration) * layout_.scale, half_width_);
+    const double deepest = std::min(outline_.depth, view_.penetration);
+    if (view_.penetration > 0) {
+      if (edge < half_width_) right.push_back({edge, depth_of_back(layer, 1 - deepest / view_.penetration)});
+      right.push_back({edge, edge < half_width_ ? depth_of_back(layer, 0) : right.back().y});
+    } else {
+      right.push_back({0, depth_of_back(layer, 0)});
+    }
+    if (edge < half_width_) right.push_back({half_width_, depth_of_back(layer, 0)});
+    std::vector<Place> places;
+    for (std::size_t i = right.size(); i-- > 0;) places.push_back({view_.axis - right[i].x, right[i].y});
+    for (const Place& place : right) places.push_back({view_.axis + place.x, place.y});
+    return places;
+  }
+
+  /// y of the back of a layer in a column that is shortened by this share of the penetration.
+  [[nodiscard]] double depth_of_back(std::size_t layer, double shortening) const {
+    double behind = 0;
+    for (std::size_t j = layer + 1; j < moments_.layers.size(); ++j)
+      behind += moments_.layers[j].thickness * (1 - moments_.layers[j].strain * share_ * shortening);
+    return view_.face + layout_.below_face(moments_.thickness - behind, moments_.thickness);
+  }
+
+  const DrawnMoments& moments_;
+  const Layout& layout_;
+  const Sections& outline_;
+  const PadView& view_;
+  double half_width_;  ///< px
+  double share_;       ///< of the strains at greatest penetration
+};
+
+}  // namespace
+
+std::string pad_picture(const DrawnMoments& moments, const Layout& layout, const Sections& outline,
+                        const PadView& view) {
+  return PadPicture(moments, layout, outline, view).all();
+}
+
+std::string hatchings(const DrawnMoments& moments) {
+  constexpr std::array patterns{"M-1 1L1-1M0 8L8 0M7 9L9 7",
+                                "M0 4H4",
+                                "M-1 7L1 9M0 0L8 8M7-1L9 1",
+                                "M4 0V8",
+                                "M0 4H8",
+                                "M0 8L8 0M0 0L8 8",
+                                "M4 3V5M3 4H5",
+                                "M0 4H8M4 0V8"};
+  std::string text;
+  if (moments.layers.size() == 1) return text;
+  for (std::size_t i = 0; i < moments.layers.size(); ++i)
+    text += fmt::format(
+        "<pattern id=\"{}-hatching-{}\" patternUnits=\"userSpaceOnUse\" width=\"8\" height=\"8\">"
+        "<path class=\"dp-hatching\" d=\"{}\"/></pattern>\n",
+        own_name, i + 1, patterns[i % patterns.size()]);
+  return text;
+}
+
+}  // namespace dashpad::output

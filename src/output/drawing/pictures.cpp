@@ -1,0 +1,94 @@
+#include "output/drawing/pictures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "output/drawing/elements.hpp"
+#include "output/drawing/nose_picture.hpp"
+#include "output/drawing/pad_picture.hpp"
+#include "output/drawing/support_picture.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+/// Of half a break, each with a tip up and one down.
+constexpr int teeth = 16;
+
+/// Two ragged lines with nothing between them.
+std::string break_of_pad(const Scene& scene, const Picture& picture) {
+  const double reach = scene.layout.half_width + 8, middle = scene.face(picture) + 0.66 * scene.layout.pad;
+  std::vector<Place> places;
+  for (int i = 0; i <= 2 * teeth; ++i)
+    places.push_back({picture.axis - reach + reach * i / teeth, middle - 5 + (i % 2 == 0 ? 3 : -3)});
+  for (std::size_t i = places.size(); i-- > 0;) places.push_back({places[i].x, places[i].y + 10});
+  return path_element("dp-break", places, true);
+}
+
+/// Where the nose has met what is behind the pad, or is about to.
+std::string struck_edge(const Scene& scene, const Picture& picture) {
+  const double depth = std::max(0.03 * picture.penetration, 0.0);
+  const double reach = std::clamp(scene.outline.radius(depth) * scene.layout.scale, 12.0,
+                                  std::max(scene.pad_half_width(), 12.0));
+  const double y = scene.tip(picture);
+  return line_element("dp-struck-edge", {picture.axis - reach, y}, {picture.axis + reach, y});
+}
+
+}  // namespace
+
+std::string picture_clip(const Scene& scene, const Picture& picture) {
+  constexpr double step = 7, depth = 3;
+  const Layout& layout = scene.layout;
+  const double left = picture.axis - layout.half_width, right = picture.axis + layout.half_width;
+  std::vector<Place> places;
+  const auto ragged = [&](Place from, Place to, Place inwards) {
+    const int count = 2 * static_cast<int>(std::hypot(to.x - from.x, to.y - from.y) / (2 * step)) + 1;
+    for (int i = 0; i <= count; ++i) {
+      const double share = static_cast<double>(i) / count, in = i % 2;
+      places.push_back({from.x + share * (to.x - from.x) + in * inwards.x,
+                        from.y + share * (to.y - from.y) + in * inwards.y});
+    }
+  };
+  ragged({left, layout.bottom}, {left, picture_top}, {depth, 0});
+  ragged({left, picture_top}, {right, picture_top}, {0, depth});
+  ragged({right, picture_top}, {right, layout.bottom}, {-depth, 0});
+  return fmt::format("<clipPath id=\"{}-{}\"><path d=\"{}\"/></clipPath>\n", own_name, picture.name,
+                     path_data(places, true));
+}
+
+std::string picture_of(const Scene& scene, const Picture& picture) {
+  const Layout& layout = scene.layout;
+  const double tip = scene.tip(picture);
+  std::string text = fmt::format("<g clip-path=\"url(#{}-{})\">\n", own_name, picture.name);
+  text += support_picture(scene.impact, layout.support,
+                          {.axis = picture.axis,
+                           .back = scene.back(),
+                           .half_width = scene.pad_half_width(),
+                           .ground_half_width = layout.half_width,
+                           .deflection = picture.deflection,
+                           .body_motion = picture.body_motion,
+                           .mass = brief_quantity(scene.impact.backing.body_mass, "kg", scene.units, 3)});
+  text += pad_picture(scene.moments, layout, scene.outline,
+                      {.name = picture.name,
+                       .axis = picture.axis,
+                       .face = scene.face(picture),
+                       .penetration = picture.penetration});
+  text += nose_picture(scene.impact.impactor.nose,
+                       {.axis = picture.axis,
+                        .tip = tip,
+                        .scale = layout.scale,
+                        .half_width = layout.half_width,
+                        .height = tip - picture_top,
+                        .is_buried = scene.moments.penetration > scene.outline.depth},
+                       "dp-nose");
+  if (layout.pad_is_cut) text += break_of_pad(scene, picture);
+  if (&picture == &scene.right && scene.moments.struck_through) text += struck_edge(scene, picture);
+  return text + "</g>\n";
+}
+
+}  // namespace dashpad::output

@@ -1,0 +1,128 @@
+#include "output/drawing/strain_scale.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "output/svg/svg.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+using Colour = std::array<int, 3>;
+constexpr std::array<Colour, 5> on_light{
+    {{0xee, 0xf4, 0xf9}, {0xa6, 0xc9, 0xe6}, {0x4a, 0x90, 0xc8}, {0x14, 0x55, 0x94}, {0x06, 0x22, 0x4a}}};
+constexpr std::array<Colour, 5> on_dark{
+    {{0x23, 0x2d, 0x38}, {0x2c, 0x51, 0x74}, {0x3f, 0x86, 0xbd}, {0x86, 0xc2, 0xee}, {0xe6, 0xf4, 0xff}}};
+
+std::string colour_at(const std::array<Colour, 5>& stops, double share) {
+  const double place = share * static_cast<double>(stops.size() - 1);
+  const std::size_t before = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+  std::string text = "#";
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double low = stops[before][i], high = stops[before + 1][i];
+    text +=
+        fmt::format("{:02x}", static_cast<int>(std::lround(low + (high - low) * (place - double(before)))));
+  }
+  return text;
+}
+
+/// A number at a strain, the layer that it is of.
+struct Mark {
+  double strain = 0;
+  std::vector<std::size_t> layers;
+
+  [[nodiscard]] std::string label() const { return fmt::format("{}", fmt::join(layers, ", ")); }
+};
+
+/// The layers that have such a strain. Those whose numbers would touch share a label: "1, 3".
+template <class StrainOf>
+std::vector<Mark> labels(const DrawnMoments& moments, double width, StrainOf&& strain_of) {
+  std::vector<Mark> list;
+  for (std::size_t i = 0; i < moments.layers.size(); ++i)
+    if (const std::optional<double> strain = strain_of(moments.layers[i])) list.push_back({*strain, {i + 1}});
+  std::ranges::stable_sort(list, {}, &Mark::strain);
+  std::vector<Mark> apart;
+  for (const Mark& mark : list) {
+    const bool is_near = !apart.empty() && (mark.strain - apart.back().strain) * width <
+                                               text_width(apart.back().label() + mark.label(), 12) / 2 + 8;
+    if (is_near)
+      apart.back().layers.push_back(mark.layers.front());
+    else
+      apart.push_back(mark);
+  }
+  for (Mark& mark : apart) std::ranges::sort(mark.layers);
+  return apart;
+}
+
+std::string tested_words(const DrawnMoments& moments) {
+  double lowest = 1;
+  bool any = false;
+  for (const DrawnLayer& layer : moments.layers)
+    if (layer.tested) {
+      lowest = std::min(lowest, *layer.tested);
+      any = true;
+    }
+  if (!any) return "";
+  const char* const how = std::ranges::any_of(moments.layers, &DrawnLayer::has_curves) ? "tested" : "fitted";
+  return moments.layers.size() == 1 ? fmt::format("{} up to {:.3g}", how, lowest)
+                                    : fmt::format("{} up to the bars", how);
+}
+
+}  // namespace
+
+std::string shade_class(int shade) {
+  return fmt::format("dp-s{}", std::clamp(shade, 0, shades_of_strain - 1));
+}
+
+std::string shade_rules(bool dark) {
+  std::string text;
+  for (int shade = 0; shade < shades_of_strain; ++shade)
+    text += fmt::format(".{}{{fill:{}}}", shade_class(shade),
+                        colour_at(dark ? on_dark : on_light, double(shade) / (shades_of_strain - 1)));
+  return text;
+}
+
+std::string strain_legend(const DrawnMoments& moments, Place corner, double width) {
+  const bool layered = moments.layers.size() > 1;
+  const double bar = corner.y + (layered ? 42 : 26), height = 10;
+  std::string text = text_element("dp-text", {corner.x, corner.y + 11}, "start",
+                                  moments.layers.size() == 1 ? "Strain" : "Strain on the axis");
+  text += text_element("dp-faint", {corner.x + width, corner.y + 11}, "end", tested_words(moments));
+  for (int shade = 0; shade < shades_of_strain; ++shade) {
+    const double left = std::round(corner.x + width * shade / shades_of_strain);
+    const double right = std::round(corner.x + width * (shade + 1) / shades_of_strain);
+    text += rectangle_element(shade_class(shade), left, bar, right - left, height);
+  }
+  text += rectangle_element("dp-line", corner.x, bar, width, height);
+  const auto x_of = [&](double strain) { return corner.x + width * strain; };
+  for (const DrawnLayer& layer : moments.layers) {
+    const double x = x_of(layer.strain);
+    text += path_element("dp-mark", {{x - 4.5, bar - 8}, {x + 4.5, bar - 8}, {x, bar - 1}}, true);
+    if (layer.tested)
+      text +=
+          line_element("dp-tested", {x_of(*layer.tested), bar - 4}, {x_of(*layer.tested), bar + height + 4});
+  }
+  const auto write = [&](const std::vector<Mark>& list, double y) {
+    for (const Mark& mark : list)
+      text += text_element("dp-small", {x_of(mark.strain), y}, "middle", mark.label());
+  };
+  if (layered) {
+    const auto reached = [](const DrawnLayer& layer) { return std::optional(layer.strain); };
+    write(labels(moments, width, reached), bar - 11);
+    write(labels(moments, width, [](const DrawnLayer& layer) { return layer.tested; }), bar + height + 16);
+  }
+  for (const double strain : {0.0, 1.0})
+    text += text_element("dp-small", {x_of(strain) + (strain == 0 ? -3 : 3), bar + height + 16},
+                         strain == 0 ? "start" : "end", strain == 0 ? "0" : "1");
+  return text;
+}
+
+}  // namespace dashpad::output

@@ -1,0 +1,120 @@
+#include "output/drawing/support_picture.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "output/drawing/elements.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+/// A coil spring from one height to another.
+std::string spring(double x, double top, double bottom, double width) {
+  constexpr int turns = 10;
+  std::vector<Place> places{{x, top}, {x, top + 4}};
+  const double pitch = (bottom - top - 8) / turns;
+  for (int i = 0; i < turns; ++i)
+    places.push_back({x + (i % 2 == 0 ? width : -width), top + 4 + pitch * (i + 0.5)});
+  places.push_back({x, bottom - 4});
+  places.push_back({x, bottom});
+  return path_element("dp-part", places, false);
+}
+
+/// A tube with folded sides, which crushes.
+std::string folded_tube(double x, double top, double bottom, double width) {
+  constexpr int folds = 5;
+  std::vector<Place> left, right;
+  for (int i = 0; i <= 2 * folds; ++i) {
+    const double half = i % 2 == 0 ? width : width * 0.6;
+    const double y = top + (bottom - top) * i / (2 * folds);
+    left.push_back({x - half, y});
+    right.push_back({x + half, y});
+  }
+  return path_element("dp-part", left, false) + path_element("dp-part", right, false);
+}
+
+/// A piston in a cup, which stands on the bottom.
+std::string damper(double x, double top, double bottom, double width) {
+  const double height = bottom - top;
+  const double cup = bottom - 0.65 * height;
+  const double piston = bottom - 0.4 * height;
+  return line_element("dp-part", {x, top}, {x, piston}) +
+         line_element("dp-part", {x - 0.7 * width, piston}, {x + 0.7 * width, piston}) +
+         path_element("dp-part",
+                      {{x - width, cup}, {x - width, bottom - 4}, {x + width, bottom - 4}, {x + width, cup}},
+                      false) +
+         line_element("dp-part", {x, bottom - 4}, {x, bottom});
+}
+
+std::string ground(double x, double top, double half_width, double height) {
+  std::string text = line_element("dp-ground", {x - half_width, top}, {x + half_width, top});
+  const int strokes = static_cast<int>((2 * half_width - height) / 10);
+  for (int i = 0; i <= strokes; ++i) {
+    const double from = x - half_width + height + 10 * i;
+    text += line_element("dp-part", {from, top}, {from - height + 2, top + height - 2});
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string support_picture(const ImpactCase& impact, const SupportHeights& heights,
+                            const SupportView& view) {
+  const Backing& backing = impact.backing;
+  const double half = view.half_width;
+  const double back = view.back + view.deflection + view.body_motion;
+  std::string text;
+  if (heights.plate > 0)
+    text += rectangle_element("dp-panel", view.axis - half, back, 2 * half, heights.plate);
+  const double at_rest = view.back + heights.plate + heights.gap + view.body_motion;
+  const double base = at_rest + heights.spring;
+  if (heights.spring > 0) {
+    const double top = std::max(at_rest, back + heights.plate);
+    const double width = std::min(11.0, half / 4);
+    const bool is_damped = backing.damping > 0 || backing.loss_factor > 0;
+    for (const double side : {-1.0, 1.0}) {
+      const double x = view.axis + side * half * 0.6;
+      text +=
+          backing.unloading_stiffness > 0 ? folded_tube(x, top, base, width) : spring(x, top, base, width);
+    }
+    if (is_damped) text += damper(view.axis, top, base, width);
+    if (heights.gap > 0)
+      text += line_element("dp-ground", {view.axis - 0.75 * half, top}, {view.axis + 0.75 * half, top});
+  }
+  if (backing.body_mass == 0) return text + ground(view.axis, base, view.ground_half_width, heights.base);
+  text += rectangle_element("dp-body", view.axis - half, base, 2 * half, heights.base - 4);
+  const double room = 2 * half - 8;
+  const std::string words = "free body " + view.mass;
+  const std::string label = fitted(words, room) == words ? words : fitted(view.mass, room);
+  return text + text_element("dp-text", {view.axis, base + heights.base / 2 + 2}, "middle", label);
+}
+
+std::string support_words(const ImpactCase& impact, const UnitSystem& units) {
+  const Backing& backing = impact.backing;
+  const auto shown = [&](double value, const char* unit) {
+    return unbroken(brief_quantity(value, unit, units, 3));
+  };
+  std::string text = "rigid";
+  if (!impact.support.is_rigid()) {
+    const auto& points = impact.support.points();
+    const Support::Point& last = points.back();
+    text = points.size() == 1 ? "a spring of " + shown(last.force / last.deflection, "N/m")
+                              : fmt::format("a spring by a curve up to {} at {}", shown(last.force, "N"),
+                                            shown(last.deflection, "m"));
+    if (backing.unloading_stiffness > 0) text += ", which crushes";
+  }
+  if (backing.damping > 0) text += ", a damper of " + shown(backing.damping, "N s/m");
+  if (backing.loss_factor > 0) text += fmt::format(", a damper of loss factor {:.3g}", backing.loss_factor);
+  if (backing.mass > 0) text += ", a panel of " + shown(backing.mass, "kg");
+  if (backing.gap > 0) text += ", a gap of " + shown(backing.gap, "m");
+  if (backing.preload > 0)
+    text += fmt::format(", preloaded by {} against a stop", shown(backing.preload, "N"));
+  if (backing.body_mass > 0) text += ", on a free body of " + shown(backing.body_mass, "kg");
+  return text;
+}
+
+}  // namespace dashpad::output

@@ -1,0 +1,87 @@
+#pragma once
+/// Reads an SVG strictly, as far as Dashpad writes any: tags, attributes in double quotes, the five entities.
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dashpad::test {
+
+struct SvgElement {
+  std::string name;
+  std::map<std::string, std::string> attributes = {};
+  std::string text = {};                    ///< directly inside, entities as they are written
+  std::vector<std::size_t> ancestors = {};  ///< the outermost first
+
+  [[nodiscard]] double number(const std::string& attribute) const {
+    return std::stod(attributes.at(attribute));
+  }
+  [[nodiscard]] bool has(const std::string& attribute, std::string_view value) const {
+    const auto found = attributes.find(attribute);
+    return found != attributes.end() && found->second == value;
+  }
+};
+
+inline void require(bool condition, const std::string& what) {
+  if (!condition) throw std::runtime_error("no well-formed SVG: " + what);
+}
+
+inline void require_text(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    require(byte >= 0x20 || text[i] == '\n', "control character");
+    require(text[i] != '<' && text[i] != '>', "bare angle bracket");
+    if (text[i] != '&') continue;
+    const std::string_view entity = text.substr(i, text.find(';', i) - i);
+    require(entity == "&amp" || entity == "&lt" || entity == "&gt" || entity == "&quot" || entity == "&#39",
+            "entity " + std::string(entity));
+  }
+}
+
+/// All elements in the order of their first tags. Throws std::runtime_error for what is not well-formed.
+inline std::vector<SvgElement> svg_elements(const std::string& svg) {
+  std::vector<SvgElement> elements;
+  std::vector<std::size_t> open;
+  std::size_t at = 0;
+  while (at < svg.size()) {
+    const std::size_t tag = svg.find('<', at);
+    const std::string_view between = std::string_view(svg).substr(at, tag - at);
+    require_text(between);
+    if (!open.empty()) elements[open.back()].text += between;
+    if (open.empty()) require(between.find_first_not_of('\n') == std::string_view::npos, "text outside");
+    if (tag == std::string::npos) break;
+    const std::size_t end = svg.find('>', tag);
+    require(end != std::string::npos, "open tag");
+    std::string inside = svg.substr(tag + 1, end - tag - 1);
+    at = end + 1;
+    if (inside.starts_with('/')) {
+      require(!open.empty() && elements[open.back()].name == inside.substr(1), "closed " + inside);
+      open.pop_back();
+      continue;
+    }
+    const bool is_empty = inside.ends_with('/');
+    if (is_empty) inside.pop_back();
+    std::size_t place = inside.find(' ');
+    SvgElement element{.name = inside.substr(0, place), .ancestors = open};
+    while (place < inside.size()) {
+      const std::size_t equals = inside.find("=\"", place);
+      const std::size_t quote = inside.find('"', equals + 2);
+      require(equals != std::string::npos && quote != std::string::npos, "attribute in " + inside);
+      const std::string value = inside.substr(equals + 2, quote - equals - 2);
+      require_text(value);
+      require(element.attributes.emplace(inside.substr(place + 1, equals - place - 1), value).second,
+              "attribute twice in " + inside);
+      place = quote + 1;
+      require(place == inside.size() || inside[place] == ' ', "space in " + inside);
+    }
+    require(!open.empty() || elements.empty(), "two roots");
+    elements.push_back(std::move(element));
+    if (!is_empty) open.push_back(elements.size() - 1);
+  }
+  require(open.empty() && !elements.empty(), "end");
+  return elements;
+}
+
+}  // namespace dashpad::test
