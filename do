@@ -18,6 +18,7 @@ Usage: ./do TASK [arguments]
   bench PROGRAM [arguments]
                            only impact, injury, work-precision, study or report, with arguments of its own
   bench --check            whether the tables of bench/README.md are those of bench/results
+  pictures                 draw the pictures of README and docs anew, but for one that was drawn by hand
   format                   lay out the C++ code with clang-format
   lint                     check layout, clang-tidy, cppcheck and shellcheck; changes nothing
   coverage                 run the tests and report the lines they reach
@@ -179,6 +180,25 @@ task_bench() {
   say "Raw results, stills and benchmarks.html: ${results#"$root"/}"
 }
 
+# The pictures of the documents, by the command that users have.
+task_pictures() {
+  need_packages run
+  say "Building the command ..."
+  configure release
+  build release dashpad-command
+  cd "$root"
+  local dashpad="build/release/app/dashpad" images="docs/images" stills="build/pictures" law still
+  "$dashpad" run examples/helmet-pad-10fps.toml --drawing "$images/helmet-pad-10fps.svg" --force >/dev/null
+  "$dashpad" compare examples/dashboard-20mph.toml --picture "$images/spit1984-comparison.svg" --force >/dev/null
+  for law in 9 21; do
+    "$dashpad" material-test "ensolite-aac-$law" --test parabolic --strain 0.95 --rate 1,100 --explicit-1984 \
+      --units us --picture "$images/figure-2-$((law == 9 ? 9 : 10)).svg" --force >/dev/null
+  done
+  "$dashpad" validate --figures "$stills" --force >/dev/null
+  for still in "$images"/validation/*.svg; do cp "$stills/$(basename "$still")" "$still"; done
+  git status --short "$images"
+}
+
 # Paths of the C++ files, relative to the root.
 cpp_files() {
   (cd "$root" && find app bench include src tests -name '*.[ch]pp' | sort)
@@ -263,7 +283,7 @@ task_install_packages() { need_packages "$@"; }
 task="${1:-help}"
 [[ $# -eq 0 ]] || shift
 case "$task" in
-  run | test | bench | format | lint | coverage | fuzz | clean | install-packages) "task_${task//-/_}" "$@" ;;
+  run | test | bench | pictures | format | lint | coverage | fuzz | clean | install-packages) "task_${task//-/_}" "$@" ;;
   help | -h | --help) help ;;
   *)
     help >&2

@@ -25,6 +25,7 @@ constexpr const char* assess_footer = R"(Examples:
   dashpad assess examples/dashboard-20mph.toml --standard fmvss-201-instrument-panel
   dashpad assess examples/dashboard-20mph.toml --standard fmvss-201-instrument-panel:air-bag --units us
   dashpad assess examples/dashboard-20mph.toml --standard en-1177 --drop-height "1.5 m"
+  dashpad assess examples/head-on-door-panel.toml --standard fmvss-201-instrument-panel --report ./my-verdict.html
   dashpad assess examples/dashboard-20mph.toml --standard fmvss-218:hemispherical:small --json -
 
 The impactor (mass, radius, speed) is that of the standard, or yours where you give one; pad, support and
@@ -48,6 +49,7 @@ struct AssessRequest {
   std::string standard;
   std::optional<std::string> mass, radius, speed, drop_height;
   std::optional<std::string> json;
+  std::optional<std::string> report;
   std::string units;
   output::Detail detail = output::Detail::main;
   std::optional<std::string> tolerance;
@@ -68,7 +70,10 @@ struct AssessInput {
 };
 
 std::vector<Target> targets(const AssessRequest& request) {
-  return request.json ? std::vector<Target>{{"--json", *request.json}} : std::vector<Target>{};
+  std::vector<Target> wanted;
+  if (request.json) wanted.push_back({"--json", *request.json});
+  if (request.report) wanted.push_back({"--report", *request.report});
+  return wanted;
 }
 
 using Complaints = std::vector<std::string>;
@@ -104,6 +109,7 @@ void noting_faults(Complaints& wrong, Reader read) {
 
 AssessInput read_and_check(const AssessRequest& request, const AssessFolders& folders) {
   Complaints wrong;
+  judge_report(request.report, wrong);
   const injury::UserValues values = read_user_values(request, wrong);
   const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
   AssessInput input;
@@ -136,7 +142,11 @@ int run_assessment(const AssessRequest& request, const AssessFolders& folders) {
   const output::AssessmentReport report{input.standard, input.given.impact, input.assessed, solution,
                                         assessment};
   publish(
-      targets(request), request.force, [&](const Target&) { return output::assessment_json(report); },
+      targets(request), request.force,
+      [&](const Target& target) {
+        return target.option == "--report" ? output::assessment_page(report, unit_system(request.units))
+                                           : output::assessment_json(report);
+      },
       output::assessment_text(report, unit_system(request.units), request.detail));
   if (!solution.summary.trustworthy() || assessment.verdict == injury::Verdict::undecided)
     return exit_not_trusted;
@@ -160,6 +170,7 @@ void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
   sub->add_option("--radius", request->radius, "Radius of the sphere, such as \"82.5 mm\"")->type_name("R");
   sub->add_option("--json", request->json, "Write the assessment as JSON, SI and g (- for standard output)")
       ->type_name("FILE");
+  add_report(*sub, request->report);
   add_units(*sub, request->units);
   add_all(*sub, request->detail);
   add_tolerance(*sub, request->tolerance);

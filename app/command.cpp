@@ -54,8 +54,8 @@ void add_force(CLI::App& app, bool& force) {
   app.add_flag("--force", force, "Overwrite existing files")->disable_flag_override();
 }
 
-void add_report(CLI::App& app, std::optional<std::string>& file) {
-  app.add_option("--report", file, "Write a page to look at in a browser, as one HTML file")
+CLI::Option* add_report(CLI::App& app, std::optional<std::string>& file) {
+  return app.add_option("--report", file, "Write a page to look at in a browser, as one HTML file")
       ->type_name("FILE");
 }
 

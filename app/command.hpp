@@ -55,7 +55,7 @@ std::optional<double> tolerance_of(const std::optional<std::string>& text, std::
 /// Adds --force.
 void add_force(CLI::App& app, bool& force);
 /// Adds --report, the file of a page.
-void add_report(CLI::App& app, std::optional<std::string>& file);
+CLI::Option* add_report(CLI::App& app, std::optional<std::string>& file);
 /// Tells `wrong` of a page that this build cannot make.
 void judge_report(const std::optional<std::string>& file, std::vector<std::string>& wrong);
 /// Tells `wrong` of a picture whose name has the ending of no format.

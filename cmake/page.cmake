@@ -12,10 +12,8 @@ if(NOT DASHPAD_BUILD_PAGE)
 
 namespace dashpad::output {
 
-const std::string_view page_before_data;
-const std::string_view page_after_data;
-const std::string_view figures_page_before_data;
-const std::string_view figures_page_after_data;
+const PageParts page_parts;
+const PageParts figures_page_parts;
 
 }  // namespace dashpad::output
 ]] @ONLY)

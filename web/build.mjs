@@ -44,23 +44,24 @@ function policy(script, style) {
   return [
     "default-src 'none'",
     `script-src ${hash(script)}`,
-    `style-src ${hash(style)}`,
+    // C++ adds the hashes of the styles that SVGs bring.
+    `style-src ${hash(style)}@STYLES@`,
     "img-src data:",
     "base-uri 'none'",
     "form-action 'none'",
   ].join("; ");
 }
 
-// What stands before the data and after them.
-function halves(main) {
+// What stands before, between and after what C++ fills in.
+function cut(main) {
   const text = bundled(main);
   const [script, style] = [text(".js"), text(".css")];
   const parts = readFileSync(join(here, "both/page.html"), "utf8")
     .replace("@POLICY@", () => policy(script, style))
     .replace("@STYLE@", () => style)
     .replace("@SCRIPT@", () => script)
-    .split("@DATA@");
-  if (parts.length !== 2) throw new Error("the page needs one place for its data");
+    .split(/@(?:STYLES|TITLE|LEAD|BODY|DATA)@/);
+  if (parts.length !== 6) throw new Error("the page needs one place each for its title, lead, body and data");
   return parts;
 }
 
@@ -69,12 +70,7 @@ const literal = (of) => {
   return `R"page(${of})page"`;
 };
 
-function texts(name, main) {
-  const [before, after] = halves(main);
-  return `const std::string_view ${name}_before_data = ${literal(before)};
-const std::string_view ${name}_after_data = ${literal(after)};
-`;
-}
+const texts = (name, main) => `const PageParts ${name}_parts{${cut(main).map(literal).join(",\n")}};\n`;
 
 writeFileSync(
   output,

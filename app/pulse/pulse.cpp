@@ -28,6 +28,7 @@ constexpr const char* pulse_footer = R"(Examples:
                                                           sensor offset off; restitution, and a check
   dashpad pulse logger.csv --interval "0.1 ms" --sensitivity "10 mV/g"
                                                           one column, in mV
+  dashpad pulse drop.csv --report drop.html               a page: figures, curve, what it rests on
   dashpad pulse test.zip --list                           the channels of a test in ISO-MME
   dashpad pulse test.zip --channel "11HEAD0000??AC?A" --resultant --picture head.svg
   dashpad run examples/dashboard-20mph.toml --csv - > run.csv && dashpad pulse run.csv
@@ -61,6 +62,7 @@ std::vector<Target> targets(const PulseRequest& request) {
   if (request.json) wanted.push_back({"--json", *request.json});
   if (request.csv) wanted.push_back({"--csv", *request.csv});
   if (request.picture) wanted.push_back({"--picture", *request.picture});
+  if (request.report) wanted.push_back({"--report", *request.report});
   return wanted;
 }
 
@@ -72,6 +74,7 @@ int show_figures(const PulseRequest& request) {
   const auto text_of = [&](const Target& target) {
     const ProgressLine waiting("Writing " + target.file);
     if (target.option == "--json") return output::pulse_json(report);
+    if (target.option == "--report") return output::pulse_page(report, units);
     if (target.option == "--csv") return output::pulse_csv(report, units_of_files(units));
     return output::picture(output::pulse_plot(report, units), *output::picture_format(target.file));
   };
@@ -124,6 +127,7 @@ void add_pulse(CLI::App& app, Action& action, const std::filesystem::path&) {
   sub->add_option("--picture", request->picture, "Draw the pulse (.svg, .png, .pdf)")
       ->excludes(list)
       ->type_name("FILE");
+  add_report(*sub, request->report)->excludes(list);
   add_units(*sub, request->units);
   add_all(*sub, request->detail);
   add_force(*sub, request->force);

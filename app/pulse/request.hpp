@@ -36,6 +36,7 @@ struct PulseRequest {
   std::optional<std::string> json;
   std::optional<std::string> csv;
   std::optional<std::string> picture;
+  std::optional<std::string> report;
   std::string units;
   output::Detail detail = output::Detail::main;
   bool force = false;

@@ -229,6 +229,18 @@ std::vector<ResultRow> pulse_rows(const injury::InjuryFigures& figures, const Un
   return rows;
 }
 
+std::vector<ResultRow> main_rows(const ImpactCase& impact, const Summary& summary,
+                                 const std::optional<injury::InjuryFigures>& injury,
+                                 const UnitSystem& units) {
+  std::vector<ResultRow> rows = summary_rows(impact, summary, units, Detail::main);
+  if (!injury) return rows;
+  std::vector<ResultRow> all = pulse_rows(*injury, units, Detail::main);
+  std::erase_if(all, [](const ResultRow& row) { return row.key == "velocity_change"; });
+  std::erase_if(rows, [](const ResultRow& row) { return row.key == "peak_acceleration"; });
+  all.insert(all.end(), std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
+  return all;
+}
+
 std::string laid_out(const ResultRow& row) {
   std::string line = fmt::format("  {:<21}{:>9} {:<7}", row.label, row.value, row.unit);
   if (row.error) line += fmt::format("± {:<9} ", shown_error(*row.error));

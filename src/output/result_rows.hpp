@@ -37,6 +37,10 @@ std::vector<ResultRow> summary_rows(const ImpactCase& impact, const Summary& sum
 std::vector<ResultRow> pulse_rows(const injury::InjuryFigures& figures, const UnitSystem& units,
                                   Detail detail);
 
+/// The rows that people ask for first: those of the pulse, then those of the impact, none twice.
+std::vector<ResultRow> main_rows(const ImpactCase& impact, const Summary& summary,
+                                 const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units);
+
 /// "  Peak force             5757 N      ± 0.2 %  remark", at most 100 columns wide.
 std::string laid_out(const ResultRow& row);
 

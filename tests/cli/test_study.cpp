@@ -97,6 +97,23 @@ TEST_F(StudyTest, ComputesAndSumsUp) {
   EXPECT_LE(exceedance.at("probability").at("low"), exceedance.at("probability").at("value"));
 }
 
+TEST_F(StudyTest, ThePageBeginsWithTheAnswer) {
+  compute("drawn");
+  const auto heading = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(),
+                     {"study", "summary", file("drawn.db"), "--report", file("page.html"), "--force"});
+    EXPECT_EQ(dashpad(arguments).exit_code, 0);
+    const std::string page = read_file(file("page.html"));
+    const std::size_t begin = page.find("<h1");
+    return page.substr(begin, page.find("</h1>", begin) - begin);
+  };
+  EXPECT_THAT(
+      heading({"--limit", "peak_acceleration > 30 g"}),
+      ContainsRegex("In [0-9.]+ % of cases Peak acceleration exceeds 30 g \\([0-9.]+ % to [0-9.]+ %\\)$"));
+  EXPECT_THAT(heading({"--response", "rebound_speed"}),
+              ContainsRegex("Rebound speed follows impactor.speed most: [0-9.]+ % of its scatter$"));
+}
+
 /// On an elastic pad on an elastic support the rebound is as fast as the impact: the speed alone explains it.
 TEST_F(StudyTest, IndicesNameTheFactorThatMatters) {
   compute("drawn");

@@ -57,7 +57,7 @@ export async function open(file, options = {}) {
     seen.requests.push(url);
     return route.abort();
   });
-  await page.addInitScript(() => {
+  if (options.javaScriptEnabled !== false) await page.addInitScript(() => {
     window.written = [];
     const fillText = CanvasRenderingContext2D.prototype.fillText;
     CanvasRenderingContext2D.prototype.fillText = function (text, ...more) {
@@ -66,7 +66,8 @@ export async function open(file, options = {}) {
     };
   });
   await page.goto(pathToFileURL(file).href);
-  await settled(page);
+  // Without scripts nothing is drawn after the page is there.
+  if (options.javaScriptEnabled !== false) await settled(page);
   return Object.assign(page, { seen });
 }
 
@@ -77,7 +78,7 @@ export const settled = (page) =>
 // Of each plot its name and how many pixels of its canvas are a line in colour.
 export const inked = (page) =>
   page.evaluate(() =>
-    [...document.querySelectorAll("figure")].map((figure) => {
+    [...document.querySelectorAll("main figure")].map((figure) => {
       const canvas = figure.querySelector("canvas");
       const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
       let pixels = 0;

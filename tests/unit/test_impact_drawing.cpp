@@ -105,7 +105,7 @@ void expect_sound(const std::string& svg) {
       expect_inside(element.number("x") - from * length, element.number("y"), element);
       expect_inside(element.number("x") + (1 - from) * length, element.number("y"), element);
     }
-    if (element.has("class", "dp-dimension") && element.has("data-to-scale", "yes")) {
+    if (element.has("class", "dd-dimension") && element.has("data-to-scale", "yes")) {
       const SvgElement& line = elements[i + 1];
       EXPECT_NEAR(line.number("y2") - line.number("y1"), element.number("data-metres") * scale, 0.02)
           << element.attributes.at("data-of");
@@ -186,7 +186,7 @@ TEST(ImpactDrawing, TheNoseEndsWhereThePenetrationDoes) {
     const std::vector<SvgElement> elements = elements_of(impact_drawing(impact, made_up(0.02, 0.03), si()));
     double lowest = 0, tip = 0;
     for (std::size_t i = 0; i < elements.size(); ++i) {
-      if (elements[i].has("class", "dp-nose")) {  // the last one is that of the right picture
+      if (elements[i].has("class", "dd-nose")) {  // the last one is that of the right picture
         lowest = 0;
         const std::string& data = elements[i].attributes.at("d");
         static const std::regex place("[ML](-?[0-9.]+) (-?[0-9.]+)");
@@ -212,7 +212,7 @@ TEST(ImpactDrawing, StruckThroughIsSaidAndDrawn) {
   const std::string svg = impact_drawing(impact, solution, si());
   expect_sound(svg);
   EXPECT_THAT(svg, HasSubstr(">Struck through</text>"));
-  EXPECT_THAT(svg, HasSubstr("<line class=\"dp-struck-edge\""));
+  EXPECT_THAT(svg, HasSubstr("<line class=\"dd-struck-edge\""));
   EXPECT_THAT(svg, HasSubstr(">0 mm</text>"));
 }
 
@@ -228,7 +228,7 @@ TEST(ImpactDrawing, InACraterFirstContactIsBelowTheFace) {
   EXPECT_THAT(svg, HasSubstr("Pad: soft-foam"));  // its name is not on the pad, where the nose is
   // The left picture has strained columns already.
   const std::string left = svg.substr(0, svg.find("-right)"));
-  EXPECT_THAT(left, HasSubstr("class=\"dp-s5\""));
+  EXPECT_THAT(left, HasSubstr("class=\"dd-s5\""));
 }
 
 TEST(ImpactDrawing, LayersHaveNamesAndShareThePenetration) {

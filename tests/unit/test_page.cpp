@@ -193,9 +193,9 @@ TEST_F(Page, is_one_small_file_that_names_no_other) {
   EXPECT_LT(text_.size(), 300'000U);
   EXPECT_EQ(count(text_, "<script"), 2U);
   EXPECT_EQ(count(text_, "</script>"), 2U);
-  EXPECT_EQ(count(text_, "<style"), 1U);
-  for (const char* part : {"src=", "@import", "url(", "innerHTML", "eval(", "<iframe"})
-    EXPECT_FALSE(has(part)) << part;
+  EXPECT_EQ(count(text_, "<style"), 3U) << "of the page, of drawings and of plots";
+  for (const char* part : {"src=", "@import", "innerHTML", "eval(", "<iframe"}) EXPECT_FALSE(has(part)) << part;
+  EXPECT_EQ(count(text_, "url("), count(text_, "url(#")) << "only what is in the page itself";
   const std::string opening = R"(<script type="application/json" id="data">)";
   const auto begin = text_.find(opening) + opening.size();
   const auto data = nlohmann::json::parse(text_.substr(begin, text_.find('<', begin) - begin));
@@ -206,6 +206,7 @@ TEST_F(Page, has_a_policy_that_allows_its_own_script_only) {
   EXPECT_EQ(count(text_, "Content-Security-Policy"), 1U);
   EXPECT_TRUE(has("default-src 'none'; script-src 'sha256-"));
   EXPECT_TRUE(has("; style-src 'sha256-"));
+  EXPECT_EQ(count(text_, "'sha256-"), 4U) << "a script and three styles";
   EXPECT_FALSE(has("unsafe"));
 }
 

@@ -26,6 +26,7 @@ function sectionElement(section, i) {
     made.append(
       element("div", { className: "plots" }, ...section.figures.map((figure, k) => figureElement(figure, figureId(i, k)))),
     );
+  if (section.copy) made.append(element("pre", { text: section.copy, attributes: { tabindex: "0" } }));
   return made;
 }
 
@@ -44,14 +45,15 @@ function contents() {
 }
 
 function header() {
-  const made = element("header", {}, element("h1", { text: data.title || "Figures" }), ...paragraphs(data.summary));
+  const made = element("header", {}, ...paragraphs(data.summary));
+  // Above a page that answers its question the answer is the heading.
+  if (!document.querySelector(".lead")) made.prepend(element("h1", { text: data.title || "Figures" }));
   if (data.warnings.length > 0) made.append(element("ul", { className: "warnings" }, ...data.warnings.map(warning)));
   return made;
 }
 
 const count = data.sections.reduce((sum, { figures }) => sum + figures.length, 0);
-document.title = data.title ? `${data.title} - Dashpad` : "Dashpad";
-page.append(header());
+page.replaceChildren(header());
 if (count > 3) page.append(contents());
 if (count > 0)
   page.append(

@@ -14,14 +14,16 @@ function head(columns, rows) {
   });
 }
 
-function row(cells) {
+function row(cells, columns) {
   const [first, ...others] = cells;
   const isRight = (text) => isNumber(text) || isNone(text);
   return element(
     "tr",
     {},
     element("th", { text: first, attributes: { scope: "row" } }),
-    ...others.map((text) => element("td", { text, className: isRight(text) ? "number" : "" })),
+    ...others.map((text, i) =>
+      element("td", { text, className: isRight(text) ? "number" : "", attributes: { "data-column": columns[i + 1] ?? "" } }),
+    ),
   );
 }
 
@@ -29,6 +31,6 @@ export function table({ caption, columns, rows }) {
   const made = element("table");
   if (caption) made.append(element("caption", { text: caption }));
   if (columns.some(Boolean)) made.append(element("thead", {}, element("tr", {}, ...head(columns, rows))));
-  made.append(element("tbody", {}, ...rows.filter((cells) => cells.length > 0).map(row)));
+  made.append(element("tbody", {}, ...rows.filter((cells) => cells.length > 0).map((cells) => row(cells, columns))));
   return element("div", { className: "table" }, made);
 }

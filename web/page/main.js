@@ -62,16 +62,9 @@ function show(system) {
   for (const chart of charts) chart.show(units);
 }
 
-document.title = data.title ? `${data.title} - Dashpad` : "Dashpad";
-page.append(
-  element(
-    "header",
-    {},
-    element("h1", { text: data.title || "Impact on a pad" }),
-    words,
-    element("p", { className: "outcome", text: data.outcome }),
-    warnings,
-  ),
+// The answer stands above, and the title with it.
+page.replaceChildren(
+  element("header", {}, words, warnings),
   unitSwitch(show),
   element("section", {}, element("h2", { text: "Figures" }), blows, tables),
   element(

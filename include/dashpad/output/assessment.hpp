@@ -34,6 +34,9 @@ struct AssessmentReport {
 /// Errors stand beside values where they leave a criterion undecided, or with Detail::all.
 std::string assessment_text(const AssessmentReport& report, const UnitSystem& units, Detail detail);
 
+/// The page. Throws as figures_page() does.
+std::string assessment_page(const AssessmentReport& report, const UnitSystem& units);
+
 /// The same in SI, with the summary of the impact as `dashpad run --json` writes it under "result".
 std::string assessment_json(const AssessmentReport& report);
 

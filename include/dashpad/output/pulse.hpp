@@ -16,6 +16,9 @@ std::string pulse_text(const injury::PulseReport& report, const UnitSystem& unit
 /// The same in SI, accelerations in g.
 std::string pulse_json(const injury::PulseReport& report);
 
+/// The page. Throws as figures_page() does.
+std::string pulse_page(const injury::PulseReport& report, const UnitSystem& units);
+
 /// Time and acceleration of the pulse that the figures are of: "time_s,acceleration_g".
 std::string pulse_csv(const injury::PulseReport& report, const UnitSystem& units);
 

@@ -19,7 +19,8 @@ std::string study_json(const study::StudyAnswers& answers);
 /// The page, for figures_page().
 FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& units);
 
-/// The most telling figure: cushion curves, else curves over a grid, else distributions.
+/// The figure that answers the study: cushion curves, else Sobol' indices, else a map or curves over a grid,
+/// else distributions.
 Plot study_plot(const study::StudyAnswers& answers, const UnitSystem& units);
 
 /// A factor's value with its unit; for a material (unit "") its name.

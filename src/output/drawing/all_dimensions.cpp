@@ -38,7 +38,7 @@ std::string thicknesses(const Scene& scene) {
   const double edge = scene.left.axis + scene.pad_half_width();
   const double x = scene.left.axis + layout.half_width + clearance;
   std::vector<Dimension> dimensions;
-  std::string text = line_element("dp-extension", {edge, layout.face}, {x + overshoot, layout.face});
+  std::string text = line_element("dd-extension", {edge, layout.face}, {x + overshoot, layout.face});
   for (std::size_t i = 0; i < scene.moments.layers.size(); ++i) {
     const double thickness = scene.moments.layers[i].thickness;
     const double to = layout.face + scene.front_of_layer(i + 1);
@@ -48,7 +48,7 @@ std::string thicknesses(const Scene& scene) {
                           .to = to,
                           .value = shown_length(scene, thickness),
                           .is_cut = layout.pad_is_cut});
-    text += line_element("dp-extension", {edge, to}, {x + overshoot, to});
+    text += line_element("dd-extension", {edge, to}, {x + overshoot, to});
   }
   return text + dimension_column(dimensions, column_at(scene, x, false));
 }
@@ -64,9 +64,9 @@ std::string penetration_and_rest(const Scene& scene) {
   const double pad = scene.pad_half_width();
   const double nose = scene.outline.radius(moments.penetration) * layout.scale;
   const double seen = std::clamp(nose, pad, layout.half_width);
-  std::string text = line_element("dp-extension", {axis + seen, face}, {x + overshoot, face});
-  if (!moments.struck_through) text += line_element("dp-extension", {axis, tip}, {x + overshoot, tip});
-  text += line_element("dp-extension", {axis + pad, back}, {x + overshoot, back});
+  std::string text = line_element("dd-extension", {axis + seen, face}, {x + overshoot, face});
+  if (!moments.struck_through) text += line_element("dd-extension", {axis, tip}, {x + overshoot, tip});
+  text += line_element("dd-extension", {axis + pad, back}, {x + overshoot, back});
   return text + dimension_column({{.of = "penetration",
                                    .metres = moments.penetration,
                                    .from = face,
@@ -90,7 +90,7 @@ std::string way_of_support(const Scene& scene) {
   const double x = left - clearance, edge = scene.right.axis - scene.pad_half_width();
   std::vector<Dimension> dimensions;
   std::string text =
-      line_element("dp-rest", {x - overshoot, scene.back()}, {std::max(left + 40, edge + 16), scene.back()});
+      line_element("dd-rest", {x - overshoot, scene.back()}, {std::max(left + 40, edge + 16), scene.back()});
   double y = scene.back();
   const auto add = [&](const char* of, const char* word, double metres, double way) {
     if (!(metres > 0)) return;
@@ -102,7 +102,7 @@ std::string way_of_support(const Scene& scene) {
                           .word = word,
                           .is_cut = scene.layout.sink_is_cut});
     y += way;
-    text += line_element("dp-extension", {x - overshoot, y}, {edge, y});
+    text += line_element("dd-extension", {x - overshoot, y}, {edge, y});
   };
   add("deflection", "deflection", scene.moments.deflection, scene.right.deflection);
   add("body-motion", "body moved", scene.moments.body_motion, scene.right.body_motion);
@@ -111,8 +111,10 @@ std::string way_of_support(const Scene& scene) {
 
 }  // namespace
 
-std::string all_dimensions(const Scene& scene) {
-  return thicknesses(scene) + penetration_and_rest(scene) + way_of_support(scene);
+std::string dimensions_left(const Scene& scene) { return thicknesses(scene); }
+
+std::string dimensions_right(const Scene& scene) {
+  return penetration_and_rest(scene) + way_of_support(scene);
 }
 
 }  // namespace dashpad::output

@@ -51,7 +51,7 @@ std::string names_on_pad(const Scene& scene) {
     const double from = scene.front_of_layer(i), to = scene.front_of_layer(i + 1);
     // A pad that is cut has its break below the middle.
     const double middle = scene.layout.pad_is_cut ? from + 0.3 * (to - from) : (from + to) / 2;
-    text += text_element("dp-text dp-on-pad", {scene.left.axis, scene.layout.face + middle + 4.5}, "middle",
+    text += text_element("dd-text dd-on-pad", {scene.left.axis, scene.layout.face + middle + 4.5}, "middle",
                          fitted(name_of_layer(scene, i), 2 * scene.pad_half_width() - 16));
   }
   return text;

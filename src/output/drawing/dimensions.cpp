@@ -15,7 +15,7 @@ namespace {
 double label_height(const Dimension& dimension) { return dimension.word.empty() ? 17 : 31; }
 
 /// A slanted stroke where a dimension ends.
-std::string tick(double x, double y) { return line_element("dp-tick", {x - 4, y + 4}, {x + 4, y - 4}); }
+std::string tick(double x, double y) { return line_element("dd-tick", {x - 4, y + 4}, {x + 4, y - 4}); }
 
 }  // namespace
 
@@ -47,13 +47,13 @@ std::string dimension_column(const std::vector<Dimension>& dimensions, const Dim
   std::string text;
   for (std::size_t i = 0; i < dimensions.size(); ++i) {
     const Dimension& dimension = dimensions[i];
-    text += fmt::format("<g class=\"dp-dimension\" data-of=\"{}\" data-metres=\"{}\" data-to-scale=\"{}\">\n",
+    text += fmt::format("<g class=\"dd-dimension\" data-of=\"{}\" data-metres=\"{}\" data-to-scale=\"{}\">\n",
                         dimension.of, dimension.metres, dimension.is_cut ? "no" : "yes");
-    text += line_element("dp-line", {column.x, dimension.from}, {column.x, dimension.to});
+    text += line_element("dd-line", {column.x, dimension.from}, {column.x, dimension.to});
     text += tick(column.x, dimension.from) + tick(column.x, dimension.to);
     const double middle = (dimension.from + dimension.to) / 2;
     if (dimension.is_cut)
-      text += path_element("dp-cut",
+      text += path_element("dd-cut",
                            {{column.x - 5, middle + 3},
                             {column.x - 1, middle - 3},
                             {column.x + 1, middle + 3},
@@ -61,11 +61,11 @@ std::string dimension_column(const std::vector<Dimension>& dimensions, const Dim
                            false);
     const double x = column.x + 9 * side;
     if (middles[i] < dimension.from - 1 || middles[i] > dimension.to + 1)
-      text += line_element("dp-leader", {column.x + 2 * side, middle}, {x - side, middles[i]});
+      text += line_element("dd-leader", {column.x + 2 * side, middle}, {x - side, middles[i]});
     const double baseline = middles[i] + (dimension.word.empty() ? 4.5 : -2);
-    text += text_element(dimension.is_alarm ? "dp-value dp-alarm" : "dp-value", {x, baseline}, anchor,
+    text += text_element(dimension.is_alarm ? "dd-value dd-alarm" : "dd-value", {x, baseline}, anchor,
                          dimension.value);
-    if (!dimension.word.empty()) text += text_element("dp-small", {x, baseline + 14}, anchor, dimension.word);
+    if (!dimension.word.empty()) text += text_element("dd-small", {x, baseline + 14}, anchor, dimension.word);
     text += "</g>\n";
   }
   return text;

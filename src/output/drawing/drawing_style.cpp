@@ -9,23 +9,23 @@ namespace {
 
 /// Contrasts of texts are 4.5 to 1 and more on either paper.
 constexpr const char* rules =
-    ".dp-drawing text{font-family:system-ui,-apple-system,\"Segoe UI\",Roboto,\"Helvetica Neue\",Arial,"
+    ".dd-drawing text{font-family:system-ui,-apple-system,\"Segoe UI\",Roboto,\"Helvetica Neue\",Arial,"
     "\"DejaVu Sans\",sans-serif;font-size:13px;font-variant-numeric:tabular-nums}"
-    ".dp-drawing .dp-heading{font-size:15px;font-weight:600}"
-    ".dp-drawing .dp-value{font-weight:600}"
-    ".dp-drawing .dp-small,.dp-drawing .dp-faint{font-size:12px}"
-    ".dp-drawing .dp-on-pad{paint-order:stroke;stroke-width:3px;stroke-linejoin:round}"
-    ".dp-line,.dp-leader,.dp-extension,.dp-rest,.dp-tick,.dp-tested,.dp-cut,.dp-pad-edge,.dp-layer-edge,"
-    ".dp-part,.dp-arrow{fill:none}"
-    ".dp-line,.dp-leader,.dp-extension,.dp-rest{stroke-width:.8}"
-    ".dp-rest{stroke-dasharray:5 3}"
-    ".dp-tick,.dp-cut,.dp-part{stroke-width:1.3}"
-    ".dp-pad-edge,.dp-layer-edge{stroke-width:1.1}"
-    ".dp-tested,.dp-ground,.dp-arrow{stroke-width:2}"
-    ".dp-nose,.dp-panel,.dp-body{stroke-width:1.4}"
-    ".dp-struck-edge{stroke-width:5}"
-    ".dp-hatching{fill:none;stroke-width:1;stroke-opacity:.45}"
-    ".dp-break{stroke-width:1.1}";
+    ".dd-drawing .dd-heading{font-size:15px;font-weight:600}"
+    ".dd-drawing .dd-value{font-weight:600}"
+    ".dd-drawing .dd-small,.dd-drawing .dd-faint{font-size:12px}"
+    ".dd-drawing .dd-on-pad{paint-order:stroke;stroke-width:3px;stroke-linejoin:round}"
+    ".dd-line,.dd-leader,.dd-extension,.dd-rest,.dd-tick,.dd-tested,.dd-cut,.dd-pad-edge,.dd-layer-edge,"
+    ".dd-part,.dd-arrow{fill:none}"
+    ".dd-line,.dd-leader,.dd-extension,.dd-rest{stroke-width:.8}"
+    ".dd-rest{stroke-dasharray:5 3}"
+    ".dd-tick,.dd-cut,.dd-part{stroke-width:1.3}"
+    ".dd-pad-edge,.dd-layer-edge{stroke-width:1.1}"
+    ".dd-tested,.dd-ground,.dd-arrow{stroke-width:2}"
+    ".dd-nose,.dd-panel,.dd-body{stroke-width:1.4}"
+    ".dd-struck-edge{stroke-width:5}"
+    ".dd-hatching{fill:none;stroke-width:1;stroke-opacity:.45}"
+    ".dd-break{stroke-width:1.1}";
 
 struct Colours {
   const char* paper;
@@ -43,15 +43,15 @@ std::string colour_rules(const Colours& colours) {
   };
   const std::string paper = colours.paper, text = colours.text, faint = colours.faint, line = colours.line,
                     nose = colours.nose, edge = colours.edge, alarm = colours.alarm;
-  return rule(".dp-paper", "fill:" + paper) +
-         rule(".dp-drawing text,.dp-mark,.dp-arrow-head", "fill:" + text) +
-         rule(".dp-drawing .dp-small,.dp-drawing .dp-faint", "fill:" + faint) +
-         rule(".dp-drawing .dp-alarm", "fill:" + alarm) + rule(".dp-drawing .dp-on-pad", "stroke:" + paper) +
-         rule(".dp-line,.dp-leader,.dp-extension,.dp-rest", "stroke:" + line) +
-         rule(".dp-tick,.dp-tested,.dp-cut,.dp-arrow", "stroke:" + text) +
-         rule(".dp-pad-edge,.dp-layer-edge,.dp-part,.dp-ground,.dp-hatching,.dp-break", "stroke:" + edge) +
-         rule(".dp-nose,.dp-panel,.dp-body", "fill:" + nose + ";stroke:" + edge) +
-         rule(".dp-break", "fill:" + paper) + rule(".dp-struck-edge", "stroke:" + alarm);
+  return rule(".dd-paper", "fill:" + paper) +
+         rule(".dd-drawing text,.dd-mark,.dd-arrow-head", "fill:" + text) +
+         rule(".dd-drawing .dd-small,.dd-drawing .dd-faint", "fill:" + faint) +
+         rule(".dd-drawing .dd-alarm", "fill:" + alarm) + rule(".dd-drawing .dd-on-pad", "stroke:" + paper) +
+         rule(".dd-line,.dd-leader,.dd-extension,.dd-rest", "stroke:" + line) +
+         rule(".dd-tick,.dd-tested,.dd-cut,.dd-arrow", "stroke:" + text) +
+         rule(".dd-pad-edge,.dd-layer-edge,.dd-part,.dd-ground,.dd-hatching,.dd-break", "stroke:" + edge) +
+         rule(".dd-nose,.dd-panel,.dd-body", "fill:" + nose + ";stroke:" + edge) +
+         rule(".dd-break", "fill:" + paper) + rule(".dd-struck-edge", "stroke:" + alarm);
 }
 
 std::string whole_style() {

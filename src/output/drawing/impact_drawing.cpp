@@ -26,7 +26,7 @@ constexpr double line_distance = 17;  ///< px
 std::string captions(const std::vector<std::string>& lines, double x, double y) {
   std::string text;
   for (const std::string& line : lines) {
-    text += text_element("dp-text", {x, y}, "start", line);
+    text += text_element("dd-text", {x, y}, "start", line);
     y += line_distance;
   }
   return text;
@@ -38,7 +38,7 @@ std::string whole_drawing(const Scene& scene) {
   const double below = std::max(14 + line_distance * static_cast<double>(lines.size()), strain_legend_height);
   const double height = layout.bottom + below + 12;
   std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"dp-drawing\" viewBox=\"0 0 {0} {1}\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"dd-drawing\" viewBox=\"0 0 {0} {1}\" "
       "role=\"img\" aria-labelledby=\"{2}-title {2}-description\" data-scale=\"{3}\">\n"
       "<title id=\"{2}-title\">{4}</title>\n<desc id=\"{2}-description\">{5}</desc>\n"
       "<style>{6}</style>\n",
@@ -47,12 +47,18 @@ std::string whole_drawing(const Scene& scene) {
       impact_drawing_style());
   text += "<defs>\n" + hatchings(scene.moments) + picture_clip(scene, scene.left) +
           picture_clip(scene, scene.right) + "</defs>\n";
-  text += rectangle_element("dp-paper", 0, 0, drawing_width, height);
-  text += picture_of(scene, scene.left) + picture_of(scene, scene.right);
-  text += names_on_pad(scene) + text_above(scene) + all_dimensions(scene);
-  text += captions(lines, scene.left.axis - layout.half_width, layout.bottom + 25);
-  text += strain_legend(scene.moments, {scene.right.axis - layout.half_width, layout.bottom + 14},
-                        2 * layout.half_width);
+  text += rectangle_element("dd-paper", 0, 0, drawing_width, height);
+  // In two groups, so that a page with little room can show them one below the other.
+  const auto group = [](const char* name, const std::string& inside) {
+    return fmt::format("<g id=\"{}-{}\" class=\"dd-drawing\">\n{}</g>\n", own_name, name, inside);
+  };
+  text += group("left-half", picture_of(scene, scene.left) + names_on_pad(scene) + text_above_left(scene) +
+                                 dimensions_left(scene) +
+                                 captions(lines, scene.left.axis - layout.half_width, layout.bottom + 25));
+  text += group("right-half",
+                picture_of(scene, scene.right) + text_above_right(scene) + dimensions_right(scene) +
+                    strain_legend(scene.moments, {scene.right.axis - layout.half_width, layout.bottom + 14},
+                                  2 * layout.half_width));
   return text + "</svg>\n";
 }
 
@@ -61,17 +67,17 @@ std::string whole_drawing(const Scene& scene) {
 std::string name_from(const std::string& text) {
   std::uint32_t hash = 2166136261U;
   for (const char character : text) hash = (hash ^ static_cast<unsigned char>(character)) * 16777619U;
-  return fmt::format("dp-{:08x}", hash);
+  return fmt::format("dd-{:08x}", hash);
 }
 
 std::string no_drawing(const ImpactCase& impact) {
   return fmt::format(
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"dp-drawing\" viewBox=\"0 0 {} 60\" "
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"dd-drawing\" viewBox=\"0 0 {} 60\" "
              "role=\"img\">\n<title>{}</title>\n<desc>No drawing: the case breaks a rule.</desc>\n"
              "<style>{}</style>\n",
              px(drawing_width), xml_text(impact.title), impact_drawing_style()) +
-         rectangle_element("dp-paper", 0, 0, drawing_width, 60) +
-         text_element("dp-text", {drawing_width / 2, 34}, "middle", "No drawing: the case breaks a rule.") +
+         rectangle_element("dd-paper", 0, 0, drawing_width, 60) +
+         text_element("dd-text", {drawing_width / 2, 34}, "middle", "No drawing: the case breaks a rule.") +
          "</svg>\n";
 }
 

@@ -31,8 +31,8 @@ class PadPicture {
     for (std::size_t i = 0; i < moments_.layers.size(); ++i)
       text += i == 0 ? shades(i) + hatching(i) : within_layer(i, shades(i) + hatching(i));
     for (std::size_t i = 0; i + 1 < moments_.layers.size(); ++i)
-      text += path_element("dp-layer-edge", back_of(i), false);
-    return text + rectangle_element("dp-pad-edge", view_.axis - half_width_, view_.face, 2 * half_width_,
+      text += path_element("dd-layer-edge", back_of(i), false);
+    return text + rectangle_element("dd-pad-edge", view_.axis - half_width_, view_.face, 2 * half_width_,
                                     layout_.pad);
   }
 
@@ -139,7 +139,7 @@ std::string hatchings(const DrawnMoments& moments) {
   for (std::size_t i = 0; i < moments.layers.size(); ++i)
     text += fmt::format(
         "<pattern id=\"{}-hatching-{}\" patternUnits=\"userSpaceOnUse\" width=\"8\" height=\"8\">"
-        "<path class=\"dp-hatching\" d=\"{}\"/></pattern>\n",
+        "<path class=\"dd-hatching\" d=\"{}\"/></pattern>\n",
         own_name, i + 1, patterns[i % patterns.size()]);
   return text;
 }

@@ -27,7 +27,7 @@ std::string break_of_pad(const Scene& scene, const Picture& picture) {
   for (int i = 0; i <= 2 * teeth; ++i)
     places.push_back({picture.axis - reach + reach * i / teeth, middle - 5 + (i % 2 == 0 ? 3 : -3)});
   for (std::size_t i = places.size(); i-- > 0;) places.push_back({places[i].x, places[i].y + 10});
-  return path_element("dp-break", places, true);
+  return path_element("dd-break", places, true);
 }
 
 /// Where the nose has met what is behind the pad, or is about to.
@@ -36,7 +36,7 @@ std::string struck_edge(const Scene& scene, const Picture& picture) {
   const double reach = std::clamp(scene.outline.radius(depth) * scene.layout.scale, 12.0,
                                   std::max(scene.pad_half_width(), 12.0));
   const double y = scene.tip(picture);
-  return line_element("dp-struck-edge", {picture.axis - reach, y}, {picture.axis + reach, y});
+  return line_element("dd-struck-edge", {picture.axis - reach, y}, {picture.axis + reach, y});
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ std::string picture_of(const Scene& scene, const Picture& picture) {
                         .half_width = layout.half_width,
                         .height = tip - picture_top,
                         .is_buried = scene.moments.penetration > scene.outline.depth},
-                       "dp-nose");
+                       "dd-nose");
   if (layout.pad_is_cut) text += break_of_pad(scene, picture);
   if (&picture == &scene.right && scene.moments.struck_through) text += struck_edge(scene, picture);
   return text + "</g>\n";

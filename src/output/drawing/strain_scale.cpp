@@ -79,7 +79,7 @@ std::string tested_words(const DrawnMoments& moments) {
 }  // namespace
 
 std::string shade_class(int shade) {
-  return fmt::format("dp-s{}", std::clamp(shade, 0, shades_of_strain - 1));
+  return fmt::format("dd-s{}", std::clamp(shade, 0, shades_of_strain - 1));
 }
 
 std::string shade_rules(bool dark) {
@@ -93,26 +93,26 @@ std::string shade_rules(bool dark) {
 std::string strain_legend(const DrawnMoments& moments, Place corner, double width) {
   const bool layered = moments.layers.size() > 1;
   const double bar = corner.y + (layered ? 42 : 26), height = 10;
-  std::string text = text_element("dp-text", {corner.x, corner.y + 11}, "start",
+  std::string text = text_element("dd-text", {corner.x, corner.y + 11}, "start",
                                   moments.layers.size() == 1 ? "Strain" : "Strain on the axis");
-  text += text_element("dp-faint", {corner.x + width, corner.y + 11}, "end", tested_words(moments));
+  text += text_element("dd-faint", {corner.x + width, corner.y + 11}, "end", tested_words(moments));
   for (int shade = 0; shade < shades_of_strain; ++shade) {
     const double left = std::round(corner.x + width * shade / shades_of_strain);
     const double right = std::round(corner.x + width * (shade + 1) / shades_of_strain);
     text += rectangle_element(shade_class(shade), left, bar, right - left, height);
   }
-  text += rectangle_element("dp-line", corner.x, bar, width, height);
+  text += rectangle_element("dd-line", corner.x, bar, width, height);
   const auto x_of = [&](double strain) { return corner.x + width * strain; };
   for (const DrawnLayer& layer : moments.layers) {
     const double x = x_of(layer.strain);
-    text += path_element("dp-mark", {{x - 4.5, bar - 8}, {x + 4.5, bar - 8}, {x, bar - 1}}, true);
+    text += path_element("dd-mark", {{x - 4.5, bar - 8}, {x + 4.5, bar - 8}, {x, bar - 1}}, true);
     if (layer.tested)
       text +=
-          line_element("dp-tested", {x_of(*layer.tested), bar - 4}, {x_of(*layer.tested), bar + height + 4});
+          line_element("dd-tested", {x_of(*layer.tested), bar - 4}, {x_of(*layer.tested), bar + height + 4});
   }
   const auto write = [&](const std::vector<Mark>& list, double y) {
     for (const Mark& mark : list)
-      text += text_element("dp-small", {x_of(mark.strain), y}, "middle", mark.label());
+      text += text_element("dd-small", {x_of(mark.strain), y}, "middle", mark.label());
   };
   if (layered) {
     const auto reached = [](const DrawnLayer& layer) { return std::optional(layer.strain); };
@@ -120,7 +120,7 @@ std::string strain_legend(const DrawnMoments& moments, Place corner, double widt
     write(labels(moments, width, [](const DrawnLayer& layer) { return layer.tested; }), bar + height + 16);
   }
   for (const double strain : {0.0, 1.0})
-    text += text_element("dp-small", {x_of(strain) + (strain == 0 ? -3 : 3), bar + height + 16},
+    text += text_element("dd-small", {x_of(strain) + (strain == 0 ? -3 : 3), bar + height + 16},
                          strain == 0 ? "start" : "end", strain == 0 ? "0" : "1");
   return text;
 }

@@ -10,7 +10,7 @@ namespace dashpad::output {
 
 /// Of equal steps from 0 to 1.
 inline constexpr int shades_of_strain = 20;
-/// The class of a shade, from 0 up: "dp-s0".
+/// The class of a shade, from 0 up: "dd-s0".
 std::string shade_class(int shade);
 /// The rules of those classes, on light paper or dark: little strain is near the colour of the paper.
 std::string shade_rules(bool dark);

@@ -21,7 +21,7 @@ std::string spring(double x, double top, double bottom, double width) {
     places.push_back({x + (i % 2 == 0 ? width : -width), top + 4 + pitch * (i + 0.5)});
   places.push_back({x, bottom - 4});
   places.push_back({x, bottom});
-  return path_element("dp-part", places, false);
+  return path_element("dd-part", places, false);
 }
 
 /// A tube with folded sides, which crushes.
@@ -34,7 +34,7 @@ std::string folded_tube(double x, double top, double bottom, double width) {
     left.push_back({x - half, y});
     right.push_back({x + half, y});
   }
-  return path_element("dp-part", left, false) + path_element("dp-part", right, false);
+  return path_element("dd-part", left, false) + path_element("dd-part", right, false);
 }
 
 /// A piston in a cup, which stands on the bottom.
@@ -42,20 +42,20 @@ std::string damper(double x, double top, double bottom, double width) {
   const double height = bottom - top;
   const double cup = bottom - 0.65 * height;
   const double piston = bottom - 0.4 * height;
-  return line_element("dp-part", {x, top}, {x, piston}) +
-         line_element("dp-part", {x - 0.7 * width, piston}, {x + 0.7 * width, piston}) +
-         path_element("dp-part",
+  return line_element("dd-part", {x, top}, {x, piston}) +
+         line_element("dd-part", {x - 0.7 * width, piston}, {x + 0.7 * width, piston}) +
+         path_element("dd-part",
                       {{x - width, cup}, {x - width, bottom - 4}, {x + width, bottom - 4}, {x + width, cup}},
                       false) +
-         line_element("dp-part", {x, bottom - 4}, {x, bottom});
+         line_element("dd-part", {x, bottom - 4}, {x, bottom});
 }
 
 std::string ground(double x, double top, double half_width, double height) {
-  std::string text = line_element("dp-ground", {x - half_width, top}, {x + half_width, top});
+  std::string text = line_element("dd-ground", {x - half_width, top}, {x + half_width, top});
   const int strokes = static_cast<int>((2 * half_width - height) / 10);
   for (int i = 0; i <= strokes; ++i) {
     const double from = x - half_width + height + 10 * i;
-    text += line_element("dp-part", {from, top}, {from - height + 2, top + height - 2});
+    text += line_element("dd-part", {from, top}, {from - height + 2, top + height - 2});
   }
   return text;
 }
@@ -69,7 +69,7 @@ std::string support_picture(const ImpactCase& impact, const SupportHeights& heig
   const double back = view.back + view.deflection + view.body_motion;
   std::string text;
   if (heights.plate > 0)
-    text += rectangle_element("dp-panel", view.axis - half, back, 2 * half, heights.plate);
+    text += rectangle_element("dd-panel", view.axis - half, back, 2 * half, heights.plate);
   const double at_rest = view.back + heights.plate + heights.gap + view.body_motion;
   const double base = at_rest + heights.spring;
   if (heights.spring > 0) {
@@ -83,14 +83,14 @@ std::string support_picture(const ImpactCase& impact, const SupportHeights& heig
     }
     if (is_damped) text += damper(view.axis, top, base, width);
     if (heights.gap > 0)
-      text += line_element("dp-ground", {view.axis - 0.75 * half, top}, {view.axis + 0.75 * half, top});
+      text += line_element("dd-ground", {view.axis - 0.75 * half, top}, {view.axis + 0.75 * half, top});
   }
   if (backing.body_mass == 0) return text + ground(view.axis, base, view.ground_half_width, heights.base);
-  text += rectangle_element("dp-body", view.axis - half, base, 2 * half, heights.base - 4);
+  text += rectangle_element("dd-body", view.axis - half, base, 2 * half, heights.base - 4);
   const double room = 2 * half - 8;
   const std::string words = "free body " + view.mass;
   const std::string label = fitted(words, room) == words ? words : fitted(view.mass, room);
-  return text + text_element("dp-text", {view.axis, base + heights.base / 2 + 2}, "middle", label);
+  return text + text_element("dd-text", {view.axis, base + heights.base / 2 + 2}, "middle", label);
 }
 
 std::string support_words(const ImpactCase& impact, const UnitSystem& units) {

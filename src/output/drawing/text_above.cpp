@@ -10,8 +10,10 @@ namespace dashpad::output {
 namespace {
 
 std::string heading(const Scene& scene, const Picture& picture, const std::string& words) {
-  return text_element("dp-heading", {picture.axis - scene.layout.half_width, 18}, "start", words);
+  return text_element("dd-heading", {picture.axis - scene.layout.half_width, 18}, "start", words);
 }
+
+}  // namespace
 
 std::string text_above_left(const Scene& scene) {
   const Impactor& impactor = scene.impact.impactor;
@@ -24,12 +26,12 @@ std::string text_above_left(const Scene& scene) {
       heading(scene, scene.left,
               scene.summary.blows > 1 ? fmt::format("First contact of blow {}", scene.summary.blow)
                                       : "First contact");
-  text += line_element("dp-arrow", {x, 32}, {x, 58});
-  text += path_element("dp-arrow-head", {{x - 5, 54}, {x + 5, 54}, {x, 65}}, true);
-  text += text_element("dp-value", {x - 14, 52}, "end", shown(impactor.mass, "kg"));
-  text += text_element("dp-value", {x + 14, falls ? 45.0 : 52.0}, "start", shown(impactor.speed, "m/s"));
+  text += line_element("dd-arrow", {x, 32}, {x, 58});
+  text += path_element("dd-arrow-head", {{x - 5, 54}, {x + 5, 54}, {x, 65}}, true);
+  text += text_element("dd-value", {x - 14, 52}, "end", shown(impactor.mass, "kg"));
+  text += text_element("dd-value", {x + 14, falls ? 45.0 : 52.0}, "start", shown(impactor.speed, "m/s"));
   if (falls)
-    text += text_element("dp-small", {x + 14, 60}, "start",
+    text += text_element("dd-small", {x + 14, 60}, "start",
                          "drop of " + shown(impactor.speed * impactor.speed / (2 * impactor.gravity), "m"));
   return text;
 }
@@ -42,13 +44,9 @@ std::string text_above_right(const Scene& scene) {
   const std::string alarm = alarm_words(scene.moments);
   const double x = scene.right.axis - scene.layout.half_width;
   const double width = 2 * scene.layout.half_width + 70;
-  if (!alarm.empty()) text += text_element("dp-value dp-alarm", {x, 40}, "start", fitted(alarm, width));
-  return text + text_element("dp-text", {x, alarm.empty() ? 40.0 : 58.0}, "start",
+  if (!alarm.empty()) text += text_element("dd-value dd-alarm", {x, 40}, "start", fitted(alarm, width));
+  return text + text_element("dd-text", {x, alarm.empty() ? 40.0 : 58.0}, "start",
                              fitted(strain_words(scene.moments), width));
 }
-
-}  // namespace
-
-std::string text_above(const Scene& scene) { return text_above_left(scene) + text_above_right(scene); }
 
 }  // namespace dashpad::output

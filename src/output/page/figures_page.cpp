@@ -5,6 +5,7 @@
 #include "dashpad/output/page/page.hpp"
 #include "output/page/figures_page_check.hpp"
 #include "output/page/figures_page_data.hpp"
+#include "output/page/html.hpp"
 #include "output/page/page_template.hpp"
 
 namespace dashpad::output {
@@ -12,10 +13,7 @@ namespace dashpad::output {
 std::string figures_page(const FiguresPage& page) {
   check(page);
   if (!has_page()) throw std::runtime_error(no_page);
-  std::string text{figures_page_before_data};
-  text += figures_page_data(page);
-  text += figures_page_after_data;
-  return text;
+  return filled(figures_page_parts, html_of(page), figures_page_data(page));
 }
 
 }  // namespace dashpad::output

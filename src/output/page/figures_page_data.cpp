@@ -1,5 +1,6 @@
 #include "output/page/figures_page_data.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -20,6 +21,17 @@ Json texts(const std::vector<std::string>& lines) {
   Json list = Json::array();
   for (const std::string& line : lines) list.push_back(one_line(line));
   return list;
+}
+
+/// As it is, but for what a terminal or page would obey.
+std::string lines(const std::string& text) {
+  std::string result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    result += one_line(text.substr(begin, end - begin)) + '\n';
+    begin = end + 1;
+  }
+  return result;
 }
 
 Json table_json(const Table& table) {
@@ -54,11 +66,9 @@ Json section_json(const PageSection& section) {
   for (const RangeBar& range : section.ranges) ranges.push_back(range_json(range));
   for (const Table& table : section.tables) tables.push_back(table_json(table));
   for (const CaptionedPlot& figure : section.figures) figures.push_back(figure_json(figure));
-  return {{"heading", one_line(section.heading)},
-          {"paragraphs", texts(section.paragraphs)},
-          {"ranges", std::move(ranges)},
-          {"tables", std::move(tables)},
-          {"figures", std::move(figures)}};
+  return {{"heading", one_line(section.heading)}, {"paragraphs", texts(section.paragraphs)},
+          {"ranges", std::move(ranges)},          {"tables", std::move(tables)},
+          {"figures", std::move(figures)},        {"copy", lines(section.copy)}};
 }
 
 }  // namespace

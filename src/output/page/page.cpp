@@ -1,22 +1,101 @@
 #include "dashpad/output/page/page.hpp"
 
 #include <stdexcept>
+#include <utility>
 
+#include <fmt/format.h>
+
+#include "dashpad/impact/flags.hpp"
+#include "dashpad/injury/figures.hpp"
+#include "dashpad/output/drawing/impact_drawing.hpp"
+#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/plot/result.hpp"
+#include "dashpad/output/text/case.hpp"
+#include "output/blow_rows.hpp"
 #include "output/page/data.hpp"
+#include "output/page/html.hpp"
+#include "output/page/key_figures.hpp"
 #include "output/page/page_template.hpp"
+#include "output/plot/result_panels.hpp"
+#include "output/result_rows.hpp"
+#include "output/text/case_toml.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::output {
 
-bool has_page() { return !page_before_data.empty(); }
+namespace {
+
+Table table_of(std::string caption, const std::vector<ResultRow>& rows) {
+  Table table{
+      .caption = std::move(caption), .columns = {"Figure", "Value", "Estimated error", ""}, .rows = {}};
+  for (const ResultRow& row : rows)
+    table.rows.push_back(
+        {row.label, shown_value(row), row.error ? "± " + shown_error(*row.error) : "", row.remark});
+  return table;
+}
+
+std::string answer(const Summary& summary, const std::optional<injury::InjuryFigures>& injury,
+                   const UnitSystem& units) {
+  if (bottomed_on_rigid_support(summary))
+    return fmt::format("The pad bottoms out with {} left",
+                       brief_quantity(summary.bottomed->velocity, "m/s", units, 3));
+  if (!summary.peak_acceleration) return outcome(summary);
+  const std::string peak = "Peak " + brief_quantity(*summary.peak_acceleration,
+                                                    result_quantity("peak_acceleration").si_unit, units, 3);
+  return injury ? peak + ", HIC15 " + brief(injury->hic15.value, 3) : peak;
+}
+
+/// The page as it is without a script, in the units that are shown at first.
+FiguresPage in_figures(const ImpactCase& impact, const Options& options, const Solution& solution,
+                       const UnitSystem& units, const std::vector<BlowResult>& blows) {
+  const Summary& summary = solution.summary;
+  const std::optional<injury::InjuryFigures> injury = injury::whole_pulse_figures(solution);
+  ImpactCase untitled = impact;
+  untitled.title.clear();
+  FiguresPage page;
+  page.title = impact.title;
+  page.warnings = warnings(summary, units);
+  Lead lead{.answer = answer(summary, injury, units), .subject = {one_line(impact.title), outcome(summary)}};
+  if (bottomed_on_rigid_support(summary)) lead.tone = Tone::bad;
+  if (!page.warnings.empty()) lead.reservation = page.warnings.front();
+  ImpactCase last = impact;
+  if (!blows.empty()) last.pad.earlier_penetration = blows.back().earlier_penetration;
+  lead.drawing = impact_drawing(last, solution, units);
+  Panel deceleration = deceleration_panel(solution.history, injury, units);
+  deceleration.title.clear();
+  lead.curve = Plot{.title = {}, .panels = {std::move(deceleration)}, .source = {}};
+  lead.figures = key_figures(main_rows(impact, summary, injury, units));
+  page.lead = std::move(lead);
+  page.summary = {case_text(untitled, units)};
+  PageSection figures{.heading = "Figures"};
+  if (!blows.empty()) {
+    figures.paragraphs.push_back(growth_text(impact, blows));
+    figures.tables.push_back(blow_table(impact, blows, units, Detail::main));
+  }
+  figures.tables.push_back(table_of("The impact", summary_rows(impact, summary, units, Detail::all)));
+  if (injury)
+    figures.tables.push_back(
+        table_of("Injury figures of this pulse", pulse_rows(*injury, units, Detail::all)));
+  page.sections.push_back(std::move(figures));
+  CaptionedPlot loop;
+  loop.plot.panels = {loop_panel(solution.history, units)};
+  page.sections.push_back({.heading = "Plots", .figures = {std::move(loop)}});
+  page.sections.push_back({.heading = "The case",
+                           .paragraphs = {numbers_text(summary) + "."},
+                           .copy = case_toml(impact, options)});
+  return page;
+}
+
+}  // namespace
+
+bool has_page() { return !page_parts[0].empty(); }
 
 std::string page(const ImpactCase& impact, const Options& options, const Solution& solution,
                  const UnitSystem& shown, const std::vector<ContactSnapshot>& snapshots,
                  const std::vector<BlowResult>& blows) {
   if (!has_page()) throw std::runtime_error(no_page);
-  std::string text{page_before_data};
-  text += page_data(impact, options, solution, shown, snapshots, blows);
-  text += page_after_data;
-  return text;
+  return filled(page_parts, html_of(in_figures(impact, options, solution, shown, blows)),
+                page_data(impact, options, solution, shown, snapshots, blows));
 }
 
 }  // namespace dashpad::output

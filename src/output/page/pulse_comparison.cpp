@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/output/drawing/impact_drawing.hpp"
 #include "dashpad/output/page/figures_page.hpp"
 #include "dashpad/output/text/case.hpp"
 #include "output/result_rows.hpp"
@@ -22,8 +23,24 @@ std::string pulse_comparison_page(const PulseComparisonReport& report, const Uni
   figure.plot = pulse_comparison_plot(report, units);
   FiguresPage page;
   page.title = comparison_answer(report);
-  page.summary = {fmt::format("{} over {}.", report.pulse.file, report.case_file)};
   page.warnings = comparison_reservations(report, units);
+  const Table table = comparison_table(report, units);
+  Lead lead{.answer = page.title,
+            .subject = {fmt::format("{} over {}", report.pulse.file, report.case_file)}};
+  if (!page.warnings.empty()) lead.reservation = page.warnings.front();
+  lead.drawing = impact_drawing(report.impact, report.solution, units);
+  lead.curve = figure.plot;
+  lead.curve->title.clear();
+  lead.curve->source.clear();
+  for (const auto& row : table.rows) {
+    const std::string &title = row[0], &unit = row[1], &measured = row[2], &computed = row[3],
+                      &share = row[5];
+    lead.figures.push_back(
+        {.label = title,
+         .value = share,
+         .limit = fmt::format("{} for {} measured{}{}", computed, measured, unit.empty() ? "" : ", ", unit)});
+  }
+  page.lead = std::move(lead);
   ImpactCase untitled = report.impact;  // the title is that of the figure
   untitled.title.clear();
   std::vector<std::string> basis = comparison_notes(report, units);
@@ -34,7 +51,7 @@ std::string pulse_comparison_page(const PulseComparisonReport& report, const Uni
   basis.push_back(std::move(source));
   page.sections = {
       {.heading = "Measured over computed", .paragraphs = {}, .tables = {}, .figures = {std::move(figure)}},
-      {.heading = "Figures", .paragraphs = {}, .tables = {comparison_table(report, units)}, .figures = {}},
+      {.heading = "Figures", .paragraphs = {}, .tables = {table}, .figures = {}},
       {.heading = "What it rests on", .paragraphs = std::move(basis), .tables = {}, .figures = {}}};
   return figures_page(page);
 }

@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/output/study.hpp"
 #include "dashpad/version.hpp"
 #include "output/plot/study_figures.hpp"
+#include "output/text/study_answer.hpp"
 #include "output/text/study_tables.hpp"
 #include "quantities/text.hpp"
 
@@ -44,6 +46,15 @@ FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& uni
                   fmt::format("dashpad {}, commit {}", version(), build_facts().git_commit)},
       .warnings = study_warnings(answers),
       .sections = {}};
+  if (std::string answer = study_answer(answers, units); !answer.empty()) {
+    page.lead = Lead{.answer = std::move(answer), .subject = {page.title}};
+    if (!page.warnings.empty()) page.lead->reservation = page.warnings.front();
+    page.lead->curve = study_plot(answers, units);
+    page.lead->curve->title.clear();
+    // One alone: of cushion curves that of the highest drop, of which the answer speaks.
+    std::vector<Panel>& panels = page.lead->curve->panels;
+    if (panels.size() > 1) panels = {answers.cushion_curves ? panels.back() : panels.front()};
+  }
   page.sections.push_back({.heading = "What was studied",
                            .paragraphs = {},
                            .tables = {factor_table(answers, units)},
@@ -69,7 +80,7 @@ Plot study_plot(const study::StudyAnswers& answers, const UnitSystem& units) {
   std::vector<CaptionedPlot> maps = map_figures(answers, units);
   if (maps.size() > 1) maps.erase(maps.begin() + 1, maps.end());
   for (std::vector<CaptionedPlot> figures :
-       {cushion_figures(answers, units), maps, curve_figures(answers, units),
+       {cushion_figures(answers, units), index_figures(answers), maps, curve_figures(answers, units),
         distribution_figures(answers, units)})
     if (!figures.empty()) return together(std::move(figures), title);
   return {};

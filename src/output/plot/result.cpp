@@ -6,6 +6,7 @@
 #include "dashpad/output/text/case.hpp"
 #include "dashpad/version.hpp"
 #include "output/plot/axis_with_unit.hpp"
+#include "output/plot/result_panels.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -21,8 +22,9 @@ Series line(std::string label, std::vector<double> x, std::vector<double> y) {
   return series;
 }
 
-/// Deceleration, the window of HIC15 and the 3 ms clip.
-Panel acceleration_panel(const History& history, const std::optional<injury::InjuryFigures>& injury,
+}  // namespace
+
+Panel deceleration_panel(const History& history, const std::optional<injury::InjuryFigures>& injury,
                          const UnitSystem& units) {
   Panel panel{
       result_quantity("deceleration").title, axis_of("time", units), axis_of("deceleration", units), {}};
@@ -66,14 +68,12 @@ Panel loop_panel(const History& history, const UnitSystem& units) {
   return panel;
 }
 
-}  // namespace
-
 Plot result_plot(const ImpactCase& impact, const Solution& solution,
                  const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units) {
   std::string source = fmt::format("dashpad {}", version());
   for (const Flag& flag : flags(solution.summary)) source += "; " + one_line(flag.text);
   return {impact.title.empty() ? "Impact" : impact.title,
-          {acceleration_panel(solution.history, injury, units), loop_panel(solution.history, units)},
+          {deceleration_panel(solution.history, injury, units), loop_panel(solution.history, units)},
           source};
 }
 

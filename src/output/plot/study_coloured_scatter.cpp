@@ -107,7 +107,7 @@ std::vector<CaptionedPlot> coloured_scatter_figures(const study::StudyAnswers& a
     if (levels.size() < 3) continue;
     const study::Factor &across = answers.study.factors[leading[0]], &up = answers.study.factors[leading[1]];
     figures.push_back(
-        {.plot = {.title = fmt::format("{} over {} and {}", name, across.key, up.key),
+        {.plot = {.title = fmt::format("{} over {} and {}", title_of(name), across.key, up.key),
                   .panels = {{.title = title_of(name),
                               .x = {.label = label(across.key, across.unit, units)},
                               .y = {.label = label(up.key, up.unit, units)},

@@ -60,7 +60,7 @@ Panel scatter_panel(const study::StudyAnswers& answers, std::size_t factor, std:
   const study::Factor& of = answers.study.factors[factor];
   const std::string& name = answers.study.responses[response];
   const ScaledUnit x = shown_as(of.unit, units), y = shown_as(si_unit_of(name), units);
-  Panel panel{.title = fmt::format("{} over {}", name, of.key),
+  Panel panel{.title = fmt::format("{} over {}", title_of(name), of.key),
               .x = {.label = label(of.key, of.unit, units)},
               .y = {.label = label(name, si_unit_of(name), units)},
               .series = {}};
@@ -94,7 +94,7 @@ void add_index(Panel& panel, const study::Estimate& estimate, double place, std:
 }
 
 Panel index_panel(const std::string& response, const study::Sensitivity& of) {
-  Panel panel{.title = response,
+  Panel panel{.title = title_of(response),
               .x = {.label = "Factor:", .low = 0.5, .high = static_cast<double>(of.indices.size()) + 0.5},
               .y = {.label = "Share of the variance"},
               .series = {}};
@@ -118,7 +118,7 @@ std::string study_source(const study::StudyAnswers& answers) {
 std::vector<CaptionedPlot> distribution_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   std::vector<CaptionedPlot> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
-    figures.push_back({.plot = {.title = "Distribution of " + response_name(answers, i),
+    figures.push_back({.plot = {.title = "Distribution of " + title_of(response_name(answers, i)),
                                 .panels = {distribution_panel(answers, i, units)},
                                 .source = study_source(answers)},
                        .note = answers.groups.size() > most_lines_drawn
@@ -130,7 +130,7 @@ std::vector<CaptionedPlot> distribution_figures(const study::StudyAnswers& answe
 std::vector<CaptionedPlot> scatter_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   std::vector<CaptionedPlot> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
-    Plot plot{.title = response_name(answers, i) + " over each factor",
+    Plot plot{.title = title_of(response_name(answers, i)) + " over each factor",
               .panels = {},
               .source = study_source(answers)};
     for (const std::size_t factor : sampled_factors(answers.study))
@@ -148,7 +148,7 @@ std::vector<CaptionedPlot> index_figures(const study::StudyAnswers& answers) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::optional<study::Sensitivity>& of = answers.groups.front().sensitivities[i];
     if (!of) continue;
-    figures.push_back({.plot = {.title = "Sobol' indices of " + response_name(answers, i),
+    figures.push_back({.plot = {.title = "Sobol' indices of " + title_of(response_name(answers, i)),
                                 .panels = {index_panel(response_name(answers, i), *of)},
                                 .source = study_source(answers)},
                        .note = "Bands: 95 % intervals by bootstrap over draws."});

@@ -56,7 +56,7 @@ Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
       panel.series.push_back({.label = "limit",
                               .style = SeriesStyle::horizontal_line,
                               .y = {shown_as(si_unit_of(name), units).scale * limit.value}});
-  return {.title = fmt::format("{} over {}", name, across.key),
+  return {.title = fmt::format("{} over {}", title_of(name), across.key),
           .panels = {panel},
           .source = study_source(answers)};
 }
@@ -85,7 +85,7 @@ Plot map_of(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
   panel.y.low = y.front();
   panel.y.high = y.back();
   panel.series = filled_areas(x, y, values, round_levels(least, greatest), shown.unit);
-  return {.title = fmt::format("{} over {} and {}", name, across.key, up.key),
+  return {.title = fmt::format("{} over {} and {}", title_of(name), across.key, up.key),
           .panels = {panel},
           .source = study_source(answers)};
 }

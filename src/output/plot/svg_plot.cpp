@@ -16,7 +16,7 @@ namespace dashpad::output {
 namespace {
 
 // All px.
-constexpr double plot_width = 900, plot_edge = 16;
+constexpr double plot_edge = 16;
 constexpr double title_text = 18, title_line = 26, below_title = 6, source_text = 11, source_line = 15;
 constexpr double least_right_margin = 24;
 
@@ -40,7 +40,7 @@ std::vector<PanelFrame> frames_of(const Plot& plot, const PlotDrawing& drawing) 
 }
 
 /// The axes of all panels begin at the same place, which this returns, and end at the same.
-double set_widths(std::vector<PanelFrame>& frames) {
+double set_widths(std::vector<PanelFrame>& frames, double plot_width) {
   double left = 0, right = least_right_margin;
   for (const PanelFrame& frame : frames) {
     left = std::max(left, plot_edge + frame.left_margin());
@@ -57,14 +57,14 @@ std::string name_of(const Plot& plot) {
 
 }  // namespace
 
-std::string svg_plot(const Plot& plot, PlotStyle style) {
-  constexpr double text_width_of_plot = plot_width - 2 * plot_edge;
+std::string svg_plot(const Plot& plot, PlotStyle style, double plot_width) {
+  const double text_width_of_plot = plot_width - 2 * plot_edge;
   const PlotDrawing drawing = drawing_of(plot);
   const std::vector<std::string> title =
       lines_within(plot.title, size_for_bold * title_text, text_width_of_plot);
   const std::vector<std::string> source = lines_within(plot.source, source_text, text_width_of_plot);
   std::vector<PanelFrame> frames = frames_of(plot, drawing);
-  const double left = set_widths(frames);
+  const double left = set_widths(frames, plot_width);
 
   double height = plot_edge;
   std::string body = text_lines(title, "dp-title", height, title_line);

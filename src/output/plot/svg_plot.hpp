@@ -8,6 +8,9 @@
 
 namespace dashpad::output {
 
+/// px.
+inline constexpr double usual_plot_width = 900;
+
 /// One SVG without script, identifiers and anything from elsewhere, so that several can stand in one page.
 /// The same plot gives the same bytes everywhere. The plot has been checked. Throws std::invalid_argument if
 /// nothing in it can be drawn.
@@ -16,6 +19,7 @@ namespace dashpad::output {
 /// and the same of y; data-left, -top, -width and -height of its axes in px. In it, `svg.dp-inside` begins
 /// where the axes do, and holds a `g.dp-series` for each series, with data-label and data-style, and one path
 /// in px.
-std::string svg_plot(const Plot& plot, PlotStyle style);
+/// `width` in px: texts keep their size, so that a narrow plot can be read where there is little room.
+std::string svg_plot(const Plot& plot, PlotStyle style, double width = usual_plot_width);
 
 }  // namespace dashpad::output

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/text/case.hpp"
+#include "output/text/assessment_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -124,9 +125,15 @@ std::string of_standard(const NamedValue& entry, const UnitSystem& units) {
   return fmt::format(", the standard {}", brief_quantity(*entry.value->instead, entry.si_unit, units));
 }
 
-std::string replaced_text(const AssessmentReport& report, const UnitSystem& units) {
+/// What the standard's impactor takes the place of, and what stays, a line each.
+struct Replaced {
+  std::vector<std::string> lines;
+  std::string kept;
+};
+Replaced replaced_in(const AssessmentReport& report, const UnitSystem& units) {
   const std::array<double, 3> of_case = values_of(report.given.impactor);
-  std::string replaced, kept;
+  Replaced replaced;
+  std::string kept;
   std::size_t i = 0;
   for (const NamedValue& entry : values_of(report.standard)) {
     const double before = of_case[i++];
@@ -137,12 +144,20 @@ std::string replaced_text(const AssessmentReport& report, const UnitSystem& unit
       kept += fmt::format("{} ({}{}), ", entry.name, in_case, of_standard(entry, units));
       continue;
     }
-    const std::string line = fmt::format("  {:<8}{}, {}; the case has {}", entry.name,
-                                         value_text(entry, units), giver(*entry.value), in_case);
-    replaced += wrapped(line + of_standard(entry, units), 10) + "\n";
+    replaced.lines.push_back(fmt::format("{:<8}{}, {}; the case has {}", entry.name, value_text(entry, units),
+                                         giver(*entry.value), in_case) +
+                             of_standard(entry, units));
   }
-  return (replaced.empty() ? "Nothing of the case was replaced.\n" : "Replaced in the case:\n" + replaced) +
-         wrapped(fmt::format("Kept from the case: {}pad, support, solver.", kept), 2) + "\n";
+  replaced.kept = fmt::format("Kept from the case: {}pad, support, solver.", kept);
+  return replaced;
+}
+
+std::string replaced_text(const AssessmentReport& report, const UnitSystem& units) {
+  const Replaced replaced = replaced_in(report, units);
+  std::string text =
+      replaced.lines.empty() ? "Nothing of the case was replaced.\n" : "Replaced in the case:\n";
+  for (const std::string& line : replaced.lines) text += wrapped("  " + line, 10) + "\n";
+  return text + wrapped(replaced.kept, 2) + "\n";
 }
 
 /// The figures in force that have sources of one kind; what the user gives or the case has is none of them.
@@ -156,16 +171,14 @@ std::vector<std::string> figures_from(injury::SourceKind kind, const injury::Sta
   return names;
 }
 
-std::string sources_text(const injury::Standard& standard) {
+std::string sources_of(const injury::Standard& standard) {
   std::vector<std::string> kinds;
   for (const injury::SourceKind kind :
        {injury::SourceKind::own_text, injury::SourceKind::secondary, injury::SourceKind::none})
     if (const auto names = figures_from(kind, standard); !names.empty())
       kinds.push_back(fmt::format("{} ({})", to_string(kind), fmt::join(names, ", ")));
-  return wrapped(fmt::format("Sources of the standard's figures: {}. dashpad standards {} names them.",
-                             fmt::join(kinds, ", "), full_name(standard)),
-                 2) +
-         "\n";
+  return fmt::format("Sources of the standard's figures: {}. dashpad standards {} names them.",
+                     fmt::join(kinds, ", "), full_name(standard));
 }
 
 /// The sign is there always: a margin of a failed criterion is negative. Of a lower bound it can only shrink.
@@ -244,7 +257,66 @@ std::string reservations_text(const injury::Assessment& assessment) {
   return text.empty() ? "" : "Reservations:\n" + text + "\n";
 }
 
+/// That which is next to its limit, or farthest beyond it; null without a margin.
+const injury::CriterionResult* closest(const injury::Assessment& assessment) {
+  const injury::CriterionResult* least = nullptr;
+  for (const injury::CriterionResult& result : assessment.results)
+    if (result.relative_margin && (least == nullptr || *result.relative_margin < *least->relative_margin))
+      least = &result;
+  return least;
+}
+
 }  // namespace
+
+std::string assessment_answer(const AssessmentReport& report, const UnitSystem& units) {
+  const injury::Assessment& assessment = report.assessment;
+  const Summary& summary = report.solution.summary;
+  if (assessment.verdict == injury::Verdict::fail && bottomed_on_rigid_support(summary))
+    return fmt::format("Fails: the pad bottoms out with {} left",
+                       brief_quantity(summary.bottomed->velocity, "m/s", units, 3));
+  const injury::CriterionResult* const next = closest(assessment);
+  if (next == nullptr) return "Undecided: the pulse says too little";
+  const std::string name = injury::title_of(next->criterion);
+  const std::string margin =
+      brief_quantity(std::abs(*next->margin), injury::quantity_of(next->criterion.metric).si_unit, units, 3);
+  switch (assessment.verdict) {
+    case injury::Verdict::pass: return fmt::format("Passes: {} has {} to spare", name, margin);
+    case injury::Verdict::fail: return fmt::format("Fails: {} is {} above its limit", name, margin);
+    case injury::Verdict::undecided: break;
+  }
+  return fmt::format("Undecided: {} is {} from its limit", name, margin);
+}
+
+Table criteria_table(const AssessmentReport& report, const UnitSystem& units) {
+  Table table{.caption = one_line(report.standard.title),
+              .columns = {"Criterion", "Value", "Estimated error", "Limit", "Margin", "Verdict"},
+              .rows = {}};
+  const int digits = digits_of(Detail::main);
+  for (const injury::CriterionResult& of : report.assessment.results) {
+    const std::string unit = injury::quantity_of(of.criterion.metric).si_unit;
+    table.rows.push_back(
+        {injury::title_of(of.criterion),
+         of.value ? (of.lower_bound ? "≥ " : "") + brief_quantity(*of.value, unit, units, digits) : "none",
+         error_text(of, units, Detail::all),
+         (of.criterion.strict ? "< " : "") + brief_quantity(of.criterion.limit, unit, units),
+         margin_text(of, units, digits),
+         to_string(of.verdict) + (of.reason.empty() ? "" : ": " + one_line(of.reason))});
+  }
+  return table;
+}
+
+std::vector<std::string> assessment_basis(const AssessmentReport& report, const UnitSystem& units) {
+  const Replaced replaced = replaced_in(report, units);
+  std::vector<std::string> lines;
+  std::string impactor;
+  for (const std::string& line : replaced.lines) impactor += (impactor.empty() ? "" : "; ") + line;
+  lines.push_back(impactor.empty() ? "Nothing of the case was replaced."
+                                   : "Replaced in the case: " + impactor + ".");
+  lines.push_back(replaced.kept);
+  lines.push_back(sources_of(report.standard));
+  if (!report.standard.note.empty()) lines.push_back(report.standard.note);
+  return lines;
+}
 
 const std::string& assessment_caveat() {
   static const std::string caveat =
@@ -286,7 +358,7 @@ std::string assessment_text(const AssessmentReport& report, const UnitSystem& un
   for (const injury::CriterionResult& result : report.assessment.results) text += row(result, units, detail);
   text += "\nThe impact:\n" + figures_text(report.assessment.figures, units, digits_of(detail)) + "\n";
   text += reservations_text(report.assessment) + wrapped_lines(case_text(report.assessed, units));
-  text += replaced_text(report, units) + sources_text(standard);
+  text += replaced_text(report, units) + wrapped(sources_of(standard), 2) + "\n";
   if (!standard.note.empty()) text += wrapped(one_line(standard.note), 0) + "\n";
   return text + "\n" + assessment_caveat() + "\n";
 }

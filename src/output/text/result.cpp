@@ -32,21 +32,9 @@ double take_errors(std::vector<ResultRow>& rows, double tolerance) {
   return largest;
 }
 
-std::vector<ResultRow> main_rows_of(const ImpactCase& impact, const Summary& summary,
-                                    const std::optional<injury::InjuryFigures>& injury,
-                                    const UnitSystem& units) {
-  std::vector<ResultRow> rows = summary_rows(impact, summary, units, Detail::main);
-  if (!injury) return rows;
-  std::vector<ResultRow> all = pulse_rows(*injury, units, Detail::main);
-  std::erase_if(all, [](const ResultRow& row) { return row.key == "velocity_change"; });
-  std::erase_if(rows, [](const ResultRow& row) { return row.key == "peak_acceleration"; });
-  all.insert(all.end(), std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
-  return all;
-}
-
 std::string main_text(const ImpactCase& impact, const Summary& summary,
                       const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units) {
-  std::vector<ResultRow> rows = main_rows_of(impact, summary, injury, units);
+  std::vector<ResultRow> rows = main_rows(impact, summary, injury, units);
   const double error = take_errors(rows, summary.tolerance);
   const bool some_left =
       std::ranges::any_of(rows, [](const ResultRow& row) { return row.error.has_value(); });

@@ -1,0 +1,137 @@
+// An assessment as a page: the verdict first, then why.
+
+#include "dashpad/output/assessment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "dashpad/injury/figures.hpp"
+#include "dashpad/output/drawing/impact_drawing.hpp"
+#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/plot/result.hpp"
+#include "dashpad/output/text/case.hpp"
+#include "output/page/key_figures.hpp"
+#include "output/plot/result_panels.hpp"
+#include "output/result_rows.hpp"
+#include "output/text/assessment_words.hpp"
+#include "output/text/case_toml.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+Tone tone_of(injury::Verdict verdict) {
+  switch (verdict) {
+    case injury::Verdict::pass: return Tone::good;
+    case injury::Verdict::fail: return Tone::bad;
+    case injury::Verdict::undecided: break;
+  }
+  return Tone::doubtful;
+}
+
+KeyFigure figure_of(const injury::CriterionResult& result, const UnitSystem& units) {
+  const std::string unit = injury::quantity_of(result.criterion.metric).si_unit;
+  KeyFigure figure{.label = injury::title_of(result.criterion)};
+  figure.value = result.value
+                     ? (result.lower_bound ? "≥ " : "") + brief_quantity(*result.value, unit, units, 3)
+                     : "none";
+  figure.limit =
+      (result.criterion.strict ? "below " : "at most ") + brief_quantity(result.criterion.limit, unit, units);
+  if (result.value && result.criterion.limit > 0) figure.share = *result.value / result.criterion.limit;
+  figure.tone = tone_of(result.verdict);
+  return figure;
+}
+
+/// The criteria, then figures to judge the impact by whatever the standard limits.
+std::vector<KeyFigure> key_figures(const AssessmentReport& report, const UnitSystem& units) {
+  const injury::Assessment& assessment = report.assessment;
+  std::vector<KeyFigure> figures;
+  for (const injury::CriterionResult& result : assessment.results)
+    figures.push_back(figure_of(result, units));
+  const auto add = [&](const char* key, const injury::Figure& of, const char* remark) {
+    const ResultQuantity& quantity = result_quantity(key);
+    const auto has_title = [&](const KeyFigure& figure) { return figure.label == quantity.title; };
+    if (!of.value || figures.size() >= most_key_figures || std::ranges::any_of(figures, has_title)) return;
+    figures.push_back(
+        {.label = quantity.title,
+         .value = (of.lower_bound ? "≥ " : "") + brief_quantity(*of.value, quantity.si_unit, units, 3),
+         .limit = remark});
+  };
+  if (const std::optional<Moment>& bottomed = report.solution.summary.bottomed) {
+    figures.push_back({.label = "Speed when the pad bottomed",
+                       .value = brief_quantity(bottomed->velocity, "m/s", units, 3),
+                       .limit = "after " + brief_quantity(bottomed->time, "s", units, 3)});
+    figures.push_back(
+        {.label = "Impact speed", .value = brief_quantity(report.assessed.impactor.speed, "m/s", units, 3)});
+  }
+  add("peak_acceleration", assessment.figures.peak_acceleration, "");
+  add("peak_strain", assessment.figures.peak_strain, "1 is a pad that is fully compressed");
+  add("hic15", assessment.figures.hic15, "");
+  add("contact_end", assessment.figures.contact_end, "");
+  add("rebound_speed", assessment.figures.rebound_speed, "");
+  return figures;
+}
+
+/// The deceleration with the limits that are accelerations.
+Plot deciding_curve(const AssessmentReport& report, const UnitSystem& units) {
+  Panel panel =
+      deceleration_panel(report.solution.history, injury::whole_pulse_figures(report.solution), units);
+  panel.title.clear();
+  for (const injury::CriterionResult& result : report.assessment.results)
+    if (injury::quantity_of(result.criterion.metric).si_unit == std::string_view("m/s2"))
+      panel.series.push_back({.label = fmt::format("limit, {}", injury::title_of(result.criterion)),
+                              .style = SeriesStyle::horizontal_line,
+                              .y = {result.criterion.limit / standard_gravity},
+                              .turn = 1});
+  return {.title = {}, .panels = {std::move(panel)}, .source = {}};
+}
+
+std::string first_reservation(const injury::Assessment& assessment) {
+  if (assessment.reservations.empty()) return "";
+  const std::size_t others = assessment.reservations.size() - 1;
+  return one_line(assessment.reservations.front().text) +
+         (others == 0 ? "" : fmt::format(" (and {} more below)", others));
+}
+
+}  // namespace
+
+std::string assessment_page(const AssessmentReport& report, const UnitSystem& units) {
+  const injury::Assessment& assessment = report.assessment;
+  ImpactCase untitled = report.assessed;
+  untitled.title.clear();
+  FiguresPage page;
+  page.title = report.assessed.title;
+  page.lead = Lead{.answer = assessment_answer(report, units),
+                   .tone = tone_of(assessment.verdict),
+                   .reservation = first_reservation(assessment),
+                   .subject = {report.standard.title, report.assessed.title},
+                   .drawing = impact_drawing(report.assessed, report.solution, units),
+                   .curve = deciding_curve(report, units),
+                   .figures = key_figures(report, units)};
+  for (const Flag& reservation : assessment.reservations) page.warnings.push_back(reservation.text);
+  std::vector<std::string> basis{case_text(untitled, units)};
+  for (std::string& line : assessment_basis(report, units)) basis.push_back(std::move(line));
+  basis.push_back(numbers_text(report.solution.summary) + ".");
+  basis.push_back(assessment_caveat());
+  CaptionedPlot impact;
+  impact.plot =
+      result_plot(report.assessed, report.solution, injury::whole_pulse_figures(report.solution), units);
+  page.sections.push_back({.heading = "Criteria", .tables = {criteria_table(report, units)}});
+  page.sections.push_back({.heading = "What it rests on", .paragraphs = std::move(basis)});
+  page.sections.push_back({.heading = "The impact", .figures = {std::move(impact)}});
+  page.sections.push_back(
+      {.heading = "The case",
+       .paragraphs = {"In SI, with the impactor of the standard. Kept as a file, it is a case "
+                      "that dashpad run repeats."},
+       .copy = case_toml(report.assessed, {})});
+  return figures_page(page);
+}
+
+}  // namespace dashpad::output

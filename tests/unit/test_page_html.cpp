@@ -1,0 +1,113 @@
+// The page as it is without a script: every text escaped, answers with signs, bars in proportion, tables that
+// can become rows.
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "output/page/cell.hpp"
+#include "output/page/digest.hpp"
+#include "output/page/html.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string attack = "</h1><script>x</script> \"'&";
+const std::string harmless = "&lt;/h1&gt;&lt;script&gt;x&lt;/script&gt; &quot;&#39;&amp;";
+
+Plot rising() { return {.panels = {{.x = {"x"}, .y = {"y"}, .series = {{.x = {0, 1}, .y = {0, 1}}}}}}; }
+
+TEST(PageHtml, EscapesWhateverItIsGiven) {
+  FiguresPage page;
+  page.title = attack;
+  page.lead = Lead{.answer = attack, .reservation = attack, .subject = {attack}};
+  page.lead->figures = {{.label = attack, .value = attack, .limit = attack}};
+  page.summary = page.warnings = {attack};
+  PageSection section{.heading = attack, .paragraphs = {attack}, .copy = attack + "\n" + attack};
+  section.tables = {{.caption = attack, .columns = {attack, attack}, .rows = {{attack, attack}}}};
+  section.ranges = {{.label = attack, .value = attack, .words = attack, .lowest = attack, .highest = attack}};
+  section.figures = {{.name = attack, .plot = rising(), .note = attack}};
+  page.sections = {section};
+  const PageHtml html = html_of(page);
+  for (const std::string& text : {html.title, html.lead, html.body}) {
+    EXPECT_THAT(text, Not(HasSubstr("<script")));
+    EXPECT_THAT(text, HasSubstr(harmless));
+  }
+}
+
+TEST(PageHtml, SaysWhatAnAnswerMeansWithoutItsColour) {
+  FiguresPage page;
+  page.lead = Lead{.answer = "Fails", .tone = Tone::bad};
+  EXPECT_THAT(html_of(page).lead, HasSubstr("<h1 class=\"bad\"><span class=\"sign\">✕</span> Fails</h1>"));
+  page.lead->tone = Tone::good;
+  EXPECT_THAT(html_of(page).lead, HasSubstr("<span class=\"sign\">✓</span>"));
+  page.lead->tone = Tone::plain;
+  EXPECT_THAT(html_of(page).lead, Not(HasSubstr("sign")));
+  EXPECT_EQ(html_of(page).title, "Fails - Dashpad");
+}
+
+/// The limit lies at 1 / 1.3 of the track.
+TEST(PageHtml, DrawsBarsTowardsTheirLimit) {
+  FiguresPage page;
+  page.lead = Lead{.answer = "Passes"};
+  page.lead->figures = {{.label = "HIC", .value = "500", .share = 0.5, .tone = Tone::good},
+                        {.label = "Peak", .value = "900 g", .share = 9, .tone = Tone::bad},
+                        {.label = "No limit", .value = "1"}};
+  const std::string lead = html_of(page).lead;
+  EXPECT_THAT(lead, HasSubstr("50 % of the limit"));
+  EXPECT_THAT(lead, HasSubstr("<rect class=\"good\" width=\"38.46\""));
+  EXPECT_THAT(lead, HasSubstr("<rect class=\"bad\" width=\"100\"")) << "no longer than the track";
+  EXPECT_THAT(lead, HasSubstr("x=\"76.52\""));
+}
+
+TEST(PageHtml, HasEachStyleOnceAndNamesIt) {
+  FiguresPage page;
+  page.sections = {{.figures = {{.plot = rising()}, {.plot = rising()}}}};
+  const PageHtml html = html_of(page);
+  ASSERT_EQ(html.styles.size(), 1U);
+  const std::string element = "<style>" + *html.styles.begin() + "</style>";
+  const std::size_t first = html.body.find(element);
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(html.body.find("<style>", first + 1), std::string::npos);
+}
+
+TEST(PageHtml, SaysWhereThereIsNothingToDraw) {
+  FiguresPage page;
+  page.sections = {{.figures = {{.plot = {.panels = {{.x = {"x"}, .y = {"y"}}}}}}}};
+  EXPECT_THAT(html_of(page).body, HasSubstr("There is nothing to draw."));
+}
+
+TEST(PageHtml, LeavesPointsOutAndSaysSo) {
+  Plot many = rising();
+  Series& series = many.panels[0].series[0];
+  series.style = SeriesStyle::points;
+  series.x.assign(25'000, 0.5);
+  series.y.assign(25'000, 0.5);
+  FiguresPage page;
+  page.sections = {{.figures = {{.plot = many}}}};
+  const std::string body = html_of(page).body;
+  EXPECT_THAT(body, HasSubstr("Of many points one in 25 is drawn here."));
+  EXPECT_LT(body.size(), 40'000U);
+}
+
+TEST(PageHtml, TellsNumbersFromWords) {
+  for (const char* cell : {"12.5", "-3e-4", "< 0.1 %", "4.1 ± 0.2", "+12 %", "-", "none", ""})
+    EXPECT_TRUE(is_number_or_none(cell)) << cell;
+  for (const char* cell : {"12 mm", "pass", "layer 2", "1 to 2"})
+    EXPECT_FALSE(is_number_or_none(cell)) << cell;
+}
+
+/// The known digest of the empty text, and of "abc" (FIPS 180-2).
+TEST(PolicyHash, IsThatOfTheStandard) {
+  EXPECT_EQ(policy_hash(""), "sha256-47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU=");
+  EXPECT_EQ(policy_hash("abc"), "sha256-ungWv48Bz+pBQUDeXa4iI7ADYaOWF3qctBD/YfIAFa0=");
+}
+
+}  // namespace
+
+}  // namespace dashpad::output
