@@ -86,7 +86,8 @@ Plot deciding_curve(const AssessmentReport& report, const UnitSystem& units) {
   panel.title.clear();
   for (const injury::CriterionResult& result : report.assessment.results)
     if (injury::quantity_of(result.criterion.metric).si_unit == std::string_view("m/s2"))
-      panel.series.push_back({.label = fmt::format("limit, {}", injury::title_of(result.criterion)),
+      panel.series.push_back({.label = fmt::format("{}, {}", injury::limit_of(result.criterion),
+                                                   brief_quantity(result.criterion.limit, "m/s2", units)),
                               .style = SeriesStyle::horizontal_line,
                               .y = {result.criterion.limit / standard_gravity},
                               .turn = 1});

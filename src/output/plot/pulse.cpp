@@ -1,11 +1,10 @@
 // The picture of a pulse.
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "dashpad/version.hpp"
 #include "output/plot/axis_with_unit.hpp"
+#include "output/plot/hic_bracket.hpp"
 #include "output/text/pulse_words.hpp"
 #include "quantities/text.hpp"
 
@@ -32,18 +31,11 @@ double side_of_peak(const injury::PulseReport& report) {
   return 1;
 }
 
-/// The window of a HIC as a rectangle as high as the mean acceleration in it.
-Series window(const char* key, const injury::Hic& hic, double side, std::size_t turn,
+/// `peak`: of the pulse, with its sign, g.
+Series window(const char* key, const injury::Hic& hic, double peak, std::size_t turn,
               const UnitSystem& units) {
-  const double begin = value_in(units, hic.begin, "s"), end = value_in(units, hic.end, "s");
-  const double duration = hic.end - hic.begin;
-  const double mean = duration > 0 ? side * std::pow(hic.value / duration, 0.4) : 0;
-  return {.label = fmt::format("{} = {}", result_quantity(key).title, brief(hic.value, 4)),
-          .style = SeriesStyle::band,
-          .x = {begin, end},
-          .y = {0, 0},
-          .y2 = {mean, mean},
-          .turn = turn};
+  return hic_bracket(fmt::format("{} = {}", result_quantity(key).title, brief(hic.value, 4)),
+                     value_in(units, hic.begin, "s"), value_in(units, hic.end, "s"), peak, turn);
 }
 
 }  // namespace
@@ -52,9 +44,10 @@ Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units) {
   const double side = side_of_peak(report);
   const injury::InjuryFigures& figures = report.figures;
   Panel panel{.title = {}, .x = axis_of("time", units), .y = axis_of("acceleration", units), .series = {}};
+  const double peak = side * figures.peak.magnitude / standard_gravity;
   if (figures.hic36.begin != figures.hic15.begin || figures.hic36.end != figures.hic15.end)
-    panel.series.push_back(window("hic36", figures.hic36, side, turn_of_hic36, units));
-  panel.series.push_back(window("hic15", figures.hic15, side, turn_of_hic15, units));
+    panel.series.push_back(window("hic36", figures.hic36, 2 * peak, turn_of_hic36, units));
+  panel.series.push_back(window("hic15", figures.hic15, peak, turn_of_hic15, units));
   if (report.filter) {
     panel.series.push_back(line("as measured", report.measured.pulse, turn_of_raw, units));
     panel.series.push_back(line(fmt::format("CFC{}", report.filter->channel_frequency_class), report.pulse,

@@ -6,6 +6,7 @@
 #include "dashpad/output/text/case.hpp"
 #include "dashpad/version.hpp"
 #include "output/plot/axis_with_unit.hpp"
+#include "output/plot/hic_bracket.hpp"
 #include "output/plot/result_panels.hpp"
 #include "quantities/text.hpp"
 
@@ -32,15 +33,10 @@ Panel deceleration_panel(const History& history, const std::optional<injury::Inj
   std::vector<double> deceleration;
   for (const double value : history.acceleration) deceleration.push_back(-value / standard_gravity);
   if (injury) {
-    Series window;
-    window.label = fmt::format("{} {}", result_quantity("hic15").title, significant(injury->hic15.value, 4));
-    window.style = SeriesStyle::band;
-    window.turn = 0;
-    window.x = values_in(units, {injury->hic15.begin, injury->hic15.end}, "s");
-    window.y = {0, 0};
-    const double top = injury->peak.magnitude / standard_gravity;
-    window.y2 = {top, top};
-    panel.series.push_back(window);
+    panel.series.push_back(
+        hic_bracket(fmt::format("{} {}", result_quantity("hic15").title, significant(injury->hic15.value, 4)),
+                    value_in(units, injury->hic15.begin, "s"), value_in(units, injury->hic15.end, "s"),
+                    injury->peak.magnitude / standard_gravity, 1));
     Series level;
     level.label = fmt::format("{} {} g", result_quantity("clip_3ms").title,
                               significant(injury->clip_3ms.level / standard_gravity, 4));
