@@ -1,6 +1,8 @@
 // A study as a page, and its leading figure as a still.
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -9,6 +11,7 @@
 #include "output/plot/study_figures.hpp"
 #include "output/text/study_answer.hpp"
 #include "output/text/study_tables.hpp"
+#include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -35,6 +38,18 @@ Plot together(std::vector<CaptionedPlot> figures, const std::string& title) {
   return plot;
 }
 
+/// One panel alone: that of the response with a limit, or of the highest drop, of which the answer speaks.
+void keep_the_answer(std::vector<Panel>& panels, const study::StudyAnswers& answers) {
+  if (panels.size() < 2) return;
+  Panel kept = answers.cushion_curves ? panels.back() : panels.front();
+  if (!answers.limits.empty())
+    if (const auto limited =
+            std::ranges::find(panels, title_of(answers.limits.front().response), &Panel::title);
+        limited != panels.end())
+      kept = *limited;
+  panels = {std::move(kept)};
+}
+
 }  // namespace
 
 FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& units) {
@@ -51,9 +66,7 @@ FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& uni
     if (!page.warnings.empty()) page.lead->reservation = page.warnings.front();
     page.lead->curve = study_plot(answers, units);
     page.lead->curve->title.clear();
-    // One alone: of cushion curves that of the highest drop, of which the answer speaks.
-    std::vector<Panel>& panels = page.lead->curve->panels;
-    if (panels.size() > 1) panels = {answers.cushion_curves ? panels.back() : panels.front()};
+    keep_the_answer(page.lead->curve->panels, answers);
   }
   page.sections.push_back({.heading = "What was studied",
                            .paragraphs = {},
