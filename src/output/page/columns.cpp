@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_entries = 600;
+constexpr std::size_t most_entries = 400;
 
 /// Evenly spread entries, with the largest force and penetration among them.
 std::vector<std::size_t> shown_entries(const History& history) {

@@ -110,7 +110,14 @@ std::string fit_page(const fit::FitReport& report, const UnitSystem& units) {
   for (const std::string& reservation : report.material.reservations) basis.paragraphs.push_back(reservation);
   basis.paragraphs.push_back(
       fmt::format("{} evaluations in {:.2g} s.", report.evaluations, report.wall_time));
-  if (!report.tests.empty() || !report.pulses.empty()) page.sections.push_back(curves_section(report, units));
+  if (!report.tests.empty() || !report.pulses.empty()) {
+    PageSection curves = curves_section(report, units);
+    Lead lead{.answer = page.title, .curve = curves.figures.front().plot};
+    if (!page.warnings.empty()) lead.reservation = page.warnings.front();
+    lead.curve->source.clear();
+    page.lead = std::move(lead);
+    page.sections.push_back(std::move(curves));
+  }
   page.sections.push_back(unknowns_section(report, units));
   page.sections.push_back(misfit_section(report, units));
   page.sections.push_back(std::move(basis));

@@ -146,7 +146,7 @@ std::string table(const Table& of) {
   return html + "</tbody></table></div>\n";
 }
 
-std::string title_of(const CaptionedPlot& of) {
+std::string heading_of(const CaptionedPlot& of) {
   const std::string both = of.name.empty() || of.plot.title.empty() ? "" : ": ";
   return one_line(of.name) + both + one_line(of.plot.title);
 }
@@ -171,7 +171,7 @@ std::size_t thin_points(Plot& plot) {
 }
 
 std::string figure(const CaptionedPlot& of, InlineSvgs& svgs) {
-  std::string html = "<figure><figcaption><h3>" + xml_text(title_of(of)) + "</h3></figcaption>\n";
+  std::string html = "<figure><figcaption><h3>" + xml_text(heading_of(of)) + "</h3></figcaption>\n";
   Plot plot = of.plot;
   plot.title.clear();
   plot.source.clear();
