@@ -10,6 +10,7 @@
 
 #include "dashpad/version.hpp"
 #include "output/page/cell.hpp"
+#include "output/plot/looks.hpp"
 #include "output/plot/rows.hpp"
 #include "output/plot/svg_plot.hpp"
 #include "output/svg/svg.hpp"
