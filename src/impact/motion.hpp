@@ -9,6 +9,7 @@
 /// an elastic support the mean force is the one whose work is exact (theory.md, Eq. 24). The back of the pad
 /// moves by the same force. Compression positive; SI units.
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -36,7 +37,8 @@ class Motion {
     sheet_.start();
     now_.velocity = now_.drive = speed * mass_ / moving_mass();
     now_.back.transmitted = force;
-    last_step_ = 0;
+    last_step_ = mean_stiffness_ = stiffness_ = 0;
+    is_held_ = false;
     jump_to(force);
   }
   [[nodiscard]] const State& now() const { return now_; }
@@ -47,7 +49,7 @@ class Motion {
   /// Takes the end of a step; `smooth`: the force goes on from it without a kink.
   void accept(const State& end, double step, bool smooth) {
     if (sheet_.has_mass()) {
-      slope_ = force_rate_after(end.force, step);
+      learn_stiffness(end, step);
       sheet_.accept(contact_.contact_radius(), end.penetration < now_.penetration, step);
     }
     force_rate_ = (end.force - now_.force) / step;
@@ -99,14 +101,8 @@ class Motion {
   /// N: what slows the impactor down, of the pad and of a sheet on it.
   [[nodiscard]] double force_on_impactor() const {
     if (!sheet_.has_mass()) return now_.force;
-    // A support at once has no rate of its own: that of the force tells it.
-    const bool at_once = foundation_.kind() == Foundation::Kind::at_once;
-    const double of_back =
-        at_once ? now_.back.body_velocity + foundation_.static_compliance(now_.back, now_.force) * slope_
-                : now_.back.velocity();
-    const double rate = now_.velocity - of_back;
     const double carried = sheet_.carried();
-    return (now_.force + sheet_.drag(now_.penetration, rate) + carried * gravity_) * mass_ /
+    return (now_.force + sheet_.drag(now_.penetration, pad_rate()) + carried * gravity_) * mass_ /
            (mass_ + carried);
   }
   /// The same for a state that was filled before.
@@ -138,6 +134,22 @@ class Motion {
   }
 
  private:
+  /// dF/dY at the end of a step, of a pad with a sheet: never below 0, whatever the rounding in a short one.
+  void learn_stiffness(const State& end, double step) {
+    const double advance = end.penetration - now_.penetration;
+    is_held_ = advance == 0;
+    const double mean = is_held_ ? mean_stiffness_ : std::max((end.force - now_.force) / advance, 0.0);
+    stiffness_ = std::max(mean + share_of_bend(step) * (mean - mean_stiffness_), 0.0);
+    mean_stiffness_ = mean;
+  }
+  /// dY/dt now, m/s: a support at once gives way by what the force grows.
+  [[nodiscard]] double pad_rate() const {
+    if (is_held_) return 0;
+    if (foundation_.kind() != Foundation::Kind::at_once) return now_.velocity - now_.back.velocity();
+    const double closing = now_.velocity - now_.back.body_velocity;
+    return stiffness_ > 0 ? closing / (1 + foundation_.static_compliance(now_.back, now_.force) * stiffness_)
+                          : closing;
+  }
   /// Of the impactor and what it carries, kg.
   [[nodiscard]] double moving_mass() const { return mass_ + sheet_.carried(); }
   void move(State& end, double mean, double moment, double mass, double gravity, double step) const {
@@ -192,9 +204,12 @@ class Motion {
   double force_rate_ = 0;
   double last_step_ = 0;
   bool smooth_ = false;
-  double way_ = 0;    ///< m
-  double work_ = 0;   ///< J
-  double slope_ = 0;  ///< dF/dt now, of a pad with a sheet, N/s
+  double way_ = 0;   ///< m
+  double work_ = 0;  ///< J
+  // Of a pad with a sheet: whether it kept its shape over the last step, and dF/dY over that and now, N/m.
+  bool is_held_ = false;
+  double mean_stiffness_ = 0;
+  double stiffness_ = 0;
 };
 
 }  // namespace dashpad

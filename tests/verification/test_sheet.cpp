@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <variant>
 
 #include "dashpad/impact/solve.hpp"
 #include "shared/samples.hpp"
@@ -130,9 +131,11 @@ TEST(Sheet, KeepsTheLedger) {
   for (const PadLaw& law : laws)
     for (const Backing& backing : {Backing{}, panel, crushing})
       for (const Nose& nose : {Nose(Sphere{0.08}), Nose(FlatDisc{0.05}), Nose(Cone{0.1, 1.2, 0.02})}) {
+        // Shallow, and so deep that the pad closes: short steps there must not show as forces of the sheet.
+        const bool deep = backing == Backing{} && std::holds_alternative<Sphere>(nose);
         ImpactCase impact = under_sheet(5, law, Support::linear(2e5));
         impact.impactor.nose = nose;
-        impact.impactor.speed = 2;
+        impact.impactor.speed = deep ? 9 : 2;
         impact.backing = backing;
         ASSERT_TRUE(violations(impact).empty());
         const Summary s = solve(impact, {.tolerance = 1e-3}).summary;
