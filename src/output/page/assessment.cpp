@@ -80,9 +80,9 @@ std::vector<KeyFigure> key_figures(const AssessmentReport& report, const UnitSys
 }
 
 /// The deceleration with the limits that are accelerations.
-Plot deciding_curve(const AssessmentReport& report, const UnitSystem& units) {
-  Panel panel =
-      deceleration_panel(report.solution.history, injury::whole_pulse_figures(report.solution), units);
+Plot deciding_curve(const AssessmentReport& report, const std::optional<injury::InjuryFigures>& injury,
+                    const UnitSystem& units) {
+  Panel panel = deceleration_panel(report.solution.history, injury, units);
   panel.title.clear();
   for (const injury::CriterionResult& result : report.assessment.results)
     if (injury::quantity_of(result.criterion.metric).si_unit == std::string_view("m/s2"))
@@ -105,6 +105,7 @@ std::string first_reservation(const injury::Assessment& assessment) {
 
 std::string assessment_page(const AssessmentReport& report, const UnitSystem& units) {
   const injury::Assessment& assessment = report.assessment;
+  const std::optional<injury::InjuryFigures> injury = injury::whole_pulse_figures(report.solution);
   ImpactCase untitled = report.assessed;
   untitled.title.clear();
   FiguresPage page;
@@ -114,7 +115,7 @@ std::string assessment_page(const AssessmentReport& report, const UnitSystem& un
                    .reservation = first_reservation(assessment),
                    .subject = {report.standard.title, report.assessed.title},
                    .drawing = impact_drawing(report.assessed, report.solution, units),
-                   .curve = deciding_curve(report, units),
+                   .curve = deciding_curve(report, injury, units),
                    .figures = key_figures(report, units)};
   for (const Flag& reservation : assessment.reservations) page.warnings.push_back(reservation.text);
   std::vector<std::string> basis{case_text(untitled, units)};
@@ -122,8 +123,7 @@ std::string assessment_page(const AssessmentReport& report, const UnitSystem& un
   basis.push_back(numbers_text(report.solution.summary) + ".");
   basis.push_back(assessment_caveat());
   CaptionedPlot impact;
-  impact.plot =
-      result_plot(report.assessed, report.solution, injury::whole_pulse_figures(report.solution), units);
+  impact.plot = result_plot(report.assessed, report.solution, injury, units);
   page.sections.push_back({.heading = "Criteria", .tables = {criteria_table(report, units)}});
   page.sections.push_back({.heading = "What it rests on", .paragraphs = std::move(basis)});
   page.sections.push_back({.heading = "The impact", .figures = {std::move(impact)}});

@@ -40,18 +40,15 @@ std::string pulse_page(const injury::PulseReport& report, const UnitSystem& unit
     lead.tone = Tone::doubtful;
     lead.reservation = page.warnings.front();
   }
-  lead.curve = pulse_plot(report, units);
+  CaptionedPlot curve;
+  curve.plot = pulse_plot(report, units);
+  lead.curve = curve.plot;
   lead.curve->title.clear();
   lead.curve->source.clear();
   page.lead = std::move(lead);
-  std::string source = "The pulse:" + pulse_source(report, units);
-  source.back() = '.';
-  replace_all(source, "\n", ";");
-  CaptionedPlot curve;
-  curve.plot = pulse_plot(report, units);
   page.sections = {
       {.heading = "Figures", .tables = {table_of(pulse_rows(report.figures, units, Detail::all))}},
-      {.heading = "What it rests on", .paragraphs = {std::move(source)}},
+      {.heading = "What it rests on", .paragraphs = {pulse_source_sentence(report, units)}},
       {.heading = "The pulse", .figures = {std::move(curve)}}};
   return figures_page(page);
 }

@@ -45,10 +45,7 @@ std::string pulse_comparison_page(const PulseComparisonReport& report, const Uni
   untitled.title.clear();
   std::vector<std::string> basis = comparison_notes(report, units);
   basis.push_back(case_text(untitled, units) + numbers_text(report.solution.summary) + ".");
-  std::string source = "The pulse:" + pulse_source(report.pulse, units);
-  source.back() = '.';
-  replace_all(source, "\n", ";");
-  basis.push_back(std::move(source));
+  basis.push_back(pulse_source_sentence(report.pulse, units));
   page.sections = {
       {.heading = "Measured over computed", .paragraphs = {}, .tables = {}, .figures = {std::move(figure)}},
       {.heading = "Figures", .paragraphs = {}, .tables = {table}, .figures = {}},

@@ -93,6 +93,13 @@ std::string pulse_source(const injury::PulseReport& report, const UnitSystem& un
   return text + fmt::format("  filter        {}\n", report.filter ? filter_words(*report.filter) : "none");
 }
 
+std::string pulse_source_sentence(const injury::PulseReport& report, const UnitSystem& units) {
+  std::string source = "The pulse:" + pulse_source(report, units);
+  source.back() = '.';
+  replace_all(source, "\n", ";");
+  return source;
+}
+
 std::vector<std::string> reservations(const injury::PulseReport& report) {
   std::vector<std::string> lines;
   for (const Flag& flag : report.flags) lines.push_back(flag.text);

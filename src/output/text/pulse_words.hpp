@@ -17,5 +17,7 @@ std::vector<std::string> reservations(const injury::PulseReport& report);
 
 /// Where the pulse comes from and what was done to it, indented lines.
 std::string pulse_source(const injury::PulseReport& report, const UnitSystem& units);
+/// The same in one sentence, for a page.
+std::string pulse_source_sentence(const injury::PulseReport& report, const UnitSystem& units);
 
 }  // namespace dashpad::output
