@@ -109,7 +109,6 @@ void noting_faults(Complaints& wrong, Reader read) {
 
 AssessInput read_and_check(const AssessRequest& request, const AssessFolders& folders) {
   Complaints wrong;
-  judge_report(request.report, wrong);
   const injury::UserValues values = read_user_values(request, wrong);
   const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
   AssessInput input;

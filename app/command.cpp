@@ -7,7 +7,6 @@
 #include "command.hpp"
 #include "dashpad/impact/continuation.hpp"
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/output/page/page.hpp"
 #include "dashpad/output/plot/plot.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/quantities/unit_system.hpp"
@@ -57,10 +56,6 @@ void add_force(CLI::App& app, bool& force) {
 CLI::Option* add_report(CLI::App& app, std::optional<std::string>& file) {
   return app.add_option("--report", file, "Write a page to look at in a browser, as one HTML file")
       ->type_name("FILE");
-}
-
-void judge_report(const std::optional<std::string>& file, std::vector<std::string>& wrong) {
-  if (file && !output::has_page()) wrong.push_back(std::string{"--report: "} + output::no_page);
 }
 
 void judge_picture(const std::optional<std::string>& file, std::vector<std::string>& wrong) {

@@ -56,8 +56,6 @@ std::optional<double> tolerance_of(const std::optional<std::string>& text, std::
 void add_force(CLI::App& app, bool& force);
 /// Adds --report, the file of a page.
 CLI::Option* add_report(CLI::App& app, std::optional<std::string>& file);
-/// Tells `wrong` of a page that this build cannot make.
-void judge_report(const std::optional<std::string>& file, std::vector<std::string>& wrong);
 /// Tells `wrong` of a picture whose name has the ending of no format.
 void judge_picture(const std::optional<std::string>& file, std::vector<std::string>& wrong);
 /// An option's value in SI; absent where there is none, or where it is no such quantity and `wrong` is told

@@ -174,7 +174,6 @@ int fit_material(const FitRequest& request, const std::filesystem::path& materia
   } catch (const input::InputError& error) {
     add_lines(error.faults(), wrong);
   }
-  judge_report(request.report, wrong);
   std::vector<Target> targets = fit_targets(request);
   const std::vector<input::InputFile> files =
       input ? input->files : std::vector<input::InputFile>{{"the fit file", request.file}};

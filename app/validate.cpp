@@ -102,7 +102,6 @@ std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector
 ValidateInput read_and_check(const ValidateRequest& request, const ValidateFolders& folders) {
   std::vector<std::string> wrong;
   const std::vector<Target> targets = targets_to_judge(request, wrong);
-  judge_report(request.report, wrong);
 
   ValidateInput input;
   std::vector<input::Fault> faults;

@@ -9,7 +9,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "dashpad/output/page/page.hpp"
 #include "readme_tables.hpp"
 #include "report.hpp"
 
@@ -64,10 +63,7 @@ void draw(const std::vector<Chapter>& chapters, const fs::path& folder) {
       write(folder / (chapter.figure_names[i] + ".png"),
             output::picture(chapter.section.figures[i].plot, output::PictureFormat::png));
   }
-  if (output::has_page())
-    write(folder / "benchmarks.html", output::figures_page(page));
-  else
-    fmt::print(stderr, "No page: {}\n", output::no_page);
+  write(folder / "benchmarks.html", output::figures_page(page));
 }
 
 int report(int count, char** arguments) {

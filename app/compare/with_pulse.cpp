@@ -46,7 +46,6 @@ std::vector<Target> targets(const CompareRequest& request) {
 int compare_with_pulse(const CompareRequest& request, const std::filesystem::path& materials) {
   std::vector<std::string> wrong;
   judge_picture(request.picture, wrong);
-  judge_report(request.report, wrong);
   const std::optional<input::CaseFile> input = read_case(request.case_file, materials, wrong);
   PulseRequest asked = request.pulse;
   if (input) asked.case_speed = input->impact.impactor.speed;

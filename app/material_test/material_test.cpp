@@ -86,7 +86,6 @@ laboratory::MaterialTestReport run_test(const MaterialTestCommand& request, cons
   if (request.test.history) files.push_back({"the strain history", *request.test.history});
   judge_targets(targets(request), files, request.force, wrong);
   judge_picture(request.picture, wrong);
-  judge_report(request.report, wrong);
   const laboratory::MaterialTest test = test_of(request.test, wrong);
   const std::optional<Material> material = card ? read_card(*card, wrong) : std::nullopt;
   if (!wrong.empty()) throw Refused(std::move(wrong));

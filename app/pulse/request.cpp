@@ -129,7 +129,6 @@ std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test)
     say(request.interval && request.table.bridge_gaps, "--bridge-gaps", rule);
   }
   judge_picture(request.picture, wrong);
-  judge_report(request.report, wrong);
   say(request.corner && !request.filter, "--corner", "is for a filter; add --filter");
   say(request.ends && !request.filter, "--ends", "is for a filter; add --filter");
   return wrong;

@@ -66,7 +66,6 @@ int summarise(const StudySummaryRequest& request) {
   const study::Store store = open_stored(request.store_file);
   std::vector<std::string> wrong;
   judge_targets(targets(request), files_of_store(request.store_file), request.force, wrong);
-  judge_report(request.report, wrong);
   judge_picture(request.picture, wrong);
   const study::StudyQuestions questions = questions_of(request, store, wrong);
   if (wrong.empty() && store.rows_done() == 0)

@@ -152,7 +152,7 @@ FirstEvent first_event_in(Sight sight) {
   return first;
 }
 
-/// `sight.corner` is overwritten. A trial without a solution has no other event than what is in its way.
+/// A trial without a solution has no other event than what is in its way.
 inline FirstEvent first_event(const Sight& sight) {
   switch (sight.phase) {
     case Phase::loading: return first_event_in<Phase::loading>(sight);

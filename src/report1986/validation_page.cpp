@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/version.hpp"
 #include "quantities/text.hpp"
 #include "report1986/validation_series.hpp"
 #include "report1986/validation_tables.hpp"
@@ -106,11 +105,9 @@ output::FiguresPage validation_page(const Study& study) {
   const std::vector<ValidationFigure> figures = validation_figures(study);
   output::FiguresPage page{
       .title = "Validation against the tests of 1986",
-      .summary = {fmt::format("The {} tests of Crash Padding Research, Volume III (1986), Table 3-1, beside "
-                              "the accurate solver and the program of 1984. Units are the report's: lb, in, "
-                              "mph, ms.",
-                              study.data.measured.tests.size()),
-                  fmt::format("dashpad {}, commit {}", version(), build_facts().git_commit)},
+      .lead = validation_lead(study),
+      .summary = {"The tests beside the accurate solver and the program of 1984. Units are the report's: lb, "
+                  "in, mph, ms."},
       .warnings = warnings(study)};
   page.sections = {
       verdict_section(study, figures),

@@ -66,4 +66,7 @@ struct Tally {
 };
 Tally tally(const Study& study, Program program);
 
+/// Whether Dashpad meets the tests, by the verdicts, and with which biases.
+output::Lead validation_lead(const Study& study);
+
 }  // namespace dashpad::report1986

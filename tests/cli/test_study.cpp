@@ -109,9 +109,9 @@ TEST_F(StudyTest, ThePageBeginsWithTheAnswer) {
   };
   EXPECT_THAT(
       heading({"--limit", "peak_acceleration > 30 g"}),
-      ContainsRegex("In [0-9.]+ % of cases Peak acceleration exceeds 30 g \\([0-9.]+ % to [0-9.]+ %\\)$"));
+      ContainsRegex("In [0-9.]+ % of cases peak acceleration exceeds 30 g \\([0-9.]+ % to [0-9.]+ %\\)$"));
   EXPECT_THAT(heading({"--response", "rebound_speed"}),
-              ContainsRegex("Rebound speed follows impactor.speed most: [0-9.]+ % of its scatter$"));
+              ContainsRegex("Rebound speed follows impact speed most: [0-9.]+ % of its scatter$"));
 }
 
 /// On an elastic pad on an elastic support the rebound is as fast as the impact: the speed alone explains it.

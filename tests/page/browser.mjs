@@ -42,8 +42,7 @@ export function report(caseFile, ...more) {
   return file;
 }
 
-// A page with all that it said on the console, all that it asked of the network, and all that it wrote on
-// canvases.
+// A page with all that it said on the console, and all that it asked of the network.
 export async function open(file, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1200, height: 900 }, ...options });
   const page = await context.newPage();
@@ -57,14 +56,6 @@ export async function open(file, options = {}) {
     seen.requests.push(url);
     return route.abort();
   });
-  if (options.javaScriptEnabled !== false) await page.addInitScript(() => {
-    window.written = [];
-    const fillText = CanvasRenderingContext2D.prototype.fillText;
-    CanvasRenderingContext2D.prototype.fillText = function (text, ...more) {
-      window.written.push(text);
-      return fillText.call(this, text, ...more);
-    };
-  });
   await page.goto(pathToFileURL(file).href);
   // Without scripts nothing is drawn after the page is there.
   if (options.javaScriptEnabled !== false) await settled(page);
@@ -75,19 +66,39 @@ export async function open(file, options = {}) {
 export const settled = (page) =>
   page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 50)))));
 
-// Of each plot its name and how many pixels of its canvas are a line in colour.
-export const inked = (page) =>
+// Of each plot below the answer its heading, and how many px its curves are wide and high together.
+export const drawn = (page) =>
   page.evaluate(() =>
-    [...document.querySelectorAll("main figure")].map((figure) => {
-      const canvas = figure.querySelector("canvas");
-      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-      let pixels = 0;
-      for (let i = 0; i < data.length; i += 4) {
-        const [red, green, blue, alpha] = data.slice(i, i + 4);
-        if (alpha > 128 && Math.max(red, green, blue) - Math.min(red, green, blue) > 60) ++pixels;
-      }
-      return { name: figure.id, pixels };
-    }),
+    [...document.querySelectorAll("main figure")].map((figure) => ({
+      name: figure.querySelector("h3").textContent,
+      size: [...figure.querySelectorAll(".dp-series path")].reduce((sum, path) => {
+        const { width, height } = path.getBoundingClientRect();
+        return sum + width + height;
+      }, 0),
+    })),
   );
 
-export const legend = (page, name) => page.locator(`#${name} .legend`).innerText();
+export const figure = (page, heading) => page.locator("main figure", { has: page.getByRole("heading", { name: heading, exact: true }) });
+
+// A place in a panel: shares of its width and height, from the upper left corner.
+export async function place(of, x, y, index = 0) {
+  const floor = of.locator(".dp-floor").nth(index);
+  await floor.scrollIntoViewIfNeeded();
+  const box = await floor.boundingBox();
+  return [box.x + x * box.width, box.y + y * box.height];
+}
+
+// The same of two numbers on its axes, which are linear.
+export async function placeOf(of, x, y, index = 0) {
+  const data = await of.locator(".dp-panel").nth(index).evaluate(({ dataset }) => ({ ...dataset }));
+  const share = (value, low, high) => (value - low) / (high - low);
+  return place(of, share(x, data.xLow, data.xHigh), 1 - share(y, data.yLow, data.yHigh), index);
+}
+
+export const tip = async (page) => {
+  await settled(page);
+  return page.locator(".tip:visible").allInnerTexts();
+};
+
+// The numbers on the axes of a panel, and all its other texts.
+export const texts = (of, index = 0) => of.locator(".dp-panel").nth(index).locator("text").allTextContents();

@@ -1,76 +1,79 @@
-// Values where the reader points, by mouse, key or finger.
+// One moment in all plots: by mouse, key or finger.
 
 import assert from "node:assert/strict";
 import test from "node:test";
 
-import { example, legend, open, report, settled } from "./browser.mjs";
+import { example, figure, open, place, report, settled, tip } from "./browser.mjs";
 
 const file = report(example("dashboard-20mph"));
+const time = (text) => Number(/Time \(ms\): ([\d.]+)/.exec(text)[1]);
+const value = (text) => Number(/: ([\d.]+)$/.exec(text)[1]);
 
-async function at(page, name, x, y = 0.5) {
-  await page.locator(`#${name}`).scrollIntoViewIfNeeded();
-  const box = await page.locator(`#${name} .u-over`).boundingBox();
-  return [box.x + x * box.width, box.y + y * box.height];
-}
+// Where the mark of a panel stands, as shares of its width and height.
+const marked = (of) =>
+  of.locator(".dp-panel").evaluate((panel) => {
+    const mark = panel.querySelector(".dp-pointer circle");
+    return mark && [mark.getAttribute("cx") / panel.dataset.width, mark.getAttribute("cy") / panel.dataset.height];
+  });
 
-const time = (text) => Number(/Time\s+([\d.]+)/.exec(text)[1]);
-
-test("the mouse over a curve shows its values there, and in the other plots", async () => {
+test("the mouse over a curve shows its values there, and the moment in the other plots", async () => {
   const page = await open(file);
-  const rest = time(await legend(page, "force"));  // the step of the largest force
-  assert.ok(Math.abs(rest - 13.033) < 0.3, rest);
-  await page.mouse.move(...(await at(page, "force", 0.25)));
-  await settled(page);
-  const quarter = time(await legend(page, "force"));
-  assert.ok(Math.abs(quarter - 6.07) < 0.3, quarter);
-  for (const name of ["acceleration", "motion", "energy", "force-motion"])
-    assert.equal(time(await legend(page, name)), quarter, name);
-  assert.ok(await page.locator("#force-motion .marker").isVisible());
+  const force = figure(page, "Force over time");
+  await page.mouse.move(...(await place(force, 0.25, 0.5)));
+  const [words] = await tip(page);
+  assert.ok(Math.abs(time(words) - 6.5) < 0.5, words);
+  for (const heading of ["Deceleration over time", "Penetration and displacement over time", "Energy over time"]) {
+    const [x] = await marked(figure(page, heading));
+    assert.ok(Math.abs(25 * x - time(words)) < 0.02, `${heading} ${25 * x}`);
+    assert.equal(await figure(page, heading).locator(".dp-hairline").count(), 1);
+  }
+  const [, y] = await marked(figure(page, "Force over displacement"));
+  assert.ok(Math.abs(6000 * (1 - y) - value(words)) < 15, `${6000 * (1 - y)} ${words}`);
+  assert.notEqual(await marked(page.locator(".lead figure").last()), null);
   await page.mouse.move(2, 2);
   await settled(page);
-  assert.equal(time(await legend(page, "energy")), rest);
-  assert.ok(!(await page.locator("#force-motion .marker").isVisible()));
+  assert.equal(await page.locator(".dp-pointer > *").count(), 0);
 });
 
 test("the mouse over a loop finds the branch that is nearest", async () => {
   const page = await open(file);
-  await page.mouse.move(...(await at(page, "force-penetration", 0.5, 0.9)));
+  const loop = figure(page, "Force over penetration");
+  const force = figure(page, "Force over time");
+  await page.mouse.move(...(await place(loop, 0.5, 0.9)));
   await settled(page);
-  const loading = time(await legend(page, "force-penetration"));
-  await page.mouse.move(...(await at(page, "force-penetration", 0.85, 0.9)));
+  const [loading] = await marked(force);
+  await page.mouse.move(...(await place(loop, 0.75, 0.9)));
   await settled(page);
-  const unloading = time(await legend(page, "force-penetration"));
-  assert.ok(loading < 13 && unloading > 13, `${loading}, ${unloading}`);
-  assert.equal(time(await legend(page, "force")), unloading);
+  const [unloading] = await marked(force);
+  assert.ok(25 * loading < 13 && 25 * unloading > 13, `${loading}, ${unloading}`);
 });
 
 test("the mouse over the contact shows the stress at that radius", async () => {
   const page = await open(file);
-  const axis = await legend(page, "stress");
-  await page.mouse.move(...(await at(page, "stress", 0.5)));
-  await settled(page);
-  assert.notEqual(await legend(page, "stress"), axis);
-  assert.match(await legend(page, "stress"), /Radius\s+2\d(\.\d+)? mm/);
+  await page.mouse.move(...(await place(figure(page, "Stress over the contact"), 0.5, 0.4)));
+  assert.match((await tip(page))[0], /ms, .*\nRadius \(mm\): [23]\d(\.\d+)?\nStress \(kPa\): /);
 });
 
-test("arrow keys move along a curve", async () => {
+test("arrow keys move along a curve, plus and minus enlarge", async () => {
   const page = await open(file);
-  for (const name of ["energy", "force-motion"]) {
-    const rest = time(await legend(page, name));
-    await page.locator(`#${name} .plot`).focus();
-    await page.keyboard.press("ArrowRight");
-    const next = time(await legend(page, name));
-    assert.ok(next > rest, `${name} ${next}`);
-    await page.keyboard.press("End");
-    assert.ok(Math.abs(time(await legend(page, name)) - 24.284) < 0.002);
-    await page.keyboard.press("Escape");
-    assert.equal(time(await legend(page, name)), rest);
-  }
+  const force = figure(page, "Force over time");
+  await force.locator(".dp-inside").focus();
+  await page.keyboard.press("ArrowRight");
+  const first = time((await tip(page))[0]);
+  await page.keyboard.press("ArrowRight");
+  assert.ok(time((await tip(page))[0]) > first);
+  await page.keyboard.press("End");
+  assert.ok(Math.abs(time((await tip(page))[0]) - 24.28) < 0.03);
+  await page.keyboard.press("Escape");
+  assert.deepEqual(await tip(page), []);
+  await page.keyboard.press("+");
+  assert.equal(await force.locator(".dp-enlarged").count(), 1);
+  await page.keyboard.press("0");
+  assert.equal(await force.locator(".dp-enlarged").count(), 0);
 });
 
 test("a finger shows values, too", async () => {
   const page = await open(file, { viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true });
-  await page.touchscreen.tap(...(await at(page, "force", 0.3)));
-  await settled(page);
-  assert.ok(Math.abs(time(await legend(page, "force")) - 7.3) < 0.4);
+  await page.touchscreen.tap(...(await place(figure(page, "Force over time"), 0.3, 0.4)));
+  assert.ok(Math.abs(time((await tip(page))[0]) - 7.3) < 0.6);
 });

@@ -1,39 +1,46 @@
-// The reader chooses the units: tables, sentences, legends and axes follow.
+// The reader chooses the units: the answer, tables, sentences, the drawing and axes follow.
 
 import assert from "node:assert/strict";
 import test from "node:test";
 
-import { example, legend, open, report, settled } from "./browser.mjs";
+import { example, figure, open, place, report, settled, texts, tip } from "./browser.mjs";
 
-const written = async (page) => {
-  await settled(page);
-  return page.evaluate(() => window.written.splice(0));
-};
+const labels = (page) => page.locator(".dp-axis-title").allTextContents();
 
-test("units change by mouse and by keys", async () => {
+test("units change by mouse and by keys, and back", async () => {
   const page = await open(report(example("dashboard-20mph")));
-  assert.ok((await written(page)).includes("Force (N)"));
-  assert.match(await legend(page, "force"), /575[56]\.\d N/);
+  const force = figure(page, "Force over time");
+  assert.ok((await labels(page)).includes("Force (N)"));
 
   await page.getByRole("radio", { name: "US" }).check();
-  const us = await written(page);
   for (const label of ["Force (lbf)", "Distance (in)", "Stress (psi)", "Energy (in·lbf)", "Time (ms)", "Deceleration (g)"])
-    assert.ok(us.includes(label), label);
-  assert.ok(!us.includes("Force (N)"));
+    assert.ok((await labels(page)).includes(label), label);
+  assert.ok(!(await labels(page)).includes("Force (N)"));
+  assert.ok((await texts(force)).includes("1200"), String(await texts(force)));
   assert.match(await page.getByRole("row", { name: /^Peak force/ }).innerText(), /1294\.\d\s+lbf/);
-  assert.match(await page.locator(".words").innerText(), /10\.000? lb|10 lb/);
-  assert.match(await legend(page, "force"), /129[34]\.\d lbf/);
+  assert.match(await page.locator("#section-1").innerText(), /10\.000? lb|10 lb/);
+  assert.match(await page.locator(".key-figures").innerText(), /1294 lbf/);
+  assert.match((await page.locator(".drawing > svg").first().locator("text").allTextContents()).join(" "), /1 in .*20 mph|20 mph.* 1 in/);
+  await page.mouse.move(...(await place(force, 13.03 / 25, 0.05)));
+  assert.match((await tip(page))[0], /Force \(lbf\): 129[345](\.\d)?$/);
+  await page.mouse.move(2, 2);
 
   await page.getByRole("radio", { name: "US" }).focus();
   await page.keyboard.press("ArrowRight");
-  assert.ok((await written(page)).includes("Force (kN)"));
+  assert.ok((await labels(page)).includes("Force (kN)"));
   assert.match(await page.getByRole("row", { name: /^Rebound speed/ }).innerText(), /30\.96[78]\s+km\/h/);
-  await page.keyboard.press("Tab");
+  await page.getByRole("radio", { name: "SI" }).check();
+  await settled(page);
+  const titles = await labels(page);
+  assert.ok(titles.includes("Force (N)") && titles.includes("Energy (J)"), String(titles));
+  assert.match(await page.getByRole("row", { name: /^Peak force/ }).innerText(), /575[67]\.\d\s+N/);
   assert.deepEqual(page.seen, { complaints: [], requests: [] });
 });
 
 test("the units of the command come first", async () => {
   const page = await open(report(example("dashboard-20mph"), "--units", "us"));
   assert.ok(await page.getByRole("radio", { name: "US" }).isChecked());
-  assert.ok((await written(page)).includes("Force (lbf)"));
+  assert.ok((await labels(page)).includes("Force (lbf)"));
+  await page.getByRole("radio", { name: "SI" }).check();
+  assert.ok((await labels(page)).includes("Force (N)"));
 });

@@ -78,5 +78,30 @@ TEST(FilledMap, IsDrawnInTheColourOfItsShade) {
   EXPECT_THAT(svg, HasSubstr(">1 to 2 g</text>"));
 }
 
+/// Distances from the middle of a grid: the contour is a ring.
+TEST(FilledMap, AContourIsWhereTheValueIsTheLevel) {
+  std::vector<double> places;
+  for (int i = -20; i <= 20; ++i) places.push_back(0.1 * i);
+  std::vector<std::vector<double>> distance;
+  for (const double y : places) {
+    distance.emplace_back();
+    for (const double x : places) distance.back().push_back(std::hypot(x, y));
+  }
+  const output::Series ring = output::contour(places, places, distance, 1.03);
+  ASSERT_GT(ring.x.size(), 50U);
+  for (std::size_t i = 0; i < ring.x.size(); ++i) EXPECT_NEAR(std::hypot(ring.x[i], ring.y[i]), 1.03, 0.005);
+  EXPECT_EQ(ring.x.front(), ring.x.back());
+  EXPECT_THAT(output::contour(places, places, distance, 9).x, IsEmpty());
+}
+
+TEST(FilledMap, AContourLeavesCellsWithoutAValueOut) {
+  const double no_value = std::numeric_limits<double>::infinity();
+  const std::vector<double> across{0, 1, 2, 3}, up{0, 1, 2};
+  const std::vector<std::vector<double>> values{{0, 1, 2, 3}, {0, 1, 2, 3}, {0, no_value, 2, 3}};
+  const output::Series line = output::contour(across, up, values, 1.5);
+  EXPECT_THAT(line.x, testing::Each(1.5));
+  EXPECT_THAT(line.y, testing::Each(testing::Le(1)));
+}
+
 }  // namespace
 }  // namespace dashpad

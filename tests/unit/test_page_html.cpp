@@ -9,6 +9,7 @@
 #include "output/page/cell.hpp"
 #include "output/page/digest.hpp"
 #include "output/page/html.hpp"
+#include "output/page/inline_svgs.hpp"
 
 namespace dashpad::output {
 
@@ -19,6 +20,8 @@ using ::testing::Not;
 
 const std::string attack = "</h1><script>x</script> \"'&";
 const std::string harmless = "&lt;/h1&gt;&lt;script&gt;x&lt;/script&gt; &quot;&#39;&amp;";
+
+std::string body_of(const FiguresPage& page) { return html_of({{nullptr, page}}).body; }
 
 Plot rising() { return {.panels = {{.x = {"x"}, .y = {"y"}, .series = {{.x = {0, 1}, .y = {0, 1}}}}}}; }
 
@@ -33,8 +36,8 @@ TEST(PageHtml, EscapesWhateverItIsGiven) {
   section.ranges = {{.label = attack, .value = attack, .words = attack, .lowest = attack, .highest = attack}};
   section.figures = {{.name = attack, .plot = rising(), .note = attack}};
   page.sections = {section};
-  const PageHtml html = html_of(page);
-  for (const std::string& text : {html.title, html.lead, html.body}) {
+  const PageHtml html = html_of({{nullptr, page}});
+  for (const std::string& text : {html.title, html.body}) {
     EXPECT_THAT(text, Not(HasSubstr("<script")));
     EXPECT_THAT(text, HasSubstr(harmless));
   }
@@ -43,12 +46,12 @@ TEST(PageHtml, EscapesWhateverItIsGiven) {
 TEST(PageHtml, SaysWhatAnAnswerMeansWithoutItsColour) {
   FiguresPage page;
   page.lead = Lead{.answer = "Fails", .tone = Tone::bad};
-  EXPECT_THAT(html_of(page).lead, HasSubstr("<h1 class=\"bad\"><span class=\"sign\">✕</span> Fails</h1>"));
+  EXPECT_THAT(body_of(page), HasSubstr("<h1 class=\"bad\"><span class=\"sign\">✕</span> Fails</h1>"));
   page.lead->tone = Tone::good;
-  EXPECT_THAT(html_of(page).lead, HasSubstr("<span class=\"sign\">✓</span>"));
+  EXPECT_THAT(body_of(page), HasSubstr("<span class=\"sign\">✓</span>"));
   page.lead->tone = Tone::plain;
-  EXPECT_THAT(html_of(page).lead, Not(HasSubstr("sign")));
-  EXPECT_EQ(html_of(page).title, "Fails - Dashpad");
+  EXPECT_THAT(body_of(page), Not(HasSubstr("sign")));
+  EXPECT_EQ(html_of({{nullptr, page}}).title, "Fails - Dashpad");
 }
 
 /// The limit lies at 1 / 1.3 of the track.
@@ -58,17 +61,27 @@ TEST(PageHtml, DrawsBarsTowardsTheirLimit) {
   page.lead->figures = {{.label = "HIC", .value = "500", .share = 0.5, .tone = Tone::good},
                         {.label = "Peak", .value = "900 g", .share = 9, .tone = Tone::bad},
                         {.label = "No limit", .value = "1"}};
-  const std::string lead = html_of(page).lead;
+  const std::string lead = body_of(page);
   EXPECT_THAT(lead, HasSubstr("50 % of the limit"));
-  EXPECT_THAT(lead, HasSubstr("<rect class=\"good\" width=\"38.46\""));
-  EXPECT_THAT(lead, HasSubstr("<rect class=\"bad\" width=\"100\"")) << "no longer than the track";
+  EXPECT_THAT(lead, HasSubstr("<rect class=\"good\" x=\"0\" width=\"38.46\""));
+  EXPECT_THAT(lead, HasSubstr("<rect class=\"bad\" x=\"0\" width=\"100\"")) << "no longer than the track";
   EXPECT_THAT(lead, HasSubstr("x=\"76.52\""));
+}
+
+/// A bar fades where its interval has no end, and there only.
+TEST(PageHtml, FadesOpenEnds) {
+  FiguresPage page;
+  page.sections = {{.ranges = {{.label = "modulus", .place = 0.4, .from = 0.2}}}};
+  EXPECT_THAT(body_of(page), HasSubstr("x=\"92\" width=\"8\" height=\"10\" opacity=\"0.55\""));
+  page.sections[0].ranges[0].open_above = true;
+  EXPECT_THAT(body_of(page), HasSubstr("x=\"92\" width=\"8\" height=\"10\" opacity=\"0.05\""));
+  EXPECT_THAT(body_of(page), HasSubstr("x=\"20\" width=\"8\" height=\"10\" opacity=\"0.55\""));
 }
 
 TEST(PageHtml, HasEachStyleOnceAndNamesIt) {
   FiguresPage page;
   page.sections = {{.figures = {{.plot = rising()}, {.plot = rising()}}}};
-  const PageHtml html = html_of(page);
+  const PageHtml html = html_of({{nullptr, page}});
   ASSERT_EQ(html.styles.size(), 1U);
   const std::string element = "<style>" + *html.styles.begin() + "</style>";
   const std::size_t first = html.body.find(element);
@@ -79,7 +92,7 @@ TEST(PageHtml, HasEachStyleOnceAndNamesIt) {
 TEST(PageHtml, SaysWhereThereIsNothingToDraw) {
   FiguresPage page;
   page.sections = {{.figures = {{.plot = {.panels = {{.x = {"x"}, .y = {"y"}}}}}}}};
-  EXPECT_THAT(html_of(page).body, HasSubstr("There is nothing to draw."));
+  EXPECT_THAT(body_of(page), HasSubstr("There is nothing to draw."));
 }
 
 TEST(PageHtml, LeavesPointsOutAndSaysSo) {
@@ -90,16 +103,31 @@ TEST(PageHtml, LeavesPointsOutAndSaysSo) {
   series.y.assign(25'000, 0.5);
   FiguresPage page;
   page.sections = {{.figures = {{.plot = many}}}};
-  const std::string body = html_of(page).body;
+  const std::string body = body_of(page);
   EXPECT_THAT(body, HasSubstr("Of many points one in 25 is drawn here."));
   EXPECT_LT(body.size(), 40'000U);
 }
 
 TEST(PageHtml, TellsNumbersFromWords) {
-  for (const char* cell : {"12.5", "-3e-4", "< 0.1 %", "4.1 ± 0.2", "+12 %", "-", "none", ""})
+  for (const char* cell :
+       {"12.5", "-3e-4", "< 0.1 %", "4.1 ± 0.2", "+12 %", "-", "none", "", "12 mm", "8.94 m/s"})
     EXPECT_TRUE(is_number_or_none(cell)) << cell;
-  for (const char* cell : {"12 mm", "pass", "layer 2", "1 to 2"})
+  for (const char* cell : {"pass", "layer 2", "1 to 2", "3 ms clip"})
     EXPECT_FALSE(is_number_or_none(cell)) << cell;
+}
+
+TEST(InlineSvgs, TellTextsFromWhatIsDrawn) {
+  const std::string metric =
+      "<svg id=\"dd-0123abcd-x\"><title>A</title><desc>1 m</desc><path d=\"M0 1\"/><text x=\"1\">1 "
+      "m</text></svg>";
+  const std::string us =
+      "<svg id=\"dd-aaaa0000-x\"><title>B</title><desc>3 ft</desc><path d=\"M0 1\"/><text x=\"1\">3.28 "
+      "ft</text></svg>";
+  EXPECT_TRUE(differ_in_texts_only(metric, us));
+  EXPECT_THAT(texts_in(us), ::testing::ElementsAre("3 ft", "3.28 ft"));
+  std::string moved = us;
+  moved.replace(moved.find("M0 1"), 4, "M0 2");
+  EXPECT_FALSE(differ_in_texts_only(metric, moved));
 }
 
 /// The known digest of the empty text, and of "abc" (FIPS 180-2).

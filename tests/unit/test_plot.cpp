@@ -15,6 +15,7 @@
 #include "dashpad/output/plot/plot.hpp"
 #include "output/plot/drawing.hpp"
 #include "output/plot/rows.hpp"
+#include "output/plot/svg_plot.hpp"
 #include "unit/svg_reader.hpp"
 
 namespace dashpad {
@@ -300,8 +301,16 @@ TEST(Plot, DrawsALineThatOnlyCrossesTheWindow) {
   EXPECT_EQ(numbers[3], 0);
 }
 
-TEST(Plot, GivesOneLabelOneTurnInAllPanels) {
+/// So many that they are in the legend.
+Plot five_lines() {
   Plot plot = two_lines();
+  for (const char* label : {"third", "fourth", "fifth"})
+    plot.panels[0].series.push_back(line(label, {0, 1, 2, 3}, {0, 2, 3, 1}));
+  return plot;
+}
+
+TEST(Plot, GivesOneLabelOneTurnInAllPanels) {
+  Plot plot = five_lines();
   plot.panels.push_back(plot.panels[0]);
   std::swap(plot.panels[1].series[0], plot.panels[1].series[1]);
   const std::string svg = picture(plot, PictureFormat::svg);
@@ -320,8 +329,7 @@ TEST(Plot, TakesTurnsThatNobodyHasBeenGiven) {
 
 TEST(Plot, WritesTheNameOfALineAtItsEnd) {
   Plot plot = two_lines();
-  plot.panels[0].y.low = 0;
-  plot.panels[0].y.high = 4;
+  plot.panels[0].x.high = 4;
   plot.panels[0].series[0].end_label = "at the end";
   const std::string svg = svg_of(plot);
   EXPECT_EQ(count(svg, ">at the end<"), 1U);
@@ -331,10 +339,118 @@ TEST(Plot, WritesTheNameOfALineAtItsEnd) {
   EXPECT_EQ(leader.at(1), line.at(7));
 }
 
-TEST(Plot, RefusesAnEndLabelOnAnAxisWithoutLimits) {
+/// The label of a series is in the group of that class.
+bool is_named_in(const std::string& svg, const std::string& group, const std::string& label) {
+  for (const std::string& element : test::all_between(svg, "<g class=\"" + group + " ", "</g>"))
+    if (element.find("data-label=\"" + label + "\"") != std::string::npos &&
+        element.find(">" + label + "<") != std::string::npos)
+      return true;
+  return false;
+}
+
+TEST(Plot, NamesFewLinesAtTheirEndsAndManyInTheLegend) {
+  const std::string few = svg_of(two_lines()), many = svg_of(five_lines());
+  EXPECT_EQ(count(few, "dp-entry"), 0U);
+  EXPECT_EQ(count(few, "<g class=\"dp-ends\">"), 1U);
+  EXPECT_TRUE(is_named_in(few, "dp-end", "first"));
+  EXPECT_TRUE(is_named_in(few, "dp-end", "second"));
+  EXPECT_EQ(count(many, "<g class=\"dp-entry\""), 5U);
+  EXPECT_EQ(count(many, "dp-ends"), 0U);
+}
+
+TEST(Plot, HasPointsAndBandsInTheLegend) {
   Plot plot = two_lines();
-  plot.panels[0].series[0].end_label = "end";
-  EXPECT_THROW(static_cast<void>(picture(plot, PictureFormat::svg)), std::invalid_argument);
+  plot.panels[0].series.push_back({.label = "tests", .style = SeriesStyle::points, .x = {1}, .y = {1}});
+  plot.panels[0].series.push_back(
+      {.label = "scatter", .style = SeriesStyle::band, .x = {0, 1}, .y = {0, 0}, .y2 = {1, 1}, .turn = 0});
+  const std::string svg = svg_of(plot);
+  EXPECT_EQ(count(svg, "<g class=\"dp-entry\""), 2U);
+  for (const char* label : {"tests", "scatter"})
+    EXPECT_THAT(svg, HasSubstr("<g class=\"dp-entry\" data-label=\"" + std::string{label} + "\">"));
+}
+
+TEST(Plot, DoesNotNameALineAsItsAxisIsNamed) {
+  const std::string svg = svg_of(plot_of({line("Force", {0, 1}, {0, 1})}));
+  EXPECT_THAT(svg, HasSubstr("data-label=\"Force\""));
+  EXPECT_EQ(count(svg, ">Force<"), 0U);
+}
+
+TEST(Plot, NamesLinesAcrossOnThem) {
+  Plot plot = two_lines();
+  plot.panels[0].series.push_back({.label = "limit", .style = SeriesStyle::horizontal_line, .y = {3.6}});
+  plot.panels[0].series.push_back({.label = "end", .style = SeriesStyle::vertical_line, .x = {0.5}});
+  const std::string svg = svg_of(plot);
+  EXPECT_TRUE(is_named_in(svg, "dp-mark", "limit"));
+  EXPECT_TRUE(is_named_in(svg, "dp-mark", "end"));
+  EXPECT_EQ(count(svg, "dp-entry"), 0U);
+  // Above the line, where nothing else is.
+  const std::string limit = test::all_between(svg, "data-label=\"limit\"><text", ">").at(0);
+  const double text = std::stod(test::all_between(limit, " y=\"", "\"").at(0));
+  EXPECT_LT(text, 320 * (1 - 3.6 / 4));
+  EXPECT_GT(text, 12);
+}
+
+TEST(Plot, HasRoomForTheNameOfALineAboveAllElse) {
+  Plot plot = two_lines();
+  plot.panels[0].series.push_back({.label = "limit", .style = SeriesStyle::horizontal_line, .y = {5}});
+  plot.panels[0].series.push_back({.label = "peak", .style = SeriesStyle::horizontal_line, .y = {4.8}});
+  const std::string svg = svg_of(plot);
+  EXPECT_TRUE(is_named_in(svg, "dp-mark", "limit"));
+  EXPECT_TRUE(is_named_in(svg, "dp-mark", "peak"));
+}
+
+TEST(Plot, HasLinesAcrossInTheLegendWhereTheirNamesHaveNoRoom) {
+  Plot plot = two_lines();
+  for (int i = 0; i < 5; ++i)
+    plot.panels[0].series.push_back(
+        {.label = "limit " + std::to_string(i), .style = SeriesStyle::horizontal_line, .y = {0.5 + 0.7 * i}});
+  EXPECT_EQ(count(svg_of(plot), "<g class=\"dp-entry\""), 5U);
+  plot = two_lines();
+  plot.panels[0].series.push_back(
+      {.label = std::string(80, 'm'), .style = SeriesStyle::horizontal_line, .y = {2}});
+  EXPECT_EQ(count(svg_of(plot), "<g class=\"dp-entry\""), 1U);
+}
+
+TEST(Plot, NamesABracketWithinIt) {
+  Plot plot = two_lines();
+  plot.panels[0].series.push_back({.label = "HIC",
+                                   .style = SeriesStyle::solid_line,
+                                   .x = {1, 1, 3, 3},
+                                   .y = {0.3, 0.1, 0.1, 0.3},
+                                   .label_place = output::LabelPlace::middle});
+  const std::string svg = svg_of(plot);
+  EXPECT_TRUE(is_named_in(svg, "dp-mark", "HIC"));
+  EXPECT_FALSE(is_named_in(svg, "dp-end", "HIC"));
+  const std::string text = test::all_between(svg, "data-label=\"HIC\"><text", ">").at(0);
+  const double width = std::stod(test::all_between(svg, "data-width=\"", "\"").at(0));
+  EXPECT_NEAR(std::stod(test::all_between(text, " x=\"", "\"").at(0)), width * 2 / 3, 0.1);
+}
+
+TEST(Plot, NamesALineThatEndsEarlyBesideItsEnd) {
+  Plot plot = two_lines();
+  plot.panels[0].series[0] = line("early", {0, 1}, {0, 3.5});
+  const std::string svg = svg_of(plot);
+  EXPECT_TRUE(is_named_in(svg, "dp-mark", "early"));
+  EXPECT_FALSE(is_named_in(svg, "dp-end", "early"));
+  EXPECT_EQ(count(svg, "dp-leader\""), 0U);
+}
+
+TEST(Plot, DrawsThePaleEdgesOfALineBelowIt) {
+  Plot plot = two_lines();
+  plot.panels[0].series[0].is_cased = true;
+  const auto lines = test::paths(svg_of(plot), "dp-line");
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines[0], lines[1]);
+}
+
+TEST(Plot, BreaksTitlesAtItsOwnWidth) {
+  Plot plot = two_lines();
+  const std::string words = "Peak deceleration of the head over the thickness of the pad that it strikes";
+  plot.panels[0].title = plot.panels[0].x.label = plot.panels[0].y.label = words;
+  EXPECT_EQ(count(svg_plot(plot, output::PlotStyle::none, 900), ">" + words + "<"), 3U);
+  const std::string narrow = svg_plot(plot, output::PlotStyle::none, 480);
+  EXPECT_EQ(count(narrow, ">" + words + "<"), 0U);
+  EXPECT_EQ(count(narrow, "strikes<"), 3U);
 }
 
 // --- Many points ---

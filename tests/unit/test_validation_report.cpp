@@ -139,6 +139,8 @@ TEST(ValidationVerdict, NeedsEveryRule) {
 
 TEST(ValidationPage, BeginsWithTheVerdict) {
   const output::FiguresPage page = report1986::validation_page(test::made_up_study());
+  ASSERT_TRUE(page.lead);
+  EXPECT_THAT(page.lead->answer, HasSubstr("1 of 2 rules"));
   EXPECT_EQ(page.sections.front().heading, "Verdict");
   EXPECT_THAT(page.warnings.front(), HasSubstr("NOT PASSED"));
   std::size_t figures = 0;

@@ -7,6 +7,7 @@
 #include "output/drawing/drawing_words.hpp"
 #include "output/drawing/elements.hpp"
 #include "output/drawing/support_picture.hpp"
+#include "output/svg/text_fit.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -52,7 +53,7 @@ std::string names_on_pad(const Scene& scene) {
     // A pad that is cut has its break below the middle.
     const double middle = scene.layout.pad_is_cut ? from + 0.3 * (to - from) : (from + to) / 2;
     text += text_element("dd-text dd-on-pad", {scene.left.axis, scene.layout.face + middle + 4.5}, "middle",
-                         fitted(name_of_layer(scene, i), 2 * scene.pad_half_width() - 16));
+                         fitting(name_of_layer(scene, i), text_size, 2 * scene.pad_half_width() - 16));
   }
   return text;
 }
@@ -62,7 +63,7 @@ std::vector<std::string> caption_lines(const Scene& scene) {
   const double width = scene.right.axis - scene.layout.half_width - left - 28;
   std::vector<std::string> lines;
   const auto add = [&](const std::string& text) {
-    for (std::string& line : fitted_lines(text, width)) lines.push_back(std::move(line));
+    for (std::string& line : lines_within(text, text_size, width)) lines.push_back(std::move(line));
   };
   add("Nose: " + nose_words(scene.impact.impactor.nose, scene.units));
   if (const std::string pad = pad_words(scene); !pad.empty()) add("Pad: " + pad);

@@ -25,11 +25,6 @@ std::string path_data(const std::vector<Place>& places, bool closed);
 /// Size of the drawing's text, px.
 inline constexpr double text_size = 13;
 
-/// `text` in one line, cut with "…" so that it is at most `width` px wide.
-std::string fitted(std::string_view text, double width);
-/// `text` in lines at most `width` px wide, broken at spaces.
-std::vector<std::string> fitted_lines(std::string_view text, double width);
-
 /// `text` with spaces at which no line is broken: for a number and its unit.
 std::string unbroken(std::string text);
 

@@ -31,15 +31,19 @@ class PadPicture {
     for (std::size_t i = 0; i < moments_.layers.size(); ++i)
       text += i == 0 ? shades(i) + hatching(i) : within_layer(i, shades(i) + hatching(i));
     for (std::size_t i = 0; i + 1 < moments_.layers.size(); ++i)
-      text += path_element("dd-layer-edge", back_of(i), false);
-    return text + rectangle_element("dd-pad-edge", view_.axis - half_width_, view_.face, 2 * half_width_,
-                                    layout_.pad);
+      text += fmt::format("<path class=\"dd-layer-edge\"{} d=\"{}\"/>\n", data_of_back(i),
+                          path_data(back_of(i), false));
+    text +=
+        rectangle_element("dd-pad-edge", view_.axis - half_width_, view_.face, 2 * half_width_, layout_.pad);
+    return "<g class=\"dd-pad\">\n" + text + "</g>\n";
   }
 
  private:
   /// The pad's area in the colours of one layer: one rectangle in another, from small strains to large ones.
   [[nodiscard]] std::string shades(std::size_t layer) const {
-    std::string text =
+    std::string text = fmt::format("<g data-strain=\"{}\" data-shades=\"{}\">\n",
+                                   moments_.layers[layer].strain, shades_of_strain);
+    text +=
         rectangle_element(shade_class(0), view_.axis - half_width_, view_.face, 2 * half_width_, layout_.pad);
     const double strain = moments_.layers[layer].strain * share_;
     for (int shade = 1; shade < shades_of_strain; ++shade) {
@@ -50,7 +54,18 @@ class PadPicture {
       const double radius = std::min(outline_.radius(depth) * layout_.scale, half_width_);
       text += rectangle_element(shade_class(shade), view_.axis - radius, view_.face, 2 * radius, layout_.pad);
     }
-    return text;
+    return text + "</g>\n";
+  }
+
+  /// For scripts that move the pad: what is behind a layer, new, and how much of that is gone on the axis,
+  /// px.
+  [[nodiscard]] std::string data_of_back(std::size_t layer) const {
+    double behind = 0, shortened = 0;
+    for (std::size_t j = layer + 1; j < moments_.layers.size(); ++j) {
+      behind += moments_.layers[j].thickness * layout_.scale;
+      shortened += moments_.layers[j].thickness * moments_.layers[j].strain * layout_.scale;
+    }
+    return fmt::format(" data-behind=\"{}\" data-shortened=\"{}\"", px(behind), px(shortened));
   }
 
   [[nodiscard]] std::string hatching(std::size_t layer) const {
@@ -68,8 +83,8 @@ class PadPicture {
     region.push_back({view_.axis + half_width_, bottom});
     region.push_back({view_.axis - half_width_, bottom});
     return fmt::format(
-        "<clipPath id=\"{0}\"><path d=\"{1}\"/></clipPath>\n<g clip-path=\"url(#{0})\">\n{2}</g>\n", name,
-        path_data(region, true), content);
+        "<clipPath id=\"{0}\"><path{1} d=\"{2}\"/></clipPath>\n<g clip-path=\"url(#{0})\">\n{3}</g>\n", name,
+        data_of_back(layer - 1), path_data(region, true), content);
   }
 
   /// The back of a layer, from the left edge of the pad to its right one.

@@ -30,6 +30,22 @@ std::string break_of_pad(const Scene& scene, const Picture& picture) {
   return path_element("dd-break", places, true);
 }
 
+/// What a script needs to lead the picture of greatest penetration to other moments; nothing where it is not
+/// to scale or has no history. Metres but for px.
+std::string data_for_moving(const Scene& scene, const Picture& picture) {
+  const DrawnMoments& moments = scene.moments;
+  const Layout& layout = scene.layout;
+  if (&picture != &scene.right || layout.pad_is_cut || !moments.time || moments.penetration <= 0) return {};
+  return fmt::format(
+      " data-penetration=\"{}\" data-time=\"{}\" data-deflection=\"{}\" data-body=\"{}\" data-scale=\"{}\" "
+      "data-axis=\"{}\" "
+      "data-tip=\"{}\" "
+      "data-back=\"{}\" data-half-width=\"{}\" data-deflection-px=\"{}\" data-body-px=\"{}\"",
+      moments.penetration, *moments.time, moments.deflection, moments.body_motion, layout.scale,
+      px(picture.axis), px(scene.tip(picture)), px(scene.face(picture) + layout.pad),
+      px(layout.pad_half_width(moments)), px(picture.deflection), px(picture.body_motion));
+}
+
 /// Where the nose has met what is behind the pad, or is about to.
 std::string struck_edge(const Scene& scene, const Picture& picture) {
   const double depth = std::max(0.03 * picture.penetration, 0.0);
@@ -64,7 +80,8 @@ std::string picture_clip(const Scene& scene, const Picture& picture) {
 std::string picture_of(const Scene& scene, const Picture& picture) {
   const Layout& layout = scene.layout;
   const double tip = scene.tip(picture);
-  std::string text = fmt::format("<g clip-path=\"url(#{}-{})\">\n", own_name, picture.name);
+  std::string text = fmt::format("<g clip-path=\"url(#{}-{})\"{}>\n", own_name, picture.name,
+                                 data_for_moving(scene, picture));
   text += support_picture(scene.impact, layout.support,
                           {.axis = picture.axis,
                            .back = scene.back(),

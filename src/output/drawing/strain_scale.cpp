@@ -105,19 +105,20 @@ std::string strain_legend(const DrawnMoments& moments, Place corner, double widt
   const auto x_of = [&](double strain) { return corner.x + width * strain; };
   for (const DrawnLayer& layer : moments.layers) {
     const double x = x_of(layer.strain);
-    text += path_element("dd-mark", {{x - 4.5, bar - 8}, {x + 4.5, bar - 8}, {x, bar - 1}}, true);
+    text += path_element("dd-mark dd-strain-reached", {{x - 4.5, bar - 8}, {x + 4.5, bar - 8}, {x, bar - 1}},
+                         true);
     if (layer.tested)
       text +=
           line_element("dd-tested", {x_of(*layer.tested), bar - 4}, {x_of(*layer.tested), bar + height + 4});
   }
-  const auto write = [&](const std::vector<Mark>& list, double y) {
-    for (const Mark& mark : list)
-      text += text_element("dd-small", {x_of(mark.strain), y}, "middle", mark.label());
+  const auto write = [&](const char* style, const std::vector<Mark>& list, double y) {
+    for (const Mark& mark : list) text += text_element(style, {x_of(mark.strain), y}, "middle", mark.label());
   };
   if (layered) {
     const auto reached = [](const DrawnLayer& layer) { return std::optional(layer.strain); };
-    write(labels(moments, width, reached), bar - 11);
-    write(labels(moments, width, [](const DrawnLayer& layer) { return layer.tested; }), bar + height + 16);
+    write("dd-small dd-strain-reached", labels(moments, width, reached), bar - 11);
+    write("dd-small", labels(moments, width, [](const DrawnLayer& layer) { return layer.tested; }),
+          bar + height + 16);
   }
   for (const double strain : {0.0, 1.0})
     text += text_element("dd-small", {x_of(strain) + (strain == 0 ? -3 : 3), bar + height + 16},

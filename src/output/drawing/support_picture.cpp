@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "output/drawing/elements.hpp"
+#include "output/svg/text_fit.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -53,11 +54,12 @@ std::string damper(double x, double top, double bottom, double width) {
 std::string ground(double x, double top, double half_width, double height) {
   std::string text = line_element("dd-ground", {x - half_width, top}, {x + half_width, top});
   const int strokes = static_cast<int>((2 * half_width - height) / 10);
+  std::string path;
   for (int i = 0; i <= strokes; ++i) {
     const double from = x - half_width + height + 10 * i;
-    text += line_element("dd-part", {from, top}, {from - height + 2, top + height - 2});
+    path += path_data({{from, top}, {from - height + 2, top + height - 2}}, false);
   }
-  return text;
+  return text + fmt::format("<path class=\"dd-part\" d=\"{}\"/>\n", path);
 }
 
 }  // namespace
@@ -75,6 +77,10 @@ std::string support_picture(const ImpactCase& impact, const SupportHeights& heig
   if (heights.spring > 0) {
     const double top = std::max(at_rest, back + heights.plate);
     const double width = std::min(11.0, half / 4);
+    // Where its upper end is now; where it would be if nothing pressed on it, and if the pad's back did.
+    text += fmt::format(
+        "<g class=\"dd-springs\" data-top=\"{}\" data-base=\"{}\" data-free=\"{}\" data-touching=\"{}\">\n",
+        px(top), px(base), px(at_rest), px(back + heights.plate));
     const bool is_damped = backing.damping > 0 || backing.loss_factor > 0;
     for (const double side : {-1.0, 1.0}) {
       const double x = view.axis + side * half * 0.6;
@@ -84,13 +90,16 @@ std::string support_picture(const ImpactCase& impact, const SupportHeights& heig
     if (is_damped) text += damper(view.axis, top, base, width);
     if (heights.gap > 0)
       text += line_element("dd-ground", {view.axis - 0.75 * half, top}, {view.axis + 0.75 * half, top});
+    text += "</g>\n";
   }
   if (backing.body_mass == 0) return text + ground(view.axis, base, view.ground_half_width, heights.base);
-  text += rectangle_element("dd-body", view.axis - half, base, 2 * half, heights.base - 4);
+  text += "<g class=\"dd-behind\">\n" +
+          rectangle_element("dd-body", view.axis - half, base, 2 * half, heights.base - 4);
   const double room = 2 * half - 8;
   const std::string words = "free body " + view.mass;
-  const std::string label = fitted(words, room) == words ? words : fitted(view.mass, room);
-  return text + text_element("dd-text", {view.axis, base + heights.base / 2 + 2}, "middle", label);
+  const std::string label =
+      fitting(words, text_size, room) == words ? words : fitting(view.mass, text_size, room);
+  return text + text_element("dd-text", {view.axis, base + heights.base / 2 + 2}, "middle", label) + "</g>\n";
 }
 
 std::string support_words(const ImpactCase& impact, const UnitSystem& units) {

@@ -3,6 +3,7 @@
 #include "output/drawing/annotations.hpp"
 #include "output/drawing/drawing_words.hpp"
 #include "output/drawing/elements.hpp"
+#include "output/svg/text_fit.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -44,9 +45,11 @@ std::string text_above_right(const Scene& scene) {
   const std::string alarm = alarm_words(scene.moments);
   const double x = scene.right.axis - scene.layout.half_width;
   const double width = 2 * scene.layout.half_width + 70;
-  if (!alarm.empty()) text += text_element("dd-value dd-alarm", {x, 40}, "start", fitted(alarm, width));
-  return text + text_element("dd-text", {x, alarm.empty() ? 40.0 : 58.0}, "start",
-                             fitted(strain_words(scene.moments), width));
+  if (!alarm.empty())
+    text += text_element("dd-value dd-alarm dd-strain-reached", {x, 40}, "start",
+                         fitting(alarm, text_size, width));
+  return text + text_element("dd-text dd-strain-reached", {x, alarm.empty() ? 40.0 : 58.0}, "start",
+                             fitting(strain_words(scene.moments), text_size, width));
 }
 
 }  // namespace dashpad::output

@@ -14,9 +14,10 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/output/drawing/impact_drawing.hpp"
 #include "dashpad/output/page/figures_page.hpp"
-#include "dashpad/output/plot/result.hpp"
 #include "dashpad/output/text/case.hpp"
 #include "output/page/key_figures.hpp"
+#include "output/plot/foam_curve.hpp"
+#include "output/plot/impact_figures.hpp"
 #include "output/plot/result_panels.hpp"
 #include "output/result_rows.hpp"
 #include "output/text/assessment_words.hpp"
@@ -82,7 +83,7 @@ std::vector<KeyFigure> key_figures(const AssessmentReport& report, const UnitSys
 /// The deceleration with the limits that are accelerations.
 Plot deciding_curve(const AssessmentReport& report, const std::optional<injury::InjuryFigures>& injury,
                     const UnitSystem& units) {
-  Panel panel = deceleration_panel(report.solution.history, injury, units);
+  Panel panel = deceleration_panel(report.solution, injury, units);
   panel.title.clear();
   for (const injury::CriterionResult& result : report.assessment.results)
     if (injury::quantity_of(result.criterion.metric).si_unit == std::string_view("m/s2"))
@@ -110,6 +111,7 @@ std::string assessment_page(const AssessmentReport& report, const UnitSystem& un
   untitled.title.clear();
   FiguresPage page;
   page.title = report.assessed.title;
+  page.is_one_impact = true;
   page.lead = Lead{.answer = assessment_answer(report, units),
                    .tone = tone_of(assessment.verdict),
                    .reservation = first_reservation(assessment),
@@ -122,11 +124,12 @@ std::string assessment_page(const AssessmentReport& report, const UnitSystem& un
   for (std::string& line : assessment_basis(report, units)) basis.push_back(std::move(line));
   basis.push_back(numbers_text(report.solution.summary) + ".");
   basis.push_back(assessment_caveat());
-  CaptionedPlot impact;
-  impact.plot = result_plot(report.assessed, report.solution, injury, units);
   page.sections.push_back({.heading = "Criteria", .tables = {criteria_table(report, units)}});
   page.sections.push_back({.heading = "What it rests on", .paragraphs = std::move(basis)});
-  page.sections.push_back({.heading = "The impact", .figures = {std::move(impact)}});
+  if (std::optional<Plot> foam = foam_curve_plot(report.assessed.pad, report.solution.summary, units))
+    page.sections.back().figures.push_back({.name = {}, .plot = *std::move(foam), .note = {}});
+  page.sections.push_back(
+      {.heading = "The impact", .figures = impact_figures(report.assessed, report.solution, injury, units)});
   page.sections.push_back(
       {.heading = "The case",
        .paragraphs = {"In SI, with the impactor of the standard. Kept as a file, it is a case "

@@ -6,9 +6,10 @@ namespace dashpad::output {
 
 namespace {
 
+/// Also with a unit: one word.
 bool is_number(const std::string& cell) {
   static const std::regex number(
-      R"(^\s*(<|>|≤|≥|≈|~|±|\+|-|−)*\s*\.?[0-9][0-9.,]*([eE][+-]?[0-9]+)?\s*(%|±.*)?\s*$)");
+      R"(^\s*(<|>|≤|≥|≈|~|±|\+|-|−)*\s*\.?[0-9][0-9.,]*([eE][+-]?[0-9]+)?\s*(%|±.*|[^\s0-9][^\s]*)?\s*$)");
   return cell.size() < 60 && std::regex_match(cell, number);
 }
 

@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "dashpad/output/fit.hpp"
 #include "dashpad/output/page/figures_page.hpp"
+#include "output/page/key_figures.hpp"
 #include "output/plot/fit.hpp"
+#include "output/text/capitals.hpp"
+#include "output/text/factor_words.hpp"
 #include "output/text/fit_words.hpp"
 #include "quantities/text.hpp"
 
@@ -55,6 +61,36 @@ std::vector<std::string> fit_warnings(const fit::FitReport& report, const UnitSy
   return all;
 }
 
+void add_misses(std::vector<KeyFigure>& figures, const fit::FitReport& report, bool held_out) {
+  const Misses of = misses(report, held_out);
+  const auto add = [&](const char* what, const std::optional<double>& miss, const char* unit,
+                       const char* share_of) {
+    if (!miss) return;
+    figures.push_back({.label = fmt::format("{} {}", what, held_out ? "predicted, off by" : "missed by"),
+                       .value = fmt::format("{:.3g}{}", *unit == 0 ? *miss : 100 * *miss, unit),
+                       .limit = share_of});
+  };
+  add("Tests", of.tests, " %", "of their largest stress, root mean square");
+  add("Figures of impacts", of.figures, "", "times their stated deviation");
+  add("Pulses", of.pulses, " %", "of their peak, root mean square");
+}
+
+/// How well the data are met, then the unknowns of the material; those that the data leave open first.
+std::vector<KeyFigure> fit_figures(const fit::FitReport& report, const UnitSystem& units) {
+  std::vector<KeyFigure> figures;
+  add_misses(figures, report, false);
+  add_misses(figures, report, true);
+  for (const bool identified : {false, true})
+    for (const fit::FittedUnknown& of : report.unknowns)
+      if (!of.is_nuisance && of.is_identified() == identified)
+        figures.push_back({.label = capitalised(factor_words(of.key)),
+                           .value = brief_quantity(of.value, of.unit, units, 3),
+                           .limit = "95 % interval " + interval_words(of, units),
+                           .tone = identified ? Tone::plain : Tone::doubtful});
+  figures.resize(std::min(figures.size(), most_key_figures));
+  return figures;
+}
+
 PageSection section(const char* heading) {
   PageSection made;
   made.heading = heading;
@@ -66,6 +102,24 @@ PageSection curves_section(const fit::FitReport& report, const UnitSystem& units
   for (const fit::MetTest& test : report.tests) curves.figures.push_back(fit_test_figure(test, units));
   for (const fit::MetPulse& pulse : report.pulses) curves.figures.push_back(fit_pulse_figure(pulse, units));
   return curves;
+}
+
+/// The first curve alone: the panels below it are what is left of the misfit.
+Plot leading_curve(const fit::FitReport& report, const UnitSystem& units) {
+  Plot plot = report.tests.empty() ? fit_pulse_figure(report.pulses.front(), units).plot
+                                   : fit_test_figure(report.tests.front(), units).plot;
+  plot.panels.resize(1);
+  plot.panels.front().title = std::move(plot.title);
+  plot.title.clear();
+  plot.source.clear();
+  return plot;
+}
+
+Lead lead_of(const fit::FitReport& report, const UnitSystem& units) {
+  Lead lead{.figures = fit_figures(report, units)};
+  if (!report.title.empty()) lead.subject = {one_line(report.title)};
+  if (!report.tests.empty() || !report.pulses.empty()) lead.curve = leading_curve(report, units);
+  return lead;
 }
 
 PageSection unknowns_section(const fit::FitReport& report, const UnitSystem& units) {
@@ -97,7 +151,6 @@ PageSection misfit_section(const fit::FitReport& report, const UnitSystem& units
 std::string fit_page(const fit::FitReport& report, const UnitSystem& units) {
   FiguresPage page;
   page.title = fit_headline(report);
-  if (!report.title.empty()) page.summary.push_back(report.title);
   std::string answer = fit_answer(report);
   answer.pop_back();  // the last line break; the other is a blank
   page.summary.push_back(std::move(answer));
@@ -110,14 +163,10 @@ std::string fit_page(const fit::FitReport& report, const UnitSystem& units) {
   for (const std::string& reservation : report.material.reservations) basis.paragraphs.push_back(reservation);
   basis.paragraphs.push_back(
       fmt::format("{} evaluations in {:.2g} s.", report.evaluations, report.wall_time));
-  if (!report.tests.empty() || !report.pulses.empty()) {
-    PageSection curves = curves_section(report, units);
-    Lead lead{.answer = page.title, .curve = curves.figures.front().plot};
-    if (!page.warnings.empty()) lead.reservation = page.warnings.front();
-    lead.curve->source.clear();
-    page.lead = std::move(lead);
-    page.sections.push_back(std::move(curves));
-  }
+  page.lead = lead_of(report, units);
+  page.lead->answer = page.title.substr(0, page.title.find_last_not_of('.') + 1);
+  if (!page.warnings.empty()) page.lead->reservation = page.warnings.front();
+  if (!report.tests.empty() || !report.pulses.empty()) page.sections.push_back(curves_section(report, units));
   page.sections.push_back(unknowns_section(report, units));
   page.sections.push_back(misfit_section(report, units));
   page.sections.push_back(std::move(basis));

@@ -1,37 +1,23 @@
 #pragma once
-/// A page of figures as HTML that needs no script: what a mail preview, a printer or a reader who allows no
-/// scripts sees of it.
+/// A page as HTML that needs no script: what a mail preview, a printer or a reader who allows no scripts sees
+/// of it.
 
-#include <set>
-#include <string>
+#include <vector>
 
 #include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+#include "output/page/frame.hpp"
 
 namespace dashpad::output {
 
-/// SVGs on their way into one page, which needs each of their styles once.
-class InlineSvgs {
- public:
-  /// The element alone.
-  std::string add(std::string svg);
-  /// The same of a plot, `width` px wide; a sentence if there is nothing to draw.
-  std::string add(const Plot& plot, double width);
-  /// A drawing with two pictures, and below it each half by itself: which of the two is shown is for the
-  /// style of the page to say.
-  std::string add_with_halves(std::string svg);
-  /// The texts of all styles so far.
-  [[nodiscard]] const std::set<std::string>& styles() const { return styles_; }
-
- private:
-  std::set<std::string> styles_;
+struct PageInUnits {
+  const UnitSystem* units;
+  FiguresPage page;
 };
 
-struct PageHtml {
-  std::set<std::string> styles;  ///< those that its SVGs bring
-  std::string title;             ///< what browsers show above the page
-  std::string lead;              ///< the answer with its pictures and figures; may be empty
-  std::string body;              ///< all below it
-};
-PageHtml html_of(const FiguresPage& page);
+/// One page in one or several unit systems, the first of which is shown. Of the others only the texts, tables
+/// and drawings are kept, out of sight: a script puts them in their places, and gives the axes of the plots,
+/// if they know their SI unit, the units that go with them.
+PageHtml html_of(const std::vector<PageInUnits>& pages);
 
 }  // namespace dashpad::output

@@ -1,7 +1,8 @@
-// A material test as a page.
+// A material test as a page: where the foam is used best first, then why.
 
 #include "dashpad/output/material_test.hpp"
 #include "dashpad/output/page/figures_page.hpp"
+#include "output/page/material_test_lead.hpp"
 #include "output/plot/material_test.hpp"
 #include "output/text/material_test_words.hpp"
 #include "quantities/text.hpp"
@@ -18,11 +19,14 @@ std::string material_test_page(const laboratory::MaterialTestReport& report, con
   };
   FiguresPage page;
   page.title = material_words(report.material);
-  page.summary = {test_words(report.test, units)};
-  for (std::string& note : notes_on(report)) page.summary.push_back(std::move(note));
+  page.lead = material_test_lead(report, units);
   page.warnings = flag_words(report);
   page.sections = {
       {.heading = "Figures", .paragraphs = {}, .tables = tables_of(report, units), .figures = {}},
+      {.heading = "What it rests on",
+       .paragraphs = material_test_basis(report, units),
+       .tables = {},
+       .figures = {}},
       {.heading = "Stress",
        .paragraphs = {},
        .tables = {},

@@ -1,6 +1,6 @@
 #include "dashpad/output/page/page.hpp"
 
-#include <stdexcept>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,10 +12,10 @@
 #include "dashpad/output/plot/result.hpp"
 #include "dashpad/output/text/case.hpp"
 #include "output/blow_rows.hpp"
-#include "output/page/data.hpp"
 #include "output/page/html.hpp"
 #include "output/page/key_figures.hpp"
-#include "output/page/page_template.hpp"
+#include "output/plot/foam_curve.hpp"
+#include "output/plot/impact_figures.hpp"
 #include "output/plot/result_panels.hpp"
 #include "output/result_rows.hpp"
 #include "output/text/case_toml.hpp"
@@ -45,15 +45,16 @@ std::string answer(const Summary& summary, const std::optional<injury::InjuryFig
   return injury ? peak + ", HIC15 " + brief(injury->hic15.value, 3) : peak;
 }
 
-/// The page as it is without a script, in the units that are shown at first.
-FiguresPage in_figures(const ImpactCase& impact, const Options& options, const Solution& solution,
-                       const UnitSystem& units, const std::vector<BlowResult>& blows) {
+FiguresPage in_units(const ImpactCase& impact, const Options& options, const Solution& solution,
+                     const UnitSystem& units, const std::vector<ContactSnapshot>& snapshots,
+                     const std::vector<BlowResult>& blows) {
   const Summary& summary = solution.summary;
   const std::optional<injury::InjuryFigures> injury = injury::whole_pulse_figures(solution);
   ImpactCase untitled = impact;
   untitled.title.clear();
   FiguresPage page;
   page.title = impact.title;
+  page.is_one_impact = true;
   page.warnings = warnings(summary, units);
   Lead lead{.answer = answer(summary, injury, units), .subject = {one_line(impact.title), outcome(summary)}};
   if (bottomed_on_rigid_support(summary)) lead.tone = Tone::bad;
@@ -61,41 +62,46 @@ FiguresPage in_figures(const ImpactCase& impact, const Options& options, const S
   ImpactCase last = impact;
   if (!blows.empty()) last.pad.earlier_penetration = blows.back().earlier_penetration;
   lead.drawing = impact_drawing(last, solution, units);
-  Panel deceleration = deceleration_panel(solution.history, injury, units);
-  deceleration.title.clear();
+  Panel deceleration = deceleration_panel(solution, injury, units);
   lead.curve = Plot{.title = {}, .panels = {std::move(deceleration)}, .source = {}};
   lead.figures = key_figures(main_rows(impact, summary, injury, units));
   page.lead = std::move(lead);
-  page.summary = {case_text(untitled, units)};
+  page.sections.push_back({.heading = "What it rests on", .paragraphs = {case_text(untitled, units)}});
+  if (std::optional<Plot> foam = foam_curve_plot(impact.pad, summary, units))
+    page.sections.back().figures.push_back({.name = {}, .plot = *std::move(foam), .note = {}});
   PageSection figures{.heading = "Figures"};
   if (!blows.empty()) {
     figures.paragraphs.push_back(growth_text(impact, blows));
+    for (std::string& reservation : reservations(blows)) figures.paragraphs.push_back(std::move(reservation));
     figures.tables.push_back(blow_table(impact, blows, units, Detail::main));
   }
-  figures.tables.push_back(table_of("The impact", summary_rows(impact, summary, units, Detail::all)));
+  figures.tables.push_back(table_of(blows.empty() ? "The impact" : "The last blow",
+                                    summary_rows(impact, summary, units, Detail::all)));
   if (injury)
     figures.tables.push_back(
         table_of("Injury figures of this pulse", pulse_rows(*injury, units, Detail::all)));
   page.sections.push_back(std::move(figures));
-  CaptionedPlot loop;
-  loop.plot.panels = {loop_panel(solution.history, units)};
-  page.sections.push_back({.heading = "Plots", .figures = {std::move(loop)}});
-  page.sections.push_back({.heading = "The case",
-                           .paragraphs = {numbers_text(summary) + "."},
-                           .copy = case_toml(impact, options)});
+  PageSection plots{.heading = "Plots", .figures = impact_figures(impact, solution, injury, units)};
+  for (CaptionedPlot& figure : contact_figures(snapshots, units)) plots.figures.push_back(std::move(figure));
+  page.sections.push_back(std::move(plots));
+  page.sections.push_back(
+      {.heading = "The case",
+       .paragraphs = {"In SI, as it was computed. Kept as a file, it is a case that dashpad run repeats.",
+                      numbers_text(summary) + "."},
+       .copy = case_toml(impact, options)});
   return page;
 }
 
 }  // namespace
 
-bool has_page() { return !page_parts[0].empty(); }
-
 std::string page(const ImpactCase& impact, const Options& options, const Solution& solution,
                  const UnitSystem& shown, const std::vector<ContactSnapshot>& snapshots,
                  const std::vector<BlowResult>& blows) {
-  if (!has_page()) throw std::runtime_error(no_page);
-  return filled(page_parts, html_of(in_figures(impact, options, solution, shown, blows)),
-                page_data(impact, options, solution, shown, snapshots, blows));
+  std::vector<PageInUnits> pages{{&shown, in_units(impact, options, solution, shown, snapshots, blows)}};
+  for (const UnitSystem& other : unit_systems())
+    if (other.name != shown.name)
+      pages.push_back({&other, in_units(impact, options, solution, other, snapshots, blows)});
+  return framed(html_of(pages));
 }
 
 }  // namespace dashpad::output

@@ -8,6 +8,7 @@
 
 #include "dashpad/output/study.hpp"
 #include "dashpad/version.hpp"
+#include "output/page/study_key_figures.hpp"
 #include "output/plot/study_figures.hpp"
 #include "output/text/study_answer.hpp"
 #include "output/text/study_tables.hpp"
@@ -64,8 +65,10 @@ FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& uni
   if (std::string answer = study_answer(answers, units); !answer.empty()) {
     page.lead = Lead{.answer = std::move(answer), .subject = {page.title}};
     if (!page.warnings.empty()) page.lead->reservation = page.warnings.front();
+    page.lead->figures = study_key_figures(answers, units);
     page.lead->curve = study_plot(answers, units);
     page.lead->curve->title.clear();
+    page.lead->curve->source.clear();
     keep_the_answer(page.lead->curve->panels, answers);
   }
   page.sections.push_back({.heading = "What was studied",

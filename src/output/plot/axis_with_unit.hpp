@@ -13,6 +13,8 @@ namespace dashpad::output {
 
 inline Axis axis_with_unit(const char* meaning, const char* si_unit, const UnitSystem& units) {
   Axis axis;
+  axis.si_unit = si_unit;
+  axis.per_si = value_in(units, 1, si_unit);
   axis.label = fmt::format("{} ({})", meaning, shown_as(si_unit, units).unit);
   return axis;
 }

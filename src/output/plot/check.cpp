@@ -35,12 +35,7 @@ void check(const Axis& axis) {
 void check(const Panel& panel) {
   check(panel.x);
   check(panel.y);
-  for (const Series& series : panel.series) {
-    check(series);
-    if (!series.end_label.empty() && !(panel.y.low && panel.y.high))
-      throw std::invalid_argument(fmt::format("the axis \"{}\" needs both limits for the label \"{}\"",
-                                              readable(panel.y.label), readable(series.end_label)));
-  }
+  for (const Series& series : panel.series) check(series);
 }
 
 }  // namespace dashpad::output

@@ -1,6 +1,7 @@
 #include "output/plot/drawing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -23,7 +24,13 @@ std::vector<double> shown(const std::vector<double>& values, const Axis& axis) {
 }
 
 SeriesDrawing drawing_of(const Series& series, const Panel& panel) {
-  SeriesDrawing drawing{.label = series.label, .looks = {}, .runs = {}, .places = {}};
+  SeriesDrawing drawing{.label = series.label,
+                        .end_label = series.end_label,
+                        .label_place = series.label_place,
+                        .is_cased = series.is_cased,
+                        .looks = {},
+                        .runs = {},
+                        .places = {}};
   if (series.style == SeriesStyle::vertical_line)
     drawing.places = shown(series.x, panel.x);
   else if (series.style == SeriesStyle::horizontal_line)
@@ -56,6 +63,17 @@ void for_rows(const PanelDrawing& drawing, const Use& use) {
       for (const PlotRow& row : run) use(row);
 }
 
+/// A line across at the very top would have no room for its name.
+void leave_room_above_lines(PanelDrawing& drawing, const Axis& y) {
+  constexpr double height_of_name = 0.06;  // of the axis
+  if (y.logarithmic || y.high) return;
+  const double room = height_of_name * (drawing.y.high - y.low.value_or(drawing.y.low));
+  if (!std::isfinite(room) || room <= 0) return;
+  for (const SeriesDrawing& series : drawing.series)
+    if (series.looks.style == SeriesStyle::horizontal_line && !series.label.empty())
+      for (const double place : series.places) drawing.y.include(place + room);
+}
+
 /// What the axes have to include: along y, what the x axis shows.
 void find_spans(PanelDrawing& drawing, const Panel& panel) {
   Span shown_y, all_y;
@@ -72,6 +90,7 @@ void find_spans(PanelDrawing& drawing, const Panel& panel) {
     Span& lines = series.looks.style == SeriesStyle::vertical_line ? drawing.x : drawing.y;
     for (const double place : series.places) lines.include(place);
   }
+  leave_room_above_lines(drawing, panel.y);
 }
 
 void thin(PanelDrawing& drawing, const Panel& panel) {
@@ -85,21 +104,17 @@ void thin(PanelDrawing& drawing, const Panel& panel) {
   }
 }
 
-PanelDrawing drawing_of(const Panel& panel, Turns& turns, Legend& legend) {
+PanelDrawing drawing_of(const Panel& panel, Turns& turns) {
   PanelDrawing result;
   for (const Series& series : panel.series) {
     SeriesDrawing drawing = drawing_of(series, panel);
     if (drawing.runs.empty() && drawing.places.empty()) continue;
     drawing.looks = looks_of(series, turns.turn_of(series));
-    legend.add({shortened(series.label, longest_label), drawing.looks});
-    if (!drawing.runs.empty()) {
-      result.has_data = true;
-      if (!series.end_label.empty())
-        result.end_labels.push_back(
-            end_label_of(series, drawing.looks.colour, drawing.runs.back().back(), panel.y));
-    }
+    add_to(result.named, entry_of(drawing));
+    if (!drawing.runs.empty()) result.has_data = true;
     if (PlotRun dots = lone_points(drawing); !dots.empty())
       result.series.push_back({.label = series.label,
+                               .end_label = {},
                                .looks = looks_of_dot(drawing.looks),
                                .runs = {std::move(dots)},
                                .places = {}});
@@ -109,16 +124,19 @@ PanelDrawing drawing_of(const Panel& panel, Turns& turns, Legend& legend) {
                         [](const SeriesDrawing& series) { return is_ground(series.looks.style); });
   find_spans(result, panel);
   thin(result, panel);
-  make_room(result.end_labels);
   return result;
 }
 
 }  // namespace
 
+LegendEntry entry_of(const SeriesDrawing& series) {
+  return {.label = shortened(series.label, longest_label), .looks = series.looks};
+}
+
 PlotDrawing drawing_of(const Plot& plot) {
   PlotDrawing result;
   Turns turns{plot};
-  for (const Panel& panel : plot.panels) result.panels.push_back(drawing_of(panel, turns, result.legend));
+  for (const Panel& panel : plot.panels) result.panels.push_back(drawing_of(panel, turns));
   if (std::ranges::none_of(result.panels, &PanelDrawing::has_data))
     throw std::invalid_argument("the plot has no data: no series has a point that its axes can show");
   return result;

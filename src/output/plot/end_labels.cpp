@@ -4,7 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include <fmt/format.h>
+
 #include "output/plot/text.hpp"
+#include "output/svg/svg.hpp"
 #include "output/svg/text_fit.hpp"
 
 namespace dashpad::output {
@@ -12,14 +15,47 @@ namespace dashpad::output {
 namespace {
 
 constexpr std::size_t longest_end_label = 40;
-/// Of a line of text, as a share of the axis.
-constexpr double line_spacing = 15.0 / panel_height;
+/// More labels, or longer ones, are easier to read in a legend.
+constexpr std::size_t most_lines_named_at_ends = 4, most_lines_of_text = 2;
+constexpr double most_of_width = 0.25;
+constexpr double end_label_line = 15;  // px
 
-double share_of(double value, const Axis& axis) {
-  const auto scale = [&axis](double x) { return axis.logarithmic ? std::log(x) : x; };
-  const double share = (scale(value) - scale(*axis.low)) / (scale(*axis.high) - scale(*axis.low));
-  return std::clamp(share, 0.0, 1.0);
+/// Lines with a label, one of those that have the same.
+std::vector<const SeriesDrawing*> lines_to_name(const PanelDrawing& panel) {
+  std::vector<const SeriesDrawing*> lines;
+  for (const SeriesDrawing& series : panel.series) {
+    if (!is_line(series.looks.style) || series.label.empty() || !series.end_label.empty() ||
+        series.label_place != LabelPlace::by_style)
+      continue;
+    const auto is_same = [&](const SeriesDrawing* other) { return entry_of(*other) == entry_of(series); };
+    if (std::ranges::none_of(lines, is_same)) lines.push_back(&series);
+  }
+  return lines;
 }
+
+/// The text in as few lines as have room; empty where a word or the whole does not.
+std::vector<std::string> in_few_lines(const std::string& text, double width) {
+  std::vector<std::string> lines = lines_within(text, end_label_text, width);
+  if (lines.size() > most_lines_of_text) return {};
+  std::size_t size = lines.size() - 1;  // the blanks between them
+  for (const std::string& line : lines) size += line.size();
+  return size == readable(text).size() ? lines : std::vector<std::string>{};
+}
+
+/// Where a line ends, or where it turns if it comes back.
+PlotPlace end_of(const SeriesDrawing& series, const PanelScale& scale) {
+  const std::vector<PlaceLine> parts = parts_inside(series, scale);
+  PlotPlace last{scale.size.width, scale.size.height}, farthest{-1, 0};
+  for (const PlaceLine& part : parts) {
+    for (const PlotPlace& at : part)
+      if (at.x > farthest.x) farthest = at;
+    last = part.back();
+  }
+  const double as_far = 0.02 * scale.size.width;
+  return last.x < farthest.x - as_far ? farthest : last;
+}
+
+double height_of(const EndLabel& label) { return end_label_line * static_cast<double>(label.lines.size()); }
 
 /// Neighbours that have been pushed together, at their common mean.
 struct Block {
@@ -28,22 +64,50 @@ struct Block {
   [[nodiscard]] double mean() const { return sum / static_cast<double>(size); }
 };
 
-}  // namespace
-
-EndLabel end_label_of(const Series& series, const SeriesColour& colour, const PlotRow& end, const Axis& y) {
-  const double height = share_of(end.y, y);
-  return {shortened(series.end_label, longest_end_label), colour, end.x, height, height};
+/// From the line to its name, if that is not just beside it.
+std::string leader(const EndLabel& label, double width) {
+  const bool is_beside = label.line_end.x > width - 1 && std::abs(label.line_end.y - label.height) < 1;
+  if (is_beside) return {};
+  return fmt::format("<path class=\"dp-leader\" d=\"M{} {}L{} {}\"/>", px(label.line_end.x),
+                     px(label.line_end.y), px(width + beside_axes - 4), px(label.height));
 }
 
-void make_room(std::vector<EndLabel>& labels) {
+}  // namespace
+
+std::vector<EndLabel> end_labels_of(const PanelDrawing& panel, double plot_width) {
+  std::vector<EndLabel> labels;
+  for (const SeriesDrawing& series : panel.series)
+    if (!series.end_label.empty() && !series.runs.empty())
+      labels.push_back({.series = &series, .lines = {shortened(series.end_label, longest_end_label)}});
+  const std::vector<const SeriesDrawing*> lines = lines_to_name(panel);
+  if (lines.size() > most_lines_named_at_ends) return labels;
+  std::vector<EndLabel> all = labels;
+  for (const SeriesDrawing* line : lines) {
+    all.push_back({.series = line,
+                   .lines = in_few_lines(entry_of(*line).label, most_of_width * plot_width - beside_axes)});
+    if (all.back().lines.empty()) return labels;
+  }
+  return all;
+}
+
+void place(std::vector<EndLabel>& labels, const PanelScale& scale) {
+  for (EndLabel& label : labels) label.line_end = end_of(*label.series, scale);
+  make_room(labels, scale.size.height);
+}
+
+void make_room(std::vector<EndLabel>& labels, double height) {
   if (labels.empty()) return;
-  std::ranges::stable_sort(labels, {}, &EndLabel::line_height);
-  const auto most_steps = static_cast<double>(labels.size() - 1);
-  const double gap = std::min(line_spacing, 1 / std::max(most_steps, 1.0));
-  // Less a gap for each label below, heights must only not fall: pool adjacent violators.
+  std::ranges::stable_sort(labels, {}, [](const EndLabel& label) { return label.line_end.y; });
+  // How far below the first each is if there is nothing between them.
+  std::vector<double> below{0};
+  for (std::size_t i = 1; i < labels.size(); ++i)
+    below.push_back(below.back() + (height_of(labels[i - 1]) + height_of(labels[i])) / 2);
+  const double shrunk = std::min(1.0, height / std::max(below.back(), 1.0));
+  for (double& distance : below) distance *= shrunk;
+  // Less these distances, heights must only not fall: pool adjacent violators.
   std::vector<Block> blocks;
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    blocks.push_back({labels[i].line_height - static_cast<double>(i) * gap, 1});
+    blocks.push_back({labels[i].line_end.y - below[i], 1});
     while (blocks.size() > 1 && blocks[blocks.size() - 2].mean() > blocks.back().mean()) {
       const Block last = blocks.back();
       blocks.pop_back();
@@ -53,16 +117,33 @@ void make_room(std::vector<EndLabel>& labels) {
   }
   std::size_t i = 0;
   for (const Block& block : blocks) {
-    const double lowest = std::clamp(block.mean(), 0.0, std::max(1 - most_steps * gap, 0.0));
-    for (const std::size_t end = i + block.size; i < end; ++i)
-      labels[i].height = lowest + static_cast<double>(i) * gap;
+    const double first = std::clamp(block.mean(), 0.0, std::max(height - below.back(), 0.0));
+    for (const std::size_t end = i + block.size; i < end; ++i) labels[i].height = first + below[i];
   }
 }
 
 double width_beside_axes(const std::vector<EndLabel>& labels) {
   double longest = 0;
-  for (const EndLabel& label : labels) longest = std::max(longest, text_room(label.text, end_label_text));
+  for (const EndLabel& label : labels)
+    for (const std::string& line : label.lines) longest = std::max(longest, text_room(line, end_label_text));
   return labels.empty() ? 0 : beside_axes + longest;
+}
+
+std::string end_labels_svg(const std::vector<EndLabel>& labels, const PanelScale& scale) {
+  if (labels.empty()) return {};
+  std::string svg = "<g class=\"dp-ends\">\n";
+  for (const EndLabel& label : labels) {
+    svg += fmt::format("<g{} data-label=\"{}\">{}", colour_attributes(label.series->looks.colour, "dp-end"),
+                       xml_text(label.series->label), leader(label, scale.size.width));
+    double y = label.height - (height_of(label) - end_label_line) / 2 + 4;
+    for (const std::string& line : label.lines) {
+      svg += fmt::format("<text class=\"dp-end-label\" x=\"{}\" y=\"{}\">{}</text>",
+                         px(scale.size.width + beside_axes), px(y), xml_text(line));
+      y += end_label_line;
+    }
+    svg += "</g>\n";
+  }
+  return svg + "</g>\n";
 }
 
 }  // namespace dashpad::output

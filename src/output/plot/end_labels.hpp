@@ -4,34 +4,35 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/output/plot/plot.hpp"
-#include "output/plot/looks.hpp"
-#include "output/plot/rows.hpp"
+#include "output/plot/series_svg.hpp"
 
 namespace dashpad::output {
 
 // All px. From the axes to the text, and the text's size.
 inline constexpr double beside_axes = 18, end_label_text = 11.5;
-/// Of the axes of every panel.
-inline constexpr double panel_height = 320;
 
-/// Heights are shares of the axis: 0 at its low end, 1 at its high one.
+/// Places are in px from the upper left corner of the axes.
 struct EndLabel {
-  std::string text;
-  SeriesColour colour;
-  double line_end = 0;     ///< x
-  double line_height = 0;  ///< of the line where it ends
-  double height = 0;       ///< of the text
+  const SeriesDrawing* series;
+  std::vector<std::string> lines;  ///< of text
+  PlotPlace line_end = {};         ///< of a line that goes forth and back, where it turns
+  double height = 0;               ///< of the middle of the text
 };
 
-/// For a line that ends there; the axis has both its limits.
-EndLabel end_label_of(const Series& series, const SeriesColour& colour, const PlotRow& end, const Axis& y);
+/// The names that are to stand there, not placed yet: those that series ask for, and the labels of lines if
+/// these are few enough and short enough to be read beside a plot of that width.
+std::vector<EndLabel> end_labels_of(const PanelDrawing& panel, double plot_width);
+
+/// Sets all places.
+void place(std::vector<EndLabel>& labels, const PanelScale& scale);
 
 /// Sets the heights so that no text lies on another and each is as near to the end of its line as that allows
-/// (least squares); on the way from low to high the order of the lines stays.
-void make_room(std::vector<EndLabel>& labels);
+/// (least squares); on the way down the order of the ends stays. `height`: of the axes.
+void make_room(std::vector<EndLabel>& labels, double height);
 
 /// What lines and texts take, in px.
 double width_beside_axes(const std::vector<EndLabel>& labels);
+
+std::string end_labels_svg(const std::vector<EndLabel>& labels, const PanelScale& scale);
 
 }  // namespace dashpad::output

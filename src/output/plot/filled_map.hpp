@@ -21,4 +21,9 @@ std::vector<Series> filled_areas(const std::vector<double>& across, const std::v
                                  const std::vector<std::vector<double>>& values,
                                  const std::vector<double>& levels, const std::string& unit);
 
+/// Where the same values are `level`: lines with pale edges, with a gap after each but the last. Empty where
+/// they are nowhere.
+Series contour(const std::vector<double>& across, const std::vector<double>& up,
+               const std::vector<std::vector<double>>& values, double level);
+
 }  // namespace dashpad::output

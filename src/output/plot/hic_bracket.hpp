@@ -10,14 +10,17 @@
 namespace dashpad::output {
 
 /// A bracket just above the axis of time, from the begin of the window to its end; a wash over half of the
-/// plot would hide what it is about. `peak`, with its sign, is that of the curve.
-inline Series hic_bracket(std::string label, double begin, double end, double peak, std::size_t turn) {
-  const double foot = 0.02 * peak, arm = 0.07 * peak;
+/// plot would hide what it is about. `peak`, with its sign, is that of the curve; `row` counts brackets from
+/// the axis on.
+inline Series hic_bracket(std::string label, double begin, double end, double peak, std::size_t turn,
+                          int row = 0) {
+  const double foot = (0.02 + 0.11 * row) * peak, arm = foot + 0.05 * peak;
   return {.label = std::move(label),
           .style = SeriesStyle::solid_line,
           .x = {begin, begin, end, end},
           .y = {arm, foot, foot, arm},
-          .turn = turn};
+          .turn = turn,
+          .label_place = LabelPlace::middle};
 }
 
 }  // namespace dashpad::output

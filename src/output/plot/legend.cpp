@@ -23,7 +23,7 @@ double width_of_column(const std::vector<LegendEntry>& entries) {
 
 }  // namespace
 
-void Legend::add(const LegendEntry& entry) {
+void add_to(std::vector<LegendEntry>& entries, const LegendEntry& entry) {
   if (entry.label.empty() || std::ranges::find(entries, entry) != entries.end()) return;
   entries.push_back(entry);
 }

@@ -15,14 +15,14 @@ struct LegendEntry {
   bool operator==(const LegendEntry&) const = default;
 };
 
+/// Unless the label is empty or the same entry is there already.
+void add_to(std::vector<LegendEntry>& entries, const LegendEntry& entry);
+
 /// Entries in columns as wide as the longest label needs. Lengths are in px.
 struct Legend {
   static constexpr double row_height = 20;
 
   std::vector<LegendEntry> entries;
-
-  /// Unless the label is empty or the same entry is there already.
-  void add(const LegendEntry& entry);
 
   [[nodiscard]] std::size_t columns(double width) const;
   [[nodiscard]] double height(double width) const;

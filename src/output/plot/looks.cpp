@@ -22,6 +22,10 @@ bool is_marker(SeriesStyle style) {
   return style == SeriesStyle::vertical_line || style == SeriesStyle::horizontal_line;
 }
 
+bool is_line(SeriesStyle style) {
+  return style == SeriesStyle::line || style == SeriesStyle::solid_line || style == SeriesStyle::dashed_line;
+}
+
 bool is_ground(SeriesStyle style) { return style == SeriesStyle::band || style == SeriesStyle::area; }
 
 std::string colour_of_shade(double shade) {

@@ -30,6 +30,9 @@ class Turns {
 /// Whether it is a line across the whole panel.
 bool is_marker(SeriesStyle style);
 
+/// Whether it goes from point to point.
+bool is_line(SeriesStyle style);
+
 /// Behind everything else.
 bool is_ground(SeriesStyle style);
 

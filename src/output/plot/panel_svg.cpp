@@ -1,9 +1,11 @@
 #include "output/plot/panel_svg.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 
+#include "output/plot/text.hpp"
 #include "output/svg/svg.hpp"
 #include "output/svg/text_fit.hpp"
 
@@ -14,13 +16,22 @@ namespace {
 // All px.
 constexpr double tick_text = 12, axis_text = 12.5, panel_title_text = 14;
 constexpr double tick_length = 5, tick_gap = 8, panel_title_line = 20, axis_title_line = 17;
-constexpr double text_width_of_panel = 860;
+constexpr double below_numbers = 20, below_panel = 17;  // from the axis on, and from the title on
 /// How many labels there is room for, whatever they say.
 constexpr std::size_t most_x_labels = 9, most_y_labels = 7;
+
+/// Of the axes, px: narrow plots are less high, and not as flat as wide ones.
+double height_of_axes(double plot_width) { return 160 + plot_width * 160 / 900; }
 
 std::string text_element(const char* classes, double x, double y, const std::string& text) {
   return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", classes, px(x), px(y),
                      xml_text(text));
+}
+
+/// The axis by its name, for scripts that change units.
+std::string axis_title(const char* axis, const char* classes, double x, double y, const std::string& text) {
+  return fmt::format("<text class=\"{}\" data-axis=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", classes, axis,
+                     px(x), px(y), xml_text(text));
 }
 
 /// Lines across at the ticks that have a label, or at those that have none.
@@ -56,31 +67,21 @@ std::string axes(const PanelFrame& frame) {
   return fmt::format("<path class=\"dp-axis\" d=\"{}\"/>\n{}", path, numbers);
 }
 
-std::string end_labels(const PanelFrame& frame) {
-  const PanelScale& scale = frame.scale;
-  std::string text;
-  for (const EndLabel& label : frame.drawing->end_labels) {
-    const double end = std::clamp(scale.across(label.line_end), 0.0, scale.size.width);
-    const double y = scale.size.height * (1 - label.height);
-    text += fmt::format("<g{}><path class=\"dp-leader\" d=\"M{} {}L{} {}\"/>",
-                        colour_attributes(label.colour, "dp-end"), px(end),
-                        px(scale.size.height * (1 - label.line_height)),
-                        px(scale.size.width + beside_axes - 4), px(y));
-    text += text_element("dp-end-label", scale.size.width + beside_axes, y + 4, label.text) + "</g>\n";
-  }
-  return text;
-}
-
 /// Numbers and words that a script needs to read the panel.
 std::string data_attributes(const PanelFrame& frame, double left, double top) {
-  const AxisRange &x = frame.scale.x, &y = frame.scale.y;
-  return fmt::format(
-      "data-x-low=\"{}\" data-x-high=\"{}\" data-x-log=\"{:d}\" data-x-label=\"{}\" "
-      "data-y-low=\"{}\" data-y-high=\"{}\" data-y-log=\"{:d}\" data-y-label=\"{}\" "
-      "data-left=\"{}\" data-top=\"{}\" data-width=\"{}\" data-height=\"{}\"",
-      x.low, x.high, x.logarithmic, xml_text(frame.panel->x.label), y.low, y.high, y.logarithmic,
-      xml_text(frame.panel->y.label), px(left), px(top), px(frame.scale.size.width),
-      px(frame.scale.size.height));
+  std::string text;
+  const auto add = [&](const char* name, const AxisRange& range, const Axis& axis) {
+    text += fmt::format(
+        "data-{0}-low=\"{1}\" data-{0}-high=\"{2}\" data-{0}-log=\"{3:d}\" data-{0}-label=\"{4}\" ", name,
+        range.low, range.high, range.logarithmic, xml_text(axis.label));
+    if (!axis.si_unit.empty())
+      text += fmt::format("data-{0}-unit=\"{1}\" data-{0}-per-si=\"{2}\" ", name, xml_text(axis.si_unit),
+                          axis.per_si);
+  };
+  add("x", frame.scale.x, frame.panel->x);
+  add("y", frame.scale.y, frame.panel->y);
+  return text + fmt::format("data-left=\"{}\" data-top=\"{}\" data-width=\"{}\" data-height=\"{}\"", px(left),
+                            px(top), px(frame.scale.size.width), px(frame.scale.size.height));
 }
 
 std::string titles(const PanelFrame& frame, double left, double top, double edge) {
@@ -92,12 +93,16 @@ std::string titles(const PanelFrame& frame, double left, double top, double edge
   }
   line = top - 13 - axis_title_line * (static_cast<double>(frame.y_title.size()) - 1);
   for (const std::string& title : frame.y_title) {
-    text += text_element("dp-axis-title", edge, line, title);
+    text += axis_title("y", "dp-axis-title", edge, line, title);
     line += axis_title_line;
   }
   const PlotSize& size = frame.scale.size;
-  return text + text_element("dp-axis-title dp-to-end", left + size.width, top + size.height + 37,
-                             fitting(frame.panel->x.label, axis_text, left + size.width - edge));
+  line = top + size.height + below_numbers + axis_title_line;
+  for (const std::string& title : frame.x_title) {
+    text += axis_title("x", "dp-axis-title dp-to-end", left + size.width, line, title);
+    line += axis_title_line;
+  }
+  return text;
 }
 
 std::string inside(const PanelFrame& frame) {
@@ -108,21 +113,46 @@ std::string inside(const PanelFrame& frame) {
   }
   std::string text = grid(frame, true) + grid(frame, false) + axes(frame);
   for (const SeriesDrawing& series : frame.drawing->series) text += series_svg(series, frame.scale);
-  return text + end_labels(frame);
+  return text + mark_labels_svg(frame.marks) + end_labels_svg(frame.ends, frame.scale);
+}
+
+/// "Force" of "Force (kN)", in small letters.
+std::string name_on_axis(const std::string& label) {
+  std::string name = readable(label.substr(0, label.find(" (")));
+  std::ranges::transform(name, name.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  return name;
+}
+
+/// Whether all that has a name, but for lines across and brackets, is one line, called as an axis is.
+bool is_named_by_axis(const PanelDrawing& drawing, const Panel& panel) {
+  std::size_t lines = 0;
+  bool is_axis = true;
+  for (const SeriesDrawing& series : drawing.series) {
+    if (series.label.empty() || series.looks.is_dot || is_marker(series.looks.style) ||
+        series.label_place != LabelPlace::by_style)
+      continue;
+    ++lines;
+    is_axis = is_axis && is_line(series.looks.style) && series.end_label.empty() &&
+              (name_on_axis(series.label) == name_on_axis(panel.y.label) ||
+               name_on_axis(series.label) == name_on_axis(panel.x.label));
+  }
+  return lines == 1 && is_axis;
 }
 
 }  // namespace
 
-PanelFrame::PanelFrame(const Panel& panel_to_draw, const PanelDrawing& drawing_of_panel)
+PanelFrame::PanelFrame(const Panel& panel_to_draw, const PanelDrawing& drawing_of_panel, double plot_width)
     : panel(&panel_to_draw),
       drawing(&drawing_of_panel),
       scale{.x = range_of(panel->x, drawing->x, most_x_labels),
             .y = range_of(panel->y, drawing->y, most_y_labels),
-            .size = {.width = 0, .height = panel_height}},
+            .size = {.width = 0, .height = height_of_axes(plot_width)}},
       x_ticks(ticks_of(scale.x, most_x_labels)),
       y_ticks(ticks_of(scale.y, most_y_labels)),
-      title(lines_within(panel->title, size_for_bold * panel_title_text, text_width_of_panel)),
-      y_title(lines_within(panel->y.label, axis_text, text_width_of_panel)) {}
+      title(lines_within(panel->title, size_for_bold * panel_title_text, plot_width - 2 * plot_edge)),
+      y_title(lines_within(panel->y.label, axis_text, plot_width - 2 * plot_edge)) {
+  if (!is_named_by_axis(*drawing, *panel)) ends = end_labels_of(*drawing, plot_width);
+}
 
 double PanelFrame::left_margin() const {
   double longest = 0;
@@ -135,7 +165,27 @@ double PanelFrame::above_axes() const {
          axis_title_line * static_cast<double>(y_title.size());
 }
 
-double PanelFrame::below_axes() const { return panel->x.label.empty() ? 36 : 54; }
+double PanelFrame::below_axes() const {
+  return below_numbers + axis_title_line * static_cast<double>(x_title.size()) + below_panel;
+}
+
+void PanelFrame::place_across(double left, double width) {
+  scale.size.width = width;
+  x_title = lines_within(panel->x.label, axis_text, left + width - plot_edge);
+  place(ends, scale);
+  marks = mark_labels_of(*drawing, ends, scale);
+  make_room(ends, scale.size.height);
+}
+
+std::vector<LegendEntry> PanelFrame::not_named() const {
+  std::vector<LegendEntry> entries = drawing->named;
+  std::erase_if(entries, [this](const LegendEntry& entry) {
+    const auto is_of = [&](const auto& label) { return entry_of(*label.series) == entry; };
+    return std::ranges::any_of(ends, is_of) || std::ranges::any_of(marks, is_of) ||
+           (is_line(entry.looks.style) && is_named_by_axis(*drawing, *panel));
+  });
+  return entries;
+}
 
 std::string panel_svg(const PanelFrame& frame, double left, double top, double edge) {
   // The inner coordinates begin at the axes, and a script that zooms has something that can hide what leaves

@@ -1,12 +1,18 @@
 #pragma once
-/// A panel as SVG: axes, marks, series, and the names at the ends of lines.
+/// A panel as SVG: axes, marks, series and their names.
 
 #include <string>
 #include <vector>
 
+#include "output/plot/end_labels.hpp"
+#include "output/plot/legend.hpp"
+#include "output/plot/mark_labels.hpp"
 #include "output/plot/series_svg.hpp"
 
 namespace dashpad::output {
+
+/// Around a plot, px.
+inline constexpr double plot_edge = 16;
 
 /// What a panel needs to be placed. Lengths are in px.
 struct PanelFrame {
@@ -15,8 +21,18 @@ struct PanelFrame {
   PanelScale scale;  ///< its width is set when all panels are known
   std::vector<Tick> x_ticks, y_ticks;
   std::vector<std::string> title, y_title;  ///< lines
+  std::vector<EndLabel> ends;
+  // These, and places of names, when the width of the axes is known.
+  std::vector<std::string> x_title;
+  std::vector<MarkLabel> marks;
 
-  PanelFrame(const Panel& panel_to_draw, const PanelDrawing& drawing_of_panel);
+  PanelFrame(const Panel& panel_to_draw, const PanelDrawing& drawing_of_panel, double plot_width);
+
+  /// Sets where the axes begin and how wide they are, and places the names.
+  void place_across(double left, double width);
+
+  /// What is not named in the panel: it has to be in the legend.
+  [[nodiscard]] std::vector<LegendEntry> not_named() const;
 
   /// Room that the numbers on the y axis take.
   [[nodiscard]] double left_margin() const;

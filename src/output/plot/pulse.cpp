@@ -5,6 +5,7 @@
 #include "dashpad/version.hpp"
 #include "output/plot/axis_with_unit.hpp"
 #include "output/plot/hic_bracket.hpp"
+#include "output/plot/result_panels.hpp"
 #include "output/text/pulse_words.hpp"
 #include "quantities/text.hpp"
 
@@ -32,10 +33,10 @@ double side_of_peak(const injury::PulseReport& report) {
 }
 
 /// `peak`: of the pulse, with its sign, g.
-Series window(const char* key, const injury::Hic& hic, double peak, std::size_t turn,
+Series window(const char* key, const injury::Hic& hic, double peak, std::size_t turn, int row,
               const UnitSystem& units) {
   return hic_bracket(fmt::format("{} = {}", result_quantity(key).title, brief(hic.value, 4)),
-                     value_in(units, hic.begin, "s"), value_in(units, hic.end, "s"), peak, turn);
+                     value_in(units, hic.begin, "s"), value_in(units, hic.end, "s"), peak, turn, row);
 }
 
 }  // namespace
@@ -43,11 +44,14 @@ Series window(const char* key, const injury::Hic& hic, double peak, std::size_t 
 Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units) {
   const double side = side_of_peak(report);
   const injury::InjuryFigures& figures = report.figures;
-  Panel panel{.title = {}, .x = axis_of("time", units), .y = axis_of("acceleration", units), .series = {}};
+  Panel panel{.title = "The acceleration " + peak_words(figures),
+              .x = axis_of("time", units),
+              .y = axis_of("acceleration", units),
+              .series = {}};
   const double peak = side * figures.peak.magnitude / standard_gravity;
   if (figures.hic36.begin != figures.hic15.begin || figures.hic36.end != figures.hic15.end)
-    panel.series.push_back(window("hic36", figures.hic36, 2 * peak, turn_of_hic36, units));
-  panel.series.push_back(window("hic15", figures.hic15, peak, turn_of_hic15, units));
+    panel.series.push_back(window("hic36", figures.hic36, peak, turn_of_hic36, 1, units));
+  panel.series.push_back(window("hic15", figures.hic15, peak, turn_of_hic15, 0, units));
   if (report.filter) {
     panel.series.push_back(line("as measured", report.measured.pulse, turn_of_raw, units));
     panel.series.push_back(line(fmt::format("CFC{}", report.filter->channel_frequency_class), report.pulse,

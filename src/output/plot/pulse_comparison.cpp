@@ -46,6 +46,10 @@ Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem
     end = std::max(end, of.computed ? of.computed->contact_end : of.computed_pulse.time.back());
   }
   Panel panel{.title = {}, .x = axis_of("time", units), .y = axis_of("deceleration", units), .series = {}};
+  if (of.computed)
+    panel.title = fmt::format("The computed peak is {} g, the measured one {} g",
+                              brief(of.computed->peak.magnitude / standard_gravity, 3),
+                              brief(of.measured.peak.magnitude / standard_gravity, 3));
   panel.x.low = value_in(units, begin - room * (end - begin), "s");
   panel.x.high = value_in(units, end + room * (end - begin), "s");
   panel.series = {std::move(computed), std::move(measured)};

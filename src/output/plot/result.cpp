@@ -1,5 +1,7 @@
 #include "dashpad/output/plot/result.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "dashpad/impact/flags.hpp"
@@ -7,6 +9,7 @@
 #include "dashpad/version.hpp"
 #include "output/plot/axis_with_unit.hpp"
 #include "output/plot/hic_bracket.hpp"
+#include "output/plot/impact_figures.hpp"
 #include "output/plot/result_panels.hpp"
 #include "quantities/text.hpp"
 
@@ -23,15 +26,40 @@ Series line(std::string label, std::vector<double> x, std::vector<double> y) {
   return series;
 }
 
+/// What the pad made of the energy, where that is known.
+std::string energy_words(const Summary& summary, const UnitSystem& units) {
+  const double kept = summary.energy_absorbed_fraction;
+  if (summary.status != Status::released || !(kept >= 0 && kept <= 1)) return {};
+  return fmt::format("Of an impact energy of {} the pad keeps {:.0f} %",
+                     brief_quantity(summary.energy.impact, "J", units, 3), 100 * kept);
+}
+
+std::string bottoming_words(const Moment& bottomed, const UnitSystem& units) {
+  return fmt::format("The pad bottoms out after {} with {} left",
+                     brief_quantity(bottomed.time, "s", units, 3),
+                     brief_quantity(bottomed.velocity, "m/s", units, 3));
+}
+
 }  // namespace
 
-Panel deceleration_panel(const History& history, const std::optional<injury::InjuryFigures>& injury,
+std::string peak_words(const injury::InjuryFigures& figures) {
+  std::string words = fmt::format("peaks at {} g", brief(figures.peak.magnitude / standard_gravity, 3));
+  // A pulse of less than 3 ms has no clip.
+  if (figures.clip_3ms.level > 0)
+    words += fmt::format(" and holds {} g for 3 ms", brief(figures.clip_3ms.level / standard_gravity, 3));
+  return words;
+}
+
+Panel deceleration_panel(const Solution& solution, const std::optional<injury::InjuryFigures>& injury,
                          const UnitSystem& units) {
-  Panel panel{
-      result_quantity("deceleration").title, axis_of("time", units), axis_of("deceleration", units), {}};
+  Panel panel{injury ? "The deceleration " + peak_words(*injury) : result_quantity("deceleration").title,
+              axis_of("time", units),
+              axis_of("deceleration", units),
+              {}};
   panel.y.low = 0;
   std::vector<double> deceleration;
-  for (const double value : history.acceleration) deceleration.push_back(-value / standard_gravity);
+  for (const double value : solution.history.acceleration) deceleration.push_back(-value / standard_gravity);
+  end_before_bottoming(panel.y, solution, deceleration);
   if (injury) {
     panel.series.push_back(
         hic_bracket(fmt::format("{} {}", result_quantity("hic15").title, significant(injury->hic15.value, 4)),
@@ -44,8 +72,8 @@ Panel deceleration_panel(const History& history, const std::optional<injury::Inj
     level.y = {injury->clip_3ms.level / standard_gravity};
     panel.series.push_back(level);
   }
-  panel.series.push_back(line(result_quantity("deceleration").title, values_in(units, history.time, "s"),
-                              std::move(deceleration)));
+  panel.series.push_back(line(result_quantity("deceleration").title,
+                              values_in(units, solution.history.time, "s"), std::move(deceleration)));
   panel.series.back().turn = 0;
   return panel;
 }
@@ -68,9 +96,12 @@ Plot result_plot(const ImpactCase& impact, const Solution& solution,
                  const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units) {
   std::string source = fmt::format("dashpad {}", version());
   for (const Flag& flag : flags(solution.summary)) source += "; " + one_line(flag.text);
-  return {impact.title.empty() ? "Impact" : impact.title,
-          {deceleration_panel(solution.history, injury, units), loop_panel(solution.history, units)},
-          source};
+  const Summary& summary = solution.summary;
+  Panel deceleration = deceleration_panel(solution, injury, units);
+  Panel loop = loop_panel(solution.history, units);
+  if (bottomed_on_rigid_support(summary)) deceleration.title = bottoming_words(*summary.bottomed, units);
+  if (std::string words = energy_words(summary, units); !words.empty()) loop.title = std::move(words);
+  return {impact.title.empty() ? "Impact" : impact.title, {std::move(deceleration), std::move(loop)}, source};
 }
 
 }  // namespace dashpad::output

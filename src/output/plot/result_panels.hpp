@@ -2,6 +2,7 @@
 /// The panels of one impact, for stills and pages.
 
 #include <optional>
+#include <string>
 
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/figures.hpp"
@@ -10,8 +11,11 @@
 
 namespace dashpad::output {
 
-/// Deceleration, the window of HIC15 and the 3 ms clip.
-Panel deceleration_panel(const History& history, const std::optional<injury::InjuryFigures>& injury,
+/// "peaks at 76.3 g and holds 71.2 g for 3 ms".
+std::string peak_words(const injury::InjuryFigures& figures);
+
+/// Deceleration, the window of HIC15 and the 3 ms clip; the title says what they are.
+Panel deceleration_panel(const Solution& solution, const std::optional<injury::InjuryFigures>& injury,
                          const UnitSystem& units);
 
 /// Force over displacement and penetration.

@@ -121,14 +121,15 @@ std::string marker_path(double place, SeriesStyle style, const PanelScale& scale
   return fmt::format("M0 {}H{}", px(scale.down(place)), px(scale.size.width));
 }
 
-const char* word_of(const Looks& looks) {
-  switch (looks.style) {
-    case SeriesStyle::points: return looks.is_dot ? "dots" : "points";
+/// A line that marks something, as a bracket does, is no curve.
+const char* word_of(const SeriesDrawing& series) {
+  switch (series.looks.style) {
+    case SeriesStyle::points: return series.looks.is_dot ? "dots" : "points";
     case SeriesStyle::band: return "band";
     case SeriesStyle::area: return "area";
     case SeriesStyle::vertical_line: return "vertical";
     case SeriesStyle::horizontal_line: return "horizontal";
-    default: return "line";
+    default: return series.label_place == LabelPlace::middle ? "mark" : "line";
   }
 }
 
@@ -147,13 +148,26 @@ std::string colour_attributes(const SeriesColour& colour, const std::string& cla
   return fmt::format(" class=\"{}\" color=\"{}\"", classes, colour.shade);
 }
 
+std::vector<PlaceLine> parts_inside(const SeriesDrawing& series, const PanelScale& scale) {
+  std::vector<PlaceLine> parts;
+  for (const PlotRun& run : series.runs)
+    for (PlaceLine& part : line_inside(places_of(run, scale), scale.size)) parts.push_back(std::move(part));
+  return parts;
+}
+
 std::string series_svg(const SeriesDrawing& series, const PanelScale& scale) {
-  std::string path;
+  constexpr double edges = 3;  // px
+  std::string path, casing;
   for (const PlotRun& run : series.runs) path += run_path(run, series.looks, scale);
   for (const double place : series.places) path += marker_path(place, series.looks.style, scale);
-  return fmt::format("<g{} data-label=\"{}\" data-style=\"{}\">{}</g>\n",
-                     colour_attributes(series.looks.colour, "dp-series"), xml_text(series.label),
-                     word_of(series.looks), path_element(series.looks, path));
+  if (series.is_cased)
+    casing = fmt::format(
+        "<g class=\"dp-series dp-casing\" data-label=\"\" data-style=\"line\"><path class=\"dp-line\" "
+        "stroke-width=\"{}\" d=\"{}\"/></g>\n",
+        px(series.looks.width + edges), path);
+  return casing + fmt::format("<g{} data-label=\"{}\" data-style=\"{}\">{}</g>\n",
+                              colour_attributes(series.looks.colour, "dp-series"), xml_text(series.label),
+                              word_of(series), path_element(series.looks, path));
 }
 
 std::string sample_svg(const Looks& looks, double left, double middle, double width) {

@@ -2,6 +2,7 @@
 /// Series as SVG.
 
 #include <string>
+#include <vector>
 
 #include "output/plot/axis_ticks.hpp"
 #include "output/plot/clip.hpp"
@@ -22,6 +23,9 @@ struct PanelScale {
 /// The group of a series, with its label and style as data for scripts. Each point begins with its own place
 /// ("M"), whatever its shape; a line goes through its points in their order.
 std::string series_svg(const SeriesDrawing& series, const PanelScale& scale);
+
+/// The parts of its runs that lie within the axes, in px.
+std::vector<PlaceLine> parts_inside(const SeriesDrawing& series, const PanelScale& scale);
 
 /// A piece of such a series for the legend.
 std::string sample_svg(const Looks& looks, double left, double middle, double width);

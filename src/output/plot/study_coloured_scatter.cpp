@@ -7,6 +7,7 @@
 
 #include "output/plot/filled_map.hpp"
 #include "output/plot/study_figures.hpp"
+#include "output/text/factor_words.hpp"
 #include "output/text/study_words.hpp"
 
 namespace dashpad::output {
@@ -15,9 +16,10 @@ namespace {
 
 constexpr std::size_t most_coloured_dots = 3000;
 
-/// Rows of a group: two factors and the response, as shown.
+/// Rows of a group: two factors and the response, as shown. Those that struck through stand apart.
 struct Rows {
   std::vector<double> x, y, value;
+  Series struck = struck_through_marks();
 };
 
 /// Pearson's correlation over the rows of a group that have a value; 0 where nothing varies.
@@ -75,18 +77,21 @@ std::vector<Series> classes(const Rows& rows, const std::vector<double>& levels,
   return list;
 }
 
-Rows rows_of(const study::StudyAnswers& answers, const std::vector<std::size_t>& factors,
-             const std::vector<double>& response, double scale, const UnitSystem& units) {
+Rows rows_of(const study::StudyAnswers& answers, const std::vector<std::size_t>& factors, std::size_t number,
+             double scale, const UnitSystem& units) {
   const std::vector<std::size_t>& places = answers.groups.front().group.places;
   const double x = shown_as(answers.study.factors[factors[0]].unit, units).scale,
                y = shown_as(answers.study.factors[factors[1]].unit, units).scale;
+  const std::vector<double> values =
+      study::values_of(answers.study, answers.records, answers.groups.front().group, number);
   Rows rows;
   const std::size_t step = std::max<std::size_t>(1, places.size() / most_coloured_dots);
   for (std::size_t i = 0; i < places.size(); i += step) {
-    if (!std::isfinite(response[places[i]])) continue;
-    rows.x.push_back(x * answers.records.factors[factors[0]][places[i]]);
-    rows.y.push_back(y * answers.records.factors[factors[1]][places[i]]);
-    rows.value.push_back(scale * response[places[i]]);
+    if (std::isnan(values[i])) continue;
+    const bool has_value = std::isfinite(values[i]);
+    (has_value ? rows.x : rows.struck.x).push_back(x * answers.records.factors[factors[0]][places[i]]);
+    (has_value ? rows.y : rows.struck.y).push_back(y * answers.records.factors[factors[1]][places[i]]);
+    if (has_value) rows.value.push_back(scale * values[i]);
   }
   return rows;
 }
@@ -102,23 +107,27 @@ std::vector<CaptionedPlot> coloured_scatter_figures(const study::StudyAnswers& a
     if (leading.size() < 2) return {};
     const std::string& name = answers.study.responses[response];
     const ScaledUnit shown = shown_as(si_unit_of(name), units);
-    const Rows rows = rows_of(answers, leading, values, shown.scale, units);
+    const Rows rows = rows_of(answers, leading, response, shown.scale, units);
     const std::vector<double> levels = levels_of(rows.value);
     if (levels.size() < 3) continue;
     const study::Factor &across = answers.study.factors[leading[0]], &up = answers.study.factors[leading[1]];
+    std::vector<Series> points = classes(rows, levels, shown.unit);
+    if (!rows.struck.x.empty()) points.push_back(rows.struck);
     figures.push_back(
-        {.plot = {.title = fmt::format("{} over {} and {}", title_of(name), across.key, up.key),
+        {.plot = {.title = fmt::format("{} over {} and {}", title_of(name), factor_words(across.key),
+                                       factor_words(up.key)),
                   .panels = {{.title = title_of(name),
-                              .x = {.label = label(across.key, across.unit, units)},
-                              .y = {.label = label(up.key, up.unit, units)},
-                              .series = classes(rows, levels, shown.unit)}},
+                              .x = axis_of_factor(across, units),
+                              .y = axis_of_factor(up, units),
+                              .series = std::move(points)}},
                   .source = study_source(answers)},
          .note = fmt::format(
              "A point is a row, over the two sampled factors that the response follows most. The first and "
              "the last class hold all beyond. At most about {} rows{} are drawn.",
              most_coloured_dots,
-             answers.groups.size() > 1 ? " of " + group_label(answers, answers.groups.front().group, units)
-                                       : "")});
+             answers.groups.size() > 1
+                 ? " of " + words_of_levels(answers, answers.groups.front().group, units)
+                 : "")});
   }
   return figures;
 }

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "dashpad/version.hpp"
 #include "output/plot/study_figures.hpp"
+#include "output/text/factor_words.hpp"
 #include "output/text/study_words.hpp"
-#include "quantities/text.hpp"
 
 namespace dashpad::output {
 
@@ -34,6 +35,19 @@ Series distribution_function(std::vector<double> values, double scale) {
   return series;
 }
 
+/// A line where a distribution ends because the rest struck through; nothing where none did.
+std::optional<Series> struck_through_line(const std::vector<double>& values) {
+  const auto all = static_cast<double>(values.size());
+  const auto finite =
+      static_cast<double>(std::ranges::count_if(values, [](double value) { return std::isfinite(value); }));
+  const auto struck =
+      static_cast<double>(std::ranges::count_if(values, [](double value) { return std::isinf(value); }));
+  if (struck == 0) return std::nullopt;
+  return Series{.label = fmt::format("{:.3g} % bottomed out", 100 * struck / all),
+                .style = SeriesStyle::horizontal_line,
+                .y = {100 * finite / all}};
+}
+
 Panel distribution_panel(const study::StudyAnswers& answers, std::size_t i, const UnitSystem& units) {
   const std::string name = response_name(answers, i), unit = si_unit_of(name);
   const ScaledUnit shown = shown_as(unit, units);
@@ -43,15 +57,18 @@ Panel distribution_panel(const study::StudyAnswers& answers, std::size_t i, cons
               .series = {}};
   for (std::size_t group = 0; group < std::min(answers.groups.size(), most_lines_drawn); ++group) {
     const study::Group& of = answers.groups[group].group;
-    panel.series.push_back(distribution_function(
-        study::values_of(answers.study, answers.records, of, answers.responses[i]), shown.scale));
-    panel.series.back().label = group_label(answers, of, units);
+    const std::vector<double> values =
+        study::values_of(answers.study, answers.records, of, answers.responses[i]);
+    panel.series.push_back(distribution_function(values, shown.scale));
+    panel.series.back().label = words_of_levels(answers, of, units);
     panel.series.back().turn = group;
+    if (std::optional<Series> rest = struck_through_line(values)) {
+      rest->turn = group;
+      panel.series.push_back(*std::move(rest));
+    }
   }
-  for (const study::StudyLimit& limit : answers.limits)
-    if (limit.response == name)
-      panel.series.push_back(
-          {.label = "limit", .style = SeriesStyle::vertical_line, .x = {shown.scale * limit.value}});
+  for (Series& line : limit_lines(answers, name, SeriesStyle::vertical_line, units))
+    panel.series.push_back(std::move(line));
   return panel;
 }
 
@@ -60,23 +77,27 @@ Panel scatter_panel(const study::StudyAnswers& answers, std::size_t factor, std:
   const study::Factor& of = answers.study.factors[factor];
   const std::string& name = answers.study.responses[response];
   const ScaledUnit x = shown_as(of.unit, units), y = shown_as(si_unit_of(name), units);
-  Panel panel{.title = fmt::format("{} over {}", title_of(name), of.key),
-              .x = {.label = label(of.key, of.unit, units)},
+  Panel panel{.title = fmt::format("{} over {}", title_of(name), factor_words(of.key)),
+              .x = axis_of_factor(of, units),
               .y = {.label = label(name, si_unit_of(name), units)},
               .series = {}};
   const std::size_t groups = std::min(answers.groups.size(), most_lines_drawn);
+  Series struck = struck_through_marks();
   for (std::size_t i = 0; i < groups; ++i) {
-    const std::vector<std::size_t>& places = answers.groups[i].group.places;
+    const study::Group& group = answers.groups[i].group;
+    const std::vector<std::size_t>& places = group.places;
+    const std::vector<double> values = study::values_of(answers.study, answers.records, group, response);
     const std::size_t step = std::max<std::size_t>(1, places.size() * groups / most_plain_dots);
-    Series points{.label = group_label(answers, answers.groups[i].group, units),
-                  .style = SeriesStyle::points,
-                  .turn = i};
+    Series points{.label = words_of_levels(answers, group, units), .style = SeriesStyle::points, .turn = i};
     for (std::size_t k = 0; k < places.size(); k += step) {
-      points.x.push_back(x.scale * answers.records.factors[factor][places[k]]);
-      points.y.push_back(y.scale * answers.records.responses[response][places[k]]);
+      Series& of_row = std::isinf(values[k]) ? struck : points;
+      of_row.x.push_back(x.scale * answers.records.factors[factor][places[k]]);
+      of_row.y.push_back(y.scale * values[k]);
     }
     panel.series.push_back(std::move(points));
   }
+  struck.y.assign(struck.x.size(), above_all(panel.series));
+  if (!struck.x.empty()) panel.series.push_back(std::move(struck));
   return panel;
 }
 
@@ -100,7 +121,7 @@ Panel index_panel(const std::string& response, const study::Sensitivity& of) {
               .series = {}};
   for (std::size_t i = 0; i < of.indices.size(); ++i) {
     const auto place = static_cast<double>(i + 1);
-    panel.x.label += fmt::format("{} {} {}", i == 0 ? "" : ",", i + 1, of.indices[i].factor);
+    panel.x.label += fmt::format("{} {} {}", i == 0 ? "" : ",", i + 1, factor_words(of.indices[i].factor));
     add_index(panel, of.indices[i].first, place - 0.1, 0, "alone (first order)");
     add_index(panel, of.indices[i].total, place + 0.1, 1, "with interactions (total)");
   }
@@ -109,11 +130,6 @@ Panel index_panel(const std::string& response, const study::Sensitivity& of) {
 }
 
 }  // namespace
-
-std::string study_source(const study::StudyAnswers& answers) {
-  return fmt::format("dashpad {}; {} rows; {}", version(), answers.records.rows.size(),
-                     one_line(answers.study.title));
-}
 
 std::vector<CaptionedPlot> distribution_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   std::vector<CaptionedPlot> figures;

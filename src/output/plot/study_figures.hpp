@@ -1,9 +1,11 @@
 #pragma once
 /// The figures of a study; empty where the study has none of the kind.
 
+#include <string>
 #include <vector>
 
 #include "dashpad/output/plot/plot.hpp"
+#include "dashpad/quantities/unit_system.hpp"
 #include "dashpad/study/questions.hpp"
 
 namespace dashpad::output {
@@ -22,6 +24,19 @@ std::vector<CaptionedPlot> curve_figures(const study::StudyAnswers& answers, con
 /// Each response as coloured areas over two factors with levels.
 std::vector<CaptionedPlot> map_figures(const study::StudyAnswers& answers, const UnitSystem& units);
 std::vector<CaptionedPlot> cushion_figures(const study::StudyAnswers& answers, const UnitSystem& units);
+
+/// "Thickness of the pad (mm)".
+Axis axis_of_factor(const study::Factor& factor, const UnitSystem& units);
+/// "impact speed 5 m/s, thickness of the pad 30 mm"; "" without levels.
+std::string words_of_levels(const study::StudyAnswers& answers, const study::Group& group,
+                            const UnitSystem& units);
+/// Lines across at the limits of a response, with their values.
+std::vector<Series> limit_lines(const study::StudyAnswers& answers, const std::string& response,
+                                SeriesStyle style, const UnitSystem& units);
+/// Marks that point upwards, for rows that bottomed out on a rigid support: their force is beyond any axis.
+Series struck_through_marks();
+/// Where such marks stand if they are not to hide the values: a little above all of them.
+double above_all(const std::vector<Series>& series);
 
 /// The small print.
 std::string study_source(const study::StudyAnswers& answers);

@@ -1,11 +1,11 @@
 #include "output/plot/study_grid.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
+#include "output/text/factor_words.hpp"
 #include "output/text/study_words.hpp"
 
 namespace dashpad::output {
@@ -22,16 +22,17 @@ std::vector<Cell> cells_of(const study::StudyAnswers& answers, std::size_t respo
   std::vector<Cell> cells;
   const std::vector<std::size_t> factors = level_factors(answers.study);
   if (answers.groups.front().group.drawn) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
     constexpr std::size_t median = 3;
-    for (const study::StudyAnswers::OfGroup& of : answers.groups) {
-      const double value = of.distributions[response].quantiles[median].value.value;
-      cells.push_back({of.group.levels, std::isfinite(value) ? value : none});
-    }
+    for (const study::StudyAnswers::OfGroup& of : answers.groups)
+      cells.push_back({of.group.levels, of.distributions[response].quantiles[median].value.value});
     return cells;
   }
-  for (std::size_t place = 0; place < answers.records.rows.size(); ++place) {
-    Cell cell{.levels = {}, .value = answers.records.responses[answers.responses[response]][place]};
+  const study::Group& all = answers.groups.front().group;
+  const std::vector<double> values =
+      study::values_of(answers.study, answers.records, all, answers.responses[response]);
+  for (std::size_t i = 0; i < all.places.size(); ++i) {
+    const std::size_t place = all.places[i];
+    Cell cell{.levels = {}, .value = values[i]};
     for (const std::size_t factor : factors) cell.levels.push_back(answers.records.factors[factor][place]);
     cells.push_back(std::move(cell));
   }
@@ -83,7 +84,7 @@ std::optional<GridPlane> grid_plane(const study::StudyAnswers& answers, std::siz
   for (std::size_t i = 2; i < order.size(); ++i) {
     const std::vector<double> levels = sorted(levels_of(factor_at(order[i])));
     middle[order[i]] = levels[levels.size() / 2];
-    plane.at += fmt::format("{}{} = {}", plane.at.empty() ? "" : ", ", factor_at(order[i]).key,
+    plane.at += fmt::format("{}{} {}", plane.at.empty() ? "" : ", ", factor_words(factor_at(order[i]).key),
                             level_text(answers.study, factors[order[i]], middle[order[i]], units));
   }
   plane.values.assign(

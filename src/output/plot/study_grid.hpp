@@ -14,7 +14,7 @@ struct GridPlane {
   std::optional<std::size_t> lines;         ///< the next one
   std::vector<double> across_levels;        ///< SI
   std::vector<double> line_levels;          ///< SI; {0} without a second factor
-  std::vector<std::vector<double>> values;  ///< [line][across], SI; NaN for none
+  std::vector<std::vector<double>> values;  ///< [line][across], SI; NaN for none, infinite: struck through
   std::string at;                           ///< levels of the other factors, in words; may be empty
   bool is_median = false;                   ///< of draws, not of single rows
 };

@@ -8,6 +8,7 @@
 #include "output/plot/filled_map.hpp"
 #include "output/plot/study_figures.hpp"
 #include "output/plot/study_grid.hpp"
+#include "output/text/factor_words.hpp"
 #include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
 
@@ -18,10 +19,6 @@ namespace {
 std::vector<double> scaled(std::vector<double> values, double scale) {
   for (double& value : values) value *= scale;
   return values;
-}
-
-Axis axis_of(const study::Factor& factor, const UnitSystem& units) {
-  return {.label = label(factor.key, factor.unit, units)};
 }
 
 std::string note_of(const GridPlane& plane) {
@@ -35,7 +32,7 @@ Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
   const std::string name = response_name(answers, response);
   const study::Factor& across = answers.study.factors[plane.across];
   Panel panel{.title = title_of(name),
-              .x = axis_of(across, units),
+              .x = axis_of_factor(across, units),
               .y = {.label = label(name, si_unit_of(name), units)},
               .series = {}};
   const std::size_t count = plane.values.size(), lines = std::min(count, most_lines_drawn);
@@ -43,7 +40,7 @@ Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
     const std::size_t line = lines < 2 ? 0 : i * (count - 1) / (lines - 1);
     panel.series.push_back(
         {.label = plane.lines
-                      ? fmt::format("{} {}", answers.study.factors[*plane.lines].key,
+                      ? fmt::format("{} {}", factor_words(answers.study.factors[*plane.lines].key),
                                     level_text(answers.study, *plane.lines, plane.line_levels[line], units))
                       : "",
          .style = SeriesStyle::line,
@@ -51,12 +48,15 @@ Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
          .y = scaled(plane.values[line], shown_as(si_unit_of(name), units).scale),
          .turn = i});
   }
-  for (const study::StudyLimit& limit : answers.limits)
-    if (limit.response == name)
-      panel.series.push_back({.label = "limit",
-                              .style = SeriesStyle::horizontal_line,
-                              .y = {shown_as(si_unit_of(name), units).scale * limit.value}});
-  return {.title = fmt::format("{} over {}", title_of(name), across.key),
+  Series struck = struck_through_marks();
+  for (const Series& line : panel.series)
+    for (std::size_t place = 0; place < line.y.size(); ++place)
+      if (std::isinf(line.y[place])) struck.x.push_back(line.x[place]);
+  std::vector<Series> limits = limit_lines(answers, name, SeriesStyle::horizontal_line, units);
+  panel.series.insert(panel.series.end(), limits.begin(), limits.end());
+  struck.y.assign(struck.x.size(), above_all(panel.series));
+  if (!struck.x.empty()) panel.series.push_back(std::move(struck));
+  return {.title = fmt::format("{} over {}", title_of(name), factor_words(across.key)),
           .panels = {panel},
           .source = study_source(answers)};
 }
@@ -67,7 +67,10 @@ Plot map_of(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
   const study::Factor &across = answers.study.factors[plane.across],
                       &up = answers.study.factors[*plane.lines];
   const ScaledUnit shown = shown_as(si_unit_of(name), units);
-  Panel panel{.title = title_of(name), .x = axis_of(across, units), .y = axis_of(up, units), .series = {}};
+  Panel panel{.title = title_of(name),
+              .x = axis_of_factor(across, units),
+              .y = axis_of_factor(up, units),
+              .series = {}};
   std::vector<std::vector<double>> values;
   double least = HUGE_VAL, greatest = -HUGE_VAL;
   for (const std::vector<double>& line : plane.values) {
@@ -85,7 +88,22 @@ Plot map_of(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
   panel.y.low = y.front();
   panel.y.high = y.back();
   panel.series = filled_areas(x, y, values, round_levels(least, greatest), shown.unit);
-  return {.title = fmt::format("{} over {} and {}", title_of(name), across.key, up.key),
+  if (panel.series.empty()) return {};
+  for (const Series& limit : limit_lines(answers, name, SeriesStyle::horizontal_line, units)) {
+    Series line = contour(x, y, values, limit.y.front());
+    line.label = limit.label;
+    if (!line.x.empty()) panel.series.push_back(std::move(line));
+  }
+  Series struck = struck_through_marks();
+  for (std::size_t line = 0; line < y.size(); ++line)
+    for (std::size_t place = 0; place < x.size(); ++place)
+      if (std::isinf(values[line][place])) {
+        struck.x.push_back(x[place]);
+        struck.y.push_back(y[line]);
+      }
+  if (!struck.x.empty()) panel.series.push_back(std::move(struck));
+  return {.title = fmt::format("{} over {} and {}", title_of(name), factor_words(across.key),
+                               factor_words(up.key)),
           .panels = {panel},
           .source = study_source(answers)};
 }
@@ -131,7 +149,7 @@ std::vector<CaptionedPlot> map_figures(const study::StudyAnswers& answers, const
         answers.study.factors[*plane->lines].unit.empty())
       continue;
     Plot map = map_of(answers, *plane, i, units);
-    if (map.panels.front().series.empty()) continue;
+    if (map.panels.empty()) continue;
     figures.push_back(
         {"", std::move(map), "Interpolated linearly between neighbours of the grid. " + note_of(*plane)});
   }

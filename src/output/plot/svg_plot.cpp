@@ -16,7 +16,6 @@ namespace dashpad::output {
 namespace {
 
 // All px.
-constexpr double plot_edge = 16;
 constexpr double title_text = 18, title_line = 26, below_title = 6, source_text = 11, source_line = 15;
 constexpr double least_right_margin = 24;
 
@@ -32,22 +31,30 @@ std::string text_lines(const std::vector<std::string>& lines, const char* name, 
   return text;
 }
 
-std::vector<PanelFrame> frames_of(const Plot& plot, const PlotDrawing& drawing) {
+std::vector<PanelFrame> frames_of(const Plot& plot, const PlotDrawing& drawing, double plot_width) {
   std::vector<PanelFrame> frames;
   for (std::size_t panel = 0; panel < plot.panels.size(); ++panel)
-    frames.emplace_back(plot.panels[panel], drawing.panels[panel]);
+    frames.emplace_back(plot.panels[panel], drawing.panels[panel], plot_width);
   return frames;
 }
 
-/// The axes of all panels begin at the same place, which this returns, and end at the same.
+/// Sets the widths of the axes and places the names in them: the axes of all begin at the same place, which
+/// this returns, and end at the same.
 double set_widths(std::vector<PanelFrame>& frames, double plot_width) {
   double left = 0, right = least_right_margin;
   for (const PanelFrame& frame : frames) {
     left = std::max(left, plot_edge + frame.left_margin());
-    right = std::max(right, plot_edge + width_beside_axes(frame.drawing->end_labels));
+    right = std::max(right, plot_edge + width_beside_axes(frame.ends));
   }
-  for (PanelFrame& frame : frames) frame.scale.size.width = plot_width - left - right;
+  for (PanelFrame& frame : frames) frame.place_across(left, plot_width - left - right);
   return left;
+}
+
+Legend legend_of(const std::vector<PanelFrame>& frames) {
+  Legend legend;
+  for (const PanelFrame& frame : frames)
+    for (const LegendEntry& entry : frame.not_named()) add_to(legend.entries, entry);
+  return legend;
 }
 
 std::string name_of(const Plot& plot) {
@@ -63,8 +70,9 @@ std::string svg_plot(const Plot& plot, PlotStyle style, double plot_width) {
   const std::vector<std::string> title =
       lines_within(plot.title, size_for_bold * title_text, text_width_of_plot);
   const std::vector<std::string> source = lines_within(plot.source, source_text, text_width_of_plot);
-  std::vector<PanelFrame> frames = frames_of(plot, drawing);
+  std::vector<PanelFrame> frames = frames_of(plot, drawing, plot_width);
   const double left = set_widths(frames, plot_width);
+  const Legend legend = legend_of(frames);
 
   double height = plot_edge;
   std::string body = text_lines(title, "dp-title", height, title_line);
@@ -72,10 +80,10 @@ std::string svg_plot(const Plot& plot, PlotStyle style, double plot_width) {
   for (const PanelFrame& frame : frames) {
     height += frame.above_axes();
     body += panel_svg(frame, left, height, plot_edge);
-    height += panel_height + frame.below_axes();
+    height += frame.scale.size.height + frame.below_axes();
   }
-  body += drawing.legend.svg(plot_edge, height, text_width_of_plot);
-  height += drawing.legend.height(text_width_of_plot) + plot_edge / 2;
+  body += legend.svg(plot_edge, height, text_width_of_plot);
+  height += legend.height(text_width_of_plot) + plot_edge / 2;
   body += text_lines(source, "dp-source", height, source_line);
   height += source_line * static_cast<double>(source.size()) + plot_edge / 2;
 

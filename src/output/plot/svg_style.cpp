@@ -5,8 +5,8 @@ namespace dashpad::output {
 namespace {
 
 // The colours by turns are Okabe and Ito's, which the colour-blind tell apart, but for yellow, which is too
-// pale on white; on dark paper the same, lighter. Series take theirs as currentColor: not every renderer has
-// variables.
+// pale on white; on dark paper the same, lighter. Letters on white are darker than lines, to be read. Series
+// take theirs as currentColor: not every renderer has variables.
 constexpr std::string_view both = R"(
 .dp-plot{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
 .dp-paper{fill:#fff}
@@ -15,7 +15,8 @@ constexpr std::string_view both = R"(
 .dp-axis-title,.dp-label{font-size:12.5px;fill:#1a2028}
 .dp-tick{font-size:12px;fill:#3c4652;font-variant-numeric:tabular-nums}
 .dp-source{font-size:11px;fill:#58626e}
-.dp-end-label{font-size:11.5px;fill:currentColor}
+.dp-end-label,.dp-mark-label{font-size:11.5px;fill:currentColor}
+.dp-mark-label{stroke:#fff;stroke-width:3px;stroke-linejoin:round;paint-order:stroke}
 .dp-to-end{text-anchor:end}
 .dp-centred{text-anchor:middle}
 .dp-axis{fill:none;stroke:#58626e}
@@ -34,7 +35,8 @@ constexpr std::string_view both = R"(
 .dp-dot{fill:none;stroke:currentColor;stroke-width:3.2;stroke-linecap:round}
 .dp-shape{fill:currentColor}
 .dp-ring{fill:none;stroke:currentColor;stroke-width:1.4}
-.dp-leader{fill:none;stroke:currentColor;stroke-width:.8}
+.dp-leader{fill:none;stroke:currentColor;stroke-width:.8;stroke-dasharray:1.5 2.5}
+.dp-casing{color:#fff}
 .dp-grey{color:#555}
 .dp-turn-0{color:#0072b2}
 .dp-turn-1{color:#d55e00}
@@ -43,6 +45,11 @@ constexpr std::string_view both = R"(
 .dp-turn-4{color:#e69f00}
 .dp-turn-5{color:#56b4e9}
 .dp-turn-6{color:#000}
+.dp-turn-1 text{fill:#b34f00}
+.dp-turn-2 text{fill:#007a59}
+.dp-turn-3 text{fill:#a34c7c}
+.dp-turn-4 text{fill:#8a6000}
+.dp-turn-5 text{fill:#1c74ad}
 @media screen and (prefers-color-scheme:dark){
 .dp-paper{fill:#14181d}
 .dp-title,.dp-panel-title,.dp-axis-title,.dp-label{fill:#e6eaef}
@@ -50,6 +57,8 @@ constexpr std::string_view both = R"(
 .dp-axis{stroke:#a3adb8}
 .dp-grid{stroke:#39424d}
 .dp-minor-grid{stroke:#232a31}
+.dp-casing{color:#14181d}
+.dp-mark-label{stroke:#14181d}
 .dp-grey{color:#a3adb8}
 .dp-turn-0{color:#4aa8e8}
 .dp-turn-1{color:#f5874a}
@@ -58,6 +67,7 @@ constexpr std::string_view both = R"(
 .dp-turn-4{color:#f0b840}
 .dp-turn-5{color:#a5dcfb}
 .dp-turn-6{color:#f2f2f2}
+.dp-end text,.dp-mark text{fill:currentColor}
 }
 )";
 

@@ -15,22 +15,14 @@ std::string count_of(std::size_t count, const char* one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-/// By how much the model misses what is held out, or what is not.
-std::string misses(const fit::FitReport& report, bool held_out) {
-  double tests = -1, figures = -1, pulses = -1;
-  for (const fit::MetTest& of : report.tests)
-    if (of.is_held_out == held_out)
-      for (const auto& rms : {of.rms_loading, of.rms_unloading})
-        if (rms) tests = std::max(tests, *rms / of.largest_stress);
-  for (const fit::MetFigure& of : report.figures)
-    if (of.is_held_out == held_out && of.computed)
-      figures = std::max(figures, std::abs(*of.computed - of.measured) / of.deviation);
-  for (const fit::MetPulse& of : report.pulses)
-    if (of.is_held_out == held_out && of.rms) pulses = std::max(pulses, *of.rms / of.measured_peak);
+void grow(std::optional<double>& most, double value) { most = std::max(most.value_or(0), value); }
+
+std::string words_of(const Misses& of) {
   std::vector<std::string> parts;
-  if (tests >= 0) parts.push_back(fmt::format("the tests by {:.2g} % of their largest stress", 100 * tests));
-  if (figures >= 0) parts.push_back(fmt::format("the figures by {:.2g} of their deviations", figures));
-  if (pulses >= 0) parts.push_back(fmt::format("the pulses by {:.2g} % of their peak", 100 * pulses));
+  if (of.tests)
+    parts.push_back(fmt::format("the tests by {:.2g} % of their largest stress", 100 * *of.tests));
+  if (of.figures) parts.push_back(fmt::format("the figures by {:.2g} of their deviations", *of.figures));
+  if (of.pulses) parts.push_back(fmt::format("the pulses by {:.2g} % of their peak", 100 * *of.pulses));
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i)
     text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
@@ -38,6 +30,20 @@ std::string misses(const fit::FitReport& report, bool held_out) {
 }
 
 }  // namespace
+
+Misses misses(const fit::FitReport& report, bool held_out) {
+  Misses most;
+  for (const fit::MetTest& of : report.tests)
+    if (of.is_held_out == held_out)
+      for (const auto& rms : {of.rms_loading, of.rms_unloading})
+        if (rms) grow(most.tests, *rms / of.largest_stress);
+  for (const fit::MetFigure& of : report.figures)
+    if (of.is_held_out == held_out && of.computed)
+      grow(most.figures, std::abs(*of.computed - of.measured) / of.deviation);
+  for (const fit::MetPulse& of : report.pulses)
+    if (of.is_held_out == held_out && of.rms) grow(most.pulses, *of.rms / of.measured_peak);
+  return most;
+}
 
 std::string fit_headline(const fit::FitReport& report) {
   const auto of_material = [](const fit::FittedUnknown& of) { return !of.is_nuisance; };
@@ -48,12 +54,12 @@ std::string fit_headline(const fit::FitReport& report) {
                          ? all == 1 ? "The data determine the unknown"
                                     : fmt::format("The data determine all {} unknowns", all)
                          : fmt::format("The data determine {} of {}", found, count_of(all, "unknown"));
-  const std::string missed = misses(report, false);
+  const std::string missed = words_of(misses(report, false));
   return text + (missed.empty() ? "." : "; the model misses " + missed + " at most.");
 }
 
 std::string prediction_words(const fit::FitReport& report) {
-  const std::string missed = misses(report, true);
+  const std::string missed = words_of(misses(report, true));
   return missed.empty() ? "" : "Predicted, not fitted: the model misses " + missed + " at most.";
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// What is said of a fit, in the terminal and on the page.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,14 @@
 #include "dashpad/quantities/unit_system.hpp"
 
 namespace dashpad::output {
+
+/// By how much the model misses what is held out, or what is fitted, at most; absent where there is none.
+struct Misses {
+  std::optional<double> tests;    ///< root mean square over the largest stress
+  std::optional<double> figures;  ///< over the stated deviation
+  std::optional<double> pulses;   ///< root mean square over the measured peak
+};
+Misses misses(const fit::FitReport& report, bool held_out);
 
 /// "7 unknowns from 150 points of 1 test: the data determine all of them." and how many starts came to it; a
 /// line each.

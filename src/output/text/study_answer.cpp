@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "output/text/capitals.hpp"
+#include "output/text/factor_words.hpp"
 #include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
 
@@ -14,7 +16,7 @@ namespace dashpad::output {
 namespace {
 
 std::string value_of(const std::string& response, double value, const UnitSystem& units) {
-  return brief_quantity(value, si_unit_of(response), units, 3);
+  return three_digits(response, value, units);
 }
 
 std::string per_cent(double share) { return brief(100 * share, 3) + " %"; }
@@ -22,8 +24,8 @@ std::string per_cent(double share) { return brief(100 * share, 3) + " %"; }
 /// Of the first limit.
 std::string limit_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
   const study::StudyLimit& limit = answers.limits.front();
-  const std::string exceeded =
-      fmt::format("{} exceeds {}", title_of(limit.response), value_of(limit.response, limit.value, units));
+  const std::string exceeded = fmt::format("{} exceeds {}", uncapitalised(title_of(limit.response)),
+                                           brief_quantity(limit.value, si_unit_of(limit.response), units));
   if (answers.groups.size() == 1 && answers.groups.front().group.drawn) {
     const study::Estimate& of = answers.groups.front().exceedances.front().probability;
     if (!std::isfinite(of.value)) return fmt::format("Whether {} is undecided", exceeded);
@@ -46,7 +48,7 @@ std::string index_answer(const study::StudyAnswers& answers) {
     const auto most = std::ranges::max_element(
         of->indices, {}, [](const study::Sensitivity::Index& index) { return index.total.value; });
     return fmt::format("{} follows {} most: {} of its scatter", title_of(response_name(answers, i)),
-                       most->factor, per_cent(std::clamp(most->total.value, 0.0, 1.0)));
+                       factor_words(most->factor), per_cent(std::clamp(most->total.value, 0.0, 1.0)));
   }
   return "";
 }
@@ -56,8 +58,10 @@ std::string range_answer(const study::StudyAnswers& answers, const UnitSystem& u
   const std::string& name = response_name(answers, 0);
   const study::Distribution& of = answers.groups.front().distributions.front();
   if (of.rows == 0) return "";
-  const std::string highest = of.struck_through > 0 ? "bottoming out" : value_of(name, of.greatest, units);
-  return fmt::format("{} goes from {} to {}", title_of(name), value_of(name, of.least, units), highest);
+  if (of.struck_through > 0)
+    return fmt::format("{} goes from {} to bottoming out", title_of(name), value_of(name, of.least, units));
+  return fmt::format("{} goes from {}", title_of(name),
+                     three_digit_range(name, of.least, of.greatest, units));
 }
 
 /// Where the curves of the highest drop are lowest.

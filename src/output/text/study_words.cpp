@@ -50,6 +50,19 @@ std::string si_unit_of(const std::string& response) {
   return quantity == nullptr ? "1" : quantity->si_unit;
 }
 
+std::string three_digits(const std::string& response, double value, const UnitSystem& units) {
+  if (!std::isfinite(value)) return value == HUGE_VAL ? "bottomed out" : "unknown";
+  const ScaledUnit shown = shown_as(si_unit_of(response), units);
+  return brief(rounded_to(shown.scale * value, 3)) + (shown.unit.empty() ? "" : " " + shown.unit);
+}
+
+std::string three_digit_range(const std::string& response, double low, double high, const UnitSystem& units) {
+  std::string from = three_digits(response, low, units);
+  const std::string to = three_digits(response, high, units);
+  if (std::isfinite(low) && std::isfinite(high)) from.resize(std::min(from.find(' '), from.size()));
+  return from + " to " + to;
+}
+
 std::string label(const std::string& name, const std::string& si_unit, const UnitSystem& units) {
   const std::string unit = shown_as(si_unit, units).unit;
   return unit.empty() ? title_of(name) : fmt::format("{} ({})", title_of(name), unit);

@@ -29,6 +29,10 @@ const std::string& response_name(const study::StudyAnswers& answers, std::size_t
 /// "Peak force" of the response peak_force; a factor has no other name than its key.
 std::string title_of(const std::string& name);
 std::string si_unit_of(const std::string& response);
+/// With its unit and three digits, large values too: "9170 N", "HIC15" without a unit.
+std::string three_digits(const std::string& response, double value, const UnitSystem& units);
+/// "2080 to 9170 N".
+std::string three_digit_range(const std::string& response, double low, double high, const UnitSystem& units);
 /// "Peak force (kN)".
 std::string label(const std::string& name, const std::string& si_unit, const UnitSystem& units);
 

@@ -63,13 +63,12 @@ struct FiguresPage {
   std::vector<std::string> summary = {};   ///< paragraphs below the title
   std::vector<std::string> warnings = {};  ///< their first words, in capitals, are set apart
   std::vector<PageSection> sections = {};
+  bool is_one_impact = false;  ///< all plots over time show the same moment to whoever points at one
 };
 
 /// The HTML file. Each panel of each plot is interactive: the values under the cursor, zoom by dragging, and
-/// series switched off and on in the legend; curves that go forth and back (loops) are drawn as given. Throws
-/// std::runtime_error with the text of no_page (dashpad/output/page/page.hpp) where has_page() is false, and
-/// std::invalid_argument for rows or columns that do not fit together, and for bars
-/// that are not between 0 and 1.
+/// series switched off and on. Throws std::invalid_argument for rows or columns that do not fit together, and
+/// for bars that are not between 0 and 1.
 std::string figures_page(const FiguresPage& page);
 
 }  // namespace dashpad::output

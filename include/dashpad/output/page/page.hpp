@@ -12,17 +12,9 @@
 
 namespace dashpad::output {
 
-/// Whether this library was built with the page (DASHPAD_BUILD_PAGE).
-bool has_page();
-
-/// What to do where it was not.
-inline constexpr const char* no_page =
-    "this dashpad was built without the page; build it with -DDASHPAD_BUILD_PAGE=ON, which needs npm";
-
 /// The HTML file: case, outcome, warnings, figures, plots, and the case to run again. `shown` are the units
 /// at first; the reader may switch to the others. `snapshots` may be empty. `blows`: of a series,
-/// whose last blow the solution is. Throws std::runtime_error with
-/// the text of no_page where has_page() is false.
+/// whose last blow the solution is.
 std::string page(const ImpactCase& impact, const Options& options, const Solution& solution,
                  const UnitSystem& shown, const std::vector<ContactSnapshot>& snapshots,
                  const std::vector<BlowResult>& blows = {});

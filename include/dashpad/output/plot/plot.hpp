@@ -20,9 +20,15 @@ enum class SeriesStyle {
   horizontal_line,  ///< across the whole panel, at each y
 };
 
+/// Where the label of a series is written. What has no room there goes to the legend.
+enum class LabelPlace {
+  by_style,  ///< of a line at its end, of a line across on it, of everything else in the legend
+  middle,    ///< of a line: beside its middle, for brackets and contours
+};
+
 /// A place where x, y or y2 is not finite, or not positive on a logarithmic axis, is a gap.
 struct Series {
-  std::string label = {};  ///< for the legend; empty: not in the legend
+  std::string label = {};  ///< written in the panel or in the legend; empty: nowhere
   SeriesStyle style = SeriesStyle::line;
   std::vector<double> x = {};   ///< as many as y; unused by horizontal lines
   std::vector<double> y = {};   ///< unused by vertical lines
@@ -33,13 +39,17 @@ struct Series {
   std::optional<std::size_t> turn = {};
   /// A place on a scale of colours from 0 (dark blue) to 1 (yellow), instead of the colour of the turn.
   std::optional<double> shade = {};
-  /// Written to the right of the panel, beside where the line ends; labels make room for each other. The y
-  /// axis has to have both its limits then.
+  /// Written to the right of the panel in place of the label, beside where the line ends, however many such
+  /// labels there are; they make room for each other.
   std::string end_label = {};
+  LabelPlace label_place = LabelPlace::by_style;
+  bool is_cased = false;  ///< of a line: with pale edges, so that it is seen on areas of any colour
 };
 
 struct Axis {
-  std::string label = {};  ///< with the unit: "Force (kN)"
+  std::string label = {};    ///< with the unit: "Force (kN)"
+  std::string si_unit = {};  ///< the SI unit of the quantity, for pages that change units: "N"; may be empty
+  double per_si = 1;         ///< what one of those is on this axis: 0.001
   bool logarithmic = false;
   std::optional<double> low = {};   ///< where the axis begins; by default where the data does, or before
   std::optional<double> high = {};  ///< where the axis ends; by default where the data does, or after
@@ -53,9 +63,10 @@ struct Panel {
   std::vector<Series> series = {};
 };
 
-/// Panels one below the other, with one legend for all of them below the last. Texts are shown as they are,
-/// character by character; control characters become spaces, what is not UTF-8 the replacement character, and
-/// what is too long is cut, but for title and source, which go on in the next line.
+/// Panels one below the other, with one legend below the last for what the panels do not name: lines have
+/// their labels at their ends where these are few and short, lines across on themselves. Texts are shown as
+/// they are, character by character; control characters become spaces, what is not UTF-8 the replacement
+/// character, and what is too long is cut, but for title and source, which go on in the next line.
 struct Plot {
   std::string title = {};
   std::vector<Panel> panels = {};

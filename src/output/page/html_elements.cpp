@@ -1,0 +1,155 @@
+#include "output/page/html_elements.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "output/page/cell.hpp"
+#include "output/svg/svg.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+std::string text_html(const std::string& text) { return xml_text(one_line(text)); }
+
+std::string paragraphs_html(const std::vector<std::string>& texts) {
+  std::string html;
+  for (const std::string& text : texts) html += "<p>" + text_html(text) + "</p>\n";
+  return html;
+}
+
+std::string lines_html(const std::string& text) {
+  std::string html;
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const std::size_t end = rest.find('\n');
+    html += xml_text(rest.substr(0, end)) + "\n";
+    rest = end == std::string_view::npos ? "" : rest.substr(end + 1);
+  }
+  return html;
+}
+
+const char* class_of_tone(Tone tone) {
+  switch (tone) {
+    case Tone::good: return "good";
+    case Tone::doubtful: return "doubtful";
+    case Tone::bad: return "bad";
+    case Tone::plain: break;
+  }
+  return "plain";
+}
+
+const char* sign_of_tone(Tone tone) {
+  switch (tone) {
+    case Tone::good: return "✓";
+    case Tone::doubtful: return "?";
+    case Tone::bad: return "✕";
+    case Tone::plain: break;
+  }
+  return "";
+}
+
+namespace {
+
+/// Bars show values up to this multiple of their limit.
+constexpr double longest_bar = 1.3;
+
+std::string rect(const char* classes, double left, double width, double opacity = 1) {
+  return fmt::format("<rect class=\"{}\" x=\"{}\" width=\"{}\" height=\"10\"{}/>", classes, px(left),
+                     px(width), opacity < 1 ? fmt::format(" opacity=\"{}\"", px(opacity)) : "");
+}
+
+/// A bar from 0 to 100 on its track, with a mark at `place`.
+std::string bar(const std::string& what, const std::string& inside, double place) {
+  constexpr double width_of_mark = 0.8;
+  return fmt::format(
+             "<svg class=\"limit\" viewBox=\"0 0 100 10\" preserveAspectRatio=\"none\" role=\"img\" "
+             "aria-label=\"{}\">",
+             what) +
+         rect("track", 0, 100) + inside +
+         rect("at", std::clamp(place - width_of_mark / 2, 0.0, 100 - width_of_mark), width_of_mark) +
+         "</svg>\n";
+}
+
+std::string bar_of(const KeyFigure& figure) {
+  if (!figure.share) return "";
+  const double length = 100 * std::clamp(*figure.share / longest_bar, 0.0, 1.0);
+  return bar(fmt::format("{:.0f} % of the limit", 100 * *figure.share),
+             rect(class_of_tone(figure.tone), 0, length), 100 / longest_bar);
+}
+
+/// The interval, which fades where it has no end.
+std::string interval_of(const RangeBar& of) {
+  constexpr int slices = 10;
+  const double width = 100 * (of.to - of.from) / slices;
+  std::string rects;
+  for (int slice = 0; slice < slices; ++slice) {
+    const double from_low = (slice + 0.5) / slices, to_high = 1 - from_low;
+    double opacity = 0.55;
+    if (of.open_below) opacity = std::min(opacity, from_low);
+    if (of.open_above) opacity = std::min(opacity, to_high);
+    rects += rect("interval", 100 * of.from + slice * width, width, opacity);
+  }
+  return rects;
+}
+
+}  // namespace
+
+std::string key_figure_html(const KeyFigure& figure) {
+  const char* const sign = sign_of_tone(figure.tone);
+  std::string html = fmt::format("<li class=\"{}\"><span class=\"label\">{}</span>\n<b>{}{}</b>\n",
+                                 class_of_tone(figure.tone), text_html(figure.label), text_html(figure.value),
+                                 *sign == 0 ? "" : fmt::format(" <span class=\"sign\">{}</span>", sign));
+  html += bar_of(figure);
+  if (!figure.limit.empty()) html += "<span class=\"remark\">" + text_html(figure.limit) + "</span>\n";
+  return html + "</li>\n";
+}
+
+std::string warning_html(const std::string& line) {
+  const std::string text = one_line(line);
+  const auto is_capital = [](char c) { return (c >= 'A' && c <= 'Z') || c == ' '; };
+  auto end = static_cast<std::size_t>(std::ranges::find_if_not(text, is_capital) - text.begin());
+  while (end > 0 && text[end - 1] == ' ') --end;
+  if (end < 2) end = 0;
+  return "<li><strong>" + xml_text(text.substr(0, end)) + "</strong>" + xml_text(text.substr(end)) +
+         "</li>\n";
+}
+
+std::string range_html(const RangeBar& of) {
+  return fmt::format(
+      "<li><p class=\"name\"><span>{}</span><b>{}</b></p>\n{}<p class=\"ends\"><span>{}</span>"
+      "<span class=\"words\">{}</span><span>{}</span></p></li>\n",
+      text_html(of.label), text_html(of.value), bar(text_html(of.words), interval_of(of), 100 * of.place),
+      text_html(of.lowest), text_html(of.words), text_html(of.highest));
+}
+
+std::string table_html(const Table& of) {
+  std::string html = "<div class=\"table\"><table>\n";
+  if (!of.caption.empty()) html += "<caption>" + text_html(of.caption) + "</caption>\n";
+  const bool has_head =
+      std::ranges::any_of(of.columns, [](const std::string& text) { return !text.empty(); });
+  if (has_head) {
+    html += "<thead><tr>";
+    for (std::size_t i = 0; i < of.columns.size(); ++i)
+      html += fmt::format("<th scope=\"col\"{}>{}</th>",
+                          i > 0 && is_column_of_numbers(of, i) ? " class=\"number\"" : "",
+                          text_html(of.columns[i]));
+    html += "</tr></thead>\n";
+  }
+  html += "<tbody>\n";
+  for (const auto& row : of.rows) {
+    if (row.empty()) continue;
+    html += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i)
+      html += i == 0 ? "<th scope=\"row\">" + text_html(row[i]) + "</th>"
+                     : fmt::format("<td data-column=\"{}\"{}>{}</td>",
+                                   i < of.columns.size() ? text_html(of.columns[i]) : "",
+                                   is_number_or_none(row[i]) ? " class=\"number\"" : "", text_html(row[i]));
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+}  // namespace dashpad::output

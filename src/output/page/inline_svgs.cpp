@@ -1,0 +1,107 @@
+#include "output/page/inline_svgs.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <regex>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "output/plot/looks.hpp"
+#include "output/plot/rows.hpp"
+#include "output/plot/svg_plot.hpp"
+#include "output/svg/svg.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+bool has_something_to_draw(const Plot& plot) {
+  return std::ranges::any_of(plot.panels, [](const Panel& panel) {
+    return std::ranges::any_of(panel.series, [&](const Series& series) {
+      return is_marker(series.style) || !drawable_runs(series, panel.x, panel.y).empty();
+    });
+  });
+}
+
+/// Calls `use(element, begin, end)` for each text, with the place of what is written between its tags.
+template <typename Use>
+void for_texts(const std::string& svg, const Use& use) {
+  for (std::size_t at = svg.find('<'); at != std::string::npos; at = svg.find('<', at + 1)) {
+    const std::string_view element = std::string_view{svg}.substr(at + 1);
+    for (const std::string_view name : {"title", "desc", "text"}) {
+      if (!element.starts_with(name)) continue;
+      const std::size_t begin = svg.find('>', at) + 1;
+      use(name, begin, svg.find('<', begin));
+    }
+  }
+}
+
+/// Without texts, and without the name that comes from them.
+std::string geometry_of(const std::string& svg) {
+  std::string geometry;
+  std::size_t done = 0;
+  for_texts(svg, [&](std::string_view, std::size_t begin, std::size_t end) {
+    geometry.append(svg, done, begin - done);
+    done = end;
+  });
+  geometry.append(svg, done);
+  constexpr std::string_view id = "id=\"", name_of_all = "dd-00000000";
+  const std::size_t name = svg.find(id);
+  if (name != std::string::npos)
+    replace_all(geometry, svg.substr(name + id.size(), name_of_all.size()), std::string{name_of_all});
+  return geometry;
+}
+
+}  // namespace
+
+std::vector<std::string> texts_in(const std::string& svg) {
+  std::vector<std::string> texts;
+  for_texts(svg, [&](std::string_view name, std::size_t begin, std::size_t end) {
+    if (name != "title") texts.push_back(svg.substr(begin, end - begin));
+  });
+  return texts;
+}
+
+bool differ_in_texts_only(const std::string& one, const std::string& other) {
+  return geometry_of(one) == geometry_of(other);
+}
+
+std::string InlineSvgs::add(std::string svg) {
+  constexpr std::string_view opening = "<style>", closing = "</style>";
+  if (const std::size_t begin = svg.find("<svg"); begin != std::string::npos) svg.erase(0, begin);
+  const std::size_t begin = svg.find(opening);
+  const std::size_t end = begin == std::string::npos ? begin : svg.find(closing, begin);
+  if (end == std::string::npos) return svg;
+  const bool is_new = styles_.insert(svg.substr(begin + opening.size(), end - begin - opening.size())).second;
+  if (!is_new) svg.erase(begin, end + closing.size() - begin);
+  return svg;
+}
+
+std::string InlineSvgs::add(const Plot& plot, double width) {
+  return has_something_to_draw(plot) ? add(svg_plot(plot, PlotStyle::light_and_dark, width))
+                                     : "<p>There is nothing to draw.</p>\n";
+}
+
+std::string InlineSvgs::add_with_halves(std::string svg) {
+  static const std::regex size(R"re(viewBox="0 0 ([0-9.]+) ([0-9.]+)")re"),
+      left(R"re(<g id="([^"]+)-left-half")re");
+  std::smatch of_size, name;
+  svg = add(std::move(svg));
+  if (!std::regex_search(svg, of_size, size) || !std::regex_search(svg, name, left)) return svg;
+  // What is written beside the right picture begins where the left one's captions may still go on.
+  struct Half {
+    const char* name;
+    double from, to;
+  };
+  const double width = std::stod(of_size[1]);
+  std::string halves;
+  for (const Half& half : {Half{"left-half", 0, 0.52}, Half{"right-half", 0.41, 1}})
+    halves += fmt::format(
+        "<svg class=\"half\" viewBox=\"{} 0 {} {}\" aria-hidden=\"true\"><use href=\"#{}-{}\"/></svg>\n",
+        px(half.from * width), px((half.to - half.from) * width), of_size[2].str(), name[1].str(), half.name);
+  return svg + halves;
+}
+
+}  // namespace dashpad::output

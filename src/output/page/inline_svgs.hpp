@@ -1,0 +1,34 @@
+#pragma once
+/// SVGs inside of a page.
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "dashpad/output/plot/plot.hpp"
+
+namespace dashpad::output {
+
+/// SVGs on their way into one page, which needs each of their styles once.
+class InlineSvgs {
+ public:
+  /// The element alone.
+  std::string add(std::string svg);
+  /// The same of a plot, `width` px wide; a sentence if there is nothing to draw.
+  std::string add(const Plot& plot, double width);
+  /// A drawing with two pictures, and below it each half by itself: which of the two is shown is for the
+  /// style of the page to say.
+  std::string add_with_halves(std::string svg);
+  /// The texts of all styles so far.
+  [[nodiscard]] const std::set<std::string>& styles() const { return styles_; }
+
+ private:
+  std::set<std::string> styles_;
+};
+
+/// The texts of an SVG that this library has made, in their order, its description first.
+std::vector<std::string> texts_in(const std::string& svg);
+/// Whether two of them differ in nothing but their texts.
+bool differ_in_texts_only(const std::string& one, const std::string& other);
+
+}  // namespace dashpad::output

@@ -1,0 +1,248 @@
+#include "output/page/study_key_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "output/page/key_figures.hpp"
+#include "output/text/capitals.hpp"
+#include "output/text/factor_words.hpp"
+#include "output/text/study_words.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+using study::StudyAnswers;
+using Figures = std::vector<KeyFigure>;
+using AsText = std::function<std::string(double)>;
+
+AsText in_unit_of(const std::string& response, const UnitSystem& units) {
+  return [&response, &units](double value) { return three_digits(response, value, units); };
+}
+
+std::string per_cent_of(double share) {
+  return std::isfinite(share) ? fmt::format("{:.3g} %", 100 * share) : "undecided";
+}
+
+/// Of a variance: its estimate has no more digits.
+std::string share_of_variance(double share) {
+  return fmt::format("{:.{}f} %", 100 * share, share < 0.1 ? 1 : 0);
+}
+
+std::string part_of_rows(std::uint64_t count, std::uint64_t rows) {
+  return fmt::format("{} of {} rows", count, rows);
+}
+
+/// "95 % interval 10.1 to 14.2 %"; empty where there is none.
+std::string interval_of(const study::Estimate& of, const AsText& shown) {
+  const bool has_low = std::isfinite(of.low), has_high = std::isfinite(of.high);
+  if (has_low && has_high) return fmt::format("95 % interval {} to {}", shown(of.low), shown(of.high));
+  if (has_low) return "95 % interval above " + shown(of.low);
+  if (has_high) return "95 % interval below " + shown(of.high);
+  return "";
+}
+
+std::optional<double> limit_of(const StudyAnswers& answers, const std::string& response) {
+  const auto found = std::ranges::find(answers.limits, response, &study::StudyLimit::response);
+  return found == answers.limits.end() ? std::nullopt : std::optional(found->value);
+}
+
+/// The first response with a limit, else the first of all.
+std::size_t leading_response(const StudyAnswers& answers) {
+  for (std::size_t i = 0; i < answers.responses.size(); ++i)
+    if (!answers.limits.empty() && response_name(answers, i) == answers.limits.front().response) return i;
+  return 0;
+}
+
+/// A probability for each limit, or where levels vary the first limit at each of them.
+void add_probabilities(Figures& figures, const StudyAnswers& answers, const UnitSystem& units) {
+  constexpr std::size_t most_limits = 2;
+  const bool has_levels = answers.groups.size() > 1;
+  for (const StudyAnswers::OfGroup& group : answers.groups)
+    for (std::size_t i = 0; i < answers.limits.size() && i < (has_levels ? 1 : most_limits); ++i) {
+      const study::StudyLimit& limit = answers.limits[i];
+      const study::Exceedance& of = group.exceedances[i];
+      const std::string above = fmt::format("{} above {}", title_of(limit.response),
+                                            in_unit_of(limit.response, units)(limit.value));
+      KeyFigure figure{.label = has_levels ? group_label(answers, group.group, units) : above};
+      figure.value =
+          group.group.drawn ? per_cent_of(of.probability.value) : part_of_rows(of.exceeding, of.rows);
+      figure.limit = has_levels ? above : "";
+      const std::string interval = group.group.drawn  ? interval_of(of.probability, per_cent_of)
+                                   : of.undecided > 0 ? fmt::format("{} undecided", of.undecided)
+                                                      : "";
+      if (!interval.empty()) figure.limit += (figure.limit.empty() ? "" : "; ") + interval;
+      figures.push_back(std::move(figure));
+    }
+}
+
+void add_indices(Figures& figures, const StudyAnswers& answers) {
+  constexpr std::size_t most_factors = 4;
+  for (std::size_t i = 0; i < answers.responses.size(); ++i) {
+    const auto& of = answers.groups.front().sensitivities[i];
+    if (!of || of->indices.empty()) continue;
+    std::vector<study::Sensitivity::Index> indices = of->indices;
+    std::ranges::stable_sort(indices, std::ranges::greater(),
+                             [](const study::Sensitivity::Index& index) { return index.total.value; });
+    for (const study::Sensitivity::Index& index : indices)
+      if (figures.size() < most_factors)
+        figures.push_back(
+            {.label =
+                 fmt::format("{} by {}", title_of(response_name(answers, i)), factor_words(index.factor)),
+             .value = share_of_variance(std::max(index.total.value, 0.0)),
+             .limit = fmt::format("of its variance, {}", interval_of(index.total, share_of_variance))});
+    return;
+  }
+}
+
+/// Median and 95 % quantile of a response over draws, towards its limit.
+void add_quantiles(Figures& figures, const StudyAnswers& answers, std::size_t response,
+                   const UnitSystem& units) {
+  const std::string& name = response_name(answers, response);
+  const AsText shown = in_unit_of(name, units);
+  const std::optional<double> limit = limit_of(answers, name);
+  for (const auto& [probability, words] :
+       {std::pair{0.5, "half of the draws below"}, {0.95, "95 % of the draws below"}})
+    for (const auto& of : answers.groups.front().distributions[response].quantiles) {
+      if (of.probability != probability || std::isnan(of.value.value)) continue;
+      KeyFigure figure{.label = fmt::format("{}, {}", title_of(name), words),
+                       .value = shown(of.value.value),
+                       .limit = interval_of(of.value, shown)};
+      if (limit && *limit > 0 && std::isfinite(of.value.value)) {
+        figure.share = of.value.value / *limit;
+        figure.limit =
+            fmt::format("limit {}{}{}", shown(*limit), figure.limit.empty() ? "" : "; ", figure.limit);
+      }
+      figures.push_back(std::move(figure));
+    }
+}
+
+/// Of the other responses, where most draws lie.
+void add_spreads(Figures& figures, const StudyAnswers& answers, std::size_t leading,
+                 const UnitSystem& units) {
+  for (std::size_t i = 0; i < answers.responses.size(); ++i) {
+    const auto& quantiles = answers.groups.front().distributions[i].quantiles;
+    const auto at = [&](double probability) {
+      const auto found =
+          std::ranges::find(quantiles, probability, &study::Distribution::Quantile::probability);
+      return found == quantiles.end() ? NAN : found->value.value;
+    };
+    if (i == leading || std::isnan(at(0.05)) || std::isnan(at(0.95))) continue;
+    const std::string& name = response_name(answers, i);
+    figures.push_back({.label = title_of(name),
+                       .value = three_digit_range(name, at(0.05), at(0.95), units),
+                       .limit = "nine draws in ten"});
+  }
+}
+
+/// What counts against the answer: struck through, or used beyond what the foam was tested for.
+void add_counts(Figures& figures, const StudyAnswers& answers) {
+  const std::uint64_t rows = answers.records.rows.size();
+  const auto add = [&](const char* label, std::uint64_t count, Tone tone) {
+    if (count > 0 && rows > 0)
+      figures.push_back({.label = label,
+                         .value = per_cent_of(static_cast<double>(count) / static_cast<double>(rows)),
+                         .limit = part_of_rows(count, rows),
+                         .tone = tone});
+  };
+  add("Struck through", answers.records.struck_through, Tone::bad);
+  add("Beyond what the foam was tested for", answers.records.extrapolated, Tone::doubtful);
+}
+
+/// The least peak of each thickness from the highest drop, of which the answer speaks.
+void add_least_peaks(Figures& figures, const study::CushionCurves& curves, const UnitSystem& units) {
+  const auto drop = std::ranges::max_element(curves.drops, {}, &study::CushionCurves::Drop::height);
+  const AsText shown = [&](double value) { return three_digits("peak_acceleration", value, units); };
+  for (const study::CushionCurve& curve : drop->curves) {
+    std::optional<std::size_t> least;
+    for (std::size_t i = 0; i < curve.peak_deceleration.size(); ++i)
+      if (const double value = curve.peak_deceleration[i];
+          std::isfinite(value) && (!least || value < curve.peak_deceleration[*least]))
+        least = i;
+    if (least)
+      figures.push_back(
+          {.label = fmt::format("Least peak on {}", brief_quantity(curve.thickness, "m", units, 3)),
+           .value = shown(curve.peak_deceleration[*least]),
+           .limit = fmt::format("at {}, from {}", brief_quantity(curve.static_stress[*least], "Pa", units, 3),
+                                brief_quantity(drop->height, "m", units, 3))});
+  }
+}
+
+/// "impactor.speed 5 m/s, pad.thickness 30 mm" of a row.
+std::string factors_of(const StudyAnswers& answers, std::size_t place, const UnitSystem& units) {
+  std::string text;
+  for (std::size_t i = 0; i < answers.study.factors.size(); ++i)
+    text += fmt::format("{}{} {}", i == 0 ? "at " : ", ", factor_words(answers.study.factors[i].key),
+                        level_text(answers.study, i, answers.records.factors[i][place], units));
+  return text;
+}
+
+/// The least and the greatest value of the leading response with where they are, and the range of others.
+void add_ranges(Figures& figures, const StudyAnswers& answers, const UnitSystem& units) {
+  const std::size_t leading = leading_response(answers);
+  const study::Group& group = answers.groups.front().group;
+  const std::string& name = response_name(answers, leading);
+  const std::vector<double> values =
+      study::values_of(answers.study, answers.records, group, answers.responses[leading]);
+  std::optional<std::size_t> least, greatest;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isnan(values[i])) continue;
+    if (!least || values[i] < values[*least]) least = i;
+    if (!greatest || values[i] > values[*greatest]) greatest = i;
+  }
+  const std::optional<double> limit = limit_of(answers, name);
+  const auto add = [&](const char* which, std::optional<std::size_t> at) {
+    if (!at) return;
+    KeyFigure figure{.label = fmt::format("{}, {}", title_of(name), which),
+                     .value = in_unit_of(name, units)(values[*at]),
+                     .limit = factors_of(answers, group.places[*at], units)};
+    if (limit && *limit > 0 && std::isfinite(values[*at])) figure.share = values[*at] / *limit;
+    figures.push_back(std::move(figure));
+  };
+  add("least", least);
+  add("greatest", greatest);
+  for (std::size_t i = 0; i < answers.responses.size(); ++i) {
+    const study::Distribution& of = answers.groups.front().distributions[i];
+    if (i == leading || of.rows == 0) continue;
+    const std::string& other = response_name(answers, i);
+    figures.push_back(
+        {.label = title_of(other), .value = three_digit_range(other, of.least, of.greatest, units)});
+  }
+}
+
+}  // namespace
+
+std::vector<KeyFigure> study_key_figures(const StudyAnswers& answers, const UnitSystem& units) {
+  Figures figures;
+  if (answers.groups.empty() || answers.responses.empty() || answers.records.rows.empty()) return figures;
+  const bool drawn = answers.groups.front().group.drawn;
+  if (!answers.limits.empty())
+    add_probabilities(figures, answers, units);
+  else
+    add_indices(figures, answers);
+  if (answers.cushion_curves && !answers.cushion_curves->drops.empty())
+    add_least_peaks(figures, *answers.cushion_curves, units);
+  else if (answers.groups.size() == 1 && drawn) {
+    add_quantiles(figures, answers, leading_response(answers), units);
+    add_spreads(figures, answers, leading_response(answers), units);
+  } else if (answers.groups.size() == 1)
+    add_ranges(figures, answers, units);
+  // They have a place of their own: what else there is makes room for them.
+  Figures counts;
+  add_counts(counts, answers);
+  figures.resize(std::min(figures.size(), most_key_figures - counts.size()));
+  figures.insert(figures.end(), counts.begin(), counts.end());
+  return figures;
+}
+
+}  // namespace dashpad::output

@@ -1,0 +1,142 @@
+#include "output/plot/foam_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "output/loading_curve.hpp"
+#include "output/plot/axis_with_unit.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+constexpr double last_drawn_strain = 0.98;
+constexpr int places_of_curve = 196;  // of 0.005
+
+/// One foam of a pad, and how far it was compressed.
+struct UsedFoam {
+  const Material& material;
+  const PadCondition& condition;
+  double strain = 0;
+  std::size_t layer = 0;  ///< from 1; 0: the pad is of one foam
+};
+
+UsedFoam used_foam(const Pad& pad, const Summary& summary) {
+  if (pad.layers.empty()) return {pad.material, pad.condition, summary.peak_strain};
+  const auto most = std::ranges::max_element(summary.layers, {}, &LayerSummary::peak_strain);
+  const auto i = summary.layers.size() == pad.layers.size()
+                     ? static_cast<std::size_t>(most - summary.layers.begin())
+                     : 0;
+  const double strain = summary.layers.empty() ? 0 : summary.layers[i].peak_strain;
+  return {pad.layers[i].material, pad.layers[i].condition, strain, i + 1};
+}
+
+const char* how_known(const Material& material) { return has_curves(material.law) ? "tested" : "fitted"; }
+
+/// "The foam is used to a strain of 0.84, beyond the 0.6 that was tested".
+std::string foam_curve_title(const UsedFoam& foam, const std::optional<FittedRange>& range) {
+  const std::string whose = foam.layer == 0 ? "The foam" : fmt::format("Layer {}", foam.layer);
+  const std::string text = fmt::format("{} is used to a strain of {}", whose, brief(foam.strain, 3));
+  if (!range) return text;
+  return fmt::format("{}, {} the {} that was {}", text,
+                     foam.strain > range->highest_strain ? "beyond" : "within",
+                     brief(range->highest_strain, 3), how_known(foam.material));
+}
+
+/// "at 0.01 per second"; empty where the law knows no rate.
+std::string rate_words_of(const Material& material, double rate) {
+  const bool has_rate = std::visit(
+      []<class Law>(const Law& law) {
+        if constexpr (SharesSlip<Law>)
+          return !std::holds_alternative<NoRateEffect>(law.curves.rate_effect);
+        else
+          return !Law::memoryless;
+      },
+      material.law);
+  return has_rate ? fmt::format(" at {} per second", brief(rate, 3)) : "";
+}
+
+/// At a strain between those of the curve.
+double stress_at_strain(const LoadingCurve& curve, double strain) {
+  const auto above = std::ranges::upper_bound(curve.strain, strain);
+  if (above == curve.strain.begin()) return curve.stress.front();
+  if (above == curve.strain.end()) return curve.stress.back();
+  const auto i = static_cast<std::size_t>(above - curve.strain.begin());
+  const double part = (strain - curve.strain[i - 1]) / (curve.strain[i] - curve.strain[i - 1]);
+  return std::lerp(curve.stress[i - 1], curve.stress[i], part);
+}
+
+/// The curve between two strains, with a point at each of them.
+Series part_of_curve(const LoadingCurve& curve, double from, double to) {
+  Series part{.x = {from}, .y = {stress_at_strain(curve, from)}};
+  for (std::size_t i = 0; i < curve.strain.size(); ++i)
+    if (curve.strain[i] > from && curve.strain[i] < to) {
+      part.x.push_back(curve.strain[i]);
+      part.y.push_back(curve.stress[i]);
+    }
+  part.x.push_back(to);
+  part.y.push_back(stress_at_strain(curve, to));
+  return part;
+}
+
+/// A little above what was used. A pad that is pressed flat would make all else a line along the axis: there
+/// the plot ends at a few times what half the strain takes.
+double highest_shown(const LoadingCurve& curve, double used) {
+  constexpr double room = 1.25, steepest = 10;
+  return room * std::min(stress_at_strain(curve, used), steepest * stress_at_strain(curve, used / 2));
+}
+
+}  // namespace
+
+std::optional<Plot> foam_curve_plot(const Pad& pad, const Summary& summary, const UnitSystem& units) {
+  if (summary.status == Status::not_run) return std::nullopt;
+  const UsedFoam foam = used_foam(pad, summary);
+  if (!(foam.strain > 0) || !violations(foam.material).empty()) return std::nullopt;
+  Material material = foam.material;
+  material.law = scaled(material.law, stress_factor(foam.condition, material));
+  const double rate = tested_rates(material).front();
+  const LoadingCurve curve = loading_curve(material, rate, last_drawn_strain, places_of_curve);
+  const double used = std::min(foam.strain, last_drawn_strain);
+  const double highest = highest_shown(curve, used);
+  if (!(std::isfinite(highest) && highest > 0)) return std::nullopt;
+
+  Series rest = part_of_curve(curve, used, last_drawn_strain);
+  rest.label = "not used";
+  rest.style = SeriesStyle::dashed_line;
+  rest.turn = 0;
+  Series part = part_of_curve(curve, 0, used);
+  part.label = "used by this impact";
+  part.style = SeriesStyle::solid_line;
+  part.turn = 0;
+  for (Series* series : {&rest, &part}) series->y = values_in(units, std::move(series->y), "Pa");
+
+  Series ground = part;
+  ground.label.clear();
+  ground.style = SeriesStyle::band;
+  ground.y2.assign(ground.y.size(), 0);
+
+  Panel panel{.x = {.label = "Strain", .low = 0, .high = 1}, .y = axis_with_unit("Stress", "Pa", units)};
+  panel.y.low = 0;
+  panel.y.high = value_in(units, highest, "Pa");
+  panel.series = {std::move(ground), std::move(part)};
+  if (used < last_drawn_strain) panel.series.push_back(std::move(rest));
+  const std::optional<FittedRange> range = range_of(material);
+  if (range && range->highest_strain < 1)
+    panel.series.push_back(
+        {.label = fmt::format("{} to {}", how_known(material), brief(range->highest_strain, 3)),
+         .style = SeriesStyle::vertical_line,
+         .x = {range->highest_strain}});
+  return Plot{
+      .title = foam_curve_title(foam, range),
+      .panels = {std::move(panel)},
+      .source = fmt::format("{}: first loading{}", one_line(material.name), rate_words_of(material, rate))};
+}
+
+}  // namespace dashpad::output

@@ -1,0 +1,193 @@
+#include "output/plot/impact_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dashpad/impact/flags.hpp"
+#include "output/plot/axis_with_unit.hpp"
+#include "output/plot/impact_energies.hpp"
+#include "output/plot/result_panels.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+constexpr const char* no_finite_limit =
+    "Without a finite limit at full compression: the curve leaves the plot.";
+
+CaptionedPlot figure(std::string title, Panel panel, std::string note = {}) {
+  CaptionedPlot of;
+  of.plot.title = std::move(title);
+  of.plot.panels = {std::move(panel)};
+  of.note = std::move(note);
+  return of;
+}
+
+/// A line in the colour of its turn and with its dashes.
+Series curve(const char* key, const std::vector<double>& x, std::vector<double> y, std::size_t turn) {
+  return {.label = result_quantity(key).title, .x = x, .y = std::move(y), .turn = turn};
+}
+
+/// There solid, and back dashed.
+Panel loop(const char* key, const std::vector<double>& way, const Solution& solution,
+           const UnitSystem& units) {
+  const std::vector<double> x = values_in(units, way, "m"), y = values_in(units, solution.history.force, "N");
+  Panel panel{.x = axis_of(key, units), .y = axis_of("force", units)};
+  panel.x.low = panel.y.low = 0;
+  end_before_bottoming(panel.y, solution, y);
+  const auto turn = std::ranges::max_element(x) - x.begin();
+  const auto part = [&](const std::vector<double>& of, auto from, auto to) {
+    return std::vector<double>(of.begin() + from, of.begin() + to);
+  };
+  const auto size = static_cast<std::ptrdiff_t>(x.size());
+  panel.series = {
+      {.label = result_quantity(key).title,
+       .style = SeriesStyle::solid_line,
+       .x = part(x, 0, std::min(turn + 1, size)),
+       .y = part(y, 0, std::min(turn + 1, size)),
+       .turn = 0},
+      {.style = SeriesStyle::dashed_line, .x = part(x, turn, size), .y = part(y, turn, size), .turn = 0}};
+  return panel;
+}
+
+Panel force_panel(const Solution& solution, const UnitSystem& units) {
+  Panel panel{.x = axis_of("time", units), .y = axis_of("force", units)};
+  panel.series = {curve("force", values_in(units, solution.history.time, "s"),
+                        values_in(units, solution.history.force, "N"), 0)};
+  panel.y.low = 0;
+  end_before_bottoming(panel.y, solution, panel.series.front().y);
+  return panel;
+}
+
+Panel distances_panel(const History& history, const UnitSystem& units) {
+  Panel panel{.x = axis_of("time", units), .y = axis_with_unit("Distance", "m", units)};
+  const std::vector<double> time = values_in(units, history.time, "s");
+  panel.series = {curve("motion", time, values_in(units, history.motion, "m"), 0),
+                  curve("penetration", time, values_in(units, history.penetration, "m"), 1),
+                  curve("support_deflection", time, values_in(units, history.support_deflection, "m"), 2)};
+  return panel;
+}
+
+Panel energy_panel(const History& history, const ImpactEnergies& energies, const UnitSystem& units) {
+  Panel panel{.x = axis_of("time", units), .y = axis_with_unit("Energy", "J", units)};
+  const std::vector<double> time = values_in(units, history.time, "s");
+  const auto add = [&](const char* key, const std::vector<double>& joules, std::size_t turn) {
+    panel.series.push_back(curve(key, time, values_in(units, joules, "J"), turn));
+  };
+  add("kinetic_energy", energies.kinetic, 0);
+  add("pad_energy", energies.pad, 1);
+  add("support_energy", energies.support, 2);
+  add("total_energy", energies.total, 6);
+  return panel;
+}
+
+std::string percent(double share) { return fmt::format("{} %", significant(100 * share, 2)); }
+
+/// Nearer to full compression than half a hundredth, stress has no finite limit.
+double highest_stress(const std::vector<ContactSnapshot>& snapshots) {
+  double highest = 0;
+  for (const ContactSnapshot& of : snapshots)
+    for (std::size_t i = 0; i < of.stress.size(); ++i)
+      if (of.strain[i] < 0.995) highest = std::max(highest, of.stress[i]);
+  return highest;
+}
+
+std::string note_on_stress(const std::vector<ContactSnapshot>& snapshots, double highest) {
+  double deviation = 0;
+  std::size_t known = 0;
+  bool leaves = false;
+  for (const ContactSnapshot& of : snapshots) {
+    leaves = leaves || std::ranges::any_of(of.stress, [&](double stress) { return stress > highest; });
+    if (!of.determined) continue;
+    ++known;
+    deviation = std::max(deviation, std::abs(of.force_of_stress() / of.force - 1));
+  }
+  std::string note;
+  if (known > 0)
+    note += fmt::format("The integral of these stresses differs from the force by {} at most. ",
+                        percent(deviation));
+  if (known < snapshots.size())
+    note +=
+        "Where the pad is locked, or rigid foam is held, the law fixes only the force, not how it is shared "
+        "out. ";
+  if (leaves) note += "Within half a hundredth of full compression the stress leaves the plot. ";
+  return note.substr(0, note.find_last_not_of(' ') + 1);
+}
+
+/// Near full compression the stress on the axis dwarfs all others: then four decades, the last of which holds
+/// the highest.
+void set_stress_axis(Axis& axis, const std::vector<ContactSnapshot>& snapshots, double highest,
+                     double factor) {
+  double lowest = highest;
+  for (const ContactSnapshot& of : snapshots)
+    if (!of.stress.empty()) lowest = std::min(lowest, std::ranges::max(of.stress));
+  axis.low = 0;
+  axis.high = 1.06 * highest * factor;
+  if (!(highest > 30 * lowest)) return;
+  const double top = std::pow(10, std::ceil(std::log10(highest * factor)));
+  axis = {.label = axis.label,
+          .si_unit = axis.si_unit,
+          .per_si = axis.per_si,
+          .logarithmic = true,
+          .low = top / 1e4,
+          .high = top};
+}
+
+}  // namespace
+
+void end_before_bottoming(Axis& axis, const Solution& solution, const std::vector<double>& column) {
+  if (!bottomed_on_rigid_support(solution.summary)) return;
+  const std::vector<double>& penetration = solution.history.penetration;
+  const double end = 0.99 * std::ranges::max(penetration);
+  double highest = 0;
+  for (std::size_t i = 0; i < column.size(); ++i)
+    if (penetration[i] < end) highest = std::max(highest, column[i]);
+  if (highest > 0) axis.high = 1.06 * highest;
+}
+
+std::vector<CaptionedPlot> impact_figures(const ImpactCase& impact, const Solution& solution,
+                                          const std::optional<injury::InjuryFigures>& injury,
+                                          const UnitSystem& units) {
+  const History& history = solution.history;
+  if (history.size() == 0) return {};
+  const std::string note = bottomed_on_rigid_support(solution.summary) ? no_finite_limit : "";
+  const ImpactEnergies energies = impact_energies(impact, history);
+  const EnergyLedger& audit = solution.summary.energy;
+  Panel deceleration = deceleration_panel(solution, injury, units);
+  deceleration.title.clear();
+  return {figure("Force over time", force_panel(solution, units), note),
+          figure("Deceleration over time", std::move(deceleration), note),
+          figure("Force over penetration", loop("penetration", history.penetration, solution, units), note),
+          figure("Force over displacement", loop("motion", history.motion, solution, units), note),
+          figure("Penetration and displacement over time", distances_panel(history, units)),
+          figure("Energy over time", energy_panel(history, energies, units),
+                 fmt::format(
+                     "The sum of these curves (work by trapezoids) stays within {} of the impact energy. By "
+                     "the solver's own audit, of higher order, the residual at the end is {}.",
+                     percent(energies.largest_deviation), percent(std::abs(audit.residual / audit.impact))))};
+}
+
+std::vector<CaptionedPlot> contact_figures(const std::vector<ContactSnapshot>& snapshots,
+                                           const UnitSystem& units) {
+  if (snapshots.empty()) return {};
+  Panel stress{.x = axis_with_unit("Radius", "m", units), .y = axis_with_unit("Stress", "Pa", units)};
+  Panel strain{.x = stress.x, .y = {.label = "Strain"}};
+  const double highest = highest_stress(snapshots);
+  set_stress_axis(stress.y, snapshots, highest, value_in(units, 1, "Pa"));
+  for (std::size_t turn = 0; turn < snapshots.size(); ++turn) {
+    const ContactSnapshot& of = snapshots[turn];
+    const std::string label = fmt::format("{}, {}", brief_quantity(of.time, "s", units, 3), of.when);
+    const std::vector<double> radius = values_in(units, of.radius, "m");
+    stress.series.push_back(
+        {.label = label, .x = radius, .y = values_in(units, of.stress, "Pa"), .turn = turn});
+    strain.series.push_back({.label = label, .x = radius, .y = of.strain, .turn = turn});
+  }
+  return {figure("Stress over the contact", std::move(stress), note_on_stress(snapshots, highest)),
+          figure("Strain over the contact", std::move(strain))};
+}
+
+}  // namespace dashpad::output

@@ -1,0 +1,63 @@
+// What several figures of a study have in common: axes, limits, rows that struck through.
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/version.hpp"
+#include "output/plot/rows.hpp"
+#include "output/plot/study_figures.hpp"
+#include "output/text/factor_words.hpp"
+#include "output/text/study_words.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+Axis axis_of_factor(const study::Factor& factor, const UnitSystem& units) {
+  const std::string unit = shown_as(factor.unit, units).unit;
+  return {.label = factor_title(factor.key) + (unit.empty() ? "" : fmt::format(" ({})", unit))};
+}
+
+std::string words_of_levels(const study::StudyAnswers& answers, const study::Group& group,
+                            const UnitSystem& units) {
+  const std::vector<std::size_t> factors = level_factors(answers.study);
+  std::string text;
+  for (std::size_t i = 0; i < group.levels.size(); ++i)
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", factor_words(answers.study.factors[factors[i]].key),
+                        level_text(answers.study, factors[i], group.levels[i], units));
+  return text;
+}
+
+std::vector<Series> limit_lines(const study::StudyAnswers& answers, const std::string& response,
+                                SeriesStyle style, const UnitSystem& units) {
+  std::vector<Series> lines;
+  for (const study::StudyLimit& limit : answers.limits) {
+    if (limit.response != response) continue;
+    const std::string unit = si_unit_of(response);
+    lines.push_back({.label = "limit " + brief_quantity(limit.value, unit, units), .style = style});
+    (style == SeriesStyle::vertical_line ? lines.back().x : lines.back().y)
+        .push_back(shown_as(unit, units).scale * limit.value);
+  }
+  return lines;
+}
+
+Series struck_through_marks() {
+  constexpr std::size_t red_triangle = 8;  // a turn
+  return {.label = "bottomed out: no finite force", .style = SeriesStyle::points, .turn = red_triangle};
+}
+
+double above_all(const std::vector<Series>& series) {
+  constexpr double part_above = 0.06;
+  Span all;
+  for (const Series& of : series)
+    for (const double value : of.y)
+      if (std::isfinite(value)) all.include(value);
+  return all.is_empty() ? 0 : all.high + part_above * (all.high > all.low ? all.high - all.low : all.high);
+}
+
+std::string study_source(const study::StudyAnswers& answers) {
+  return fmt::format("dashpad {}; {} rows; {}", version(), answers.records.rows.size(),
+                     one_line(answers.study.title));
+}
+
+}  // namespace dashpad::output

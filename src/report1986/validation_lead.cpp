@@ -1,0 +1,172 @@
+// Whether Dashpad meets the tests of 1986, on top of the page.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "quantities/text.hpp"
+#include "report1986/validation_series.hpp"
+#include "report1986/validation_tables.hpp"
+
+namespace dashpad::report1986 {
+
+namespace {
+
+Tally held_out_tally(const Study& study) {
+  Tally tally;
+  for (const HeldOutScore& score : study.held_out.scores) {
+    ++tally.all;
+    tally.passed += score.passed ? 1 : 0;
+  }
+  return tally;
+}
+
+bool passes_all(const Tally& tally) { return tally.all > 0 && tally.passed == tally.all; }
+
+std::string answer_of(const Tally& by_law, const Tally& held_out) {
+  const std::string foam = held_out.all == 0 ? ""
+                                             : fmt::format(", a foam fitted to the other tests {} of {}",
+                                                           held_out.passed, held_out.all);
+  const char* const met =
+      passes_all(by_law) ? "The tests of 1986 are met" : "The tests of 1986 are not all met";
+  return fmt::format("{}: the report's foam law passes {} of {} rules{}", met, by_law.passed, by_law.all,
+                     foam);
+}
+
+output::Tone tone_of(const Tally& by_law, const Tally& held_out) {
+  if (passes_all(by_law)) return output::Tone::good;
+  return passes_all(held_out) ? output::Tone::doubtful : output::Tone::bad;
+}
+
+/// The accurate solver by the report's law, at the favoured radius.
+const Score* score_by_law(const Study& study, TestSupport support, Quantity quantity) {
+  for (const Verdict& verdict : study.verdicts)
+    if (const Score& score = verdict.score;
+        score.program == Program::accurate && score.support == support && score.quantity == quantity)
+      return &score;
+  return nullptr;
+}
+
+/// "15 %", or of strains "0.05".
+std::string limit_text(const Rule& rule, double value) {
+  return rule.logarithmic ? brief(100 * value) + " %" : brief(value);
+}
+
+/// "-2.6 ± 3.9 %"; the unit stays beside its number.
+std::string bias_with_error(const HeldOutScore& score) {
+  if (score.errors.empty()) return "none";
+  if (!score.standard_error) return bias_text(score.bias, score.quantity);
+  return rule_of(score.quantity).logarithmic
+             ? fmt::format("{:+.1f} ± {:.1f}\u00a0%", 100 * score.bias, 100 * *score.standard_error)
+             : fmt::format("{:+.3f} ± {:.3f}", score.bias, *score.standard_error);
+}
+
+/// A bias with its standard error; the bar goes to whichever of bias and scatter is nearer to its limit.
+output::KeyFigure bias_figure(const Study& study, const HeldOutScore& score) {
+  const Rule& rule = rule_of(score.quantity);
+  const Score* const by_law = score_by_law(study, score.support, score.quantity);
+  output::KeyFigure figure{
+      .label = fmt::format("Bias of {}, {}", to_string(score.quantity), to_string(score.support)),
+      .value = bias_with_error(score),
+      .tone = score.passed ? output::Tone::good : output::Tone::bad};
+  // Rules are as far below zero as above.
+  figure.limit = "at most ±" + limit_text(rule, rule.high);
+  if (score.scatter)
+    figure.limit += fmt::format("; scatter {}, at most {}", scatter_text(*score.scatter, score.quantity),
+                                limit_text(rule, rule.scatter));
+  else
+    figure.limit += "; too few tests for a scatter";
+  if (by_law != nullptr && !by_law->errors.empty())
+    figure.limit += "; by the report's law " + bias_text(by_law->bias, score.quantity);
+  const double from_bias = score.bias > 0 ? score.bias / rule.high : score.bias / rule.low;
+  figure.share = std::max(from_bias, score.scatter.value_or(0) / rule.scatter);
+  return figure;
+}
+
+/// Predicted over measured of each test, in one colour.
+output::Series compared(const std::string& label, std::size_t turn, const std::vector<TestError>& errors) {
+  output::Series points{.label = label, .style = output::SeriesStyle::points, .turn = turn};
+  for (const TestError& error : errors) {
+    points.x.push_back(error.measured);
+    points.y.push_back(error.predicted);
+  }
+  return points;
+}
+
+/// Where predicted is measured, and what the rule admits of the bias.
+void add_equality(output::Panel& panel, double low, double high) {
+  const Rule& rule = rule_of(Quantity::peak_force);
+  panel.series.push_back({.label = "bias that the rule admits",
+                          .style = output::SeriesStyle::band,
+                          .x = {low, high},
+                          .y = {(1 + rule.low) * low, (1 + rule.low) * high},
+                          .y2 = {(1 + rule.high) * low, (1 + rule.high) * high},
+                          .turn = turn::measured});
+  panel.series.push_back({.label = "as measured",
+                          .style = output::SeriesStyle::dashed_line,
+                          .x = {low, high},
+                          .y = {low, high},
+                          .turn = turn::measured});
+}
+
+/// Peak forces on the load cell: most readings are of them.
+output::Plot predicted_over_measured(const Study& study) {
+  output::Panel panel{.x = {.label = "Measured peak force (lb)", .logarithmic = true},
+                      .y = {.label = "Predicted peak force (lb)", .logarithmic = true}};
+  std::vector<output::Series> points;
+  for (const HeldOutScore& score : study.held_out.scores)
+    if (score.quantity == Quantity::peak_force && score.support == TestSupport::load_cell)
+      points.push_back(compared("foam fitted to the other tests", turn::accurate, score.errors));
+  if (const Score* const score = score_by_law(study, TestSupport::load_cell, Quantity::peak_force))
+    points.push_back(compared(fmt::format("report's law, {:.2f} in", study.radius.favoured_in()),
+                              turn::printed_1984, score->errors));
+  double low = HUGE_VAL, high = 0;
+  for (const output::Series& series : points)
+    for (const std::vector<double>* const values : {&series.x, &series.y})
+      for (const double value : *values) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+  if (high > 0) {
+    constexpr double room = 1.1;
+    low /= room;
+    high *= room;
+    add_equality(panel, low, high);
+    panel.x.low = panel.y.low = low;
+    panel.x.high = panel.y.high = high;
+  }
+  for (output::Series& series : points) panel.series.push_back(std::move(series));
+  return {.panels = {std::move(panel)}};
+}
+
+}  // namespace
+
+output::Lead validation_lead(const Study& study) {
+  const Tally by_law = tally(study, Program::accurate), held_out = held_out_tally(study);
+  output::Lead lead{
+      .answer = answer_of(by_law, held_out),
+      .tone = tone_of(by_law, held_out),
+      .reservation =
+          "RECONSTRUCTED: the nose radius is lost, and so is the load cell's curve, which follows from what "
+          "the report prints beside it. The form of the fitted foam was chosen with all tests in sight.",
+      .subject = {fmt::format(
+                      "The {} tests of Crash Padding Research, Volume III (1986), Table 3-1; the rules "
+                      "were fixed before the first run",
+                      study.data.measured.tests.size()),
+                  fmt::format("Figures below: a foam with {} fitted numbers at {} in, each test held out of "
+                              "its fit, ± a standard error",
+                              fitted_numbers, brief(held_out_radius_in))},
+      .curve = predicted_over_measured(study)};
+  constexpr std::size_t most = 5;
+  for (const HeldOutScore& score : study.held_out.scores)
+    if (lead.figures.size() < most) lead.figures.push_back(bias_figure(study, score));
+  lead.figures.push_back(
+      {.label = "Rules passed by the report's law",
+       .value = fmt::format("{} of {}", by_law.passed, by_law.all),
+       .limit = fmt::format("the accurate solver at a nose radius of {:.2f} in", study.radius.favoured_in()),
+       .tone = passes_all(by_law) ? output::Tone::good : output::Tone::bad});
+  return lead;
+}
+
+}  // namespace dashpad::report1986

@@ -1,0 +1,93 @@
+// The answers on top of the pages of material tests, studies and fits, and the foam's curve below an assessment.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { join } from "node:path";
+import test from "node:test";
+
+import { example, open, picture, scratch, write } from "./browser.mjs";
+
+const { DASHPAD_COMMAND: command, DASHPAD_SOURCE_DIR: source } = process.env;
+const quiet = { complaints: [], requests: [] };
+const cards = ["--materials", join(source, "materials")];
+
+function dashpad(...words) {
+  execFileSync(command, words, { stdio: "pipe" });
+}
+
+function written(name, ...words) {
+  const file = join(scratch, `${name}.html`);
+  dashpad(...words, "--report", file);
+  return file;
+}
+
+function study(name, factors, ...questions) {
+  const text = `title = "${name}"\ncase = "${example("dashboard-20mph")}"\nresponses = ["peak_acceleration", "hic15"]\n`;
+  const store = join(scratch, `${name}.db`);
+  dashpad("study", write(`${name}.toml`, text + factors), "--out", store, "--quiet", ...cards);
+  return written(name, "study", "summary", store, ...questions);
+}
+
+const sampled = `sampling = "sobol"\nseed = 1\nindices = true\nsamples = 64
+[factors."impactor.speed"]\ndistribution = "uniform"\nlow = "19 mph"\nhigh = "21 mph"
+[factors."pad.thickness"]\ndistribution = "uniform"\nlow = "0.9 in"\nhigh = "1.1 in"\n`;
+const grid = `[factors."impactor.speed"]\nvalues = ["5 m/s", "7 m/s"]\n`;
+
+const pages = {
+  test: written("test", "material-test", "vn600", ...cards),
+  limit: written("limit", "material-test", "vn600", "--stress-limit", "300 kPa", "--rate", "10", ...cards),
+  creep: written("creep", "material-test", "ensolite-aac-9", "--test", "creep", "--stress", "50 kPa", ...cards),
+  indices: study("indices", sampled),
+  probability: study("probability", sampled, "--limit", "peak_acceleration > 130 g"),
+  grid: study("grid", grid),
+  fit: written("fit", "fit", join(source, "examples/fits/vn600.toml")),
+};
+
+const answers = {
+  test: /^Best used at 324 kPa: it has then taken 122 kJ\/m³ \(at 100 per second\)$/,
+  limit: /^Takes 1\d\d kJ\/m³ before its stress reaches 300 kPa \(at 10 per second\)$/,
+  creep: /^Creeps from a strain of 0\.169 to 0\.311 in 1000 ms under 50 kPa/,
+  indices: /^Peak acceleration follows impact speed most: \d\d\.?\d? % of its scatter$/,
+  probability: /^In [\d.]+ % of cases peak acceleration exceeds 130 g \([\d.]+ % to [\d.]+ %\)$/,
+  grid: /^Peak acceleration goes from [\d.]+ to [\d.]+ g$/,
+  fit: /^The data determine 4 of 5 unknowns; the model misses the tests by 1\.2 % of their largest stress at most$/,
+};
+
+for (const [name, file] of Object.entries(pages))
+  test(`${name}: the answer, its curve and its figures come first, on a phone and without a script too`, async () => {
+    for (const [width, javaScriptEnabled] of [[1300, true], [390, true], [390, false]]) {
+      const page = await open(file, { viewport: { width, height: 1000 }, javaScriptEnabled });
+      assert.match(await page.locator("h1").innerText(), answers[name]);
+      assert.equal(await page.locator(".lead .pictures figure:has(svg path)").count(), 1);
+      const figures = await page.locator(".key-figures li").count();
+      assert.ok(figures >= 3 && figures <= 6, `${figures} figures`);
+      const scrolled = await page.locator("html").evaluate((html) => html.scrollWidth);
+      assert.ok(scrolled <= width, `${scrolled} px wide`);
+      assert.deepEqual(page.seen, quiet);
+      await page.locator(".lead").screenshot({ path: picture(`lead-${name}-${width}.png`) });
+      await page.context().close();
+    }
+  });
+
+test("a material test says what it rests on, and how far the foam was tested", async () => {
+  const page = await open(pages.test);
+  const reached = page.locator(".key-figures li", { hasText: "Strain reached" });
+  assert.match(await reached.innerText(), /tested up to 0\.55/);
+  assert.equal(await reached.getAttribute("class"), "doubtful");
+  const basis = page.locator("section", { has: page.locator("h2", { hasText: "What it rests on" }) });
+  assert.match(await basis.innerText(), /Source: Landauer[^]*Tested up to a strain of 0\.55/);
+});
+
+test("a study's quantiles are bars towards its limit", async () => {
+  const page = await open(pages.probability);
+  const bars = page.locator(".key-figures li", { hasText: "limit 130 g" });
+  assert.equal(await bars.locator("svg.limit").count(), 2);
+});
+
+test("an assessment shows how much of the foam it used", async () => {
+  const file = written("assess", "assess", example("dashboard-20mph"), "--standard", "fmvss-201-instrument-panel", ...cards);
+  const page = await open(file);
+  const basis = page.locator("section", { has: page.locator("h2", { hasText: "What it rests on" }) });
+  assert.match(await basis.locator("figure h3").innerText(), /^The foam is used to a strain of 0\.979, beyond the 0\.95 that was fitted$/);
+  assert.match(await basis.locator("figure").innerText(), /first loading at 1 per second/);
+});

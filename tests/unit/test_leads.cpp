@@ -1,0 +1,241 @@
+// What stands on top of the pages of material tests, validation, studies and fits: the answer follows from
+// the figures that were given.
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dashpad/quantities/unit_system.hpp"
+#include "made_up_study.hpp"
+#include "output/page/material_test_lead.hpp"
+#include "output/page/study_key_figures.hpp"
+#include "output/text/capitals.hpp"
+#include "report1986/validation_tables.hpp"
+
+namespace dashpad {
+namespace {
+
+using output::KeyFigure;
+using output::Lead;
+using output::Tone;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+std::vector<std::string> labels_of(const std::vector<KeyFigure>& figures) {
+  std::vector<std::string> labels;
+  for (const KeyFigure& figure : figures) labels.push_back(figure.label);
+  return labels;
+}
+
+/// The figure of that label; an empty one without it.
+KeyFigure figure_of(const std::vector<KeyFigure>& figures, const std::string& label) {
+  for (const KeyFigure& figure : figures)
+    if (figure.label == label) return figure;
+  return {};
+}
+
+Material spring() {
+  return {.name = "spring",
+          .title = "A spring",
+          .source = "a test",
+          .reservations = {"It is made up."},
+          .law = Elastic{.modulus = 300e3},
+          .fitted = FittedRange{0.5, 1, 10}};
+}
+
+/// Plateau and wall: the efficiency has its maximum at a strain of 0.5, given by hand.
+laboratory::MaterialTestReport with_a_wall() {
+  laboratory::MaterialTestReport report{.material = spring(), .test = {.rates = {1, 50}, .strain = 0.8}};
+  for (const double rate : report.test.rates) {
+    laboratory::MaterialTestRun run;
+    run.rate = rate;
+    const double peak = 1e3 * rate;
+    run.column.time = {0, 1, 2};
+    run.column.strain = {0, 0.5, 0.8};
+    run.column.rate = {rate, rate, rate};
+    run.column.stress = {0, peak, 12'345 * peak};
+    run.column.work = {0, 400 * rate, 2000 * rate};
+    run.column.largest_strain = 0.8;
+    run.cushion = {{0.5, 0.8}, {peak, 12'345 * peak}, {400 * rate, 2000 * rate}, {0.4, 0.1}, {0.8, 0.1}};
+    run.figures = {12'345 * peak, 0.8, 2000 * rate, 500 * rate, 0.75, {0.5, peak, 400 * rate, 0.4, 0.8}, 0};
+    run.unloads = true;
+    report.runs.push_back(run);
+  }
+  return report;
+}
+
+Lead lead_of(const laboratory::MaterialTestReport& report) {
+  return output::material_test_lead(report, unit_system("si"));
+}
+
+TEST(MaterialTestLead, SaysWhereTheFoamIsUsedBestAtTheHighestRate) {
+  const Lead lead = lead_of(with_a_wall());
+  EXPECT_EQ(lead.answer, "Best used at 50 kPa: it has then taken 20 kJ/m³ (at 50 per second)");
+  EXPECT_THAT(labels_of(lead.figures),
+              ElementsAre("Best used at", "Energy taken by then", "Runs out at a strain of", "Given back",
+                          "Strain reached", "Largest stress"));
+  EXPECT_EQ(figure_of(lead.figures, "Given back").value, "25 %");
+  EXPECT_EQ(figure_of(lead.figures, "Largest stress").value, "617000 kPa");  // three digits
+  const KeyFigure reached = figure_of(lead.figures, "Strain reached");
+  EXPECT_EQ(reached.tone, Tone::doubtful);
+  EXPECT_EQ(reached.limit, "fitted up to 0.5");
+  EXPECT_DOUBLE_EQ(*reached.share, 1.6);
+  // The wall does not hide the rest.
+  EXPECT_DOUBLE_EQ(*lead.curve->panels.at(0).y.high, 200);
+}
+
+TEST(MaterialTestLead, AFoamThatHasNotRunOutIsNotSaidToHaveABestStress) {
+  laboratory::MaterialTest test;
+  test.strain = 0.4;
+  const Lead lead = lead_of(run_material_test(spring(), test));
+  EXPECT_THAT(lead.answer, HasSubstr("and has not run out there"));
+  EXPECT_THAT(labels_of(lead.figures),
+              ElementsAre("Energy taken", "Given back", "Strain reached", "Largest stress"));
+  EXPECT_EQ(figure_of(lead.figures, "Strain reached").tone, Tone::plain);
+}
+
+TEST(MaterialTestLead, AnswersTheStressLimitThatWasAskedFor) {
+  laboratory::MaterialTest test;
+  test.strain = 0.4;
+  test.rates = {5};
+  test.stress_limits = {30e3, 130e3};
+  const Lead lead = lead_of(run_material_test(spring(), test));
+  EXPECT_EQ(lead.answer, "Takes 1.5 kJ/m³ before its stress reaches 30 kPa (at 5 per second)");
+  EXPECT_EQ(figure_of(lead.figures, "Energy below 130 kPa").limit, "which is not reached");
+}
+
+TEST(MaterialTestLead, OfAHoldItSaysWhatIsLeft) {
+  laboratory::MaterialTest test;
+  test.kind = laboratory::TestKind::relaxation;
+  test.strain = 0.4;
+  test.rates = {5};
+  const Lead lead = lead_of(run_material_test(spring(), test));
+  EXPECT_EQ(lead.answer, "Keeps 100 % of its stress for 1000 ms at a strain of 0.4 (at 5 per second)");
+  EXPECT_THAT(lead.curve->panels.at(0).x.label, HasSubstr("Time"));
+}
+
+TEST(MaterialTestLead, RestsOnTheCard) {
+  const std::vector<std::string> basis = output::material_test_basis(with_a_wall(), unit_system("si"));
+  EXPECT_THAT(basis.at(0), HasSubstr("Source: a test"));
+  EXPECT_EQ(basis.at(1), "Fitted up to a strain of 0.5, at 1 to 10 per second.");
+  EXPECT_EQ(basis.at(2), "It is made up.");
+}
+
+TEST(ValidationLead, FollowsTheVerdicts) {
+  report1986::Study study = test::made_up_study();
+  Lead lead = report1986::validation_lead(study);
+  EXPECT_EQ(
+      lead.answer,
+      "The tests of 1986 are not all met: the report's foam law passes 1 of 2 rules, a foam fitted to the "
+      "other tests 0 of 1");
+  EXPECT_EQ(lead.tone, Tone::bad);
+  study.held_out.scores.front().passed = true;
+  EXPECT_EQ(report1986::validation_lead(study).tone, Tone::doubtful);
+  study.rebounds.front().passed = true;
+  lead = report1986::validation_lead(study);
+  EXPECT_EQ(lead.tone, Tone::good);
+  EXPECT_THAT(lead.answer, HasSubstr("are met: the report's foam law passes 2 of 2"));
+}
+
+TEST(ValidationLead, ABiasStandsBesideItsRule) {
+  report1986::Study study = test::made_up_study();
+  study.held_out.scores = {{.name = "peak_force",
+                            .support = report1986::TestSupport::load_cell,
+                            .quantity = report1986::Quantity::peak_force,
+                            .errors = {{.test = 1, .measured = 500, .predicted = 450, .error = -0.1}},
+                            .bias = -0.03,
+                            .standard_error = 0.04,
+                            .scatter = 0.20,
+                            .passed = true}};
+  const Lead lead = report1986::validation_lead(study);
+  const KeyFigure figure = figure_of(lead.figures, "Bias of peak force, load cell");
+  EXPECT_EQ(figure.value, "-3.0 ± 4.0\u00a0%");
+  EXPECT_EQ(figure.limit, "at most ±15 %; scatter 20.0 %, at most 25 %; by the report's law -12.5 %");
+  EXPECT_DOUBLE_EQ(*figure.share, 0.8);  // the scatter is nearer to its limit
+  EXPECT_EQ(figure.tone, Tone::good);
+  const output::Series& foam = lead.curve->panels.at(0).series.at(2);
+  EXPECT_EQ(foam.label, "foam fitted to the other tests");
+  EXPECT_THAT(foam.x, ElementsAre(500));
+  EXPECT_THAT(foam.y, ElementsAre(450));
+}
+
+/// Rows with one response, all of one group.
+study::StudyAnswers answers_of(const std::vector<double>& peaks, bool drawn) {
+  study::StudyAnswers answers;
+  answers.study.responses = {"peak_acceleration"};
+  answers.study.factors = {{.key = "impactor.speed", .unit = "m/s"}};
+  answers.responses = {0};
+  answers.records.responses = {peaks};
+  answers.records.factors = {{}};
+  study::StudyAnswers::OfGroup of;
+  of.group.drawn = drawn;
+  for (std::size_t i = 0; i < peaks.size(); ++i) {
+    answers.records.rows.push_back(i);
+    answers.records.statuses.push_back(Status::released);
+    answers.records.factors[0].push_back(1 + static_cast<double>(i));
+    of.group.places.push_back(i);
+  }
+  of.distributions = {study::distribution(peaks, drawn)};
+  of.sensitivities = {std::nullopt};
+  answers.groups = {of};
+  return answers;
+}
+
+TEST(StudyKeyFigures, OfDrawsWithALimitTheProbabilityAndTheQuantilesTowardsIt) {
+  std::vector<double> peaks;
+  for (int i = 1; i <= 100; ++i) peaks.push_back(standard_gravity * i);
+  study::StudyAnswers answers = answers_of(peaks, true);
+  const double limit = 80 * standard_gravity;
+  answers.limits = {{"peak_acceleration", limit}};
+  std::vector<study::Reading> readings;
+  for (const double peak : peaks) readings.push_back({peak, peak});
+  answers.groups[0].exceedances = {study::exceedance(readings, limit)};
+  answers.records.extrapolated = 25;
+  const std::vector<KeyFigure> figures = output::study_key_figures(answers, unit_system("si"));
+  EXPECT_EQ(figures.at(0).label, "Peak acceleration above 80 g");
+  EXPECT_EQ(figures.at(0).value, "20 %");
+  EXPECT_THAT(figures.at(0).limit, HasSubstr("95 % interval 12."));
+  EXPECT_EQ(figures.at(1).value, "50 g");
+  EXPECT_DOUBLE_EQ(*figures.at(1).share, 0.625);
+  EXPECT_EQ(figures.back().value, "25 %");
+  EXPECT_EQ(figures.back().tone, Tone::doubtful);
+}
+
+TEST(StudyKeyFigures, OfAGridTheLeastAndTheGreatestWithTheirPlaces) {
+  const std::vector<KeyFigure> figures =
+      output::study_key_figures(answers_of({300, 100, 200}, false), unit_system("si"));
+  ASSERT_THAT(figures, SizeIs(2));
+  EXPECT_EQ(figures[0].label, "Peak acceleration, least");
+  EXPECT_EQ(figures[0].value, "10.2 g");
+  EXPECT_EQ(figures[0].limit, "at impact speed 2 m/s");
+  EXPECT_EQ(figures[1].value, "30.6 g");
+}
+
+TEST(StudyKeyFigures, OfIndicesTheLargestFirst) {
+  study::StudyAnswers answers = answers_of({1, 2, 3}, true);
+  answers.groups[0].sensitivities = {
+      study::Sensitivity{.indices = {{.factor = "pad.thickness", .first = {}, .total = {0.024, 0.01, 0.04}},
+                                     {.factor = "impactor.speed", .first = {}, .total = {0.76, 0.7, 0.8}}},
+                         .draws = 3}};
+  const std::vector<KeyFigure> figures = output::study_key_figures(answers, unit_system("si"));
+  EXPECT_EQ(figures.at(0).label, "Peak acceleration by impact speed");
+  EXPECT_EQ(figures.at(0).value, "76 %");
+  EXPECT_EQ(figures.at(1).value, "2.4 %");
+}
+
+TEST(StudyKeyFigures, AreNotThereWithoutRows) {
+  EXPECT_THAT(output::study_key_figures({}, unit_system("si")), IsEmpty());
+}
+
+TEST(Capitals, FollowTheirPlaceInASentence) {
+  EXPECT_EQ(output::capitalised("stiffness of the support"), "Stiffness of the support");
+  EXPECT_EQ(output::uncapitalised("Peak force"), "peak force");
+  EXPECT_EQ(output::uncapitalised("HIC15"), "HIC15");
+}
+
+}  // namespace
+}  // namespace dashpad

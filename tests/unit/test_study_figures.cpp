@@ -1,0 +1,114 @@
+// Figures of a study: limits, rows that bottomed out, names in words.
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dashpad/output/plot/plot.hpp"
+#include "output/plot/study_figures.hpp"
+
+namespace dashpad {
+namespace {
+
+using output::Series;
+using output::SeriesStyle;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Speeds 1, 2, 3 m/s over thicknesses 10, 20, 30 mm; the force is 100 N times the speed, and the fastest
+/// impact bottoms out on the thinnest pad. The limit is 150 N.
+study::StudyAnswers answers(bool drawn) {
+  study::StudyAnswers result;
+  const study::Spread spread =
+      drawn ? study::Spread{study::Uniform{1, 3}} : study::Spread{study::Levels{{1, 2, 3}}};
+  const study::Spread thick =
+      drawn ? study::Spread{study::Uniform{0.01, 0.03}} : study::Spread{study::Levels{{0.01, 0.02, 0.03}}};
+  result.study.factors = {
+      {.key = "impactor.speed", .unit = "m/s", .spread = spread, .lowest = {}, .highest = {}},
+      {.key = "pad.thickness", .unit = "m", .spread = thick, .lowest = {}, .highest = {}}};
+  result.study.responses = {"peak_force"};
+  result.responses = {0};
+  result.limits = {{"peak_force", 150}};
+  result.records.factors.resize(2);
+  result.records.responses.resize(1);
+  study::Group all{.levels = {}, .places = {}, .drawn = drawn};
+  for (const double thickness : {0.01, 0.02, 0.03})
+    for (const double speed : {1.0, 2.0, 3.0}) {
+      const bool struck = thickness == 0.01 && speed == 3;
+      all.places.push_back(result.records.rows.size());
+      result.records.rows.push_back(result.records.rows.size());
+      result.records.factors[0].push_back(speed);
+      result.records.factors[1].push_back(thickness);
+      result.records.responses[0].push_back(struck ? none : 100 * speed);
+      result.records.statuses.push_back(struck ? Status::bottomed_out : Status::released);
+    }
+  result.groups = {{.group = all, .distributions = {}, .exceedances = {}, .sensitivities = {}}};
+  return result;
+}
+
+const UnitSystem& units() { return unit_systems().front(); }
+
+/// The series of a figure of one panel that begin with that label.
+std::vector<Series> labelled(const std::vector<output::CaptionedPlot>& figures, const std::string& begin) {
+  std::vector<Series> found;
+  for (const Series& series : figures.at(0).plot.panels.at(0).series)
+    if (series.label.starts_with(begin)) found.push_back(series);
+  return found;
+}
+
+TEST(StudyFigures, AMapHasTheContourOfItsLimit) {
+  const auto maps = output::map_figures(answers(false), units());
+  const auto limit = labelled(maps, "limit 150 N");
+  ASSERT_EQ(limit.size(), 1U);
+  EXPECT_EQ(limit[0].label_place, output::LabelPlace::middle);
+  ASSERT_FALSE(limit[0].x.empty());
+  for (const double speed : limit[0].x) EXPECT_DOUBLE_EQ(speed, 1.5);
+  EXPECT_EQ(maps[0].plot.panels[0].x.label, "Impact speed (m/s)");
+  EXPECT_EQ(maps[0].plot.panels[0].y.label, "Thickness of the pad (mm)");
+}
+
+TEST(StudyFigures, MapsAndCurvesMarkWhatBottomedOut) {
+  const auto on_map = labelled(output::map_figures(answers(false), units()), "bottomed out");
+  ASSERT_EQ(on_map.size(), 1U);
+  EXPECT_THAT(on_map[0].x, ElementsAre(3));
+  EXPECT_THAT(on_map[0].y, ElementsAre(10));
+  const auto curves = output::curve_figures(answers(false), units());
+  const auto beside_curves = labelled(curves, "bottomed out");
+  ASSERT_EQ(beside_curves.size(), 1U);
+  EXPECT_THAT(beside_curves[0].x, ElementsAre(3));
+  EXPECT_GT(beside_curves[0].y.at(0), 300);
+  EXPECT_EQ(labelled(curves, "thickness of the pad 10 mm").size(), 1U);
+  EXPECT_EQ(labelled(curves, "limit 150 N").size(), 1U);
+}
+
+TEST(StudyFigures, ADistributionSaysWhyItEndsBelowAll) {
+  const auto line = labelled(output::distribution_figures(answers(true), units()), "11.1 % bottomed out");
+  ASSERT_EQ(line.size(), 1U);
+  EXPECT_EQ(line[0].style, SeriesStyle::horizontal_line);
+  EXPECT_NEAR(line[0].y.at(0), 100.0 * 8 / 9, 1e-9);
+}
+
+TEST(StudyFigures, AScatterHasARowOfMarksForWhatBottomedOut) {
+  const auto marks = labelled(output::scatter_figures(answers(true), units()), "bottomed out");
+  ASSERT_EQ(marks.size(), 1U);
+  EXPECT_THAT(marks[0].x, ElementsAre(3));
+  EXPECT_GT(marks[0].y.at(0), 300);
+}
+
+TEST(StudyFigures, WithoutSuchRowsThereAreNoMarks) {
+  study::StudyAnswers all_whole = answers(true);
+  for (std::size_t i = 0; i < all_whole.records.rows.size(); ++i) {
+    all_whole.records.statuses[i] = Status::released;
+    all_whole.records.responses[0][i] = 100;
+  }
+  EXPECT_THAT(labelled(output::scatter_figures(all_whole, units()), "bottomed out"), IsEmpty());
+  EXPECT_EQ(output::distribution_figures(all_whole, units()).at(0).plot.panels.at(0).series.size(), 2U);
+}
+
+}  // namespace
+}  // namespace dashpad

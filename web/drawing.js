@@ -1,0 +1,169 @@
+// The drawing moves: its right picture, which shows the greatest penetration, is led to other moments from there.
+
+const numbersOf = (text) => (text.match(/-?[\d.]+(e[-+]?\d+)?/g) ?? []).map(Number);
+
+class MovingPicture {
+  // picture: the group with the data, as the library has drawn it.
+  constructor(picture) {
+    this.picture = picture;
+    const data = Object.fromEntries(Object.entries(picture.dataset).map(([key, value]) => [key, Number(value)]));
+    Object.assign(this, data);
+    this.nose = picture.querySelector(".dd-nose");
+    const places = pairs(numbersOf(this.nose.getAttribute("d")));
+    // From the tip up along the right side; behind its widest place a nose is as wide.
+    let widest = 0;
+    this.profile = places.slice(places.length / 2).map(([x, y]) => [this.tip - y, (widest = Math.max(widest, x - this.axis))]);
+    this.heading = picture.parentNode.querySelector(".dd-heading");
+    this.words = this.heading.textContent;
+  }
+
+  // Half the width of the nose so far behind its tip; all px.
+  radius(depth) {
+    const next = this.profile.findIndex(([each]) => each > depth);
+    if (next < 0) return this.profile.at(-1)[1];
+    if (next === 0) return 0;
+    const [[low, narrow], [high, wide]] = [this.profile[next - 1], this.profile[next]];
+    return narrow + ((depth - low) / (high - low)) * (wide - narrow);
+  }
+
+  // Metres. With null it is as it was drawn.
+  show(moment, words) {
+    this.picture.parentNode.classList.toggle("dd-moved", moment !== null);
+    this.heading.textContent = moment ? words : this.words;
+    const { penetration, deflection, body } = moment ?? this;
+    const way = (now, most, px) => (most > 0 ? (Math.max(now, 0) / most) * px : 0);
+    const deep = Math.min(Math.max(penetration, 0), this.penetration);
+    const bodyWay = way(body, this.body, this.bodyPx);
+    const sink = way(deflection, this.deflection, this.deflectionPx) + bodyWay;
+    const up = this.deflectionPx + this.bodyPx - sink;
+    const lift = (element, by) => element?.setAttribute("transform", `translate(0 ${-by})`);
+    lift(this.picture.querySelector(".dd-pad"), up);
+    lift(this.nose, up + (this.penetration - deep) * this.scale);
+    this.showSupport(up, bodyWay);
+    const share = this.penetration > 0 ? deep / this.penetration : 0;
+    this.picture.querySelectorAll("[data-strain]").forEach((layer) => this.shade(layer, share, deep * this.scale));
+    this.picture.querySelectorAll("[data-behind]").forEach((edge) => this.bend(edge, share, deep * this.scale));
+  }
+
+  // Springs end where the pad's back is, or where they are at rest below a gap.
+  showSupport(up, bodyWay) {
+    const bodyUp = this.bodyPx - bodyWay;
+    for (const each of this.picture.querySelectorAll(".dd-panel")) each.setAttribute("transform", `translate(0 ${-up})`);
+    for (const each of this.picture.querySelectorAll(".dd-behind")) each.setAttribute("transform", `translate(0 ${-bodyUp})`);
+    const springs = this.picture.querySelector(".dd-springs");
+    if (!springs) return;
+    const { top, base, free, touching } = Object.fromEntries(Object.entries(springs.dataset).map(([key, value]) => [key, Number(value)]));
+    const now = Math.max(free - bodyUp, touching - up);
+    const stretch = base > top ? (base - bodyUp - now) / (base - top) : 1;
+    springs.setAttribute("transform", `matrix(1 0 0 ${stretch} 0 ${now - stretch * top})`);
+  }
+
+  // One rectangle in another, from small strains to large ones.
+  shade(layer, share, deep) {
+    const strain = Number(layer.dataset.strain) * share;
+    layer.querySelectorAll("rect[class^=dd-s]").forEach((rect, i) => {
+      if (i === 0) return;
+      const least = i / Number(layer.dataset.shades);
+      const half = strain > least ? Math.min(this.radius(deep * (1 - least / strain)), this.halfWidth) : 0;
+      rect.setAttribute("x", this.axis - half);
+      rect.setAttribute("width", 2 * half);
+    });
+  }
+
+  // The back of a layer: what is behind it, less its shortening in each column.
+  bend(edge, share, deep) {
+    const { behind, shortened } = edge.dataset;
+    const y = (shortening) => this.back - behind + shortened * share * shortening;
+    const edgeOfContact = Math.min(this.radius(deep), this.halfWidth);
+    const right = this.profile.filter(([depth, half]) => depth < deep && half < edgeOfContact).map(([depth, half]) => [half, y(1 - depth / deep)]);
+    if (edgeOfContact < this.halfWidth) right.push([edgeOfContact, y(0)]);
+    right.push([this.halfWidth, y(edgeOfContact < this.halfWidth || deep <= 0 ? 0 : 1)]);
+    if (edge.localName === "path" && edge.parentNode.localName === "clipPath") right.push([this.halfWidth, this.back]);
+    const left = [...right].reverse().map(([x, height]) => [this.axis - x, height]);
+    const places = [...left, ...right.map(([x, height]) => [this.axis + x, height])];
+    edge.setAttribute("d", `M${places.map((place) => place.join(" ")).join("L")}`);
+  }
+}
+
+// A slider for the time below the answer's pictures, and the values at that time in words.
+class TimeSlider {
+  constructor(moments) {
+    this.moments = moments;
+    // Where the reader has left it; null: nowhere.
+    this.time = null;
+    const pictures = document.querySelector(".lead .pictures");
+    const { end } = moments;
+    if (!pictures || !(end > 0)) return;
+    this.slider = Object.assign(document.createElement("input"), { type: "range", min: 0, max: end, step: end / 500 });
+    this.slider.setAttribute("aria-label", "Time");
+    this.output = document.createElement("output");
+    this.box = Object.assign(document.createElement("div"), { className: "time" });
+    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.box.append(this.makeButton());
+    this.box.append(this.slider, this.output);
+    pictures.after(this.box);
+    this.slider.addEventListener("input", () => this.stand(Number(this.slider.value)));
+    moments.listeners.push((time) => this.show(time));
+    document.addEventListener("before-units", () => this.picture()?.show(null));
+    document.addEventListener("units", () => this.show(this.time));
+    this.show(null);
+  }
+
+  makeButton() {
+    this.button = textElement("button", "Play");
+    this.button.type = "button";
+    this.button.addEventListener("click", () => (this.running ? this.stop() : this.play()));
+    return this.button;
+  }
+
+  // From where it stands, or from the beginning: the whole impact in four seconds.
+  play() {
+    const { end } = this.moments;
+    const from = this.time !== null && this.time < end ? this.time : 0;
+    this.button.textContent = "Pause";
+    let begin = null;
+    const step = (now) => {
+      begin ??= now;
+      const time = Math.min(from + ((now - begin) / 4000) * end, end);
+      this.moments.stand(time);
+      this.time = time;
+      this.running = time < end ? requestAnimationFrame(step) : null;
+      if (!this.running) this.stop();
+    };
+    this.running = requestAnimationFrame(step);
+  }
+
+  stop() {
+    if (this.running) cancelAnimationFrame(this.running);
+    this.running = null;
+    if (this.button) this.button.textContent = "Play";
+  }
+
+  stand(time) {
+    this.stop();
+    this.time = time;
+    this.moments.stand(time);
+  }
+
+  picture() {
+    const group = document.querySelector(".drawing [data-penetration]");
+    if (group && this.moving?.picture !== group) this.moving = new MovingPicture(group);
+    return group ? this.moving : null;
+  }
+
+  // Null: as the page was written.
+  show(time) {
+    const { moments } = this;
+    const lengths = ["Displacement", "Penetration", "Deflection of the support"];
+    const [motion, penetration, deflection] = lengths.map((name) => (time === null ? null : moments.siValue(name, time)));
+    const isKnown = ![motion, penetration, deflection].includes(null);
+    const moment = isKnown ? { penetration, deflection, body: motion - penetration - deflection } : null;
+    const words = time === null ? "" : `At ${moments.timeText(time)}`;
+    this.picture()?.show(moment, words);
+    this.slider.value = time ?? moments.timeOfSi(this.moving?.time) ?? moments.end;
+    const values = ["Force", "Deceleration", "Penetration", "Displacement"].map((name) => [name, moments.text(name, time)]);
+    this.output.textContent =
+      time === null
+        ? "The whole impact, moment by moment"
+        : `${words}: ${values.filter(([, text]) => text).map(([name, text]) => `${name.toLowerCase()} ${text}`).join(", ")}`;
+  }
+}

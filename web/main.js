@@ -1,0 +1,14 @@
+// All there is to see is there without this script; it makes plots answer to pointer and keys.
+
+const plots = [...document.querySelectorAll("svg.dp-plot")];
+const panels = plots.flatMap(panelsOf);
+unitSwitch(panels);
+if (document.querySelector("[data-one-impact]")) new TimeSlider(new Moments(panels));
+if (plots.length > 0) {
+  const hint = textElement(
+    "p",
+    "Point at a curve for its values, or go along it with the arrow keys. Drag to enlarge, double-click to go back. Names of curves switch them off and on.",
+  );
+  hint.className = "hint";
+  document.querySelector("main .plots")?.before(hint);
+}
