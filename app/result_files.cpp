@@ -35,7 +35,8 @@ void add_result_files(CLI::App& app, ResultFiles& files) {
   add_report(app, files.report);
   app.add_option("--png", files.png, "Draw acceleration and hysteresis as a still")->type_name("FILE");
   app.add_option("--drawing", files.drawing,
-                 "Draw nose, pad and support to scale, at first contact and at greatest penetration (.svg)")
+                 "Draw nose, pad and support to scale, at first contact and at greatest penetration (.svg, "
+                 ".png, .pdf)")
       ->type_name("FILE");
   add_units(app, files.units);
   add_all(app, files.detail);
@@ -44,8 +45,8 @@ void add_result_files(CLI::App& app, ResultFiles& files) {
 void judge_result_files(const ResultFiles& files, const std::vector<input::InputFile>& inputs,
                         std::vector<std::string>& wrong) {
   judge_targets(targets(files), inputs, files.force, wrong);
-  if (files.drawing && *files.drawing != "-" && !files.drawing->ends_with(".svg"))
-    wrong.push_back(fmt::format("--drawing {}: must end in .svg", *files.drawing));
+  if (files.drawing && *files.drawing != "-" && !output::picture_format(*files.drawing))
+    wrong.push_back(fmt::format("--drawing {}: must end in .svg, .png or .pdf", *files.drawing));
 }
 
 void publish(const ResultFiles& files, const SolvedCase& solved, std::string_view heading,
@@ -61,7 +62,9 @@ void publish(const ResultFiles& files, const SolvedCase& solved, std::string_vie
     if (target.option == "--png")
       return output::picture(output::result_plot(impact, solution, injury, units),
                              output::PictureFormat::png);
-    if (target.option == "--drawing") return output::impact_drawing(last_blow, solution, units);
+    if (target.option == "--drawing")
+      return output::impact_drawing(last_blow, solution, units,
+                                    output::picture_format(target.file).value_or(output::PictureFormat::svg));
     if (target.option == "--csv") return output::history_csv(solution.history, units_of_files(units));
     return output::page(impact, solved.options, solution, units,
                         contact_snapshots(last_blow, solution.history), blows);

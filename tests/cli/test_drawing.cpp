@@ -41,16 +41,24 @@ TEST_F(DrawingTest, AnExistingFileIsKeptUnlessForced) {
 
 TEST_F(DrawingTest, AnotherEndingIsRefusedBeforeTheRun) {
   const Outcome run =
-      dashpad({"run", case_file(), "--drawing", file("drawing.png"), "--json", file("result.json")});
+      dashpad({"run", case_file(), "--drawing", file("drawing.bmp"), "--json", file("result.json")});
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.err, HasSubstr("drawing.png: must end in .svg"));
-  EXPECT_FALSE(fs::exists(file("drawing.png")));
+  EXPECT_THAT(run.err, HasSubstr("drawing.bmp: must end in .svg, .png or .pdf"));
+  EXPECT_FALSE(fs::exists(file("drawing.bmp")));
   EXPECT_FALSE(fs::exists(file("result.json")));
 }
 
-TEST_F(DrawingTest, SaysWhatIsStruckThrough) {
+TEST_F(DrawingTest, IsAPictureToo) {
+  for (const auto& [ending, begin] : {std::pair{"png", "\x89PNG"}, {"pdf", "%PDF"}}) {
+    const std::string name = file(std::string{"drawing."} + ending);
+    ASSERT_EQ(dashpad({"run", case_file(), "--drawing", name}).exit_code, 0);
+    EXPECT_THAT(read_file(name), StartsWith(begin));
+  }
+}
+
+TEST_F(DrawingTest, SaysWhatBottomsOut) {
   const Outcome run = dashpad({"run", examples + "rigid-floor-bottoming.toml", "--drawing", "-"});
-  EXPECT_THAT(run.out, HasSubstr(">Struck through</text>"));
+  EXPECT_THAT(run.out, HasSubstr(">Bottomed out</text>"));
 }
 
 }  // namespace

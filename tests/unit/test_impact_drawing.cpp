@@ -211,7 +211,7 @@ TEST(ImpactDrawing, StruckThroughIsSaidAndDrawn) {
   solution.summary = test::bottomed_out_summary();
   const std::string svg = impact_drawing(impact, solution, si());
   expect_sound(svg);
-  EXPECT_THAT(svg, HasSubstr(">Struck through</text>"));
+  EXPECT_THAT(svg, HasSubstr(">Bottomed out</text>"));
   EXPECT_THAT(svg, HasSubstr("<line class=\"dd-struck-edge\""));
   EXPECT_THAT(svg, HasSubstr(">0 mm</text>"));
 }

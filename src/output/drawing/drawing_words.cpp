@@ -41,6 +41,7 @@ std::string nose_words(const Nose& nose, const UnitSystem& units) {
 }
 
 std::string alarm_words(const DrawnMoments& moments) {
+  if (moments.bottomed) return "Bottomed out";
   if (moments.struck_through) return "Struck through";
   std::string numbers;
   bool several = false;

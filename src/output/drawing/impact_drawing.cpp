@@ -1,6 +1,7 @@
 #include "dashpad/output/drawing/impact_drawing.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "output/drawing/pictures.hpp"
 #include "output/drawing/scene.hpp"
 #include "output/drawing/strain_scale.hpp"
+#include "output/plot/rendered.hpp"
 #include "output/svg/svg.hpp"
 #include "quantities/text.hpp"
 
@@ -38,7 +40,8 @@ std::string whole_drawing(const Scene& scene) {
   const double below = std::max(14 + line_distance * static_cast<double>(lines.size()), strain_legend_height);
   const double height = layout.bottom + below + 12;
   std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"dd-drawing\" viewBox=\"0 0 {0} {1}\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"dd-drawing\" width=\"{0}\" height=\"{1}\" "
+      "viewBox=\"0 0 {0} {1}\" "
       "role=\"img\" aria-labelledby=\"{2}-title {2}-description\" data-scale=\"{3}\">\n"
       "<title id=\"{2}-title\">{4}</title>\n<desc id=\"{2}-description\">{5}</desc>\n"
       "<style>{6}</style>\n",
@@ -72,9 +75,10 @@ std::string name_from(const std::string& text) {
 
 std::string no_drawing(const ImpactCase& impact) {
   return fmt::format(
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"dd-drawing\" viewBox=\"0 0 {} 60\" "
-             "role=\"img\">\n<title>{}</title>\n<desc>No drawing: the case breaks a rule.</desc>\n"
-             "<style>{}</style>\n",
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"dd-drawing\" width=\"{0}\" height=\"60\" "
+             "viewBox=\"0 0 {0} 60\" "
+             "role=\"img\">\n<title>{1}</title>\n<desc>No drawing: the case breaks a rule.</desc>\n"
+             "<style>{2}</style>\n",
              px(drawing_width), xml_text(impact.title), impact_drawing_style()) +
          rectangle_element("dd-paper", 0, 0, drawing_width, 60) +
          text_element("dd-text", {drawing_width / 2, 34}, "middle", "No drawing: the case breaks a rule.") +
@@ -88,6 +92,16 @@ std::string impact_drawing(const ImpactCase& impact, const Solution& solution, c
   std::string text = whole_drawing(Scene(impact, solution, units));
   replace_all(text, own_name, name_from(text));
   return text;
+}
+
+std::string impact_drawing(const ImpactCase& impact, const Solution& solution, const UnitSystem& units,
+                           PictureFormat format) {
+  std::string svg = impact_drawing(impact, solution, units);
+  if (format == PictureFormat::svg) return svg;
+  // The rules for dark paper are the last.
+  const std::size_t dark = svg.find("@media"), end = svg.find("</style>");
+  if (dark < end) svg.erase(dark, end - dark);
+  return format == PictureFormat::png ? png_of(svg) : pdf_of(svg, drawing_title(impact));
 }
 
 }  // namespace dashpad::output

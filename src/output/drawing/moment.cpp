@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "dashpad/impact/flags.hpp"
 #include "output/drawing/nose_outline.hpp"
 
 namespace dashpad::output {
@@ -74,6 +75,7 @@ DrawnMoments drawn_moments(const ImpactCase& impact, const Solution& solution) {
   moments.penetration = summary.bottomed ? pad.thickness : within(summary.peak_penetration, 0, pad.thickness);
   // By the measure that holds for a layer.
   moments.struck_through = moments.left() < struck_through_gap * pad.thickness;
+  moments.bottomed = bottomed_on_rigid_support(summary);
   if (!history.penetration.empty())
     moments.crater = within(history.penetration.front(), 0, moments.penetration);
   moments.deflection = entry ? length_at(history.support_deflection, entry)

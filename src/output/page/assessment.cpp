@@ -84,7 +84,6 @@ std::vector<KeyFigure> key_figures(const AssessmentReport& report, const UnitSys
 Plot deciding_curve(const AssessmentReport& report, const std::optional<injury::InjuryFigures>& injury,
                     const UnitSystem& units) {
   Panel panel = deceleration_panel(report.solution, injury, units);
-  panel.title.clear();
   for (const injury::CriterionResult& result : report.assessment.results)
     if (injury::quantity_of(result.criterion.metric).si_unit == std::string_view("m/s2"))
       panel.series.push_back({.label = fmt::format("{}, {}", injury::limit_of(result.criterion),

@@ -60,6 +60,7 @@ Panel force_panel(const Solution& solution, const UnitSystem& units) {
                         values_in(units, solution.history.force, "N"), 0)};
   panel.y.low = 0;
   end_before_bottoming(panel.y, solution, panel.series.front().y);
+  mark_bottoming(panel, solution, units);
   return panel;
 }
 
@@ -83,6 +84,17 @@ Panel energy_panel(const History& history, const ImpactEnergies& energies, const
   add("support_energy", energies.support, 2);
   add("total_energy", energies.total, 6);
   return panel;
+}
+
+/// Rounding below nothing would begin the axis at the next tick below.
+void begin_at_zero(Panel& panel) {
+  double lowest = 0, highest = 0;
+  for (const Series& series : panel.series)
+    for (const double value : series.y) {
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
+    }
+  if (lowest > -1e-6 * highest) panel.y.low = 0;
 }
 
 std::string percent(double share) { return fmt::format("{} %", significant(100 * share, 2)); }
@@ -139,6 +151,13 @@ void set_stress_axis(Axis& axis, const std::vector<ContactSnapshot>& snapshots, 
 
 }  // namespace
 
+void mark_bottoming(Panel& panel, const Solution& solution, const UnitSystem& units) {
+  if (!bottomed_on_rigid_support(solution.summary)) return;
+  panel.series.push_back({.label = "bottoms out",
+                          .style = SeriesStyle::vertical_line,
+                          .x = {value_in(units, solution.summary.bottomed->time, "s")}});
+}
+
 void end_before_bottoming(Axis& axis, const Solution& solution, const std::vector<double>& column) {
   if (!bottomed_on_rigid_support(solution.summary)) return;
   const std::vector<double>& penetration = solution.history.penetration;
@@ -159,12 +178,15 @@ std::vector<CaptionedPlot> impact_figures(const ImpactCase& impact, const Soluti
   const EnergyLedger& audit = solution.summary.energy;
   Panel deceleration = deceleration_panel(solution, injury, units);
   deceleration.title.clear();
+  Panel distances = distances_panel(history, units), energy = energy_panel(history, energies, units);
+  begin_at_zero(distances);
+  begin_at_zero(energy);
   return {figure("Force over time", force_panel(solution, units), note),
           figure("Deceleration over time", std::move(deceleration), note),
           figure("Force over penetration", loop("penetration", history.penetration, solution, units), note),
           figure("Force over displacement", loop("motion", history.motion, solution, units), note),
-          figure("Penetration and displacement over time", distances_panel(history, units)),
-          figure("Energy over time", energy_panel(history, energies, units),
+          figure("Penetration and displacement over time", std::move(distances)),
+          figure("Energy over time", std::move(energy),
                  fmt::format(
                      "The sum of these curves (work by trapezoids) stays within {} of the impact energy. By "
                      "the solver's own audit, of higher order, the residual at the end is {}.",

@@ -22,6 +22,9 @@ std::vector<CaptionedPlot> impact_figures(const ImpactCase& impact, const Soluti
 std::vector<CaptionedPlot> contact_figures(const std::vector<ContactSnapshot>& snapshots,
                                            const UnitSystem& units);
 
+/// A line across a panel over time where the pad bottoms out on a rigid support, if it does.
+void mark_bottoming(Panel& panel, const Solution& solution, const UnitSystem& units);
+
 /// Ends the axis of a force, or of what is in proportion to it, above what a pad that bottomed out on a rigid
 /// support had before the last hundredth of its penetration: at the end it has no finite limit, and would
 /// hide all the rest. `column` is what is plotted, an entry for each of the history.

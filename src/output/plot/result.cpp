@@ -40,6 +40,21 @@ std::string bottoming_words(const Moment& bottomed, const UnitSystem& units) {
                      brief_quantity(bottomed.velocity, "m/s", units, 3));
 }
 
+/// Force over displacement and penetration.
+Panel loop_panel(const History& history, const UnitSystem& units) {
+  Panel panel{"Force over displacement and penetration",
+              axis_with_unit("Distance", "m", units),
+              axis_of("force", units),
+              {}};
+  panel.x.low = panel.y.low = 0;
+  panel.series.push_back(line(result_quantity("motion").title, values_in(units, history.motion, "m"),
+                              values_in(units, history.force, "N")));
+  panel.series.push_back(line(result_quantity("penetration").title,
+                              values_in(units, history.penetration, "m"),
+                              values_in(units, history.force, "N")));
+  return panel;
+}
+
 }  // namespace
 
 std::string peak_words(const injury::InjuryFigures& figures) {
@@ -60,6 +75,7 @@ Panel deceleration_panel(const Solution& solution, const std::optional<injury::I
   std::vector<double> deceleration;
   for (const double value : solution.history.acceleration) deceleration.push_back(-value / standard_gravity);
   end_before_bottoming(panel.y, solution, deceleration);
+  mark_bottoming(panel, solution, units);
   if (injury) {
     panel.series.push_back(
         hic_bracket(fmt::format("{} {}", result_quantity("hic15").title, significant(injury->hic15.value, 4)),
@@ -75,20 +91,6 @@ Panel deceleration_panel(const Solution& solution, const std::optional<injury::I
   panel.series.push_back(line(result_quantity("deceleration").title,
                               values_in(units, solution.history.time, "s"), std::move(deceleration)));
   panel.series.back().turn = 0;
-  return panel;
-}
-
-Panel loop_panel(const History& history, const UnitSystem& units) {
-  Panel panel{"Force over displacement and penetration",
-              axis_with_unit("Distance", "m", units),
-              axis_of("force", units),
-              {}};
-  panel.x.low = panel.y.low = 0;
-  panel.series.push_back(line(result_quantity("motion").title, values_in(units, history.motion, "m"),
-                              values_in(units, history.force, "N")));
-  panel.series.push_back(line(result_quantity("penetration").title,
-                              values_in(units, history.penetration, "m"),
-                              values_in(units, history.force, "N")));
   return panel;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The panels of one impact, for stills and pages.
+/// The panel of one impact that stills and pages share.
 
 #include <optional>
 #include <string>
@@ -17,8 +17,5 @@ std::string peak_words(const injury::InjuryFigures& figures);
 /// Deceleration, the window of HIC15 and the 3 ms clip; the title says what they are.
 Panel deceleration_panel(const Solution& solution, const std::optional<injury::InjuryFigures>& injury,
                          const UnitSystem& units);
-
-/// Force over displacement and penetration.
-Panel loop_panel(const History& history, const UnitSystem& units);
 
 }  // namespace dashpad::output

@@ -6,6 +6,7 @@
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/output/plot/plot.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
 namespace dashpad::output {
@@ -17,6 +18,11 @@ namespace dashpad::output {
 /// `solution` is that of solve(), of a series that of the blow which `impact` is on its pad. A case that
 /// breaks a rule (violations()) gives an element that says so.
 std::string impact_drawing(const ImpactCase& impact, const Solution& solution, const UnitSystem& units);
+
+/// The same as the bytes of a picture file; PNG and PDF are for light paper. Throws std::runtime_error if
+/// they cannot be made.
+std::string impact_drawing(const ImpactCase& impact, const Solution& solution, const UnitSystem& units,
+                           PictureFormat format);
 
 /// The text of the drawing's `<style>`, always the same: for a page whose policy admits styles by their
 /// hashes.
