@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/study.hpp"
-#include "dashpad/version.hpp"
 #include "output/page/study_key_figures.hpp"
 #include "output/plot/study_figures.hpp"
 #include "output/text/study_answer.hpp"
@@ -39,16 +38,33 @@ Plot together(std::vector<CaptionedPlot> figures, const std::string& title) {
   return plot;
 }
 
-/// One panel alone: that of the response with a limit, or of the highest drop, of which the answer speaks.
-void keep_the_answer(std::vector<Panel>& panels, const study::StudyAnswers& answers) {
-  if (panels.size() < 2) return;
-  Panel kept = answers.cushion_curves ? panels.back() : panels.front();
-  if (!answers.limits.empty())
-    if (const auto limited =
-            std::ranges::find(panels, title_of(answers.limits.front().response), &Panel::title);
-        limited != panels.end())
-      kept = *limited;
-  panels = {std::move(kept)};
+/// The figures of the kind that answers the study, those of the response with a limit first.
+std::vector<CaptionedPlot> leading_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
+  using Make = std::vector<CaptionedPlot> (*)(const study::StudyAnswers&, const UnitSystem&);
+  constexpr Make indices = [](const study::StudyAnswers& of, const UnitSystem&) { return index_figures(of); };
+  for (const Make make :
+       {Make{cushion_figures}, indices, Make{map_figures}, Make{curve_figures}, Make{distribution_figures}}) {
+    std::vector<CaptionedPlot> figures = make(answers, units);
+    if (figures.empty()) continue;
+    if (!answers.limits.empty())
+      std::ranges::stable_partition(figures, [&](const CaptionedPlot& of) {
+        return of.plot.panels.front().title == title_of(answers.limits.front().response);
+      });
+    // One map alone: its legend would be lost among those of others.
+    if (make == Make{map_figures}) figures.resize(1);
+    return figures;
+  }
+  return {};
+}
+
+/// The panel of which the answer speaks: of cushion curves that of the highest drop.
+Plot answering_plot(const study::StudyAnswers& answers, const UnitSystem& units) {
+  std::vector<CaptionedPlot> figures = leading_figures(answers, units);
+  if (figures.empty()) return {};
+  Plot plot = together(std::move(figures), "");
+  plot.source.clear();
+  plot.panels = {answers.cushion_curves ? plot.panels.back() : plot.panels.front()};
+  return plot;
 }
 
 }  // namespace
@@ -58,18 +74,14 @@ FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& uni
   FiguresPage page{
       .title = answers.study.title.empty() ? "Study" : one_line(answers.study.title),
       .summary = {fmt::format("{} of {} rows, computed by Dashpad {}.", answers.records.rows.size(),
-                              answers.rows, one_line(answers.program)),
-                  fmt::format("dashpad {}, commit {}", version(), build_facts().git_commit)},
+                              answers.rows, one_line(answers.program))},
       .warnings = study_warnings(answers),
       .sections = {}};
   if (std::string answer = study_answer(answers, units); !answer.empty()) {
     page.lead = Lead{.answer = std::move(answer), .subject = {page.title}};
     if (!page.warnings.empty()) page.lead->reservation = page.warnings.front();
     page.lead->figures = study_key_figures(answers, units);
-    page.lead->curve = study_plot(answers, units);
-    page.lead->curve->title.clear();
-    page.lead->curve->source.clear();
-    keep_the_answer(page.lead->curve->panels, answers);
+    page.lead->curve = answering_plot(answers, units);
   }
   page.sections.push_back({.heading = "What was studied",
                            .paragraphs = {},
@@ -92,14 +104,8 @@ FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& uni
 
 Plot study_plot(const study::StudyAnswers& answers, const UnitSystem& units) {
   const std::string title = answers.study.title.empty() ? "Study" : one_line(answers.study.title);
-  // One map alone: its legend would be lost among those of others.
-  std::vector<CaptionedPlot> maps = map_figures(answers, units);
-  if (maps.size() > 1) maps.erase(maps.begin() + 1, maps.end());
-  for (std::vector<CaptionedPlot> figures :
-       {cushion_figures(answers, units), index_figures(answers), maps, curve_figures(answers, units),
-        distribution_figures(answers, units)})
-    if (!figures.empty()) return together(std::move(figures), title);
-  return {};
+  std::vector<CaptionedPlot> figures = leading_figures(answers, units);
+  return figures.empty() ? Plot{} : together(std::move(figures), title);
 }
 
 }  // namespace dashpad::output

@@ -155,7 +155,7 @@ void add_counts(Figures& figures, const StudyAnswers& answers) {
                          .limit = part_of_rows(count, rows),
                          .tone = tone});
   };
-  add("Struck through", answers.records.struck_through, Tone::bad);
+  add("Bottomed out", answers.records.struck_through, Tone::bad);
   add("Beyond what the foam was tested for", answers.records.extrapolated, Tone::doubtful);
 }
 
