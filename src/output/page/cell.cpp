@@ -1,16 +1,50 @@
 #include "output/page/cell.hpp"
 
-#include <regex>
+#include <string_view>
 
 namespace dashpad::output {
 
 namespace {
 
-/// Also with a unit: one word.
-bool is_number(const std::string& cell) {
-  static const std::regex number(
-      R"(^\s*(<|>|≤|≥|≈|~|±|\+|-|−)*\s*\.?[0-9][0-9.,]*([eE][+-]?[0-9]+)?\s*(%|±.*|[^\s0-9][^\s]*)?\s*$)");
-  return cell.size() < 60 && std::regex_match(cell, number);
+/// Takes `part` from the beginning of `text`, if it stands there.
+bool take(std::string_view& text, std::string_view part) {
+  if (!text.starts_with(part)) return false;
+  text.remove_prefix(part.size());
+  return true;
+}
+
+bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
+
+/// Of the text that is left: as many of those letters as stand at its beginning.
+std::string_view take_any_of(std::string_view& text, std::string_view letters) {
+  const std::string_view taken = text.substr(0, text.find_first_not_of(letters));
+  text.remove_prefix(taken.size());
+  return taken;
+}
+
+void take_signs(std::string_view& text) {
+  bool again = true;
+  while (again) {
+    again = !take_any_of(text, "<>~+- ").empty();
+    for (const std::string_view sign : {"≤", "≥", "≈", "±", "−"}) again = take(text, sign) || again;
+  }
+}
+
+/// Also with an exponent, a deviation or a unit: one word.
+bool is_number(std::string_view text) {
+  take_signs(text);
+  take(text, ".");
+  if (text.empty() || !is_digit(text.front())) return false;
+  take_any_of(text, "0123456789.,");
+  std::string_view exponent = text;
+  if (take(exponent, "e") || take(exponent, "E")) {
+    if (!take(exponent, "-")) take(exponent, "+");
+    if (!take_any_of(exponent, "0123456789").empty()) text = exponent;
+  }
+  take_any_of(text, " ");
+  if (text.starts_with("±")) return true;
+  if (text.empty() || is_digit(text.front())) return text.empty();
+  return text.find(' ') >= text.find_last_not_of(' ');
 }
 
 bool is_none(const std::string& cell) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <regex>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -54,6 +53,15 @@ std::string geometry_of(const std::string& svg) {
   return geometry;
 }
 
+/// What stands between the first `opening` and the next `closing`; nothing if they are not there.
+std::string_view between(std::string_view text, std::string_view opening, std::string_view closing) {
+  const std::size_t begin = text.find(opening);
+  if (begin == std::string_view::npos) return {};
+  text.remove_prefix(begin + opening.size());
+  const std::size_t end = text.find(closing);
+  return end == std::string_view::npos ? std::string_view{} : text.substr(0, end);
+}
+
 }  // namespace
 
 std::vector<std::string> texts_in(const std::string& svg) {
@@ -85,22 +93,22 @@ std::string InlineSvgs::add(const Plot& plot, double width) {
 }
 
 std::string InlineSvgs::add_with_halves(std::string svg) {
-  static const std::regex size(R"re(viewBox="0 0 ([0-9.]+) ([0-9.]+)")re"),
-      left(R"re(<g id="([^"]+)-left-half")re");
-  std::smatch of_size, name;
   svg = add(std::move(svg));
-  if (!std::regex_search(svg, of_size, size) || !std::regex_search(svg, name, left)) return svg;
+  const std::string_view size = between(svg, "viewBox=\"0 0 ", "\""),
+                         name = between(svg, "<g id=\"", "-left-half\"");
+  const std::size_t blank = size.find(' ');
+  if (name.empty() || blank == std::string_view::npos) return svg;
   // What is written beside the right picture begins where the left one's captions may still go on.
   struct Half {
     const char* name;
     double from, to;
   };
-  const double width = std::stod(of_size[1]);
+  const double width = std::stod(std::string{size.substr(0, blank)});
   std::string halves;
   for (const Half& half : {Half{"left-half", 0, 0.52}, Half{"right-half", 0.41, 1}})
     halves += fmt::format(
         "<svg class=\"half\" viewBox=\"{} 0 {} {}\" aria-hidden=\"true\"><use href=\"#{}-{}\"/></svg>\n",
-        px(half.from * width), px((half.to - half.from) * width), of_size[2].str(), name[1].str(), half.name);
+        px(half.from * width), px((half.to - half.from) * width), size.substr(blank + 1), name, half.name);
   return svg + halves;
 }
 
