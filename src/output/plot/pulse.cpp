@@ -35,7 +35,7 @@ double side_of_peak(const injury::PulseReport& report) {
 /// `peak`: of the pulse, with its sign, g.
 Series window(const char* key, const injury::Hic& hic, double peak, std::size_t turn, int row,
               const UnitSystem& units) {
-  return hic_bracket(fmt::format("{} = {}", result_quantity(key).title, brief(hic.value, 4)),
+  return hic_bracket(fmt::format("{} {}", result_quantity(key).title, brief(hic.value, 4)),
                      value_in(units, hic.begin, "s"), value_in(units, hic.end, "s"), peak, turn, row);
 }
 
@@ -61,7 +61,7 @@ Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units) {
   }
   const double level = side * figures.clip_3ms.level / standard_gravity;
   panel.series.push_back(
-      {.label = fmt::format("{}, {} g", result_quantity("clip_3ms").title, brief(std::abs(level), 4)),
+      {.label = fmt::format("{} {} g", result_quantity("clip_3ms").title, brief(std::abs(level), 4)),
        .style = SeriesStyle::horizontal_line,
        .y = {level}});
   return {.title = one_line(report.file),
