@@ -1,5 +1,7 @@
 // The series of a panel, read from their paths. Places are in px on the axes, x to the right and y upwards.
 
+const numbersOf = (text) => (text.match(/-?[\d.]+(e[-+]?\d+)?/g) ?? []).map(Number);
+
 const pairs = (numbers) => numbers.flatMap((x, i) => (i % 2 === 0 ? [[x, numbers[i + 1]]] : []));
 
 class Curve {
@@ -10,6 +12,8 @@ class Curve {
     this.style = group.dataset.style;
     this.isPoints = this.style === "points" || this.style === "dots";
     this.isAcross = this.style === "vertical" || this.style === "horizontal";
+    // A bracket that names a window, or a line across: what it marks is elsewhere.
+    this.isMark = this.style === "mark" || this.isAcross;
     this.isCasing = group.classList.contains("dp-casing");
     this.isClosed = this.style === "area" || this.style === "band";
     [this.width, this.height] = [width, height];
@@ -23,14 +27,13 @@ class Curve {
   // Runs of places with gaps between them; of points one run.
   read(text) {
     const parts = text.split("M").slice(1);
-    const numbers = (part) => (part.match(/-?[\d.]+(e[-+]?\d+)?/g) ?? []).map(Number);
     const upwards = (list) => list.map(([x, y]) => [x, this.height - y]);
-    if (this.style === "vertical") return parts.map((part) => [[numbers(part)[0], 0], [numbers(part)[0], this.height]]);
-    if (this.style === "horizontal") return parts.map((part) => upwards([[0, numbers(part)[1]], [this.width, numbers(part)[1]]]));
-    if (!this.isPoints) return parts.map((part) => upwards(pairs(numbers(part))));
+    if (this.style === "vertical") return parts.map((part) => [[numbersOf(part)[0], 0], [numbersOf(part)[0], this.height]]);
+    if (this.style === "horizontal") return parts.map((part) => upwards([[0, numbersOf(part)[1]], [this.width, numbersOf(part)[1]]]));
+    if (!this.isPoints) return parts.map((part) => upwards(pairs(numbersOf(part))));
     // What follows the place is the shape, in steps from there.
     this.shape = /^[-\d.e]+ [-\d.e]+(.*)$/.exec(parts[0] ?? "")?.[1] ?? "";
-    return [parts.map((part) => upwards(pairs(numbers(part).slice(0, 2)))[0])];
+    return [parts.map((part) => upwards(pairs(numbersOf(part).slice(0, 2)))[0])];
   }
 
   // The path anew, where both axes say.
@@ -76,12 +79,14 @@ class Curve {
     return place;
   }
 
-  // y at x, of a curve that goes to the right only; null outside and in gaps.
+  // y at x, of a curve that goes to the right only; null outside and in gaps. Curves of the same time end where the
+  // rounding of their places has it.
   at(x) {
+    const rounding = 0.02;
     for (const run of this.runs)
       for (let i = 1; i < run.length; ++i) {
         const [from, to] = [run[i - 1], run[i]];
-        if (x < from[0] || x > to[0]) continue;
+        if (x < from[0] - rounding || x > to[0] + rounding) continue;
         return to[0] > from[0] ? from[1] + ((x - from[0]) / (to[0] - from[0])) * (to[1] - from[1]) : to[1];
       }
     return null;
@@ -98,7 +103,7 @@ class Curve {
       const distance = Math.hypot(ax + part * dx - toX, ay + part * dy - toY);
       if (best && distance >= best.distance) return;
       const place = [from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])];
-      if (place[0] < x.from - 0.5 || place[0] > x.to + 0.5 || place[1] < y.from - 0.5 || place[1] > y.to + 0.5) return;
+      if (!x.contains(place[0]) || !y.contains(place[1])) return;
       best = { curve: this, place, distance, way: way + part * Math.hypot(to[0] - from[0], to[1] - from[1]) };
     });
     return best;

@@ -1,13 +1,12 @@
 // The drawing moves: its right picture, which shows the greatest penetration, is led to other moments from there.
 
-const numbersOf = (text) => (text.match(/-?[\d.]+(e[-+]?\d+)?/g) ?? []).map(Number);
+const numbersIn = (dataset) => Object.fromEntries(Object.entries(dataset).map(([key, value]) => [key, Number(value)]));
 
 class MovingPicture {
   // picture: the group with the data, as the library has drawn it.
   constructor(picture) {
     this.picture = picture;
-    const data = Object.fromEntries(Object.entries(picture.dataset).map(([key, value]) => [key, Number(value)]));
-    Object.assign(this, data);
+    Object.assign(this, numbersIn(picture.dataset));
     this.nose = picture.querySelector(".dd-nose");
     const places = pairs(numbersOf(this.nose.getAttribute("d")));
     // From the tip up along the right side; behind its widest place a nose is as wide.
@@ -52,7 +51,7 @@ class MovingPicture {
     for (const each of this.picture.querySelectorAll(".dd-behind")) each.setAttribute("transform", `translate(0 ${-bodyUp})`);
     const springs = this.picture.querySelector(".dd-springs");
     if (!springs) return;
-    const { top, base, free, touching } = Object.fromEntries(Object.entries(springs.dataset).map(([key, value]) => [key, Number(value)]));
+    const { top, base, free, touching } = numbersIn(springs.dataset);
     const now = Math.max(free - bodyUp, touching - up);
     const stretch = base > top ? (base - bodyUp - now) / (base - top) : 1;
     springs.setAttribute("transform", `matrix(1 0 0 ${stretch} 0 ${now - stretch * top})`);
@@ -104,7 +103,7 @@ class TimeSlider {
     this.slider.addEventListener("input", () => this.stand(Number(this.slider.value)));
     moments.listeners.push((time) => this.show(time));
     document.addEventListener("before-units", () => this.picture()?.show(null));
-    document.addEventListener("units", () => this.show(this.time));
+    document.addEventListener("units", () => moments.show(null));
     this.show(null);
   }
 
@@ -165,5 +164,6 @@ class TimeSlider {
       time === null
         ? "The whole impact, moment by moment"
         : `${words}: ${values.filter(([, text]) => text).map(([name, text]) => `${name.toLowerCase()} ${text}`).join(", ")}`;
+    this.slider.setAttribute("aria-valuetext", this.output.textContent);
   }
 }

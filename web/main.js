@@ -10,5 +10,7 @@ if (plots.length > 0) {
     "Point at a curve for its values, or go along it with the arrow keys. Drag to enlarge, double-click to go back. Names of curves switch them off and on.",
   );
   hint.className = "hint";
-  document.querySelector("main .plots")?.before(hint);
+  const further = document.querySelector("main .plots");
+  if (further) further.before(hint);
+  else document.querySelector(".pictures").append(hint);
 }

@@ -8,7 +8,7 @@ class Moments {
     this.curves = new Map();
     for (const panel of this.overTime)
       for (const curve of panel.curves)
-        if (curve.style === "line" && curve.label && !this.curves.has(curve.label)) this.curves.set(curve.label, { panel, curve });
+        if (curve.style === "line" && curve.label && curve.path && !this.curves.has(curve.label)) this.curves.set(curve.label, { panel, curve });
     this.listeners = [];
     const ends = [...this.curves.values()].map(({ panel, curve }) => panel.x.value(curve.runs.at(-1).at(-1)[0]) / panel.x.factor);
     this.end = Math.max(0, ...ends);
@@ -40,7 +40,8 @@ class Moments {
   }
 
   pointed(panel, stop) {
-    this.show(stop && this.timeOf(panel, stop), panel);
+    // Where nobody points any more, the standing moment is for all.
+    this.show(stop && this.timeOf(panel, stop), stop ? panel : null);
   }
 
   timeOf(panel, { curve, place }) {

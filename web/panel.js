@@ -40,8 +40,9 @@ class Panel {
     this.marks = svgElement("g", { class: "dp-pointer" });
     this.inside.append(this.marks);
     this.inside.setAttribute("tabindex", "0");
-    this.inside.setAttribute("role", "img");
-    const what = [this.y.label, this.x.label].filter(Boolean).join(" over ") || "Plot";
+    // Names of curves in it are buttons, which an image could not have.
+    this.inside.setAttribute("role", "group");
+    const what = [this.y.quantity, this.x.quantity].filter(Boolean).join(" over ") || "Plot";
     this.inside.setAttribute("aria-label", `${what}. Arrow keys go along the curves, plus and minus enlarge.`);
   }
 
@@ -117,13 +118,14 @@ class Panel {
     const at = this.under(event);
     const isDragged = Math.hypot(at[0] - this.pressed[0], at[1] - this.pressed[1]) > 15;
     const [x, y] = this.selection(at);
-    this.drop();
-    if (isDragged) this.look(x.map((each) => this.x.place(each)), y.map((each) => this.y.place(each)));
+    this.pressed = null;
+    if (!isDragged) return this.move(event);
+    this.look(x.map((each) => this.x.place(each)), y.map((each) => this.y.place(each)));
   }
 
   drop() {
     this.pressed = null;
-    this.marks.replaceChildren();
+    this.rest();
   }
 
   // ---- What is shown ----
@@ -141,13 +143,17 @@ class Panel {
   }
 
   draw() {
+    this.redraw();
+    this.rest();
+  }
+
+  redraw() {
     const isWhole = this.x.isWhole && this.y.isWhole;
     this.frame.setAttribute("overflow", isWhole ? "visible" : "hidden");
     // What stands beside a curve would not move with it.
     this.inside.classList.toggle("dp-enlarged", !isWhole);
     for (const curve of this.curves) curve.draw(this.x, this.y);
     this.drawAxes();
-    this.mark(null);
   }
 
   drawAxes() {
@@ -184,7 +190,8 @@ class Panel {
       const lines = this.group.querySelectorAll(`.dp-axis-title[data-axis="${axis === this.x ? "x" : "y"}"]`);
       lines.forEach((line, i) => (line.textContent = i === 0 ? axis.label : ""));
     }
-    this.draw();
+    this.redraw();
+    this.mark(null);
   }
 
   // ---- The mark and its words ----
@@ -199,8 +206,22 @@ class Panel {
   point(places, time) {
     this.stop = null;
     this.tip.hide(this);
-    const line = time === null ? [] : [svgElement("path", { class: "dp-hairline", d: `M${this.x.shown(time)} 0V${this.height}` })];
-    this.marks.replaceChildren(...line, ...places.map(([place, curve]) => this.dot(place, curve)));
+    const line = time === null || !this.x.contains(time) ? [] : [svgElement("path", { class: "dp-hairline", d: `M${this.x.shown(time)} 0V${this.height}` })];
+    this.marks.replaceChildren(...line, ...places.filter(([place]) => this.isInView(place)).map(([place, curve]) => this.dot(place, curve)));
+  }
+
+  isInView([x, y]) {
+    return this.x.contains(x) && this.y.contains(y);
+  }
+
+  // Where keys go, what is looked at goes too.
+  markInView(stop) {
+    if (!this.isInView(stop.place)) {
+      this.x.follow(stop.place[0]);
+      this.y.follow(stop.place[1]);
+      this.redraw();
+    }
+    this.mark(stop);
   }
 
   mark(stop) {
@@ -212,13 +233,14 @@ class Panel {
   }
 
   words({ curve, place }) {
+    if (curve.style === "mark") return [curve.label];
     const named = (axis, text) => (axis.label ? `${axis.label}: ${text}` : text);
     // The name of an axis says it already.
     const isNamed = curve.label !== this.x.quantity && curve.label !== this.y.quantity;
     return [
       isNamed ? curve.label : "",
-      ...(curve.style === "horizontal" ? [] : [named(this.x, this.x.text(place[0]))]),
-      ...(curve.style === "vertical" ? [] : [named(this.y, this.y.text(place[1]))]),
+      ...(curve.style === "horizontal" || !this.x.hasNumbers ? [] : [named(this.x, this.x.text(place[0]))]),
+      ...(curve.style === "vertical" || !this.y.hasNumbers ? [] : [named(this.y, this.y.text(place[1]))]),
     ];
   }
 
@@ -245,12 +267,16 @@ class Panel {
 
   // A hundredth of the curve, or to the next point.
   step(count) {
-    const curve = this.shown.includes(this.stop?.curve) ? this.stop.curve : this.shown[0];
+    const curve = this.shown.includes(this.stop?.curve) ? this.stop.curve : this.firstCurve();
     if (!curve) return;
     const length = curve.length;
     const begin = this.stop?.curve === curve ? this.stop.way : curve.isPoints ? -1 : 0;
     const way = Math.min(Math.max(begin + count * (curve.isPoints ? 1 : length / 100), 0), length);
-    this.mark({ curve, way, place: curve.along(way) });
+    this.markInView({ curve, way, place: curve.along(way) });
+  }
+
+  firstCurve() {
+    return this.shown.find((curve) => !curve.isMark) ?? this.shown[0];
   }
 
   // To the next curve, where it is nearest.
@@ -260,14 +286,18 @@ class Panel {
     if (now < 0) return this.step(0);
     const [x, y] = this.stop.place;
     const next = list[(now + count + list.length) % list.length];
-    this.mark(this.nearest([next], [this.x.shown(x), this.y.shown(y)]));
+    this.markInView(this.nearest([next], [this.x.shown(x), this.y.shown(y)]) ?? { curve: next, way: 0, place: next.along(0) });
   }
 
   zoom(factor) {
     const stop = this.stop;
+    const curve = this.firstCurve();
     const around = (axis, middle) => [middle - (factor * (axis.to - axis.from)) / 2, middle + (factor * (axis.to - axis.from)) / 2];
-    const [x, y] = stop?.place ?? [(this.x.from + this.x.to) / 2, (this.y.from + this.y.to) / 2];
+    // Without a mark the middle of the first curve is as good a place as any, if it is in view.
+    const half = curve?.along(curve.length / 2);
+    const middle = half && this.isInView(half) ? half : [(this.x.from + this.x.to) / 2, (this.y.from + this.y.to) / 2];
+    const [x, y] = stop?.place ?? middle;
     this.look(around(this.x, x), around(this.y, y));
-    this.mark(stop);
+    if (stop) this.mark(stop);
   }
 }

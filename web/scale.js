@@ -55,6 +55,7 @@ class Axis {
   constructor(data, name, length) {
     this.length = length;
     [this.low, this.high] = ["Low", "High"].map((end) => Number(data[name + end]));
+    this.hasNumbers = data[`${name}Numbers`] !== "0";
     this.isLogarithmic = data[`${name}Log`] === "1";
     // The SI unit, and what one of it is on this axis; axes of pure numbers have none.
     this.unit = data[`${name}Unit`];
@@ -89,8 +90,19 @@ class Axis {
   look(from, to) {
     const least = this.length / 200;
     const size = Math.min(Math.max(to - from, least), this.length);
+    if (size > this.length * (1 - 1e-9)) return this.whole();
     this.from = Math.min(Math.max((from + to - size) / 2, 0), this.length - size);
     this.to = this.from + size;
+  }
+
+  contains(place) {
+    return place > this.from - 0.5 && place < this.to + 0.5;
+  }
+
+  // Moves what is looked at so that the place is in it.
+  follow(place) {
+    const half = (this.to - this.from) / 2;
+    if (!this.contains(place)) this.look(place - half, place + half);
   }
 
   // Between a place on the whole axis and where it is now.
@@ -117,6 +129,7 @@ class Axis {
   }
 
   ticks(most) {
+    if (!this.hasNumbers) return [];
     const [low, high] = [this.value(this.from), this.value(this.to)];
     const list = this.isLogarithmic ? logarithmicTicks(low, high, most) : linearTicks(low, high, most);
     return list.map(({ value, label }) => ({ place: this.shown(this.placeOf(value)), label }));

@@ -14,6 +14,8 @@ function unitSwitch(panels) {
 
   const show = (system) => {
     if (system === shown) return;
+    // Templates are written against the system that the page was written in.
+    if (shown !== systems[0] && system !== systems[0]) show(systems[0]);
     // What is taken out of the page is kept where the other came from.
     document.dispatchEvent(new Event("before-units"));
     shown.parts = document.createDocumentFragment();

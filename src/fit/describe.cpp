@@ -12,7 +12,7 @@ namespace dashpad::fit {
 
 namespace {
 
-FittedUnknown unknown_of(const Problem& problem, const Solved& solved, std::size_t i) {
+FittedUnknown unknown_of(const Fit& fit, const Problem& problem, const Solved& solved, std::size_t i) {
   const Coordinate& coordinate = problem.coordinates[i];
   const double x = solved.minimum.x[i];
   FittedUnknown found;
@@ -27,10 +27,13 @@ FittedUnknown unknown_of(const Problem& problem, const Solved& solved, std::size
   found.is_at_highest = is_at_bound(x) && x > 0.5;
   if (solved.uncertainty.error[i])
     found.standard_error = *solved.uncertainty.error[i] * std::abs(coordinate.slope(x));
+  if (i < fit.unknowns.size() && fit.unknowns[i].prior)
+    found.prior_deviation = fit.unknowns[i].prior->deviation;
   if (const auto& low = solved.below[i].x) found.low = coordinate.value(*low);
   if (const auto& high = solved.above[i].x) found.high = coordinate.value(*high);
   return found;
 }
+
 /// How each test, figure and pulse is met.
 void describe_measurements(const Fit& fit, const Problem& problem, const Solved& solved, FitReport& report) {
   const Uncertainty& uncertainty = solved.uncertainty;
@@ -72,7 +75,7 @@ void describe_measurements(const Fit& fit, const Problem& problem, const Solved&
 void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitReport& report) {
   const Uncertainty& uncertainty = solved.uncertainty;
   for (std::size_t i = 0; i < problem.coordinates.size(); ++i)
-    report.unknowns.push_back(unknown_of(problem, solved, i));
+    report.unknowns.push_back(unknown_of(fit, problem, solved, i));
   const auto key = [&](std::size_t i) { return problem.coordinates[i].key; };
   for (std::size_t k = 0; k < uncertainty.correlations.size(); ++k) {
     const auto& [i, j] = uncertainty.strongly_correlated[k];

@@ -71,11 +71,16 @@ std::string continuation(const ContinuationRange& range) {
     return acceleration ? fmt::format("{:.3g} g", *acceleration / standard_gravity)
                         : std::string("without limit");
   };
+  const std::string gentlest = peak(range.gentlest), steepest = peak(range.steepest);
+  if (gentlest == steepest)
+    return fmt::format(
+        "EXTRAPOLATED: beyond the tested strain the curve is a guess; the peak is {} however it goes on",
+        gentlest);
   return fmt::format(
-      "EXTRAPOLATED: beyond the tested strain the curve is a guess; with its exponent at {:.3g} the peak is "
-      "{}, at "
-      "{:.3g} it is {}",
-      range.gentlest_exponent, peak(range.gentlest), range.steepest_exponent, peak(range.steepest));
+      "EXTRAPOLATED: beyond the tested strain the curve is a guess; the peak is {} if it goes on gently "
+      "(exponent {:.3g}), {} "
+      "if steeply ({:.3g})",
+      gentlest, range.gentlest_exponent, steepest, range.steepest_exponent);
 }
 
 }  // namespace
@@ -126,9 +131,9 @@ std::vector<Flag> flags(const Summary& summary) {
   if (const std::string text = striking_through(summary); !text.empty())
     all.push_back({"STRUCK THROUGH", text});
   if (!summary.softening_rates.empty()) all.push_back({"SOFTENING", softening(summary)});
-  if (summary.continuation) all.push_back({"EXTRAPOLATED", continuation(*summary.continuation)});
   for (const std::string& reason : summary.extrapolations)
     all.push_back({"EXTRAPOLATED", "EXTRAPOLATED: " + reason});
+  if (summary.continuation) all.push_back({"EXTRAPOLATED", continuation(*summary.continuation)});
   if (summary.extrapolated && summary.extrapolations.empty())
     all.push_back({"EXTRAPOLATED", "EXTRAPOLATED: outside the range in which the material was fitted"});
   return all;

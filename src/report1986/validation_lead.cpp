@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "output/page/key_figures.hpp"
 #include "quantities/text.hpp"
 #include "report1986/validation_series.hpp"
 #include "report1986/validation_tables.hpp"
@@ -158,9 +159,8 @@ output::Lead validation_lead(const Study& study) {
                               "its fit, ± a standard error",
                               fitted_numbers, brief(held_out_radius_in))},
       .curve = predicted_over_measured(study)};
-  constexpr std::size_t most = 5;
   for (const HeldOutScore& score : study.held_out.scores)
-    if (lead.figures.size() < most) lead.figures.push_back(bias_figure(study, score));
+    if (lead.figures.size() + 1 < output::most_key_figures) lead.figures.push_back(bias_figure(study, score));
   lead.figures.push_back(
       {.label = "Rules passed by the report's law",
        .value = fmt::format("{} of {}", by_law.passed, by_law.all),

@@ -78,6 +78,12 @@ double upper_bound(std::uint64_t count, std::uint64_t successes) {
 
 }  // namespace
 
+std::optional<Estimate> quantile(const Distribution& of, double probability) {
+  const auto found = std::ranges::find(of.quantiles, probability, &Distribution::Quantile::probability);
+  if (found == of.quantiles.end() || std::isnan(found->value.value)) return {};
+  return found->value;
+}
+
 Distribution distribution(std::span<const double> values, bool drawn) {
   const std::vector<double> present = sorted_values(values);
   Distribution of;

@@ -29,6 +29,14 @@ bool is_of_cushion_curves(const Study& study) {
 
 }  // namespace
 
+std::optional<std::size_t> least_peak(const CushionCurve& curve) {
+  const std::vector<double>& peaks = curve.peak_deceleration;
+  std::optional<std::size_t> least;
+  for (std::size_t i = 0; i < peaks.size(); ++i)
+    if (std::isfinite(peaks[i]) && (!least || peaks[i] < peaks[*least])) least = i;
+  return least;
+}
+
 std::optional<CushionCurves> cushion_curves(const Study& study, const Records& records) {
   const auto deceleration = place_of(study.responses, "peak_acceleration");
   const auto penetration = place_of(study.responses, "peak_penetration");

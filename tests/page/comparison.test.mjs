@@ -18,8 +18,8 @@ execFileSync(command, ["compare", example("helmet-pad-10fps"), "--pulse", pulse,
 test("the answer is the heading, and both curves are in one chart", async () => {
   const page = await open(file, { viewport: { width: 1300, height: 2000 } });
   assert.match(await page.locator("h1").innerText(), /^The case predicts a peak \d+ % above that of the measured pulse/);
-  assert.equal(await page.locator("main .dp-panel").count(), 1);
-  assert.deepEqual(await page.locator("main .dp-series").evaluateAll((all) => all.map(({ dataset }) => dataset.label)), ["computed", "measured"]);
+  assert.equal(await page.locator(".dp-panel").count(), 1);
+  assert.deepEqual(await page.locator(".dp-series").evaluateAll((all) => all.map(({ dataset }) => dataset.label)), ["computed", "measured"]);
   assert.deepEqual(page.seen, { complaints: [], requests: [] });
   assert.equal(await page.locator("table tbody tr").count(), 6);
   await page.screenshot({ path: picture("comparison.png") });

@@ -14,12 +14,12 @@ execFileSync(command, ["fit", join(source, "examples/fits/vn600.toml"), "--repor
 test("the answer is the heading, what is left open stands below it", async () => {
   const page = await open(file, { viewport: { width: 1300, height: 2700 } });
   assert.deepEqual(page.seen, { complaints: [], requests: [] });
-  assert.match(await page.locator("h1").innerText(), /^The data determine 4 of 5 unknowns; the model misses the tests by 1\.2 %/);
-  assert.match(await page.locator(".warnings").innerText(), /LEFT OPEN: the data do not determine pad\.curve\.modulus/);
+  assert.match(await page.locator("h1").innerText(), /^The data determine 4 of 5 unknowns, and leave 1 open; the model misses the tests by 1\.2 %/);
+  assert.match(await page.locator(".reservation").innerText(), /LEFT OPEN: the data do not determine modulus of the foam/);
   assert.equal(await page.locator("main .dp-panel").count(), 2);
   for (const { size } of await drawn(page)) assert.ok(size > 300);
   assert.equal(await page.locator(".ranges > li").count(), 5);
-  const open_end = page.locator(".ranges > li", { hasText: "pad.curve.modulus" });
+  const open_end = page.locator(".ranges > li", { hasText: "Modulus of the foam" });
   const fading = await open_end.locator(".interval").evaluateAll((all) => all.map((each) => Number(each.getAttribute("opacity"))));
   assert.ok(fading.at(-1) < 0.1 && fading[0] > 0.5, String(fading));
   assert.match(await open_end.innerText(), /above 45\d\.?\d* kPa, open above/);

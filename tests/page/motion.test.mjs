@@ -48,6 +48,8 @@ for (const name of cases)
       assert.match(now.heading, /^At [\d.]+ ms$/);
     }
     assert.ok(Math.max(...(await seen(page)).widest) > 0);
+    await stand(page, 1);
+    assert.match(await page.locator(".time output").innerText(), /^At [\d.]+ ms: force .*penetration/, "at its end");
     assert.deepEqual(page.seen, { complaints: [], requests: [] });
   });
 
@@ -82,9 +84,12 @@ test("other units keep the moment", async () => {
   const page = await open(files["dashboard-20mph"]);
   await stand(page, 0.3);
   const before = await seen(page);
+  const marks = await page.locator(".dp-pointer > *").count();
+  assert.ok(marks > 5);
   await page.getByRole("radio", { name: "US" }).check();
   await settled(page);
   const after = await seen(page);
+  assert.equal(await page.locator(".dp-pointer > *").count(), marks);
   assert.ok(Math.abs(after.nose - before.nose) < 0.05 && after.heading === before.heading);
   assert.match(await page.locator(".time output").innerText(), /penetration 0\.9\d+ in/);
 });

@@ -72,6 +72,46 @@ test("arrow keys move along a curve, plus and minus enlarge", async () => {
   assert.equal(await force.locator(".dp-enlarged").count(), 0);
 });
 
+test("an enlarged plot goes where the keys go, and nothing is marked outside of it", async () => {
+  const page = await open(file);
+  const force = figure(page, "Force over time");
+  const height = () => page.evaluate(() => document.documentElement.scrollHeight);
+  const before = await height();
+  await force.locator(".dp-inside").focus();
+  for (const key of ["ArrowRight", "ArrowRight", "+", "+", "+", "+", "+", "+", "End"]) await page.keyboard.press(key);
+  const [x, y] = await marked(force);
+  assert.ok(x >= -0.01 && x <= 1.01 && y >= -0.01 && y <= 1.01, `${x} ${y}`);
+  assert.match((await tip(page))[0], /Time \(ms\): 24/);
+  await page.mouse.move(...(await place(figure(page, "Energy over time"), 0.3, 0.5)));
+  await settled(page);
+  assert.equal(await force.locator(".dp-pointer > *").count(), 0, "the moment is not in view");
+  assert.ok(Math.abs((await height()) - before) < 60);
+  for (let i = 0; i < 7; ++i) {
+    await force.locator(".dp-inside").focus();
+    await page.keyboard.press("-");
+  }
+  assert.equal(await force.locator(".dp-enlarged").count(), 0, "whole again");
+});
+
+test("a click leaves the mark where it is", async () => {
+  const page = await open(file);
+  const force = figure(page, "Force over time");
+  await page.mouse.move(...(await place(force, 0.25, 0.5)));
+  const mark = await marked(force);
+  await page.mouse.down();
+  await page.mouse.up();
+  (await marked(force)).forEach((share, i) => assert.ok(Math.abs(share - mark[i]) < 0.005));
+  assert.equal((await tip(page)).length, 1);
+});
+
+test("keys begin with the curve, not with the bracket of the HIC", async () => {
+  const page = await open(file);
+  const deceleration = figure(page, "Deceleration over time");
+  await deceleration.locator(".dp-inside").focus();
+  await page.keyboard.press("ArrowRight");
+  assert.doesNotMatch((await tip(page))[0], /HIC/);
+});
+
 test("a finger shows values, too", async () => {
   const page = await open(file, { viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true });
   await page.touchscreen.tap(...(await place(figure(page, "Force over time"), 0.3, 0.4)));

@@ -37,6 +37,19 @@ test("units change by mouse and by keys, and back", async () => {
   assert.deepEqual(page.seen, { complaints: [], requests: [] });
 });
 
+test("a drawing that other units draw anew keeps its look, from each system to each", async () => {
+  const page = await open(report(example("post-on-bumper")));
+  const fill = () => page.locator(".drawing .dd-nose").first().evaluate((nose) => getComputedStyle(nose).fill);
+  const written = await fill();
+  const expected = { US: "Force (lbf)", "Engineering metric": "Force (kN)", SI: "Force (N)" };
+  for (const system of ["US", "Engineering metric", "SI", "Engineering metric", "US", "SI"]) {
+    await page.getByRole("radio", { name: system }).check();
+    assert.equal(await fill(), written, system);
+    assert.ok((await labels(page)).includes(expected[system]), system);
+  }
+  assert.deepEqual(page.seen, { complaints: [], requests: [] });
+});
+
 test("the units of the command come first", async () => {
   const page = await open(report(example("dashboard-20mph"), "--units", "us"));
   assert.ok(await page.getByRole("radio", { name: "US" }).isChecked());

@@ -60,6 +60,7 @@ std::string ending_of(const Figures& run) {
     case Ending::released: return "released";
     case Ending::bottomed_out: return "bottomed-out";
     case Ending::time_limit: return "time-limit";
+    case Ending::at_rest: return "at-rest";
     case Ending::too_many_steps: break;
   }
   return "gave-up";

@@ -55,12 +55,12 @@ TEST(FilledMap, EachClassCoversItsPart) {
   EXPECT_EQ(areas[2].shade, 1);
 }
 
-TEST(FilledMap, ACellWithoutAValueStaysEmpty) {
+TEST(FilledMap, BesideAPlaceWithoutAValueTheOthersStandForWhatIsNextToThem) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const std::vector<output::Series> areas =
       output::filled_areas({0, 1, 2}, {0, 1}, {{1, 1.5, none}, {1, 1.5, 2}}, {0, 5, 10}, "");
   ASSERT_EQ(areas.size(), 1U);
-  EXPECT_NEAR(area_of(areas[0]), 1, 1e-12);
+  EXPECT_NEAR(area_of(areas[0]), 1 + 0.75, 1e-12);
   EXPECT_EQ(areas[0].label, "0 to 5");
 }
 
@@ -99,6 +99,7 @@ TEST(FilledMap, AContourLeavesCellsWithoutAValueOut) {
   const std::vector<double> across{0, 1, 2, 3}, up{0, 1, 2};
   const std::vector<std::vector<double>> values{{0, 1, 2, 3}, {0, 1, 2, 3}, {0, no_value, 2, 3}};
   const output::Series line = output::contour(across, up, values, 1.5);
+  ASSERT_FALSE(line.x.empty());
   EXPECT_THAT(line.x, testing::Each(1.5));
   EXPECT_THAT(line.y, testing::Each(testing::Le(1)));
 }

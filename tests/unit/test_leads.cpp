@@ -12,6 +12,7 @@
 #include "output/page/material_test_lead.hpp"
 #include "output/page/study_key_figures.hpp"
 #include "output/text/capitals.hpp"
+#include "output/text/study_answer.hpp"
 #include "report1986/validation_tables.hpp"
 
 namespace dashpad {
@@ -229,6 +230,61 @@ TEST(StudyKeyFigures, OfIndicesTheLargestFirst) {
 
 TEST(StudyKeyFigures, AreNotThereWithoutRows) {
   EXPECT_THAT(output::study_key_figures({}, unit_system("si")), IsEmpty());
+}
+
+/// With the share of rows above a limit, in g.
+void ask_for(study::StudyAnswers& answers, double limit_in_g) {
+  const double limit = limit_in_g * standard_gravity;
+  std::vector<study::Reading> readings;
+  for (const double peak : answers.records.responses[0]) readings.push_back({peak, peak});
+  answers.limits.push_back({"peak_acceleration", limit});
+  answers.groups[0].exceedances.push_back(study::exceedance(readings, limit));
+}
+
+std::string answer_to(const study::StudyAnswers& answers) {
+  return output::study_answer(answers, unit_system("si"));
+}
+
+TEST(StudyAnswer, OverOneFactorSaysWhereTheLimitIsPassed) {
+  study::StudyAnswers rising = answers_of({100, 200, 300, 400}, false);
+  ask_for(rising, 25);
+  EXPECT_EQ(answer_to(rising), "Peak acceleration exceeds 25 g from impact speed 3 m/s on, not up to 2 m/s");
+  study::StudyAnswers falling = answers_of({400, 300, 200, 100}, false);
+  ask_for(falling, 25);
+  EXPECT_EQ(answer_to(falling), "Peak acceleration exceeds 25 g up to impact speed 2 m/s, not from 3 m/s on");
+  study::StudyAnswers hump = answers_of({100, 300, 100}, false);
+  ask_for(hump, 25);
+  EXPECT_EQ(answer_to(hump), "In 1 of 3 rows peak acceleration exceeds 25 g");
+}
+
+TEST(StudyAnswer, SpeaksOfTheLimitThatIsExceededMost) {
+  study::StudyAnswers answers = answers_of({100, 200, 300, 400}, true);
+  ask_for(answers, 35);
+  ask_for(answers, 15);
+  EXPECT_THAT(answer_to(answers), HasSubstr("In 75 % of cases peak acceleration exceeds 15 g"));
+}
+
+TEST(StudyAnswer, OfSeveralCombinationsNamesTheBestAndTheWorst) {
+  study::StudyAnswers answers = answers_of({100, 200, 300, 400}, true);
+  answers.study.factors.front().spread = study::Levels{{1, 2}};
+  ask_for(answers, 15);
+  answers.groups.push_back(answers.groups.front());
+  answers.groups[0].group.levels = {1};
+  answers.groups[1].group.levels = {2};
+  answers.groups[1].exceedances[0].probability.value = 0.1;
+  EXPECT_EQ(answer_to(answers),
+            "Peak acceleration exceeds 15 g in 10 % of cases at impact speed 2 m/s, in 75 % of cases at "
+            "impact speed 1 m/s");
+}
+
+TEST(StudyAnswer, OfASingleRowIsItsValue) {
+  EXPECT_EQ(answer_to(answers_of({100}, false)), "Peak acceleration is 10.2 g");
+}
+
+TEST(StudyAnswer, SaysThatAllRowsBottomOut) {
+  study::StudyAnswers answers = answers_of({HUGE_VAL, HUGE_VAL, HUGE_VAL}, false);
+  answers.records.struck_through = 3;
+  EXPECT_EQ(answer_to(answers), "The pad bottoms out in all 3 rows");
 }
 
 TEST(Capitals, FollowTheirPlaceInASentence) {

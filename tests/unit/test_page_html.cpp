@@ -8,6 +8,7 @@
 
 #include "output/page/cell.hpp"
 #include "output/page/digest.hpp"
+#include "output/page/frame.hpp"
 #include "output/page/html.hpp"
 #include "output/page/inline_svgs.hpp"
 
@@ -84,9 +85,12 @@ TEST(PageHtml, HasEachStyleOnceAndNamesIt) {
   const PageHtml html = html_of({{nullptr, page}});
   ASSERT_EQ(html.styles.size(), 1U);
   const std::string element = "<style>" + *html.styles.begin() + "</style>";
-  const std::size_t first = html.body.find(element);
+  // In the head: whatever of the body is taken away or put in its place, it stays.
+  EXPECT_THAT(html.body, Not(HasSubstr("<style>")));
+  const std::string head = framed(html).substr(0, framed(html).find("</head>"));
+  const std::size_t first = head.find(element);
   ASSERT_NE(first, std::string::npos);
-  EXPECT_EQ(html.body.find("<style>", first + 1), std::string::npos);
+  EXPECT_EQ(head.find(element, first + 1), std::string::npos);
 }
 
 TEST(PageHtml, SaysWhereThereIsNothingToDraw) {

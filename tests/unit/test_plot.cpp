@@ -234,8 +234,9 @@ void expect_inside(const std::string& svg) {
   };
   const double width = number("width"), height = number("height");
   const auto sides = test::numbers_of(test::all_between(svg, "viewBox=\"", "\"").at(0));
-  EXPECT_LE(number("left") + width, sides.at(2));
-  EXPECT_LE(number("top") + height, sides.at(3));
+  const std::string axes = test::all_between(svg, "<svg class=\"dp-inside\"", ">").at(0);
+  EXPECT_LE(std::stod(test::all_between(axes, " x=\"", "\"").at(0)) + width, sides.at(2));
+  EXPECT_LE(std::stod(test::all_between(axes, " y=\"", "\"").at(0)) + height, sides.at(3));
   const std::string panel = test::all_between(svg, "<svg class=\"dp-inside\"", "</svg>").at(0);
   for (const char* name : {"dp-line\"", "dp-line dp-dash", "dp-band", "dp-area"}) {
     for (const std::string& path : test::paths(panel, name)) {
@@ -441,6 +442,32 @@ TEST(Plot, DrawsThePaleEdgesOfALineBelowIt) {
   const auto lines = test::paths(svg_of(plot), "dp-line");
   ASSERT_EQ(lines.size(), 3U);
   EXPECT_EQ(lines[0], lines[1]);
+}
+
+TEST(Plot, PointsAnArrowAlongALine) {
+  // Its tip, then the two corners behind it.
+  const auto arrow = [](output::Series series) {
+    series.has_arrow = true;
+    const std::vector<std::string> all = test::paths(svg_of(plot_of({std::move(series)})), "dp-shape");
+    return all.size() == 1 ? test::numbers_of(all.front()) : std::vector<double>{};
+  };
+  const std::vector<double> there = arrow(line("there", {0, 1}, {1, 1})),
+                            back = arrow(line("back", {0, 1, 0}, {0, 1, 0})),
+                            down = arrow(line("down", {1, 1}, {1, 0}));
+  ASSERT_THAT(std::vector({there.size(), back.size(), down.size()}), Each(6));
+  EXPECT_GT(there[0], there[2] + 10);
+  EXPECT_NEAR(there[1], (there[3] + there[5]) / 2, 0.02);
+  EXPECT_LT(back[0], back[2]);
+  EXPECT_GT(back[1], back[3]);
+  EXPECT_GT(down[1], down[3] + 10);
+  EXPECT_TRUE(test::paths(svg_of(two_lines()), "dp-shape").empty());
+}
+
+TEST(Plot, HasNoArrowWhereALineIsTooShortForOne) {
+  output::Series dot = line("dot", {1, 1}, {1, 1});
+  dot.has_arrow = true;
+  const std::string svg = svg_of(plot_of({dot, line("line", {0, 2}, {0, 2})}));
+  EXPECT_THAT(svg, Not(HasSubstr("dp-arrow")));
 }
 
 TEST(Plot, BreaksTitlesAtItsOwnWidth) {

@@ -193,12 +193,12 @@ TEST(StepControl, ResolvesStrainAndGap) {
 
 TEST(StepControl, BeginsWithAQuarterOfWhatItsOwnStiffnessAllows) {
   const StepControl control = control_on(rigid);
-  constexpr double speed = 2, pad = 3e9;
+  constexpr double speed = 2, slope = 3e9;
   double stiffness = 0;
   const double step = control.first_step(
-      Phase::loading, speed, [](double y, double) { return pad * y / 2; }, stiffness);
-  EXPECT_NEAR(stiffness, pad, 1e-3);
-  const double allowed = numerics.first_step * control.longest(Phase::loading, {}, pad, speed);
+      Phase::loading, speed, [](double y, double) { return slope * y / 2; }, stiffness);
+  EXPECT_NEAR(stiffness, slope, 1e-3);
+  const double allowed = numerics.first_step * control.longest(Phase::loading, {}, slope, speed);
   EXPECT_LE(step, allowed);
   EXPECT_GT(2 * step, allowed);
 }

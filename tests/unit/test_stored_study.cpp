@@ -349,7 +349,7 @@ TEST_F(StoredStudyTest, ALatinHypercubeNamesTheFactorsThatItDoesNotStratify) {
   };
   EXPECT_THAT(text_of("independent.db"), ::testing::Not(::testing::HasSubstr("Not stratified")));
   study.correlations = {{2, 0, 0.5}};
-  EXPECT_THAT(text_of("correlated.db"), ::testing::HasSubstr("Not stratified: pad.thickness. Of two"));
+  EXPECT_THAT(text_of("correlated.db"), ::testing::HasSubstr("Not stratified: thickness of the pad. Of two"));
 }
 
 /// A store whose columns are not those of its study is no store of it.

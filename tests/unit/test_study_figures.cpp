@@ -1,5 +1,6 @@
 // Figures of a study: limits, rows that bottomed out, names in words.
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -98,6 +99,51 @@ TEST(StudyFigures, AScatterHasARowOfMarksForWhatBottomedOut) {
   ASSERT_EQ(marks.size(), 1U);
   EXPECT_THAT(marks[0].x, ElementsAre(3));
   EXPECT_GT(marks[0].y.at(0), 300);
+}
+
+TEST(StudyFigures, IndicesStandBelowEachOtherTheLargestOnTop) {
+  study::StudyAnswers of = answers(true);
+  of.groups[0].sensitivities = {study::Sensitivity{
+      .indices = {{.factor = "impactor.speed", .first = {0.1, 0, 0.2}, .total = {0.2, 0.1, 0.3}},
+                  {.factor = "pad.thickness", .first = {0.6, 0.5, 0.7}, .total = {0.8, 0.7, 0.9}}}}};
+  const output::Panel panel = output::index_figures(of).at(0).plot.panels.at(0);
+  EXPECT_FALSE(panel.y.has_numbers);
+  std::vector<std::string> names;
+  std::vector<double> heights;
+  for (const Series& series : panel.series)
+    if (!series.end_label.empty()) {
+      names.push_back(series.end_label);
+      heights.push_back(series.y.front());
+      EXPECT_EQ(series.x.size(), 2U);
+    }
+  EXPECT_THAT(names, ElementsAre("Thickness of the pad", "Impact speed"));
+  EXPECT_GT(heights.at(0), heights.at(1));
+  const std::string svg = picture({.panels = {panel}}, output::PictureFormat::svg);
+  EXPECT_THAT(svg, ::testing::HasSubstr(">Thickness of the pad<"));
+  EXPECT_THAT(svg, ::testing::HasSubstr("data-y-numbers=\"0\""));
+}
+
+TEST(StudyFigures, OfManyRowsSomeAreDrawnAtRandom) {
+  const std::vector<std::size_t> rows = output::rows_drawn(10'000, 400);
+  ASSERT_EQ(rows.size(), 400U);
+  EXPECT_TRUE(std::ranges::is_sorted(rows));
+  // Of a sequence in which every other row lies in the same half of the range, both halves are there.
+  const auto odd = std::ranges::count_if(rows, [](std::size_t row) { return row % 2 == 1; });
+  EXPECT_GT(odd, 150);
+  EXPECT_LT(odd, 250);
+  EXPECT_EQ(output::rows_drawn(3, 400), (std::vector<std::size_t>{0, 1, 2}));
+}
+
+TEST(StudyFigures, WhereAllBottomOutTheAxisHasNoNumbers) {
+  study::StudyAnswers all = answers(false);
+  for (std::size_t i = 0; i < all.records.rows.size(); ++i) {
+    all.records.statuses[i] = Status::bottomed_out;
+    all.records.responses[0][i] = none;
+  }
+  const auto curves = output::curve_figures(all, units());
+  ASSERT_EQ(curves.size(), 1U);
+  EXPECT_FALSE(curves[0].plot.panels[0].y.has_numbers);
+  EXPECT_TRUE(output::curve_figures(answers(false), units()).at(0).plot.panels.at(0).y.has_numbers);
 }
 
 TEST(StudyFigures, WithoutSuchRowsThereAreNoMarks) {

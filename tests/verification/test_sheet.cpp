@@ -111,7 +111,9 @@ TEST(Sheet, VanishesWithItsMass) {
     };
     const double without = peak(0), light = peak(0.01) - without, heavier = peak(0.1) - without;
     EXPECT_LT(std::abs(light), 2e-4 * without) << name_of(law);
-    if (std::abs(heavier) > 1e-4 * without) EXPECT_NEAR(light / heavier, 0.1, 0.03) << name_of(law);
+    if (std::abs(heavier) > 1e-4 * without) {
+      EXPECT_NEAR(light / heavier, 0.1, 0.03) << name_of(law);
+    }
   }
 }
 

@@ -26,12 +26,18 @@ struct FittedUnknown {
   /// bounds.
   std::optional<double> low, high;
   bool is_at_lowest = false, is_at_highest = false;
-  bool is_logarithmic = false;  ///< sought by its logarithm
+  bool is_logarithmic = false;            ///< sought by its logarithm
+  std::optional<double> prior_deviation;  ///< of its prior, where it has one
   /// Of a measurement, not of the material: the shift of a force zero, or of the clock of a pulse.
   bool is_nuisance = false;
 
   /// Whether its interval ends within the bounds on both sides.
   [[nodiscard]] bool is_identified() const { return low && high; }
+  /// Whether its prior says more of it than the data do: half of the variance of the prior is left.
+  [[nodiscard]] bool rests_on_prior() const {
+    return prior_deviation &&
+           (!standard_error || 2 * *standard_error * *standard_error > *prior_deviation * *prior_deviation);
+  }
   /// "no", "below", "above" or "both".
   [[nodiscard]] std::string open() const { return low ? (high ? "no" : "above") : (high ? "below" : "both"); }
 };

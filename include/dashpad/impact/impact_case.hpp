@@ -15,7 +15,7 @@ namespace dashpad {
 /// A rigid body that moves along one line.
 struct Impactor {
   double mass = 0;   ///< kg, > 0
-  Nose nose;         ///< the part of it that meets the pad
+  Nose nose = {};    ///< the part of it that meets the pad
   double speed = 0;  ///< m/s at first contact, towards the pad, > 0
   /// m/s2 along the motion, >= 0. 0: the weight does no work.
   double gravity = 0;

@@ -98,9 +98,9 @@ struct ContinuationRange {
 /// A layer of a pad, on the axis: of the finest run, not extrapolated.
 struct LayerSummary {
   double peak_strain = 0;
-  double peak_strain_rate = 0;           ///< 1/s, magnitude
-  std::optional<double> beyond_tested;   ///< when its strain passed the highest tested one, s
-  std::optional<double> struck_through;  ///< when less than struck_through_gap of it was left, s
+  double peak_strain_rate = 0;                ///< 1/s, magnitude
+  std::optional<double> beyond_tested = {};   ///< when its strain passed the highest tested one, s
+  std::optional<double> struck_through = {};  ///< when less than struck_through_gap of it was left, s
 };
 
 /// Of a layer's thickness: with less left it counts as struck through.
@@ -174,8 +174,8 @@ struct History {
   std::vector<double> contact_radius;      ///< m, outer edge of the stressed area
   std::vector<double> axis_strain;         ///< on the axis
   /// Of supports that are more than an elastic curve on the ground; else empty.
-  std::vector<double> transmitted_force;  ///< N, on the ground or the body behind
-  std::vector<double> body_motion;        ///< m
+  std::vector<double> transmitted_force = {};  ///< N, on the ground or the body behind
+  std::vector<double> body_motion = {};        ///< m
   /// Of a pad under a sheet with mass, of the foam; else empty: it is the force on the impactor.
   std::vector<double> pad_force = {};  ///< N
   /// Of each layer on the axis, from the struck face on; none of a pad of one foam.

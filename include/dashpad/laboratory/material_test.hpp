@@ -97,7 +97,7 @@ struct MaterialTestRun {
 struct MaterialTestReport {
   Material material;
   MaterialTest test;
-  std::vector<MaterialTestRun> runs;  ///< one each rate
+  std::vector<MaterialTestRun> runs = {};  ///< one each rate
 };
 
 /// Runs the test. Throws std::invalid_argument for violations() of the law or of a history, for a creep

@@ -43,6 +43,9 @@ struct Distribution {
   std::vector<Quantile> quantiles;
 };
 
+/// That of one of the probabilities above. None where no row has a value.
+std::optional<Estimate> quantile(const Distribution& of, double probability);
+
 /// Between which values a response of one row lies, SI. Both are the same where it is known, infinite where
 /// the pad bottomed out on a rigid support; from the value to infinity where that is a lower bound; without
 /// bounds where nothing is known.

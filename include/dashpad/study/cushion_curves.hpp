@@ -11,6 +11,7 @@
 /// drop height is v^2 / 2 g. Curves of a sphere lie elsewhere than those of a platen and must not be mixed
 /// with them.
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -24,13 +25,16 @@ struct CushionCurve {
   std::vector<double> peak_deceleration;  ///< m/s2; NaN where the impact has none
 };
 
+/// Where on the curve the peak is least. None without a finite one.
+std::optional<std::size_t> least_peak(const CushionCurve& curve);
+
 struct CushionCurves {
   struct Drop {
     double height = 0;  ///< m
     double speed = 0;   ///< m/s
     std::vector<CushionCurve> curves;
   };
-  std::vector<Drop> drops;
+  std::vector<Drop> drops;     ///< the highest last
   bool whole_cushion = false;  ///< the nose is flat and covers all of the pad, as in ASTM D1596
 };
 

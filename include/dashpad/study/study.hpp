@@ -41,9 +41,9 @@ using Spread = std::variant<Levels, Normal, Lognormal, Uniform, Triangular, Empi
 struct Factor {
   std::string key;   ///< as in case files: "impactor.speed", "pad.curve.modulus", "pad.material"
   std::string unit;  ///< SI: "m/s"; "" for a material
-  Spread spread;
+  Spread spread = {};
   /// Values outside are never drawn: the distribution is cut off there and made whole again.
-  std::optional<double> lowest, highest;
+  std::optional<double> lowest = {}, highest = {};
   [[nodiscard]] bool is_sampled() const { return !std::holds_alternative<Levels>(spread); }
 };
 

@@ -38,6 +38,8 @@ std::string pad_words(const Scene& scene) {
   if (!has_names_on_pad(scene))
     for (std::size_t i = 0; i < scene.moments.layers.size(); ++i) add(unbroken(name_of_layer(scene, i)));
   if (const auto& half = scene.moments.half_width) add("a block, " + length(2 * *half) + " across as drawn");
+  if (scene.impact.pad.sheet > 0)
+    add("under a sheet of " + unbroken(brief_quantity(scene.impact.pad.sheet, "kg/m2", scene.units, 3)));
   if (const double earlier = scene.impact.pad.earlier_penetration; earlier > 0)
     add("struck before to a depth of " + length(earlier));
   return text;

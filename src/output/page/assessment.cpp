@@ -22,6 +22,7 @@
 #include "output/result_rows.hpp"
 #include "output/text/assessment_words.hpp"
 #include "output/text/case_toml.hpp"
+#include "output/text/foam_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -73,7 +74,9 @@ std::vector<KeyFigure> key_figures(const AssessmentReport& report, const UnitSys
         {.label = "Impact speed", .value = brief_quantity(report.assessed.impactor.speed, "m/s", units, 3)});
   }
   add("peak_acceleration", assessment.figures.peak_acceleration, "");
-  add("peak_strain", assessment.figures.peak_strain, "1 is a pad that is fully compressed");
+  add("peak_strain", assessment.figures.peak_strain,
+      report.assessed.pad.layers.empty() ? "1 is a pad that is fully compressed"
+                                         : "of all layers together; 1 is a pad that is fully compressed");
   add("hic15", assessment.figures.hic15, "");
   add("contact_end", assessment.figures.contact_end, "");
   add("rebound_speed", assessment.figures.rebound_speed, "");
@@ -112,15 +115,18 @@ std::string assessment_page(const AssessmentReport& report, const UnitSystem& un
   page.title = report.assessed.title;
   page.is_one_impact = true;
   page.lead = Lead{.answer = assessment_answer(report, units),
-                   .tone = tone_of(assessment.verdict),
+                   .tone = passes_narrowly(assessment) ? Tone::doubtful : tone_of(assessment.verdict),
                    .reservation = first_reservation(assessment),
-                   .subject = {report.standard.title, report.assessed.title},
+                   .subject = {report.standard.title, "The case: " + report.assessed.title},
                    .drawing = impact_drawing(report.assessed, report.solution, units),
                    .curve = deciding_curve(report, injury, units),
                    .figures = key_figures(report, units)};
   for (const Flag& reservation : assessment.reservations) page.warnings.push_back(reservation.text);
   std::vector<std::string> basis{case_text(untitled, units)};
-  for (std::string& line : assessment_basis(report, units)) basis.push_back(std::move(line));
+  for (std::string& line : foam_basis(report.assessed.pad, units)) basis.push_back(std::move(line));
+  std::vector<std::string> of_standard = assessment_basis(report, units);
+  page.lead->subject.push_back(of_standard.front());
+  for (std::string& line : of_standard) basis.push_back(std::move(line));
   basis.push_back(numbers_text(report.solution.summary) + ".");
   basis.push_back(assessment_caveat());
   page.sections.push_back({.heading = "Criteria", .tables = {criteria_table(report, units)}});

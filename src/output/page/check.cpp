@@ -30,6 +30,8 @@ void check(const RangeBar& range) {
 }  // namespace
 
 void check(const FiguresPage& page) {
+  if (page.lead && page.lead->curve)
+    for (const Panel& panel : page.lead->curve->panels) check(panel);
   for (const PageSection& section : page.sections) {
     for (const RangeBar& range : section.ranges) check(range);
     for (const Table& table : section.tables) check(table);

@@ -28,7 +28,7 @@ double place_of(const fit::FittedUnknown& of, double value) {
 
 RangeBar bar_of(const fit::FittedUnknown& of, const UnitSystem& units) {
   const auto shown = [&](double value) { return brief_quantity(value, of.unit, units, 4); };
-  return {.label = of.key,
+  return {.label = factor_title(of.key),
           .value = shown(of.value),
           .words =
               interval_words(of, units) +
@@ -49,12 +49,16 @@ std::vector<std::string> fit_warnings(const fit::FitReport& report, const UnitSy
   for (const std::string& line : open_matters(report)) all.push_back("NOT TOLD APART: " + line);
   for (const fit::FittedUnknown& of : report.unknowns)
     if (!of.is_identified() && !of.is_nuisance)
-      all.push_back(fmt::format("LEFT OPEN: the data do not determine {}: its 95 % interval is {}.", of.key,
-                                interval_words(of, units)));
+      all.push_back(fmt::format("LEFT OPEN: the data do not determine {}: its 95 % interval is {}.",
+                                factor_words(of.key), interval_words(of, units)));
+  for (const fit::FittedUnknown& of : report.unknowns)
+    if (of.is_identified() && of.rests_on_prior() && !of.is_nuisance)
+      all.push_back(fmt::format("FROM ITS PRIOR: {} is what its prior says; the data add little.",
+                                factor_words(of.key)));
   for (const fit::FittedUnknown& of : report.unknowns)
     if (of.is_at_lowest || of.is_at_highest)
-      all.push_back(fmt::format("AT A BOUND: {} is at its {} bound: the data want it beyond.", of.key,
-                                of.is_at_lowest ? "lower" : "upper"));
+      all.push_back(fmt::format("AT A BOUND: {} is at its {} bound: the data want it beyond.",
+                                factor_words(of.key), of.is_at_lowest ? "lower" : "upper"));
   if (report.starts > 1 && report.starts_at_best <= 1)
     all.push_back(fmt::format("ONE START: {} of {} starts came to this misfit; there may be a better fit.",
                               report.starts_at_best, report.starts));
@@ -83,10 +87,12 @@ std::vector<KeyFigure> fit_figures(const fit::FitReport& report, const UnitSyste
   for (const bool identified : {false, true})
     for (const fit::FittedUnknown& of : report.unknowns)
       if (!of.is_nuisance && of.is_identified() == identified)
-        figures.push_back({.label = capitalised(factor_words(of.key)),
-                           .value = brief_quantity(of.value, of.unit, units, 3),
-                           .limit = "95 % interval " + interval_words(of, units),
-                           .tone = identified ? Tone::plain : Tone::doubtful});
+        figures.push_back(
+            {.label = capitalised(factor_words(of.key)),
+             .value = brief_quantity(of.value, of.unit, units, 3),
+             .limit = (of.rests_on_prior() ? "mostly from its prior; 95 % interval " : "95 % interval ") +
+                      interval_words(of, units),
+             .tone = identified && !of.rests_on_prior() ? Tone::plain : Tone::doubtful});
   figures.resize(std::min(figures.size(), most_key_figures));
   return figures;
 }

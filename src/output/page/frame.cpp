@@ -8,7 +8,11 @@ namespace dashpad::output {
 
 std::string framed(const PageHtml& html) {
   std::string styles = "'" + policy_hash(page_style) + "'";
-  for (const std::string& style : html.styles) styles += " '" + policy_hash(style) + "'";
+  std::string elements = fmt::format("<style>{}</style>\n", page_style);
+  for (const std::string& style : html.styles) {
+    styles += " '" + policy_hash(style) + "'";
+    elements += "<style>" + style + "</style>\n";
+  }
   return fmt::format(R"(<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -19,14 +23,13 @@ std::string framed(const PageHtml& html) {
 <meta name="robots" content="noindex">
 <link rel="icon" href="data:,">
 <title>{}</title>
-<style>{}</style>
-</head>
+{}</head>
 <body>
 {}<script>{}</script>
 </body>
 </html>
 )",
-                     policy_hash(page_script), styles, html.title, page_style, html.body, page_script);
+                     policy_hash(page_script), styles, html.title, elements, html.body, page_script);
 }
 
 }  // namespace dashpad::output

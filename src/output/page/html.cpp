@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dashpad/version.hpp"
+#include "output/page/check.hpp"
 #include "output/page/html_elements.hpp"
 #include "output/page/inline_svgs.hpp"
 #include "output/svg/svg.hpp"
@@ -17,7 +18,7 @@ namespace dashpad::output {
 namespace {
 
 /// px: narrow, so that texts can be read where a plot is as wide as a phone.
-constexpr double width_of_plots = 450;
+constexpr double width_of_plots = 420;
 /// Fewer are seen at a glance.
 constexpr std::size_t least_figures_with_contents = 10;
 
@@ -32,15 +33,15 @@ std::string heading_of(const CaptionedPlot& of) {
 }
 
 /// More single points make a page heavy and show nothing else: the page says so.
-constexpr std::size_t most_static_points = 1000;
+constexpr std::size_t most_points = 1000;
 
 /// Leaves points out of series that have too many, evenly; returns for how many one stands at the most.
 std::size_t thin_points(Plot& plot) {
   std::size_t most = 1;
   for (Panel& panel : plot.panels)
     for (Series& series : panel.series) {
-      if (series.style != SeriesStyle::points || series.x.size() <= most_static_points) continue;
-      const std::size_t step = (series.x.size() + most_static_points - 1) / most_static_points;
+      if (series.style != SeriesStyle::points || series.x.size() <= most_points) continue;
+      const std::size_t step = (series.x.size() + most_points - 1) / most_points;
       for (auto* column : {&series.x, &series.y}) {
         for (std::size_t i = 0; i * step < column->size(); ++i) (*column)[i] = (*column)[i * step];
         column->resize((column->size() + step - 1) / step);
@@ -155,12 +156,11 @@ std::string lead_html(const Lead& lead, InlineSvgs& svgs) {
 }
 
 std::string words_part(const FiguresPage& page) {
-  std::string html = paragraphs_html(page.summary);
-  if (!page.warnings.empty()) {
-    html += "<ul class=\"warnings\">\n";
-    for (const std::string& line : page.warnings) html += warning_html(line);
-    html += "</ul>\n";
-  }
+  std::string warnings;
+  for (const std::string& line : page.warnings)
+    if (!page.lead || !page.lead->reservation.starts_with(line)) warnings += warning_html(line);
+  if (!warnings.empty()) warnings = "<ul class=\"warnings\">\n" + warnings + "</ul>\n";
+  const std::string html = paragraphs_html(page.summary) + warnings;
   return html.empty() ? html : part("words", html);
 }
 
@@ -221,6 +221,7 @@ std::string main_html(const FiguresPage& page, InlineSvgs& svgs) {
 }  // namespace
 
 PageHtml html_of(const std::vector<PageInUnits>& pages) {
+  for (const PageInUnits& each : pages) check(each.page);
   const FiguresPage& page = pages.front().page;
   InlineSvgs svgs;
   PageHtml html{.styles = {}, .title = title_html(page), .body = {}};

@@ -82,9 +82,8 @@ std::string InlineSvgs::add(std::string svg) {
   const std::size_t begin = svg.find(opening);
   const std::size_t end = begin == std::string::npos ? begin : svg.find(closing, begin);
   if (end == std::string::npos) return svg;
-  const bool is_new = styles_.insert(svg.substr(begin + opening.size(), end - begin - opening.size())).second;
-  if (!is_new) svg.erase(begin, end + closing.size() - begin);
-  return svg;
+  styles_.insert(svg.substr(begin + opening.size(), end - begin - opening.size()));
+  return svg.erase(begin, end + closing.size() - begin);
 }
 
 std::string InlineSvgs::add(const Plot& plot, double width) {

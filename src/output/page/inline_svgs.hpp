@@ -9,10 +9,11 @@
 
 namespace dashpad::output {
 
-/// SVGs on their way into one page, which needs each of their styles once.
+/// SVGs on their way into one page. Their styles are for its head, once each: a drawing in other units takes
+/// the place of the first one, and must not take its style away.
 class InlineSvgs {
  public:
-  /// The element alone.
+  /// The element without its style.
   std::string add(std::string svg);
   /// The same of a plot, `width` px wide; a sentence if there is nothing to draw.
   std::string add(const Plot& plot, double width);

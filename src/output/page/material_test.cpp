@@ -4,18 +4,15 @@
 #include "dashpad/output/page/figures_page.hpp"
 #include "output/page/material_test_lead.hpp"
 #include "output/plot/material_test.hpp"
+#include "output/text/foam_words.hpp"
 #include "output/text/material_test_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
 
 std::string material_test_page(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
-  const std::string source = source_words(report);
-  const auto figure = [&](std::vector<Panel> panels, std::string note) {
-    CaptionedPlot of;
-    of.plot = {"", std::move(panels), source};
-    of.note = std::move(note);
-    return of;
+  const auto figure = [](Panel panel, std::string note = {}) {
+    return CaptionedPlot{.plot = {.panels = {std::move(panel)}}, .note = std::move(note)};
   };
   FiguresPage page;
   page.title = material_words(report.material);
@@ -30,17 +27,17 @@ std::string material_test_page(const laboratory::MaterialTestReport& report, con
       {.heading = "Stress",
        .paragraphs = {},
        .tables = {},
-       .figures = {figure({stress_over_strain(report, units)}, ""),
-                   figure({stress_over_time(report, units), strain_over_time(report, units)}, "")}},
+       .figures = {figure(stress_over_strain(report, units)), figure(stress_over_time(report, units)),
+                   figure(strain_over_time(report, units))}},
       {.heading = "Cushioning",
        .paragraphs = {},
        .tables = {},
-       .figures = {figure({energy_over_strain(report, units)}, ""),
-                   figure({efficiency_over_strain(report), ideality_over_strain(report)},
-                          "Efficiency is energy over the largest stress so far; ideality is that over the "
-                          "strain."),
-                   figure({efficiency_over_stress(report, units)},
-                          "The foam is used best at the stress where the efficiency is highest.")}}};
+       .figures = {
+           figure(energy_over_strain(report, units)),
+           figure(efficiency_over_strain(report), "Efficiency is energy over the largest stress so far."),
+           figure(ideality_over_strain(report), "Ideality is efficiency over the strain."),
+           figure(efficiency_over_stress(report, units),
+                  "The foam is used best at the stress where the efficiency is highest.")}}};
   return figures_page(page);
 }
 

@@ -10,7 +10,10 @@
 #include <fmt/format.h>
 
 #include "output/page/key_figures.hpp"
+#include "output/plot/foam_curve.hpp"
 #include "output/plot/material_test.hpp"
+#include "output/text/foam_words.hpp"
+#include "output/text/material_test_answer.hpp"
 #include "output/text/material_test_words.hpp"
 #include "quantities/text.hpp"
 
@@ -22,69 +25,8 @@ using laboratory::CushionPoint;
 using laboratory::MaterialTestReport;
 using laboratory::MaterialTestRun;
 
-const MaterialTestRun& headline_run(const MaterialTestReport& report) {
-  return *std::ranges::max_element(report.runs, {},
-                                   [](const MaterialTestRun& run) { return run.rate.value_or(0); });
-}
-
-/// Values of a run as people read them, with three digits, large ones too.
-struct Shown {
-  const UnitSystem& units;
-
-  [[nodiscard]] std::string stress(double value) const {
-    return number(value_in(units, value, "Pa")) + " " + shown_unit(unit_for(units, "Pa"));
-  }
-  [[nodiscard]] std::string energy(double value) const {
-    return number(value_in(units, value, "Pa")) + " " + energy_density_unit(units);
-  }
-  [[nodiscard]] static std::string number(double value) { return brief(rounded_to(value, 3)); }
-  [[nodiscard]] static std::string strain(double value) { return brief(value, 3); }
-  [[nodiscard]] static std::string share(double value) { return number(100 * value) + " %"; }
-};
-
-/// Whether the efficiency has a maximum on the way, rather than at the end of the first loading: only then
-/// does the foam run out.
-bool runs_out(const MaterialTestRun& run) {
-  constexpr double end_of_loading = 0.999;
-  return !run.cushion.strain.empty() &&
-         run.figures.best_efficiency.strain < end_of_loading * run.cushion.strain.back();
-}
-
-/// The first limit.
-std::string answer_to_limit(const MaterialTestReport& report, const MaterialTestRun& run,
-                            const Shown& shown) {
-  const std::string limit = shown.stress(report.test.stress_limits.front());
-  if (const std::optional<CushionPoint>& at = run.at_limits.front())
-    return fmt::format("Takes {} before its stress reaches {}", shown.energy(at->energy), limit);
-  return fmt::format("Takes {} and does not reach {}", shown.energy(run.figures.energy_in), limit);
-}
-
-std::string answer_without_rate(const MaterialTestReport& report, const MaterialTestRun& run,
-                                const Shown& shown) {
-  const std::string hold = brief_quantity(report.test.hold, "s", shown.units, 3);
-  if (run.relaxed && run.relaxed->at_end_of_ramp > 0)
-    return fmt::format("Keeps {} of its stress for {} at a strain of {}",
-                       Shown::share(run.relaxed->after_hold / run.relaxed->at_end_of_ramp), hold,
-                       Shown::strain(report.test.strain));
-  if (run.crept)
-    return fmt::format("Creeps from a strain of {} to {} in {} under {}",
-                       Shown::strain(run.crept->at_end_of_loading), Shown::strain(run.crept->after_hold),
-                       hold, shown.stress(report.test.stress));
-  if (!run.at_limits.empty()) return answer_to_limit(report, run, shown);
-  const CushionPoint& best = run.figures.best_efficiency;
-  if (runs_out(run))
-    return fmt::format("Best used at {}: it has then taken {}", shown.stress(best.stress),
-                       shown.energy(best.energy));
-  return fmt::format("Takes {} up to a strain of {}, and has not run out there", shown.energy(best.energy),
-                     Shown::strain(best.strain));
-}
-
-std::string answer_of(const MaterialTestReport& report, const MaterialTestRun& run, const Shown& shown) {
-  return answer_without_rate(report, run, shown) + (run.rate ? fmt::format(" (at {})", rate_words(run)) : "");
-}
-
 void add_hold(std::vector<KeyFigure>& figures, const MaterialTestReport& report, const MaterialTestRun& run,
-              const Shown& shown) {
+              const MaterialTestValues& shown) {
   const std::string hold = "after " + brief_quantity(report.test.hold, "s", shown.units, 3);
   if (run.relaxed) {
     figures.push_back(
@@ -93,37 +35,38 @@ void add_hold(std::vector<KeyFigure>& figures, const MaterialTestReport& report,
         {.label = "Stress held", .value = shown.stress(run.relaxed->after_hold), .limit = hold});
   }
   if (run.crept) {
+    figures.push_back({.label = "Strain at the end of loading",
+                       .value = MaterialTestValues::strain(run.crept->at_end_of_loading)});
     figures.push_back(
-        {.label = "Strain at the end of loading", .value = Shown::strain(run.crept->at_end_of_loading)});
-    figures.push_back({.label = "Strain held", .value = Shown::strain(run.crept->after_hold), .limit = hold});
+        {.label = "Strain held", .value = MaterialTestValues::strain(run.crept->after_hold), .limit = hold});
   }
 }
 
 void add_limits(std::vector<KeyFigure>& figures, const MaterialTestReport& report, const MaterialTestRun& run,
-                const Shown& shown) {
+                const MaterialTestValues& shown) {
   constexpr std::size_t most_limits = 2;
   for (std::size_t i = 0; i < run.at_limits.size() && i < most_limits; ++i) {
     const std::optional<CushionPoint>& at = run.at_limits[i];
-    figures.push_back({.label = "Energy below " + shown.stress(report.test.stress_limits[i]),
-                       .value = shown.energy(at ? at->energy : run.figures.energy_in),
-                       .limit = at ? "at a strain of " + Shown::strain(at->strain) : "which is not reached"});
+    figures.push_back(
+        {.label = "Energy below " + shown.stress(report.test.stress_limits[i]),
+         .value = shown.energy(at ? at->energy : run.figures.energy_in),
+         .limit = at ? "at a strain of " + MaterialTestValues::strain(at->strain) : "which is not reached"});
   }
 }
 
 KeyFigure strain_reached(const MaterialTestReport& report, const MaterialTestRun& run) {
-  KeyFigure figure{.label = "Strain reached", .value = Shown::strain(run.column.largest_strain)};
+  KeyFigure figure{.label = "Strain reached", .value = MaterialTestValues::strain(run.column.largest_strain)};
   if (const auto range = range_of(report.material)) {
-    figure.limit = fmt::format("{} up to {}", has_curves(report.material.law) ? "tested" : "fitted",
-                               Shown::strain(range->highest_strain));
+    figure.limit = fmt::format("{} up to {}", how_known(report.material),
+                               MaterialTestValues::strain(range->highest_strain));
     figure.share = run.column.largest_strain / range->highest_strain;
-    // A strain of 0.95 that was computed is not beyond 0.95.
-    if (*figure.share > 1 + 1e-9) figure.tone = Tone::doubtful;
+    if (is_beyond(run.column.largest_strain, *range)) figure.tone = Tone::doubtful;
   }
   return figure;
 }
 
 std::vector<KeyFigure> test_figures(const MaterialTestReport& report, const MaterialTestRun& run,
-                                    const Shown& shown) {
+                                    const MaterialTestValues& shown) {
   const laboratory::CushionFigures& of = run.figures;
   std::vector<KeyFigure> figures;
   add_hold(figures, report, run, shown);
@@ -136,7 +79,7 @@ std::vector<KeyFigure> test_figures(const MaterialTestReport& report, const Mate
                        .value = shown.energy(of.best_efficiency.energy),
                        .limit = "efficiency " + brief(of.best_efficiency.efficiency, 3)});
     figures.push_back({.label = "Runs out at a strain of",
-                       .value = Shown::strain(of.best_efficiency.strain),
+                       .value = MaterialTestValues::strain(of.best_efficiency.strain),
                        .limit = "beyond, stress grows faster than energy"});
   } else
     figures.push_back({.label = "Energy taken",
@@ -145,12 +88,12 @@ std::vector<KeyFigure> test_figures(const MaterialTestReport& report, const Mate
   if (run.unloads)
     figures.push_back(
         {.label = "Given back",
-         .value = of.energy_in > 0 ? Shown::share(of.energy_returned / of.energy_in) : "none",
+         .value = of.energy_in > 0 ? MaterialTestValues::share(of.energy_returned / of.energy_in) : "none",
          .limit = fmt::format("{} of {}", shown.energy(of.energy_returned), shown.energy(of.energy_in))});
   figures.push_back(strain_reached(report, run));
   figures.push_back({.label = "Largest stress",
                      .value = shown.stress(of.peak_stress),
-                     .limit = "at a strain of " + Shown::strain(of.strain_at_peak)});
+                     .limit = "at a strain of " + MaterialTestValues::strain(of.strain_at_peak)});
   figures.resize(std::min(figures.size(), most_key_figures));
   return figures;
 }
@@ -166,7 +109,8 @@ Panel stress_panel(const MaterialTestReport& report, const MaterialTestRun& run,
                             .style = SeriesStyle::points,
                             .x = {best.strain},
                             .y = {value_in(units, best.stress, "Pa")},
-                            .turn = report.runs.size()});
+                            .turn = report.runs.size(),
+                            .label_place = LabelPlace::middle});
     if (run.figures.peak_stress > most_over_best * best.stress) {
       panel.y.low = 0;
       panel.y.high = value_in(units, most_over_best * best.stress, "Pa");
@@ -176,12 +120,7 @@ Panel stress_panel(const MaterialTestReport& report, const MaterialTestRun& run,
     panel.series.push_back({.label = "limit " + brief_quantity(limit, "Pa", units),
                             .style = SeriesStyle::horizontal_line,
                             .y = {value_in(units, limit, "Pa")}});
-  if (const auto range = range_of(report.material); range && range->highest_strain < 1)
-    panel.series.push_back(
-        {.label = fmt::format("{} to {}", has_curves(report.material.law) ? "tested" : "fitted",
-                              brief(range->highest_strain, 3)),
-         .style = SeriesStyle::vertical_line,
-         .x = {range->highest_strain}});
+  if (std::optional<Series> line = line_of_range(report.material)) panel.series.push_back(*std::move(line));
   return panel;
 }
 
@@ -201,8 +140,8 @@ Panel deciding_panel(const MaterialTestReport& report, const MaterialTestRun& ru
 
 Lead material_test_lead(const MaterialTestReport& report, const UnitSystem& units) {
   const MaterialTestRun& run = headline_run(report);
-  const Shown shown{units};
-  Lead lead{.answer = answer_of(report, run, shown),
+  const MaterialTestValues shown{units};
+  Lead lead{.answer = material_test_answer(report, units),
             .subject = {material_words(report.material), test_words(report.test, units)},
             .curve = Plot{.panels = {deciding_panel(report, run, units)}},
             .figures = test_figures(report, run, shown)};
@@ -216,16 +155,7 @@ Lead material_test_lead(const MaterialTestReport& report, const UnitSystem& unit
 }
 
 std::vector<std::string> material_test_basis(const MaterialTestReport& report, const UnitSystem& units) {
-  const Material& material = report.material;
-  std::string foam = material_words(material);
-  if (material.density) foam += ", " + brief_quantity(*material.density, "kg/m3", units);
-  foam += material.source.empty() ? ". Source not stated." : ". Source: " + one_line(material.source) + ".";
-  std::vector<std::string> basis{std::move(foam)};
-  if (const auto range = range_of(material))
-    basis.push_back(fmt::format(
-        "{} up to a strain of {}, at {} to {} per second.", has_curves(material.law) ? "Tested" : "Fitted",
-        brief(range->highest_strain, 3), brief(range->lowest_rate, 3), brief(range->highest_rate, 3)));
-  for (const std::string& reservation : material.reservations) basis.push_back(one_line(reservation));
+  std::vector<std::string> basis = foam_basis(report.material, units);
   basis.push_back(test_words(report.test, units));
   for (std::string& note : notes_on(report)) basis.push_back(std::move(note));
   return basis;

@@ -19,6 +19,7 @@
 #include "output/plot/result_panels.hpp"
 #include "output/result_rows.hpp"
 #include "output/text/case_toml.hpp"
+#include "output/text/foam_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -34,15 +35,45 @@ Table table_of(std::string caption, const std::vector<ResultRow>& rows) {
   return table;
 }
 
-std::string answer(const Summary& summary, const std::optional<injury::InjuryFigures>& injury,
+bool strikes_through(const ImpactCase& impact, const Summary& summary) {
+  return summary.peak_penetration > (1 - struck_through_gap) * impact.pad.thickness;
+}
+
+/// Whether the largest values are those of a part of the impact.
+bool is_cut(const Summary& summary) {
+  return !pulse_is_whole(summary) && !bottomed_on_rigid_support(summary);
+}
+
+std::string answer(const ImpactCase& impact, const Summary& summary,
+                   const std::optional<injury::InjuryFigures>& injury, const std::vector<BlowResult>& blows,
                    const UnitSystem& units) {
+  if (!blows.empty()) {
+    const std::string growth = growth_text(impact, blows);
+    return growth.substr(0, growth.find_last_not_of('.') + 1);
+  }
   if (bottomed_on_rigid_support(summary))
     return fmt::format("The pad bottoms out with {} left",
                        brief_quantity(summary.bottomed->velocity, "m/s", units, 3));
   if (!summary.peak_acceleration) return outcome(summary);
-  const std::string peak = "Peak " + brief_quantity(*summary.peak_acceleration,
-                                                    result_quantity("peak_acceleration").si_unit, units, 3);
-  return injury ? peak + ", HIC15 " + brief(injury->hic15.value, 3) : peak;
+  std::string peak =
+      brief_quantity(*summary.peak_acceleration, result_quantity("peak_acceleration").si_unit, units, 3);
+  if (is_cut(summary)) return fmt::format("At least {}: the run ends before the impact does", peak);
+  peak = "eak " + peak + (injury ? ", HIC15 " + brief(injury->hic15.value, 3) : "");
+  return strikes_through(impact, summary) ? "Strikes through the pad: p" + peak : "P" + peak;
+}
+
+Tone tone_of(const ImpactCase& impact, const Summary& summary) {
+  if (bottomed_on_rigid_support(summary) || strikes_through(impact, summary)) return Tone::bad;
+  return is_cut(summary) ? Tone::doubtful : Tone::plain;
+}
+
+/// Of an impact that is cut the largest values may be larger.
+std::vector<KeyFigure> figures_of(const Summary& summary, const std::vector<ResultRow>& rows) {
+  std::vector<KeyFigure> figures = key_figures(rows);
+  if (is_cut(summary))
+    for (KeyFigure& figure : figures)
+      if (figure.label.starts_with("Peak")) figure.value = "≥ " + figure.value;
+  return figures;
 }
 
 FiguresPage in_units(const ImpactCase& impact, const Options& options, const Solution& solution,
@@ -56,17 +87,20 @@ FiguresPage in_units(const ImpactCase& impact, const Options& options, const Sol
   page.title = impact.title;
   page.is_one_impact = true;
   page.warnings = warnings(summary, units);
-  Lead lead{.answer = answer(summary, injury, units), .subject = {one_line(impact.title), outcome(summary)}};
-  if (bottomed_on_rigid_support(summary)) lead.tone = Tone::bad;
+  Lead lead{.answer = answer(impact, summary, injury, blows, units),
+            .tone = tone_of(impact, summary),
+            .subject = {one_line(impact.title), outcome(summary)}};
   if (!page.warnings.empty()) lead.reservation = page.warnings.front();
   ImpactCase last = impact;
   if (!blows.empty()) last.pad.earlier_penetration = blows.back().earlier_penetration;
   lead.drawing = impact_drawing(last, solution, units);
   Panel deceleration = deceleration_panel(solution, injury, units);
   lead.curve = Plot{.title = {}, .panels = {std::move(deceleration)}, .source = {}};
-  lead.figures = key_figures(main_rows(impact, summary, injury, units));
+  lead.figures = figures_of(summary, main_rows(impact, summary, injury, units));
   page.lead = std::move(lead);
   page.sections.push_back({.heading = "What it rests on", .paragraphs = {case_text(untitled, units)}});
+  for (std::string& line : foam_basis(impact.pad, units))
+    page.sections.back().paragraphs.push_back(std::move(line));
   if (std::optional<Plot> foam = foam_curve_plot(impact.pad, summary, units))
     page.sections.back().figures.push_back({.name = {}, .plot = *std::move(foam), .note = {}});
   PageSection figures{.heading = "Figures"};

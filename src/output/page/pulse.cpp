@@ -29,8 +29,9 @@ Table table_of(const std::vector<ResultRow>& rows) {
 std::string pulse_page(const injury::PulseReport& report, const UnitSystem& units) {
   FiguresPage page;
   page.title = report.file;
-  Lead lead{.subject = {report.file}};
-  lead.figures = key_figures(pulse_rows(report.figures, units, Detail::main));
+  Lead lead{.subject = {report.file,
+                        report.filter ? "Filter: " + filter_words(*report.filter) : "No filter applied"}};
+  lead.figures = key_figures(report_rows(report, units, Detail::main));
   lead.answer = fmt::format(
       "Peak {}, HIC15 {}",
       brief_quantity(report.figures.peak.magnitude, result_quantity("peak_acceleration").si_unit, units, 3),
@@ -40,16 +41,12 @@ std::string pulse_page(const injury::PulseReport& report, const UnitSystem& unit
     lead.tone = Tone::doubtful;
     lead.reservation = page.warnings.front();
   }
-  CaptionedPlot curve;
-  curve.plot = pulse_plot(report, units);
-  lead.curve = curve.plot;
+  lead.curve = pulse_plot(report, units);
   lead.curve->title.clear();
   lead.curve->source.clear();
   page.lead = std::move(lead);
-  page.sections = {
-      {.heading = "Figures", .tables = {table_of(pulse_rows(report.figures, units, Detail::all))}},
-      {.heading = "What it rests on", .paragraphs = {pulse_source_sentence(report, units)}},
-      {.heading = "The pulse", .figures = {std::move(curve)}}};
+  page.sections = {{.heading = "Figures", .tables = {table_of(report_rows(report, units, Detail::all))}},
+                   {.heading = "What it rests on", .paragraphs = {pulse_source_sentence(report, units)}}};
   return figures_page(page);
 }
 

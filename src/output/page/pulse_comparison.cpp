@@ -19,20 +19,20 @@
 namespace dashpad::output {
 
 std::string pulse_comparison_page(const PulseComparisonReport& report, const UnitSystem& units) {
-  CaptionedPlot figure;
-  figure.plot = pulse_comparison_plot(report, units);
   FiguresPage page;
   page.title = comparison_answer(report);
   page.warnings = comparison_reservations(report, units);
   const Table table = comparison_table(report, units);
   Lead lead{.answer = page.title,
+            .tone = report.comparison.computed ? Tone::plain : Tone::bad,
             .subject = {fmt::format("{} over {}", report.pulse.file, report.case_file)}};
   if (!page.warnings.empty()) lead.reservation = page.warnings.front();
   lead.drawing = impact_drawing(report.impact, report.solution, units);
-  lead.curve = figure.plot;
+  lead.curve = pulse_comparison_plot(report, units);
   lead.curve->title.clear();
   lead.curve->source.clear();
   for (const auto& row : table.rows) {
+    if (!report.comparison.computed) break;
     const std::string &title = row[0], &unit = row[1], &measured = row[2], &computed = row[3],
                       &share = row[5];
     lead.figures.push_back(
@@ -41,13 +41,10 @@ std::string pulse_comparison_page(const PulseComparisonReport& report, const Uni
          .limit = fmt::format("{} for {} measured{}{}", computed, measured, unit.empty() ? "" : ", ", unit)});
   }
   page.lead = std::move(lead);
-  ImpactCase untitled = report.impact;  // the title is that of the figure
-  untitled.title.clear();
   std::vector<std::string> basis = comparison_notes(report, units);
-  basis.push_back(case_text(untitled, units) + numbers_text(report.solution.summary) + ".");
+  basis.push_back(case_text(report.impact, units) + numbers_text(report.solution.summary) + ".");
   basis.push_back(pulse_source_sentence(report.pulse, units));
   page.sections = {
-      {.heading = "Measured over computed", .paragraphs = {}, .tables = {}, .figures = {std::move(figure)}},
       {.heading = "Figures", .paragraphs = {}, .tables = {table}, .figures = {}},
       {.heading = "What it rests on", .paragraphs = std::move(basis), .tables = {}, .figures = {}}};
   return figures_page(page);

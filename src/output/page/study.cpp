@@ -29,6 +29,15 @@ void add(FiguresPage& page, const char* heading, std::vector<CaptionedPlot> figu
                              .figures = std::move(figures)});
 }
 
+/// Bad where every row breaks the limit or strikes through, good where none does.
+Tone tone_of(const study::StudyAnswers& answers) {
+  if (answers.records.struck_through == answers.records.rows.size()) return Tone::bad;
+  if (answers.limits.empty()) return Tone::plain;
+  const LimitCount count = rows_above(answers, strictest_limit(answers));
+  if (count.undecided > 0 || count.rows == 0) return Tone::plain;
+  return count.exceeding == count.rows ? Tone::bad : count.exceeding == 0 ? Tone::good : Tone::plain;
+}
+
 /// Several figures of one kind, one below the other.
 Plot together(std::vector<CaptionedPlot> figures, const std::string& title) {
   Plot plot{.title = title, .panels = {}, .source = figures.front().plot.source};
@@ -42,13 +51,15 @@ Plot together(std::vector<CaptionedPlot> figures, const std::string& title) {
 std::vector<CaptionedPlot> leading_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   using Make = std::vector<CaptionedPlot> (*)(const study::StudyAnswers&, const UnitSystem&);
   constexpr Make indices = [](const study::StudyAnswers& of, const UnitSystem&) { return index_figures(of); };
-  for (const Make make :
-       {Make{cushion_figures}, indices, Make{map_figures}, Make{curve_figures}, Make{distribution_figures}}) {
+  const bool asks_for_limit = !answers.limits.empty();
+  std::vector<Make> kinds{cushion_figures, map_figures, curve_figures, distribution_figures};
+  if (!asks_for_limit) kinds.insert(kinds.begin() + 1, indices);
+  for (const Make make : kinds) {
     std::vector<CaptionedPlot> figures = make(answers, units);
     if (figures.empty()) continue;
-    if (!answers.limits.empty())
+    if (asks_for_limit)
       std::ranges::stable_partition(figures, [&](const CaptionedPlot& of) {
-        return of.plot.panels.front().title == title_of(answers.limits.front().response);
+        return of.plot.panels.front().title == title_of(strictest_limit(answers).response);
       });
     // One map alone: its legend would be lost among those of others.
     if (make == Make{map_figures}) figures.resize(1);
@@ -61,10 +72,8 @@ std::vector<CaptionedPlot> leading_figures(const study::StudyAnswers& answers, c
 Plot answering_plot(const study::StudyAnswers& answers, const UnitSystem& units) {
   std::vector<CaptionedPlot> figures = leading_figures(answers, units);
   if (figures.empty()) return {};
-  Plot plot = together(std::move(figures), "");
-  plot.source.clear();
-  plot.panels = {answers.cushion_curves ? plot.panels.back() : plot.panels.front()};
-  return plot;
+  std::vector<Panel>& panels = figures.front().plot.panels;
+  return {.panels = {std::move(answers.cushion_curves ? panels.back() : panels.front())}};
 }
 
 }  // namespace
@@ -78,7 +87,7 @@ FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& uni
       .warnings = study_warnings(answers),
       .sections = {}};
   if (std::string answer = study_answer(answers, units); !answer.empty()) {
-    page.lead = Lead{.answer = std::move(answer), .subject = {page.title}};
+    page.lead = Lead{.answer = std::move(answer), .tone = tone_of(answers), .subject = {page.title}};
     if (!page.warnings.empty()) page.lead->reservation = page.warnings.front();
     page.lead->figures = study_key_figures(answers, units);
     page.lead->curve = answering_plot(answers, units);

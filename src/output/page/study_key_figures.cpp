@@ -15,6 +15,7 @@
 #include "output/page/key_figures.hpp"
 #include "output/text/capitals.hpp"
 #include "output/text/factor_words.hpp"
+#include "output/text/study_answer.hpp"
 #include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
 
@@ -57,24 +58,26 @@ std::optional<double> limit_of(const StudyAnswers& answers, const std::string& r
   return found == answers.limits.end() ? std::nullopt : std::optional(found->value);
 }
 
-/// The first response with a limit, else the first of all.
+/// The response with the strictest limit, else the first of all.
 std::size_t leading_response(const StudyAnswers& answers) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
-    if (!answers.limits.empty() && response_name(answers, i) == answers.limits.front().response) return i;
+    if (!answers.limits.empty() && response_name(answers, i) == strictest_limit(answers).response) return i;
   return 0;
 }
 
-/// A probability for each limit, or where levels vary the first limit at each of them.
+/// A probability for each limit, or where levels vary the strictest limit at each of them.
 void add_probabilities(Figures& figures, const StudyAnswers& answers, const UnitSystem& units) {
   constexpr std::size_t most_limits = 2;
   const bool has_levels = answers.groups.size() > 1;
   for (const StudyAnswers::OfGroup& group : answers.groups)
-    for (std::size_t i = 0; i < answers.limits.size() && i < (has_levels ? 1 : most_limits); ++i) {
+    for (std::size_t i = 0, shown = 0; i < answers.limits.size() && shown < most_limits; ++i) {
       const study::StudyLimit& limit = answers.limits[i];
+      if (has_levels && &limit != &strictest_limit(answers)) continue;
+      ++shown;
       const study::Exceedance& of = group.exceedances[i];
       const std::string above = fmt::format("{} above {}", title_of(limit.response),
                                             in_unit_of(limit.response, units)(limit.value));
-      KeyFigure figure{.label = has_levels ? group_label(answers, group.group, units) : above};
+      KeyFigure figure{.label = has_levels ? words_of_levels(answers, group.group, units) : above};
       figure.value =
           group.group.drawn ? per_cent_of(of.probability.value) : part_of_rows(of.exceeding, of.rows);
       figure.limit = has_levels ? above : "";
@@ -113,13 +116,12 @@ void add_quantiles(Figures& figures, const StudyAnswers& answers, std::size_t re
   const std::optional<double> limit = limit_of(answers, name);
   for (const auto& [probability, words] :
        {std::pair{0.5, "half of the draws below"}, {0.95, "95 % of the draws below"}})
-    for (const auto& of : answers.groups.front().distributions[response].quantiles) {
-      if (of.probability != probability || std::isnan(of.value.value)) continue;
+    if (const auto of = study::quantile(answers.groups.front().distributions[response], probability)) {
       KeyFigure figure{.label = fmt::format("{}, {}", title_of(name), words),
-                       .value = shown(of.value.value),
-                       .limit = interval_of(of.value, shown)};
-      if (limit && *limit > 0 && std::isfinite(of.value.value)) {
-        figure.share = of.value.value / *limit;
+                       .value = shown(of->value),
+                       .limit = interval_of(*of, shown)};
+      if (limit && *limit > 0 && std::isfinite(of->value)) {
+        figure.share = of->value / *limit;
         figure.limit =
             fmt::format("limit {}{}{}", shown(*limit), figure.limit.empty() ? "" : "; ", figure.limit);
       }
@@ -131,16 +133,12 @@ void add_quantiles(Figures& figures, const StudyAnswers& answers, std::size_t re
 void add_spreads(Figures& figures, const StudyAnswers& answers, std::size_t leading,
                  const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
-    const auto& quantiles = answers.groups.front().distributions[i].quantiles;
-    const auto at = [&](double probability) {
-      const auto found =
-          std::ranges::find(quantiles, probability, &study::Distribution::Quantile::probability);
-      return found == quantiles.end() ? NAN : found->value.value;
-    };
-    if (i == leading || std::isnan(at(0.05)) || std::isnan(at(0.95))) continue;
+    const study::Distribution& of = answers.groups.front().distributions[i];
+    const auto low = study::quantile(of, 0.05), high = study::quantile(of, 0.95);
+    if (i == leading || !low || !high) continue;
     const std::string& name = response_name(answers, i);
     figures.push_back({.label = title_of(name),
-                       .value = three_digit_range(name, at(0.05), at(0.95), units),
+                       .value = three_digit_range(name, low->value, high->value, units),
                        .limit = "nine draws in ten"});
   }
 }
@@ -161,29 +159,22 @@ void add_counts(Figures& figures, const StudyAnswers& answers) {
 
 /// The least peak of each thickness from the highest drop, of which the answer speaks.
 void add_least_peaks(Figures& figures, const study::CushionCurves& curves, const UnitSystem& units) {
-  const auto drop = std::ranges::max_element(curves.drops, {}, &study::CushionCurves::Drop::height);
+  const study::CushionCurves::Drop& drop = curves.drops.back();
   const AsText shown = [&](double value) { return three_digits("peak_acceleration", value, units); };
-  for (const study::CushionCurve& curve : drop->curves) {
-    std::optional<std::size_t> least;
-    for (std::size_t i = 0; i < curve.peak_deceleration.size(); ++i)
-      if (const double value = curve.peak_deceleration[i];
-          std::isfinite(value) && (!least || value < curve.peak_deceleration[*least]))
-        least = i;
-    if (least)
+  for (const study::CushionCurve& curve : drop.curves)
+    if (const std::optional<std::size_t> least = study::least_peak(curve))
       figures.push_back(
           {.label = fmt::format("Least peak on {}", brief_quantity(curve.thickness, "m", units, 3)),
            .value = shown(curve.peak_deceleration[*least]),
            .limit = fmt::format("at {}, from {}", brief_quantity(curve.static_stress[*least], "Pa", units, 3),
-                                brief_quantity(drop->height, "m", units, 3))});
-  }
+                                brief_quantity(drop.height, "m", units, 3))});
 }
 
-/// "impactor.speed 5 m/s, pad.thickness 30 mm" of a row.
+/// "at impact speed 5 m/s, thickness of the pad 30 mm" of a row.
 std::string factors_of(const StudyAnswers& answers, std::size_t place, const UnitSystem& units) {
   std::string text;
   for (std::size_t i = 0; i < answers.study.factors.size(); ++i)
-    text += fmt::format("{}{} {}", i == 0 ? "at " : ", ", factor_words(answers.study.factors[i].key),
-                        level_text(answers.study, i, answers.records.factors[i][place], units));
+    text += (i == 0 ? "at " : ", ") + factor_at(answers.study, i, answers.records.factors[i][place], units);
   return text;
 }
 

@@ -28,6 +28,7 @@ SeriesDrawing drawing_of(const Series& series, const Panel& panel) {
                         .end_label = series.end_label,
                         .label_place = series.label_place,
                         .is_cased = series.is_cased,
+                        .has_arrow = series.has_arrow,
                         .looks = {},
                         .runs = {},
                         .places = {}};

@@ -15,6 +15,7 @@ struct SeriesDrawing {
   std::string label, end_label;
   LabelPlace label_place = LabelPlace::by_style;
   bool is_cased = false;
+  bool has_arrow = false;
   Looks looks;
   std::vector<PlotRun> runs;   ///< thinned; none for vertical and horizontal lines
   std::vector<double> places;  ///< of vertical and horizontal lines

@@ -134,7 +134,7 @@ std::string end_labels_svg(const std::vector<EndLabel>& labels, const PanelScale
   std::string svg = "<g class=\"dp-ends\">\n";
   for (const EndLabel& label : labels) {
     svg += fmt::format("<g{} data-label=\"{}\">{}", colour_attributes(label.series->looks.colour, "dp-end"),
-                       xml_text(label.series->label), leader(label, scale.size.width));
+                       xml_text(entry_of(*label.series).label), leader(label, scale.size.width));
     double y = label.height - (height_of(label) - end_label_line) / 2 + 4;
     for (const std::string& line : label.lines) {
       svg += fmt::format("<text class=\"dp-end-label\" x=\"{}\" y=\"{}\">{}</text>",

@@ -71,7 +71,7 @@ class Areas {
       return;
     }
     flush();
-    if (!is_whole(cell)) return;
+    if (!is_whole(cell)) return add_quarters(cell);
     for (const auto& [a, b, c] : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
       const auto at = [&](int i) { return cell[static_cast<std::size_t>(i)]; };
       add(clipped(clipped({at(a), at(b), at(c)}, low_, 1), high_, -1), area_);
@@ -83,6 +83,14 @@ class Areas {
   }
 
  private:
+  /// Beside a corner without a value each of the others stands for what is next to it.
+  void add_quarters(const CellCorners& cell) {
+    const double x = (cell[0].x + cell[2].x) / 2, y = (cell[0].y + cell[2].y) / 2;
+    for (const Vertex& corner : cell)
+      if (low_ <= corner.value && corner.value <= high_)
+        add({corner, {x, corner.y}, {x, y}, {corner.x, y}}, area_);
+  }
+
   double low_, high_;
   Series& area_;
   Outline pending_;

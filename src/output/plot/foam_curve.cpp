@@ -11,6 +11,7 @@
 
 #include "output/loading_curve.hpp"
 #include "output/plot/axis_with_unit.hpp"
+#include "output/text/foam_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -19,34 +20,35 @@ namespace {
 
 constexpr double last_drawn_strain = 0.98;
 constexpr int places_of_curve = 196;  // of 0.005
+/// A pad that is pressed flat would make all else a line along the axis: there the plot ends at that many
+/// times what half the strain takes.
+constexpr double steepest = 10;
 
 /// One foam of a pad, and how far it was compressed.
 struct UsedFoam {
   const Material& material;
   const PadCondition& condition;
   double strain = 0;
+  double rate = 0;        ///< the highest, 1/s
   std::size_t layer = 0;  ///< from 1; 0: the pad is of one foam
 };
 
 UsedFoam used_foam(const Pad& pad, const Summary& summary) {
-  if (pad.layers.empty()) return {pad.material, pad.condition, summary.peak_strain};
+  if (pad.layers.empty()) return {pad.material, pad.condition, summary.peak_strain, summary.peak_strain_rate};
   const auto most = std::ranges::max_element(summary.layers, {}, &LayerSummary::peak_strain);
   const auto i = summary.layers.size() == pad.layers.size()
                      ? static_cast<std::size_t>(most - summary.layers.begin())
                      : 0;
-  const double strain = summary.layers.empty() ? 0 : summary.layers[i].peak_strain;
-  return {pad.layers[i].material, pad.layers[i].condition, strain, i + 1};
+  const LayerSummary used = summary.layers.empty() ? LayerSummary{} : summary.layers[i];
+  return {pad.layers[i].material, pad.layers[i].condition, used.peak_strain, used.peak_strain_rate, i + 1};
 }
-
-const char* how_known(const Material& material) { return has_curves(material.law) ? "tested" : "fitted"; }
 
 /// "The foam is used to a strain of 0.84, beyond the 0.6 that was tested".
 std::string foam_curve_title(const UsedFoam& foam, const std::optional<FittedRange>& range) {
   const std::string whose = foam.layer == 0 ? "The foam" : fmt::format("Layer {}", foam.layer);
   const std::string text = fmt::format("{} is used to a strain of {}", whose, brief(foam.strain, 3));
   if (!range) return text;
-  return fmt::format("{}, {} the {} that was {}", text,
-                     foam.strain > range->highest_strain ? "beyond" : "within",
+  return fmt::format("{}, {} the {} that was {}", text, is_beyond(foam.strain, *range) ? "beyond" : "within",
                      brief(range->highest_strain, 3), how_known(foam.material));
 }
 
@@ -86,14 +88,41 @@ Series part_of_curve(const LoadingCurve& curve, double from, double to) {
   return part;
 }
 
-/// A little above what was used. A pad that is pressed flat would make all else a line along the axis: there
-/// the plot ends at a few times what half the strain takes.
+/// A little above what was used.
 double highest_shown(const LoadingCurve& curve, double used) {
-  constexpr double room = 1.25, steepest = 10;
+  constexpr double room = 1.25;
   return room * std::min(stress_at_strain(curve, used), steepest * stress_at_strain(curve, used / 2));
 }
 
+/// As highest_shown(), of a series.
+double fast_stress_shown(const Series& fast) {
+  const double half = fast.y[fast.y.size() / 2];
+  return std::min(fast.y.back(), steepest * half);
+}
+
+/// The curve at the highest rate of the impact, as far as it was used: the foam is stiffer there than where
+/// it was tested slowly. Nothing of a foam that knows no rate, or was not faster.
+std::optional<Series> curve_at_rate(const Material& material, const UsedFoam& foam, double slowest,
+                                    const UnitSystem& units) {
+  if (rate_words_of(material, foam.rate).empty() || !(foam.rate > slowest)) return std::nullopt;
+  const LoadingCurve curve =
+      loading_curve(material, foam.rate, std::min(foam.strain, last_drawn_strain), places_of_curve);
+  return Series{.label = fmt::format("at {} per second", brief(rounded_to(foam.rate, 2))),
+                .style = SeriesStyle::solid_line,
+                .x = curve.strain,
+                .y = values_in(units, curve.stress, "Pa"),
+                .turn = 1};
+}
+
 }  // namespace
+
+std::optional<Series> line_of_range(const Material& material) {
+  const std::optional<FittedRange> range = range_of(material);
+  if (!range || !(range->highest_strain < 1)) return std::nullopt;
+  return Series{.label = fmt::format("{} to {}", how_known(material), brief(range->highest_strain, 3)),
+                .style = SeriesStyle::vertical_line,
+                .x = {range->highest_strain}};
+}
 
 std::optional<Plot> foam_curve_plot(const Pad& pad, const Summary& summary, const UnitSystem& units) {
   if (summary.status == Status::not_run) return std::nullopt;
@@ -127,16 +156,19 @@ std::optional<Plot> foam_curve_plot(const Pad& pad, const Summary& summary, cons
   panel.y.high = value_in(units, highest, "Pa");
   panel.series = {std::move(ground), std::move(part)};
   if (used < last_drawn_strain) panel.series.push_back(std::move(rest));
+  bool is_faster = false;
+  if (std::optional<Series> fast = curve_at_rate(material, foam, rate, units)) {
+    panel.y.high = std::max(*panel.y.high, 1.05 * fast_stress_shown(*fast));
+    panel.series.push_back(*std::move(fast));
+    is_faster = true;
+  }
   const std::optional<FittedRange> range = range_of(material);
-  if (range && range->highest_strain < 1)
-    panel.series.push_back(
-        {.label = fmt::format("{} to {}", how_known(material), brief(range->highest_strain, 3)),
-         .style = SeriesStyle::vertical_line,
-         .x = {range->highest_strain}});
+  if (std::optional<Series> line = line_of_range(material)) panel.series.push_back(*std::move(line));
   return Plot{
       .title = foam_curve_title(foam, range),
       .panels = {std::move(panel)},
-      .source = fmt::format("{}: first loading{}", one_line(material.name), rate_words_of(material, rate))};
+      .source = fmt::format("{}: first loading{}{}", one_line(material.name), rate_words_of(material, rate),
+                            is_faster ? ", and at the highest rate of this impact" : "")};
 }
 
 }  // namespace dashpad::output

@@ -44,13 +44,16 @@ Panel loop(const char* key, const std::vector<double>& way, const Solution& solu
     return std::vector<double>(of.begin() + from, of.begin() + to);
   };
   const auto size = static_cast<std::ptrdiff_t>(x.size());
-  panel.series = {
-      {.label = result_quantity(key).title,
-       .style = SeriesStyle::solid_line,
-       .x = part(x, 0, std::min(turn + 1, size)),
-       .y = part(y, 0, std::min(turn + 1, size)),
-       .turn = 0},
-      {.style = SeriesStyle::dashed_line, .x = part(x, turn, size), .y = part(y, turn, size), .turn = 0}};
+  panel.series = {{.label = result_quantity(key).title,
+                   .style = SeriesStyle::solid_line,
+                   .x = part(x, 0, std::min(turn + 1, size)),
+                   .y = part(y, 0, std::min(turn + 1, size)),
+                   .turn = 0},
+                  {.style = SeriesStyle::dashed_line,
+                   .x = part(x, turn, size),
+                   .y = part(y, turn, size),
+                   .turn = 0,
+                   .has_arrow = true}};
   return panel;
 }
 
@@ -86,7 +89,7 @@ Panel energy_panel(const History& history, const ImpactEnergies& energies, const
   return panel;
 }
 
-/// Rounding below nothing would begin the axis at the next tick below.
+/// Rounding below nothing would begin the axis at the next tick below, and must not be cut off by it.
 void begin_at_zero(Panel& panel) {
   double lowest = 0, highest = 0;
   for (const Series& series : panel.series)
@@ -94,7 +97,10 @@ void begin_at_zero(Panel& panel) {
       lowest = std::min(lowest, value);
       highest = std::max(highest, value);
     }
-  if (lowest > -1e-6 * highest) panel.y.low = 0;
+  if (lowest <= -1e-6 * highest) return;
+  panel.y.low = 0;
+  for (Series& series : panel.series)
+    for (double& value : series.y) value = std::max(value, 0.0);
 }
 
 std::string percent(double share) { return fmt::format("{} %", significant(100 * share, 2)); }
@@ -137,6 +143,7 @@ void set_stress_axis(Axis& axis, const std::vector<ContactSnapshot>& snapshots, 
   double lowest = highest;
   for (const ContactSnapshot& of : snapshots)
     if (!of.stress.empty()) lowest = std::min(lowest, std::ranges::max(of.stress));
+  if (!(highest > 0)) return;
   axis.low = 0;
   axis.high = 1.06 * highest * factor;
   if (!(highest > 30 * lowest)) return;
@@ -181,16 +188,20 @@ std::vector<CaptionedPlot> impact_figures(const ImpactCase& impact, const Soluti
   Panel distances = distances_panel(history, units), energy = energy_panel(history, energies, units);
   begin_at_zero(distances);
   begin_at_zero(energy);
-  return {figure("Force over time", force_panel(solution, units), note),
-          figure("Deceleration over time", std::move(deceleration), note),
-          figure("Force over penetration", loop("penetration", history.penetration, solution, units), note),
-          figure("Force over displacement", loop("motion", history.motion, solution, units), note),
-          figure("Penetration and displacement over time", std::move(distances)),
-          figure("Energy over time", std::move(energy),
-                 fmt::format(
-                     "The sum of these curves (work by trapezoids) stays within {} of the impact energy. By "
-                     "the solver's own audit, of higher order, the residual at the end is {}.",
-                     percent(energies.largest_deviation), percent(std::abs(audit.residual / audit.impact))))};
+  std::vector<CaptionedPlot> figures{
+      figure("Force over time", force_panel(solution, units), note),
+      figure("Deceleration over time", std::move(deceleration), note),
+      figure("Force over penetration", loop("penetration", history.penetration, solution, units), note)};
+  if (history.motion != history.penetration)
+    figures.push_back(
+        figure("Force over displacement", loop("motion", history.motion, solution, units), note));
+  figures.push_back(figure("Penetration and displacement over time", std::move(distances)));
+  figures.push_back(figure(
+      "Energy over time", std::move(energy),
+      fmt::format("The sum of these curves (work by trapezoids) stays within {} of the impact energy. By "
+                  "the solver's own audit, of higher order, the residual at the end is {}.",
+                  percent(energies.largest_deviation), percent(std::abs(audit.residual / audit.impact)))));
+  return figures;
 }
 
 std::vector<CaptionedPlot> contact_figures(const std::vector<ContactSnapshot>& snapshots,

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 #include <fmt/format.h>
 
+#include "output/plot/line_places.hpp"
 #include "output/svg/svg.hpp"
 #include "output/svg/text_fit.hpp"
 
@@ -114,26 +114,6 @@ std::vector<MarkLabel> beside_vertical(const MarkLabel& label, double x) {
   return all;
 }
 
-double distance(const PlotPlace& a, const PlotPlace& b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-double length_of(const PlaceLine& line) {
-  double length = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
-  return length;
-}
-
-/// After that length from its begin.
-PlotPlace place_on(const PlaceLine& line, double length) {
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const double step = distance(line[i - 1], line[i]);
-    if (step > 0 && length <= step)
-      return {std::lerp(line[i - 1].x, line[i].x, length / step),
-              std::lerp(line[i - 1].y, line[i].y, length / step)};
-    length -= step;
-  }
-  return line.back();
-}
-
 std::vector<MarkLabel> beside_middle(const MarkLabel& label, const std::vector<PlaceLine>& parts) {
   std::vector<MarkLabel> all;
   if (parts.empty()) return all;
@@ -158,8 +138,10 @@ std::vector<MarkLabel> beside_middle(const MarkLabel& label, const std::vector<P
 
 std::vector<MarkLabel> beside_end(const MarkLabel& label, const PlotPlace& end) {
   std::vector<MarkLabel> all;
-  for (const double base : {to_text_above, -to_text_above, to_text_below})
+  for (const double base : {to_text_above, -to_text_above, to_text_below}) {
     all.push_back({label.series, label.text, {end.x + to_text_beside, end.y + base}, TextAnchor::start});
+    all.push_back({label.series, label.text, {end.x - to_text_beside, end.y + base}, TextAnchor::end});
+  }
   for (const double base : {-to_text_above, to_text_below})
     all.push_back({label.series, label.text, {end.x, end.y + base}, TextAnchor::middle});
   return all;
@@ -167,6 +149,11 @@ std::vector<MarkLabel> beside_end(const MarkLabel& label, const PlotPlace& end) 
 
 bool is_named_line_across(const SeriesDrawing& series) {
   return is_marker(series.looks.style) && series.places.size() == 1 && !series.label.empty();
+}
+
+bool is_named_point(const SeriesDrawing& series) {
+  return series.looks.style == SeriesStyle::points && series.label_place == LabelPlace::middle &&
+         !series.label.empty() && series.runs.size() == 1 && series.runs.front().size() == 1;
 }
 
 /// Where the name of a series could stand.
@@ -178,6 +165,10 @@ std::vector<MarkLabel> places_for(const SeriesDrawing& series, const PanelScale&
                : beside_horizontal(label, scale.down(series.places.front()), scale.size);
   if (is_line(series.looks.style) && series.label_place == LabelPlace::middle && !series.label.empty())
     return beside_middle(label, parts_inside(series, scale));
+  if (is_named_point(series)) {
+    const PlotRow& at = series.runs.front().front();
+    return beside_end(label, {scale.across(at.x), scale.down(at.y)});
+  }
   return {};
 }
 
@@ -213,7 +204,7 @@ std::string mark_labels_svg(const std::vector<MarkLabel>& labels) {
   for (const MarkLabel& label : labels)
     svg += fmt::format(
         "<g{} data-label=\"{}\"><text class=\"dp-mark-label{}\" x=\"{}\" y=\"{}\">{}</text></g>\n",
-        colour_attributes(label.series->looks.colour, "dp-mark"), xml_text(label.series->label),
+        colour_attributes(label.series->looks.colour, "dp-mark"), xml_text(entry_of(*label.series).label),
         anchors[static_cast<std::size_t>(label.anchor)], px(label.at.x), px(label.at.y),
         xml_text(label.text));
   return svg + "</g>\n";

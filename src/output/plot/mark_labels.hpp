@@ -1,6 +1,6 @@
 #pragma once
-/// Names of lines across a panel, of brackets, of contours and of lines that end early, written beside them
-/// within the axes.
+/// Names of lines across a panel, of brackets, of contours, of single points and of lines that end early,
+/// written beside them within the axes.
 
 #include <string>
 #include <vector>

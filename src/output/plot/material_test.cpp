@@ -7,6 +7,7 @@
 
 #include "dashpad/version.hpp"
 #include "output/plot/axis_with_unit.hpp"
+#include "output/text/foam_words.hpp"
 #include "output/text/material_test_words.hpp"
 #include "quantities/text.hpp"
 
@@ -81,6 +82,13 @@ Values stress_of(const laboratory::MaterialTestRun& run, const UnitSystem& units
   return values_in(units, run.column.stress, "Pa");
 }
 
+/// Version, material and its source.
+std::string source_words(const laboratory::MaterialTestReport& report) {
+  const Material& material = report.material;
+  return fmt::format("dashpad {}; {}: {}", version(), one_line(material.name),
+                     material.source.empty() ? "source not stated" : one_line(material.source));
+}
+
 }  // namespace
 
 Panel stress_over_strain(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
@@ -89,6 +97,7 @@ Panel stress_over_strain(const laboratory::MaterialTestReport& report, const Uni
   add_curves(
       panel, report, [](const auto& run) { return run.column.strain; },
       [&](const auto& run) { return stress_of(run, units); });
+  for (Series& loop : panel.series) loop.has_arrow = true;
   add_points_of_1984(panel, report, units, [](const laboratory::UpdateOf1984& of) { return of.strain; });
   return panel;
 }
@@ -161,12 +170,6 @@ Panel efficiency_over_stress(const laboratory::MaterialTestReport& report, const
     panel.series.push_back(std::move(line));
   }
   return panel;
-}
-
-std::string source_words(const laboratory::MaterialTestReport& report) {
-  const Material& material = report.material;
-  return fmt::format("dashpad {}; {}: {}", version(), one_line(material.name),
-                     material.source.empty() ? "source not stated" : one_line(material.source));
 }
 
 Plot material_test_plot(const laboratory::MaterialTestReport& report, const UnitSystem& units) {

@@ -19,7 +19,4 @@ Panel ideality_over_strain(const laboratory::MaterialTestReport& report);
 /// With the stress limits that were asked for.
 Panel efficiency_over_stress(const laboratory::MaterialTestReport& report, const UnitSystem& units);
 
-/// The small print: version, material and its source.
-std::string source_words(const laboratory::MaterialTestReport& report);
-
 }  // namespace dashpad::output

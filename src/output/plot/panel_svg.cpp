@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "output/plot/arrows.hpp"
 #include "output/plot/text.hpp"
 #include "output/svg/svg.hpp"
 #include "output/svg/text_fit.hpp"
@@ -32,6 +33,10 @@ std::string text_element(const char* classes, double x, double y, const std::str
 std::string axis_title(const char* axis, const char* classes, double x, double y, const std::string& text) {
   return fmt::format("<text class=\"{}\" data-axis=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", classes, axis,
                      px(x), px(y), xml_text(text));
+}
+
+std::vector<Tick> ticks_of(const Axis& axis, const AxisRange& range, std::size_t most) {
+  return axis.has_numbers ? ticks_of(range, most) : std::vector<Tick>{};
 }
 
 /// Lines across at the ticks that have a label, or at those that have none.
@@ -68,20 +73,21 @@ std::string axes(const PanelFrame& frame) {
 }
 
 /// Numbers and words that a script needs to read the panel.
-std::string data_attributes(const PanelFrame& frame, double left, double top) {
+std::string data_attributes(const PanelFrame& frame) {
   std::string text;
   const auto add = [&](const char* name, const AxisRange& range, const Axis& axis) {
     text += fmt::format(
         "data-{0}-low=\"{1}\" data-{0}-high=\"{2}\" data-{0}-log=\"{3:d}\" data-{0}-label=\"{4}\" ", name,
         range.low, range.high, range.logarithmic, xml_text(axis.label));
+    if (!axis.has_numbers) text += fmt::format("data-{}-numbers=\"0\" ", name);
     if (!axis.si_unit.empty())
       text += fmt::format("data-{0}-unit=\"{1}\" data-{0}-per-si=\"{2}\" ", name, xml_text(axis.si_unit),
                           axis.per_si);
   };
   add("x", frame.scale.x, frame.panel->x);
   add("y", frame.scale.y, frame.panel->y);
-  return text + fmt::format("data-left=\"{}\" data-top=\"{}\" data-width=\"{}\" data-height=\"{}\"", px(left),
-                            px(top), px(frame.scale.size.width), px(frame.scale.size.height));
+  return text + fmt::format("data-width=\"{}\" data-height=\"{}\"", px(frame.scale.size.width),
+                            px(frame.scale.size.height));
 }
 
 std::string titles(const PanelFrame& frame, double left, double top, double edge) {
@@ -113,7 +119,8 @@ std::string inside(const PanelFrame& frame) {
   }
   std::string text = grid(frame, true) + grid(frame, false) + axes(frame);
   for (const SeriesDrawing& series : frame.drawing->series) text += series_svg(series, frame.scale);
-  return text + mark_labels_svg(frame.marks) + end_labels_svg(frame.ends, frame.scale);
+  return text + arrows_svg(*frame.drawing, frame.scale) + mark_labels_svg(frame.marks) +
+         end_labels_svg(frame.ends, frame.scale);
 }
 
 /// "Force" of "Force (kN)", in small letters.
@@ -147,8 +154,8 @@ PanelFrame::PanelFrame(const Panel& panel_to_draw, const PanelDrawing& drawing_o
       scale{.x = range_of(panel->x, drawing->x, most_x_labels),
             .y = range_of(panel->y, drawing->y, most_y_labels),
             .size = {.width = 0, .height = height_of_axes(plot_width)}},
-      x_ticks(ticks_of(scale.x, most_x_labels)),
-      y_ticks(ticks_of(scale.y, most_y_labels)),
+      x_ticks(ticks_of(panel->x, scale.x, most_x_labels)),
+      y_ticks(ticks_of(panel->y, scale.y, most_y_labels)),
       title(lines_within(panel->title, size_for_bold * panel_title_text, plot_width - 2 * plot_edge)),
       y_title(lines_within(panel->y.label, axis_text, plot_width - 2 * plot_edge)) {
   if (!is_named_by_axis(*drawing, *panel)) ends = end_labels_of(*drawing, plot_width);
@@ -193,8 +200,8 @@ std::string panel_svg(const PanelFrame& frame, double left, double top, double e
   return fmt::format(
       "<g class=\"dp-panel\" {}>\n{}<svg class=\"dp-inside\" x=\"{}\" y=\"{}\" width=\"{}\" "
       "height=\"{}\" overflow=\"visible\">\n{}</svg>\n</g>\n",
-      data_attributes(frame, left, top), titles(frame, left, top, edge), px(left), px(top),
-      px(frame.scale.size.width), px(frame.scale.size.height), inside(frame));
+      data_attributes(frame), titles(frame, left, top, edge), px(left), px(top), px(frame.scale.size.width),
+      px(frame.scale.size.height), inside(frame));
 }
 
 }  // namespace dashpad::output

@@ -15,7 +15,7 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr std::size_t turn_of_computed = 0, turn_of_measured = 1;
+constexpr std::size_t turn_of_computed = 0, turn_of_measured = 6;
 constexpr double room = 0.1;  // of the contact, beside it
 
 /// The pulse with its peak upwards, `shift` s later.
@@ -34,7 +34,7 @@ Series deceleration(const std::string& label, const Pulse& pulse, double side, d
 Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem& units) {
   const injury::PulseComparison& of = report.comparison;
   Series measured = deceleration("measured", report.pulse.pulse, of.measured.side, of.shift, units);
-  measured.style = SeriesStyle::line;
+  measured.style = SeriesStyle::solid_line;
   measured.turn = turn_of_measured;
   Series computed =
       deceleration("computed", of.computed_pulse, of.computed ? of.computed->side : -1, 0, units);
@@ -50,6 +50,8 @@ Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem
     panel.title = fmt::format("The computed peak is {} g, the measured one {} g",
                               brief(of.computed->peak.magnitude / standard_gravity, 3),
                               brief(of.measured.peak.magnitude / standard_gravity, 3));
+  else
+    panel.y.high = 1.5 * of.measured.peak.magnitude / standard_gravity;
   panel.x.low = value_in(units, begin - room * (end - begin), "s");
   panel.x.high = value_in(units, end + room * (end - begin), "s");
   panel.series = {std::move(computed), std::move(measured)};

@@ -52,6 +52,7 @@ Panel loop_panel(const History& history, const UnitSystem& units) {
   panel.series.push_back(line(result_quantity("penetration").title,
                               values_in(units, history.penetration, "m"),
                               values_in(units, history.force, "N")));
+  for (Series& loop : panel.series) loop.has_arrow = true;
   return panel;
 }
 

@@ -157,17 +157,18 @@ std::vector<PlaceLine> parts_inside(const SeriesDrawing& series, const PanelScal
 
 std::string series_svg(const SeriesDrawing& series, const PanelScale& scale) {
   constexpr double edges = 3;  // px
+  const std::string label = xml_text(entry_of(series).label);
   std::string path, casing;
   for (const PlotRun& run : series.runs) path += run_path(run, series.looks, scale);
   for (const double place : series.places) path += marker_path(place, series.looks.style, scale);
   if (series.is_cased)
     casing = fmt::format(
-        "<g class=\"dp-series dp-casing\" data-label=\"\" data-style=\"line\"><path class=\"dp-line\" "
+        "<g class=\"dp-series dp-casing\" data-label=\"{}\" data-style=\"line\"><path class=\"dp-line\" "
         "stroke-width=\"{}\" d=\"{}\"/></g>\n",
-        px(series.looks.width + edges), path);
+        label, px(series.looks.width + edges), path);
   return casing + fmt::format("<g{} data-label=\"{}\" data-style=\"{}\">{}</g>\n",
-                              colour_attributes(series.looks.colour, "dp-series"), xml_text(series.label),
-                              word_of(series), path_element(series.looks, path));
+                              colour_attributes(series.looks.colour, "dp-series"), label, word_of(series),
+                              path_element(series.looks, path));
 }
 
 std::string sample_svg(const Looks& looks, double left, double middle, double width) {

@@ -14,7 +14,7 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr std::size_t most_coloured_dots = 3000;
+constexpr std::size_t most_coloured_dots = 1000;
 
 /// Rows of a group: two factors and the response, as shown. Those that struck through stand apart.
 struct Rows {
@@ -85,8 +85,7 @@ Rows rows_of(const study::StudyAnswers& answers, const std::vector<std::size_t>&
   const std::vector<double> values =
       study::values_of(answers.study, answers.records, answers.groups.front().group, number);
   Rows rows;
-  const std::size_t step = std::max<std::size_t>(1, places.size() / most_coloured_dots);
-  for (std::size_t i = 0; i < places.size(); i += step) {
+  for (const std::size_t i : rows_drawn(places.size(), most_coloured_dots)) {
     if (std::isnan(values[i])) continue;
     const bool has_value = std::isfinite(values[i]);
     (has_value ? rows.x : rows.struck.x).push_back(x * answers.records.factors[factors[0]][places[i]]);

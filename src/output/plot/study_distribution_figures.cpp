@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -16,7 +17,7 @@ namespace dashpad::output {
 namespace {
 
 constexpr std::size_t most_steps = 400;        ///< of a distribution function
-constexpr std::size_t most_plain_dots = 1500;  ///< of a scatter plot
+constexpr std::size_t most_plain_dots = 1000;  ///< of a scatter plot
 
 /// The share of rows at or below each value; rows that bottomed out on a rigid support or have no value count
 /// as above all.
@@ -87,9 +88,8 @@ Panel scatter_panel(const study::StudyAnswers& answers, std::size_t factor, std:
     const study::Group& group = answers.groups[i].group;
     const std::vector<std::size_t>& places = group.places;
     const std::vector<double> values = study::values_of(answers.study, answers.records, group, response);
-    const std::size_t step = std::max<std::size_t>(1, places.size() * groups / most_plain_dots);
     Series points{.label = words_of_levels(answers, group, units), .style = SeriesStyle::points, .turn = i};
-    for (std::size_t k = 0; k < places.size(); k += step) {
+    for (const std::size_t k : rows_drawn(places.size(), most_plain_dots / groups)) {
       Series& of_row = std::isinf(values[k]) ? struck : points;
       of_row.x.push_back(x.scale * answers.records.factors[factor][places[k]]);
       of_row.y.push_back(y.scale * values[k]);
@@ -101,31 +101,39 @@ Panel scatter_panel(const study::StudyAnswers& answers, std::size_t factor, std:
   return panel;
 }
 
-/// A point and its interval, a narrow band at the factor's number.
-void add_index(Panel& panel, const study::Estimate& estimate, double place, std::size_t turn,
+/// A point and its interval, a narrow band at that height.
+void add_index(Panel& panel, const study::Estimate& estimate, double height, std::size_t turn,
                const std::string& name) {
-  constexpr double half_width = 0.06;
+  constexpr double half_width = 0.08;
   panel.series.push_back({.style = SeriesStyle::band,
-                          .x = {place - half_width, place + half_width},
-                          .y = {estimate.low, estimate.low},
-                          .y2 = {estimate.high, estimate.high},
+                          .x = {estimate.low, estimate.high},
+                          .y = {height - half_width, height - half_width},
+                          .y2 = {height + half_width, height + half_width},
                           .turn = turn});
   panel.series.push_back(
-      {.label = name, .style = SeriesStyle::points, .x = {place}, .y = {estimate.value}, .turn = turn});
+      {.label = name, .style = SeriesStyle::points, .x = {estimate.value}, .y = {height}, .turn = turn});
 }
 
+/// The factors below each other, that which matters most on top.
 Panel index_panel(const std::string& response, const study::Sensitivity& of) {
+  constexpr double apart = 0.14;
+  std::vector<study::Sensitivity::Index> indices = of.indices;
+  std::ranges::stable_sort(indices, std::ranges::greater(),
+                           [](const study::Sensitivity::Index& index) { return index.total.value; });
   Panel panel{.title = title_of(response),
-              .x = {.label = "Factor:", .low = 0.5, .high = static_cast<double>(of.indices.size()) + 0.5},
-              .y = {.label = "Share of the variance"},
-              .series = {}};
-  for (std::size_t i = 0; i < of.indices.size(); ++i) {
-    const auto place = static_cast<double>(i + 1);
-    panel.x.label += fmt::format("{} {} {}", i == 0 ? "" : ",", i + 1, factor_words(of.indices[i].factor));
-    add_index(panel, of.indices[i].first, place - 0.1, 0, "alone (first order)");
-    add_index(panel, of.indices[i].total, place + 0.1, 1, "with interactions (total)");
+              .x = {.label = "Share of the variance"},
+              .y = {.has_numbers = false, .low = 0.5, .high = static_cast<double>(indices.size()) + 0.5},
+              .series = {{.style = SeriesStyle::vertical_line, .x = {0}}}};
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const auto height = static_cast<double>(indices.size() - i);
+    panel.series.push_back({.style = SeriesStyle::solid_line,
+                            .x = {0, indices[i].total.value},
+                            .y = {height - apart, height - apart},
+                            .turn = 1,
+                            .end_label = factor_title(indices[i].factor)});
+    add_index(panel, indices[i].first, height + apart, 0, "alone (first order)");
+    add_index(panel, indices[i].total, height - apart, 1, "with interactions (total)");
   }
-  panel.series.push_back({.style = SeriesStyle::horizontal_line, .y = {0}});
   return panel;
 }
 
@@ -154,7 +162,9 @@ std::vector<CaptionedPlot> scatter_figures(const study::StudyAnswers& answers, c
     if (!plot.panels.empty())
       figures.push_back(
           {.plot = std::move(plot),
-           .note = fmt::format("At most about {} rows are drawn, evenly thinned.", most_plain_dots)});
+           .note = answers.records.rows.size() > most_plain_dots
+                       ? fmt::format("Of all rows {} are drawn, chosen at random.", most_plain_dots)
+                       : ""});
   }
   return figures;
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// The figures of a study; empty where the study has none of the kind.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -27,9 +28,6 @@ std::vector<CaptionedPlot> cushion_figures(const study::StudyAnswers& answers, c
 
 /// "Thickness of the pad (mm)".
 Axis axis_of_factor(const study::Factor& factor, const UnitSystem& units);
-/// "impact speed 5 m/s, thickness of the pad 30 mm"; "" without levels.
-std::string words_of_levels(const study::StudyAnswers& answers, const study::Group& group,
-                            const UnitSystem& units);
 /// Lines across at the limits of a response, with their values.
 std::vector<Series> limit_lines(const study::StudyAnswers& answers, const std::string& response,
                                 SeriesStyle style, const UnitSystem& units);
@@ -37,6 +35,10 @@ std::vector<Series> limit_lines(const study::StudyAnswers& answers, const std::s
 Series struck_through_marks();
 /// Where such marks stand if they are not to hide the values: a little above all of them.
 double above_all(const std::vector<Series>& series);
+
+/// At most `most` of `count` rows, in their order: drawn at random, since every n-th of an even sequence lies
+/// in one part of a factor's range. The same each time.
+std::vector<std::size_t> rows_drawn(std::size_t count, std::size_t most);
 
 /// The small print.
 std::string study_source(const study::StudyAnswers& answers);

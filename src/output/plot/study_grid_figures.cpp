@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "output/plot/filled_map.hpp"
+#include "output/plot/looks.hpp"
 #include "output/plot/study_figures.hpp"
 #include "output/plot/study_grid.hpp"
 #include "output/text/factor_words.hpp"
@@ -27,6 +28,13 @@ std::string note_of(const GridPlane& plane) {
   return note;
 }
 
+std::size_t rows_in(const std::vector<Series>& lines) {
+  std::size_t rows = 0;
+  for (const Series& line : lines)
+    if (is_line(line.style)) rows += line.x.size();
+  return rows;
+}
+
 Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::size_t response,
             const UnitSystem& units) {
   const std::string name = response_name(answers, response);
@@ -39,10 +47,7 @@ Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
   for (std::size_t i = 0; i < lines; ++i) {
     const std::size_t line = lines < 2 ? 0 : i * (count - 1) / (lines - 1);
     panel.series.push_back(
-        {.label = plane.lines
-                      ? fmt::format("{} {}", factor_words(answers.study.factors[*plane.lines].key),
-                                    level_text(answers.study, *plane.lines, plane.line_levels[line], units))
-                      : "",
+        {.label = plane.lines ? factor_at(answers.study, *plane.lines, plane.line_levels[line], units) : "",
          .style = SeriesStyle::line,
          .x = scaled(plane.across_levels, shown_as(across.unit, units).scale),
          .y = scaled(plane.values[line], shown_as(si_unit_of(name), units).scale),
@@ -55,6 +60,8 @@ Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
   std::vector<Series> limits = limit_lines(answers, name, SeriesStyle::horizontal_line, units);
   panel.series.insert(panel.series.end(), limits.begin(), limits.end());
   struck.y.assign(struck.x.size(), above_all(panel.series));
+  if (struck.x.size() == rows_in(panel.series))
+    panel.y = {.label = panel.y.label, .has_numbers = false, .low = -1, .high = 0.1};
   if (!struck.x.empty()) panel.series.push_back(std::move(struck));
   return {.title = fmt::format("{} over {}", title_of(name), factor_words(across.key)),
           .panels = {panel},
@@ -150,8 +157,11 @@ std::vector<CaptionedPlot> map_figures(const study::StudyAnswers& answers, const
       continue;
     Plot map = map_of(answers, *plane, i, units);
     if (map.panels.empty()) continue;
-    figures.push_back(
-        {"", std::move(map), "Interpolated linearly between neighbours of the grid. " + note_of(*plane)});
+    figures.push_back({"", std::move(map),
+                       "Interpolated linearly between neighbours of the grid; beside those without a value a "
+                       "row stands for what is next "
+                       "to it. " +
+                           note_of(*plane)});
   }
   return figures;
 }

@@ -1,6 +1,10 @@
 // What several figures of a study have in common: axes, limits, rows that struck through.
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
+#include <random>
 
 #include <fmt/format.h>
 
@@ -16,16 +20,6 @@ namespace dashpad::output {
 Axis axis_of_factor(const study::Factor& factor, const UnitSystem& units) {
   const std::string unit = shown_as(factor.unit, units).unit;
   return {.label = factor_title(factor.key) + (unit.empty() ? "" : fmt::format(" ({})", unit))};
-}
-
-std::string words_of_levels(const study::StudyAnswers& answers, const study::Group& group,
-                            const UnitSystem& units) {
-  const std::vector<std::size_t> factors = level_factors(answers.study);
-  std::string text;
-  for (std::size_t i = 0; i < group.levels.size(); ++i)
-    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", factor_words(answers.study.factors[factors[i]].key),
-                        level_text(answers.study, factors[i], group.levels[i], units));
-  return text;
 }
 
 std::vector<Series> limit_lines(const study::StudyAnswers& answers, const std::string& response,
@@ -53,6 +47,13 @@ double above_all(const std::vector<Series>& series) {
     for (const double value : of.y)
       if (std::isfinite(value)) all.include(value);
   return all.is_empty() ? 0 : all.high + part_above * (all.high > all.low ? all.high - all.low : all.high);
+}
+
+std::vector<std::size_t> rows_drawn(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> all(count), drawn;
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::ranges::sample(all, std::back_inserter(drawn), static_cast<std::ptrdiff_t>(most), std::mt19937_64{});
+  return drawn;
 }
 
 std::string study_source(const study::StudyAnswers& answers) {

@@ -1,5 +1,7 @@
 #include "output/svg/text_fit.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include "output/plot/text.hpp"
@@ -26,6 +28,24 @@ std::size_t bytes_within(std::string_view text, double size, double width) {
   return bytes;
 }
 
+/// Whether a number stands before that blank, and behind it a unit.
+bool parts_a_quantity(std::string_view text, std::size_t blank) {
+  constexpr std::array<std::string_view, 17> units{"g",  "%",   "m",   "mm",  "s",  "ms", "N",   "kN", "J",
+                                                   "kg", "kPa", "MPa", "m/s", "in", "ft", "lbf", "psi"};
+  if (blank == 0 || text[blank - 1] < '0' || text[blank - 1] > '9') return false;
+  std::string_view next = text.substr(blank + 1);
+  next = next.substr(0, next.find_first_of(" ,;:)"));
+  return std::ranges::find(units, next) != units.end();
+}
+
+/// Where the text may be broken, before that place; npos where nowhere.
+std::size_t last_blank(std::string_view text, std::size_t end) {
+  std::size_t blank = text.substr(0, end).rfind(' ');
+  while (blank != std::string_view::npos && parts_a_quantity(text, blank))
+    blank = text.substr(0, blank).rfind(' ');
+  return blank;
+}
+
 }  // namespace
 
 double text_room(std::string_view text, double size) { return width_of_wide_font * text_width(text, size); }
@@ -44,7 +64,7 @@ std::vector<std::string> lines_within(std::string_view text, double size, double
   std::vector<std::string> lines;
   while (!rest.empty()) {
     const std::size_t room = bytes_within(rest, size, width);
-    const std::size_t space = room < rest.size() ? rest.substr(0, room + 1).rfind(' ') : room;
+    const std::size_t space = room < rest.size() ? last_blank(rest, room + 1) : room;
     const bool breaks_at_space = room < rest.size() && space != std::string_view::npos && space > 0;
     lines.emplace_back(rest.substr(0, breaks_at_space ? space : room));
     rest.remove_prefix(breaks_at_space ? space + 1 : room);

@@ -172,6 +172,15 @@ const injury::CriterionResult* closest(const injury::Assessment& assessment) {
 
 }  // namespace
 
+bool passes_narrowly(const injury::Assessment& assessment) {
+  constexpr double known_to = 0.15;  // of a figure, where a foam is used beyond its tests
+  const bool is_extrapolated = std::ranges::find(assessment.reservations, "EXTRAPOLATED", &Flag::name) !=
+                               assessment.reservations.end();
+  const injury::CriterionResult* const next = closest(assessment);
+  return assessment.verdict == injury::Verdict::pass && is_extrapolated && next != nullptr &&
+         *next->relative_margin < known_to;
+}
+
 std::string assessment_answer(const AssessmentReport& report, const UnitSystem& units) {
   const injury::Assessment& assessment = report.assessment;
   const Summary& summary = report.solution.summary;
@@ -184,7 +193,12 @@ std::string assessment_answer(const AssessmentReport& report, const UnitSystem& 
   const std::string margin =
       brief_quantity(std::abs(*next->margin), injury::quantity_of(next->criterion.metric).si_unit, units, 3);
   switch (assessment.verdict) {
-    case injury::Verdict::pass: return fmt::format("Passes: {} has {} to spare", name, margin);
+    case injury::Verdict::pass:
+      return fmt::format("Passes: {} has {} to spare{}", name, margin,
+                         passes_narrowly(assessment)
+                             ? fmt::format(" ({}), less than a foam is known to beyond its tests",
+                                           percentage(*next->relative_margin))
+                             : "");
     case injury::Verdict::fail: return fmt::format("Fails: {} is {} above its limit", name, margin);
     case injury::Verdict::undecided: break;
   }

@@ -12,6 +12,9 @@ namespace dashpad::output {
 /// "Passes: 3 ms clip has 3.66 g to spare", by the criterion next to its limit or farthest beyond it.
 std::string assessment_answer(const AssessmentReport& report, const UnitSystem& units);
 
+/// Whether it passes by less than a foam is known to that is used beyond its tests.
+bool passes_narrowly(const injury::Assessment& assessment);
+
 /// A criterion a row: value, estimated error, limit, margin, verdict.
 Table criteria_table(const AssessmentReport& report, const UnitSystem& units);
 

@@ -58,14 +58,15 @@ std::string pad_text(const Pad& pad, const UnitSystem& units) {
                      pad.layers.size() == 1 ? "layer" : "layers", text);
 }
 
-/// `, cut to 0.01 m2,`
-std::string face_text(const Pad& pad, const UnitSystem& units) {
-  return pad.area ? ", cut to " + brief_quantity(*pad.area, "m2", units) + "," : "";
-}
-
-/// `, under a sheet of 4 kg/m2,`
-std::string sheet_text(const Pad& pad, const UnitSystem& units) {
-  return pad.sheet > 0 ? ", under a sheet of " + brief_quantity(pad.sheet, "kg/m2", units) + "," : "";
+/// `, cut to 0.01 m2, under a sheet of 4 kg/m2, struck before to a depth of 12 mm,`; empty of a pad that is
+/// none of it
+std::string condition_text(const Pad& pad, const UnitSystem& units) {
+  std::string text;
+  if (pad.area) text += ", cut to " + brief_quantity(*pad.area, "m2", units);
+  if (pad.sheet > 0) text += ", under a sheet of " + brief_quantity(pad.sheet, "kg/m2", units);
+  if (pad.earlier_penetration > 0)
+    text += ", struck before to a depth of " + brief_quantity(pad.earlier_penetration, "m", units);
+  return text.empty() ? text : text + ",";
 }
 
 std::string support_text(const Support& support, const UnitSystem& units) {
@@ -75,12 +76,6 @@ std::string support_text(const Support& support, const UnitSystem& units) {
     return "a support of " + brief_quantity(last.force / last.deflection, "N/m", units);
   return fmt::format("a support through {} points, the last {} at {}", support.points().size(),
                      brief_quantity(last.force, "N", units), brief_quantity(last.deflection, "m", units));
-}
-
-/// `, struck before to a depth of 12 mm,`
-std::string history_text(const Pad& pad, const UnitSystem& units) {
-  if (pad.earlier_penetration == 0) return "";
-  return ", struck before to a depth of " + brief_quantity(pad.earlier_penetration, "m", units) + ",";
 }
 
 /// What happens between blows, by the law and by what the case says of it.
@@ -133,9 +128,9 @@ std::string case_text(const ImpactCase& impact, const UnitSystem& units) {
   nose.front() = 'A';
   text += fmt::format("{} of {} strikes at {}\n", nose, impactor_text(impactor, units),
                       brief_quantity(impactor.speed, "m/s", units));
-  text += fmt::format("a pad of {}{}{}{} on {}.\n", pad_text(impact.pad, units), face_text(impact.pad, units),
-                      sheet_text(impact.pad, units), history_text(impact.pad, units),
-                      support_text(impact.support, units) + backing_text(impact.backing, units));
+  text +=
+      fmt::format("a pad of {}{} on {}.\n", pad_text(impact.pad, units), condition_text(impact.pad, units),
+                  support_text(impact.support, units) + backing_text(impact.backing, units));
   if (impact.blows)
     text += fmt::format("It strikes {} times; {}.\n", impact.blows->count,
                         rests_text(impact.pad.material.law, *impact.blows));

@@ -20,12 +20,39 @@ void grow(std::optional<double>& most, double value) { most = std::max(most.valu
 std::string words_of(const Misses& of) {
   std::vector<std::string> parts;
   if (of.tests)
-    parts.push_back(fmt::format("the tests by {:.2g} % of their largest stress", 100 * *of.tests));
-  if (of.figures) parts.push_back(fmt::format("the figures by {:.2g} of their deviations", *of.figures));
-  if (of.pulses) parts.push_back(fmt::format("the pulses by {:.2g} % of their peak", 100 * *of.pulses));
+    parts.push_back(
+        fmt::format("the tests by {:.2g} % of their largest stress (root mean square)", 100 * *of.tests));
+  if (of.figures)
+    parts.push_back(fmt::format("the figures by at most {:.2g} of their deviations", *of.figures));
+  if (of.pulses)
+    parts.push_back(fmt::format("the pulses by {:.2g} % of their peak (root mean square)", 100 * *of.pulses));
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i)
     text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return text;
+}
+
+/// Of the unknowns of the material.
+struct Determined {
+  std::size_t all = 0, by_data = 0, by_prior = 0, open = 0;
+};
+
+Determined determined(const fit::FitReport& report) {
+  Determined count;
+  for (const fit::FittedUnknown& of : report.unknowns) {
+    if (of.is_nuisance) continue;
+    ++count.all;
+    ++(!of.is_identified() ? count.open : of.rests_on_prior() ? count.by_prior : count.by_data);
+  }
+  return count;
+}
+
+/// ", leave 1 to its prior, and leave 1 open"
+std::string beside_data(const Determined& of) {
+  std::string text;
+  if (of.by_prior > 0)
+    text += fmt::format(", leave {} to {}", of.by_prior, of.by_prior == 1 ? "its prior" : "their priors");
+  if (of.open > 0) text += fmt::format(", and leave {} open", of.open);
   return text;
 }
 
@@ -46,21 +73,19 @@ Misses misses(const fit::FitReport& report, bool held_out) {
 }
 
 std::string fit_headline(const fit::FitReport& report) {
-  const auto of_material = [](const fit::FittedUnknown& of) { return !of.is_nuisance; };
-  const auto all = static_cast<std::size_t>(std::ranges::count_if(report.unknowns, of_material));
-  const auto found = static_cast<std::size_t>(std::ranges::count_if(
-      report.unknowns, [&](const fit::FittedUnknown& of) { return of_material(of) && of.is_identified(); }));
-  std::string text = found == all
-                         ? all == 1 ? "The data determine the unknown"
-                                    : fmt::format("The data determine all {} unknowns", all)
-                         : fmt::format("The data determine {} of {}", found, count_of(all, "unknown"));
+  const Determined of = determined(report);
+  std::string text = of.by_data == of.all ? of.all == 1
+                                                ? "The data determine the unknown"
+                                                : fmt::format("The data determine all {} unknowns", of.all)
+                                          : fmt::format("The data determine {} of {}{}", of.by_data,
+                                                        count_of(of.all, "unknown"), beside_data(of));
   const std::string missed = words_of(misses(report, false));
-  return text + (missed.empty() ? "." : "; the model misses " + missed + " at most.");
+  return text + (missed.empty() ? "." : "; the model misses " + missed + ".");
 }
 
 std::string prediction_words(const fit::FitReport& report) {
   const std::string missed = words_of(misses(report, true));
-  return missed.empty() ? "" : "Predicted, not fitted: the model misses " + missed + " at most.";
+  return missed.empty() ? "" : "Predicted, not fitted: the model misses " + missed + ".";
 }
 
 std::string fit_answer(const fit::FitReport& report) {
@@ -74,12 +99,7 @@ std::string fit_answer(const fit::FitReport& report) {
       ++pulses;
       points_of_pulses += pulse.time.size();
     }
-  std::size_t open = 0;
-  std::size_t unknowns = 0;
-  for (const fit::FittedUnknown& unknown : report.unknowns) {
-    unknowns += unknown.is_nuisance ? 0 : 1;
-    open += unknown.is_nuisance || unknown.is_identified() ? 0 : 1;
-  }
+  const Determined of = determined(report);
   std::vector<std::string> data;
   if (fitted > 0)
     data.push_back(count_of(report.points - figures - points_of_pulses, "point") + " of " +
@@ -88,11 +108,11 @@ std::string fit_answer(const fit::FitReport& report) {
   if (pulses > 0)
     data.push_back(count_of(points_of_pulses, "point") + " of " + count_of(pulses, "pulse") + " of impacts");
   if (report.priors > 0) data.push_back(count_of(report.priors, "prior"));
-  std::string text = count_of(unknowns, "unknown") + " from ";
+  std::string text = count_of(of.all, "unknown") + " from ";
   for (std::size_t i = 0; i < data.size(); ++i)
     text += (i == 0 ? "" : i + 1 == data.size() ? " and " : ", ") + data[i];
-  text += open == 0 ? ": the data determine all of them.\n"
-                    : fmt::format(": the data determine {}, and leave {} open.\n", unknowns - open, open);
+  text += of.by_data == of.all ? ": the data determine all of them.\n"
+                               : fmt::format(": the data determine {}{}.\n", of.by_data, beside_data(of));
   if (report.starts_at_best == 0)
     return text + "The best fit was met away from all starts, on the way along a profile.\n";
   return text + fmt::format(

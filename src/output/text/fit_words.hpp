@@ -23,8 +23,8 @@ Misses misses(const fit::FitReport& report, bool held_out);
 /// line each.
 std::string fit_answer(const fit::FitReport& report);
 
-/// "The data determine all 5 unknowns; the model misses the tests by at most 1.2 % of their largest
-/// stresses."
+/// "The data determine all 5 unknowns; the model misses the tests by 1.2 % of their largest stress (root mean
+/// square)."
 std::string fit_headline(const fit::FitReport& report);
 
 /// What was predicted, not fitted, and by how much that is off; empty where nothing was held out.

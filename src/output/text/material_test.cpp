@@ -6,6 +6,8 @@
 
 #include "dashpad/output/material_test.hpp"
 #include "dashpad/version.hpp"
+#include "output/text/foam_words.hpp"
+#include "output/text/material_test_answer.hpp"
 #include "output/text/material_test_words.hpp"
 #include "output/text/table.hpp"
 #include "quantities/text.hpp"
@@ -64,7 +66,8 @@ std::string laid_out(const Table& table) {
 }  // namespace
 
 std::string material_test_text(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
-  std::string text = material_words(report.material) + "\n" + test_words(report.test, units) + "\n";
+  std::string text = material_words(report.material) + "\n" + test_words(report.test, units) + "\n\n" +
+                     material_test_answer(report, units) + ".\n";
   const std::vector<std::string> flags = flag_words(report);
   if (!flags.empty()) text += "\n";
   for (const std::string& flag : flags) text += flag + "\n";

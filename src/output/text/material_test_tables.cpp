@@ -34,6 +34,9 @@ std::string rate_cell(const laboratory::MaterialTestRun& run) {
   return run.rate ? brief(*run.rate) : "measured";
 }
 
+/// Strains are differences of lengths: what rounding leaves of them is nothing.
+std::string strain_cell(double strain) { return std::abs(strain) < 1e-12 ? "0" : significant(strain); }
+
 /// Rounding may leave a little less than nothing: no "-0.000".
 std::string percent(double fraction) {
   const std::string text = fmt::format("{:.3f}", 100 * fraction);
@@ -149,7 +152,7 @@ Table events_table(const laboratory::MaterialTestReport& report, const Cells& ce
     const auto& events = run.column.events;
     for (std::size_t i = 0; i < events.size() && i < most_events; ++i) {
       const laboratory::ColumnEvent& event = events[i];
-      table.rows.push_back({rate_cell(run), words_for(event.kind), significant(event.strain),
+      table.rows.push_back({rate_cell(run), words_for(event.kind), strain_cell(event.strain),
                             cells.time(event.time), cells.stress(event.stress_before),
                             cells.stress(event.stress_after)});
     }

@@ -8,11 +8,6 @@
 
 namespace dashpad::output {
 
-std::string material_words(const Material& material) {
-  return fmt::format("{} ({}, {} law)", one_line(material.title.empty() ? material.name : material.title),
-                     one_line(material.name), name_of(material.law));
-}
-
 std::string test_words(const laboratory::MaterialTest& test, const UnitSystem& units) {
   const std::string strain = brief(test.strain), hold = brief_quantity(test.hold, "s", units);
   switch (test.kind) {

@@ -10,9 +10,6 @@
 
 namespace dashpad::output {
 
-/// The material's title with its name and law.
-std::string material_words(const Material& material);
-
 /// What was done, in a sentence.
 std::string test_words(const laboratory::MaterialTest& test, const UnitSystem& units);
 

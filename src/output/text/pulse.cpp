@@ -69,6 +69,13 @@ std::vector<ResultRow> further_rows(const injury::PulseReport& report, const Uni
 
 }  // namespace
 
+std::vector<ResultRow> report_rows(const injury::PulseReport& report, const UnitSystem& units,
+                                   Detail detail) {
+  std::vector<ResultRow> rows = pulse_rows(report.figures, units, detail);
+  for (ResultRow& row : further_rows(report, units, detail)) rows.push_back(std::move(row));
+  return rows;
+}
+
 std::string filter_words(const injury::PulseFilter& filter) {
   return fmt::format("CFC{}, corner of {}, ends {}", filter.channel_frequency_class,
                      filter.corner == injury::Corner::sae_j211 ? "SAE J211" : "ISO 6487",
@@ -111,9 +118,7 @@ std::string pulse_text(const injury::PulseReport& report, const UnitSystem& unit
   std::string text = fmt::format("{} ({})\n", one_line(report.file), report.measured.format);
   for (const std::string& line : reservations(report)) text += wrapped(line, 2) + "\n";
   text += "\n";
-  std::vector<ResultRow> rows = pulse_rows(report.figures, units, detail);
-  for (ResultRow& row : further_rows(report, units, detail)) rows.push_back(std::move(row));
-  for (const ResultRow& row : rows) text += laid_out(row);
+  for (const ResultRow& row : report_rows(report, units, detail)) text += laid_out(row);
   text += "\nThe pulse:\n" + wrapped_lines(pulse_source(report, units));
   return text + fmt::format(
                     "HIC and severity index in g^2.5 s; the pulse is linear between its samples "

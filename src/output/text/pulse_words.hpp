@@ -6,11 +6,15 @@
 #include "dashpad/injury/pulse_report.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "injury/pulse_words.hpp"
+#include "output/result_rows.hpp"
 
 namespace dashpad::output {
 
 /// "CFC1000, corner of SAE J211, ends mirrored".
 std::string filter_words(const injury::PulseFilter& filter);
+
+/// The figures of a pulse, and what else it was asked for.
+std::vector<ResultRow> report_rows(const injury::PulseReport& report, const UnitSystem& units, Detail detail);
 
 /// What the figures leave in doubt: flags and remarks, a line each.
 std::vector<std::string> reservations(const injury::PulseReport& report);

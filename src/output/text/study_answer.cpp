@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,29 +20,85 @@ namespace dashpad::output {
 
 namespace {
 
-std::string value_of(const std::string& response, double value, const UnitSystem& units) {
-  return three_digits(response, value, units);
-}
-
 std::string per_cent(double share) { return brief(100 * share, 3) + " %"; }
 
-/// Of the first limit.
+/// "HIC15 exceeds 1000"
+std::string exceeds(const study::StudyLimit& limit, const UnitSystem& units) {
+  return fmt::format("{} exceeds {}", uncapitalised(title_of(limit.response)),
+                     brief_quantity(limit.value, si_unit_of(limit.response), units));
+}
+
+std::string share_of_draws(const study::StudyAnswers::OfGroup& group, std::size_t limit) {
+  const study::Estimate& of = group.exceedances[limit].probability;
+  return std::isfinite(of.value) ? fmt::format("in {} of cases", per_cent(of.value)) : "undecided";
+}
+
+/// Of draws at each of several combinations of levels: where the limit is kept best, and where worst.
+std::string best_and_worst(const study::StudyAnswers& answers, std::size_t limit, const UnitSystem& units) {
+  const auto probability = [&](const study::StudyAnswers::OfGroup& group) {
+    return group.exceedances[limit].probability.value;
+  };
+  std::vector<const study::StudyAnswers::OfGroup*> groups;
+  for (const study::StudyAnswers::OfGroup& group : answers.groups)
+    if (std::isfinite(probability(group))) groups.push_back(&group);
+  if (groups.empty()) return fmt::format("Whether {} is undecided", exceeds(answers.limits[limit], units));
+  const auto by_probability = [&](const auto* group) { return probability(*group); };
+  const auto [best, worst] = std::ranges::minmax(groups, {}, by_probability);
+  if (probability(*best) == probability(*worst))
+    return fmt::format("{} {} at all {} combinations", capitalised(exceeds(answers.limits[limit], units)),
+                       share_of_draws(*best, limit), groups.size());
+  return fmt::format("{} {} at {}, {} at {}", capitalised(exceeds(answers.limits[limit], units)),
+                     share_of_draws(*best, limit), words_of_levels(answers, best->group, units),
+                     share_of_draws(*worst, limit), words_of_levels(answers, worst->group, units));
+}
+
+/// Over one factor: from where on the limit is exceeded; empty where that changes more than once or not at
+/// all.
+std::string crossing(const study::StudyAnswers& answers, const study::StudyLimit& limit,
+                     const UnitSystem& units) {
+  const study::StudyAnswers::OfGroup& of = answers.groups.front();
+  if (answers.study.factors.size() != 1 || answers.study.factors.front().unit.empty()) return "";
+  const auto response =
+      std::ranges::find(answers.study.responses, limit.response) - answers.study.responses.begin();
+  const std::vector<double> values =
+      study::values_of(answers.study, answers.records, of.group, static_cast<std::size_t>(response));
+  std::vector<std::pair<double, bool>> rows;  // level, and whether it exceeds
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isnan(values[i])) return "";
+    rows.emplace_back(answers.records.factors.front()[of.group.places[i]], values[i] > limit.value);
+  }
+  std::ranges::sort(rows);
+  const auto change =
+      std::ranges::adjacent_find(rows, std::ranges::not_equal_to(), &std::pair<double, bool>::second);
+  if (change == rows.end()) return "";
+  const auto rest = std::ranges::subrange(change + 1, rows.end());
+  if (!std::ranges::all_of(rest, [&](const auto& row) { return row.second == rest.front().second; }))
+    return "";
+  const auto level = [&](const auto& row) { return level_text(answers.study, 0, row.first, units); };
+  const std::string name = factor_words(answers.study.factors.front().key), limited = exceeds(limit, units);
+  return rest.front().second ? fmt::format("{} from {} {} on, not up to {}", capitalised(limited), name,
+                                           level(rest.front()), level(*change))
+                             : fmt::format("{} up to {} {}, not from {} on", capitalised(limited), name,
+                                           level(*change), level(rest.front()));
+}
+
+/// Of the limit that is exceeded most.
 std::string limit_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
-  const study::StudyLimit& limit = answers.limits.front();
-  const std::string exceeded = fmt::format("{} exceeds {}", uncapitalised(title_of(limit.response)),
-                                           brief_quantity(limit.value, si_unit_of(limit.response), units));
-  if (answers.groups.size() == 1 && answers.groups.front().group.drawn) {
-    const study::Estimate& of = answers.groups.front().exceedances.front().probability;
+  const study::StudyLimit& limit = strictest_limit(answers);
+  const auto number = static_cast<std::size_t>(&limit - answers.limits.data());
+  const std::string exceeded = exceeds(limit, units);
+  const bool drawn = answers.groups.front().group.drawn;
+  if (drawn && answers.groups.size() > 1) return best_and_worst(answers, number, units);
+  if (drawn) {
+    const study::Estimate& of = answers.groups.front().exceedances[number].probability;
     if (!std::isfinite(of.value)) return fmt::format("Whether {} is undecided", exceeded);
     return fmt::format("In {} of cases {} ({} to {})", per_cent(of.value), exceeded, per_cent(of.low),
                        per_cent(of.high));
   }
-  std::uint64_t exceeding = 0, rows = 0;
-  for (const study::StudyAnswers::OfGroup& group : answers.groups) {
-    exceeding += group.exceedances.front().exceeding;
-    rows += group.exceedances.front().rows;
-  }
-  return fmt::format("In {} of {} rows {}", exceeding, rows, exceeded);
+  const LimitCount count = rows_above(answers, limit);
+  if (count.undecided == 0)
+    if (std::string words = crossing(answers, limit, units); !words.empty()) return words;
+  return fmt::format("In {} of {} rows {}", count.exceeding, count.rows, exceeded);
 }
 
 /// Of the first response with indices; empty without any.
@@ -58,49 +119,64 @@ std::string range_answer(const study::StudyAnswers& answers, const UnitSystem& u
   const std::string& name = response_name(answers, 0);
   const study::Distribution& of = answers.groups.front().distributions.front();
   if (of.rows == 0) return "";
+  if (of.rows == 1 && of.struck_through == 0)
+    return fmt::format("{} is {}", title_of(name), three_digits(name, of.least, units));
   if (of.struck_through > 0)
-    return fmt::format("{} goes from {} to bottoming out", title_of(name), value_of(name, of.least, units));
+    return fmt::format("{} goes from {} to bottoming out", title_of(name),
+                       three_digits(name, of.least, units));
   return fmt::format("{} goes from {}", title_of(name),
                      three_digit_range(name, of.least, of.greatest, units));
 }
 
 /// Where the curves of the highest drop are lowest.
 std::string cushion_answer(const study::CushionCurves& curves, const UnitSystem& units) {
-  const auto drop = std::ranges::max_element(curves.drops, {}, &study::CushionCurves::Drop::height);
+  const study::CushionCurves::Drop& drop = curves.drops.back();
   std::string minima;
-  for (const study::CushionCurve& curve : drop->curves) {
-    std::size_t least = curve.peak_deceleration.size();
-    for (std::size_t i = 0; i < curve.peak_deceleration.size(); ++i)
-      if (const double value = curve.peak_deceleration[i];
-          std::isfinite(value) &&
-          (least == curve.peak_deceleration.size() || value < curve.peak_deceleration[least]))
-        least = i;
-    if (least == curve.peak_deceleration.size()) continue;
+  for (const study::CushionCurve& curve : drop.curves) {
+    const std::optional<std::size_t> least = study::least_peak(curve);
+    if (!least) continue;
     minima += fmt::format("{}{} on {} (at {})", minima.empty() ? "" : ", ",
-                          value_of("peak_acceleration", curve.peak_deceleration[least], units),
+                          three_digits("peak_acceleration", curve.peak_deceleration[*least], units),
                           brief_quantity(curve.thickness, "m", units, 3),
-                          brief_quantity(curve.static_stress[least], "Pa", units, 3));
+                          brief_quantity(curve.static_stress[*least], "Pa", units, 3));
   }
   return minima.empty() ? ""
                         : fmt::format("From {}, the least peaks are {}",
-                                      brief_quantity(drop->height, "m", units, 3), minima);
+                                      brief_quantity(drop.height, "m", units, 3), minima);
 }
 
 std::string spread_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
   const std::string& name = response_name(answers, 0);
-  const auto& quantiles = answers.groups.front().distributions.front().quantiles;
   const auto at = [&](double probability) {
-    const auto found = std::ranges::find(quantiles, probability, &study::Distribution::Quantile::probability);
-    if (found == quantiles.end() || std::isnan(found->value.value)) return std::string("unknown");
-    return std::isfinite(found->value.value) ? value_of(name, found->value.value, units) : "bottomed out";
+    const auto found = study::quantile(answers.groups.front().distributions.front(), probability);
+    return found ? three_digits(name, found->value, units) : "unknown";
   };
   return fmt::format("{}: half of the draws below {}, 95 % below {}", title_of(name), at(0.5), at(0.95));
 }
 
 }  // namespace
 
+LimitCount rows_above(const study::StudyAnswers& answers, const study::StudyLimit& limit) {
+  const auto number = static_cast<std::size_t>(&limit - answers.limits.data());
+  LimitCount count;
+  for (const study::StudyAnswers::OfGroup& group : answers.groups) {
+    count.exceeding += group.exceedances[number].exceeding;
+    count.rows += group.exceedances[number].rows;
+    count.undecided += group.exceedances[number].undecided;
+  }
+  return count;
+}
+
+const study::StudyLimit& strictest_limit(const study::StudyAnswers& answers) {
+  return *std::ranges::max_element(answers.limits, {}, [&](const study::StudyLimit& limit) {
+    return rows_above(answers, limit).exceeding;
+  });
+}
+
 std::string study_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
   if (answers.groups.empty() || answers.responses.empty() || answers.records.rows.empty()) return "";
+  if (const std::uint64_t rows = answers.records.rows.size(); answers.records.struck_through == rows)
+    return rows == 1 ? "The pad bottoms out" : fmt::format("The pad bottoms out in all {} rows", rows);
   if (!answers.limits.empty()) return limit_answer(answers, units);
   if (std::string indices = index_answer(answers); !indices.empty()) return indices;
   if (answers.cushion_curves && !answers.cushion_curves->drops.empty())

@@ -1,6 +1,7 @@
 #pragma once
 /// The answer of a study in a sentence.
 
+#include <cstdint>
 #include <string>
 
 #include "dashpad/quantities/unit_system.hpp"
@@ -8,9 +9,18 @@
 
 namespace dashpad::output {
 
-/// Of the first question that the study answers: how probable it is that a limit is exceeded, or how many
-/// combinations keep it; which factor matters most; where a response is least; how its draws spread. Empty
-/// for a study without rows.
+/// Of the first question that the study answers: how probable it is that the strictest limit is exceeded,
+/// from where on, or in how many rows; which factor matters most; where a response is least; how its draws
+/// spread. Empty for a study without rows.
 std::string study_answer(const study::StudyAnswers& answers, const UnitSystem& units);
+
+/// Rows of all groups, by one of the limits of the study.
+struct LimitCount {
+  std::uint64_t exceeding = 0, rows = 0, undecided = 0;
+};
+LimitCount rows_above(const study::StudyAnswers& answers, const study::StudyLimit& limit);
+
+/// The limit that is exceeded in the most rows; the study has one.
+const study::StudyLimit& strictest_limit(const study::StudyAnswers& answers);
 
 }  // namespace dashpad::output

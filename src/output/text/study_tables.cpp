@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/study/responses.hpp"
+#include "output/text/factor_words.hpp"
 #include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
 
@@ -78,7 +79,7 @@ void add_indices(Table& table, const study::StudyAnswers& answers, const study::
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     if (!of.sensitivities[i]) continue;
     for (const study::Sensitivity::Index& index : of.sensitivities[i]->indices)
-      table.rows.push_back({title_of(response_name(answers, i)), index.factor,
+      table.rows.push_back({title_of(response_name(answers, i)), factor_title(index.factor),
                             share_with_interval(index.first), share_with_interval(index.total),
                             std::to_string(of.sensitivities[i]->draws)});
   }
@@ -102,7 +103,7 @@ Table over_groups(Table table, const study::StudyAnswers& answers, const UnitSys
     const std::size_t begin = table.rows.size();
     add(table, answers, of, units);
     for (std::size_t row = begin; named && row < table.rows.size(); ++row)
-      table.rows[row].insert(table.rows[row].begin(), group_label(answers, of.group, units));
+      table.rows[row].insert(table.rows[row].begin(), words_of_levels(answers, of.group, units));
   }
   return table;
 }
@@ -161,7 +162,7 @@ Table factor_table(const study::StudyAnswers& answers, const UnitSystem& units) 
     std::string text = spread_text(answers, i, units);
     if (factor.lowest) text += ", not below " + level_text(answers.study, i, *factor.lowest, units);
     if (factor.highest) text += ", not above " + level_text(answers.study, i, *factor.highest, units);
-    table.rows.push_back({factor.key, text});
+    table.rows.push_back({factor_title(factor.key), text});
   }
   return table;
 }
@@ -217,7 +218,7 @@ std::string unstratified_factors(const study::Study& study) {
     if (pair.value != 0) is_later[std::max(pair.first, pair.second)] = true;
   std::string names;
   for (std::size_t i = 0; i < is_later.size(); ++i)
-    if (is_later[i]) names += (names.empty() ? "" : ", ") + study.factors[i].key;
+    if (is_later[i]) names += (names.empty() ? "" : ", ") + factor_words(study.factors[i].key);
   return names;
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "output/text/factor_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -90,13 +91,17 @@ std::string level_text(const study::Study& study, std::size_t factor, double val
   return four_digits(shown.scale * value) + (shown.unit.empty() ? "" : " " + shown.unit);
 }
 
-std::string group_label(const study::StudyAnswers& answers, const study::Group& group,
-                        const UnitSystem& units) {
+std::string factor_at(const study::Study& study, std::size_t factor, double value, const UnitSystem& units) {
+  return fmt::format("{} {}", factor_words(study.factors[factor].key),
+                     level_text(study, factor, value, units));
+}
+
+std::string words_of_levels(const study::StudyAnswers& answers, const study::Group& group,
+                            const UnitSystem& units) {
   const std::vector<std::size_t> factors = level_factors(answers.study);
   std::string text;
   for (std::size_t i = 0; i < group.levels.size(); ++i)
-    text += fmt::format("{}{} = {}", i == 0 ? "" : ", ", answers.study.factors[factors[i]].key,
-                        level_text(answers.study, factors[i], group.levels[i], units));
+    text += (i == 0 ? "" : ", ") + factor_at(answers.study, factors[i], group.levels[i], units);
   return text;
 }
 

@@ -26,7 +26,7 @@ std::string percent_with_interval(const study::Estimate& estimate);
 
 /// The response that is the i-th with answers.
 const std::string& response_name(const study::StudyAnswers& answers, std::size_t i);
-/// "Peak force" of the response peak_force; a factor has no other name than its key.
+/// "Peak force" of the response peak_force.
 std::string title_of(const std::string& name);
 std::string si_unit_of(const std::string& response);
 /// With its unit and three digits, large values too: "9170 N", "HIC15" without a unit.
@@ -40,10 +40,12 @@ std::string label(const std::string& name, const std::string& si_unit, const Uni
 std::vector<std::size_t> level_factors(const study::Study& study);
 std::vector<std::size_t> sampled_factors(const study::Study& study);
 
-/// "impactor.speed = 5 m/s, pad.thickness = 30 mm"; "" without levels.
-std::string group_label(const study::StudyAnswers& answers, const study::Group& group,
-                        const UnitSystem& units);
 /// "5 m/s", or the name of a material.
 std::string level_text(const study::Study& study, std::size_t factor, double value, const UnitSystem& units);
+/// "impact speed 5 m/s".
+std::string factor_at(const study::Study& study, std::size_t factor, double value, const UnitSystem& units);
+/// "impact speed 5 m/s, thickness of the pad 30 mm"; "" without levels.
+std::string words_of_levels(const study::StudyAnswers& answers, const study::Group& group,
+                            const UnitSystem& units);
 
 }  // namespace dashpad::output

@@ -25,19 +25,19 @@ struct TemperatureTable {
 };
 
 struct Material {
-  std::string name;    ///< as cards and cases name it; "in line" where the case gives the law itself
-  std::string title;   ///< for people
-  std::string source;  ///< where the parameters come from
-  std::string basis;   ///< "test", "datasheet", "solver card" or "reconstruction"; empty: not stated
-  std::string licence;
-  std::optional<double> density;           ///< kg/m3
-  std::optional<double> density_exponent;  ///< stress ~ density to this power, [0, 5]
-  TemperatureTable temperature_table;
-  std::vector<std::string> reservations;  ///< what to keep in mind, a sentence each
-  PadLaw law;
-  std::optional<FittedRange> fitted;
+  std::string name = {};    ///< as cards and cases name it; "in line" where the case gives the law itself
+  std::string title = {};   ///< for people
+  std::string source = {};  ///< where the parameters come from
+  std::string basis = {};   ///< "test", "datasheet", "solver card" or "reconstruction"; empty: not stated
+  std::string licence = {};
+  std::optional<double> density = {};           ///< kg/m3
+  std::optional<double> density_exponent = {};  ///< stress ~ density to this power, [0, 5]
+  TemperatureTable temperature_table = {};
+  std::vector<std::string> reservations = {};  ///< what to keep in mind, a sentence each
+  PadLaw law = {};
+  std::optional<FittedRange> fitted = {};
   /// Published values that the law does not use: name and value as the card has them.
-  std::vector<std::pair<std::string, std::string>> also_published;
+  std::vector<std::pair<std::string, std::string>> also_published = {};
 };
 
 /// Where the law was fitted or its curves were tested; nothing where that is not stated.

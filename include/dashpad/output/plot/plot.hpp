@@ -23,7 +23,7 @@ enum class SeriesStyle {
 /// Where the label of a series is written. What has no room there goes to the legend.
 enum class LabelPlace {
   by_style,  ///< of a line at its end, of a line across on it, of everything else in the legend
-  middle,    ///< of a line: beside its middle, for brackets and contours
+  middle,    ///< of a line: beside its middle, for brackets and contours; of a single point: beside it
 };
 
 /// A place where x, y or y2 is not finite, or not positive on a logarithmic axis, is a gap.
@@ -43,7 +43,8 @@ struct Series {
   /// labels there are; they make room for each other.
   std::string end_label = {};
   LabelPlace label_place = LabelPlace::by_style;
-  bool is_cased = false;  ///< of a line: with pale edges, so that it is seen on areas of any colour
+  bool is_cased = false;   ///< of a line: with pale edges, so that it is seen on areas of any colour
+  bool has_arrow = false;  ///< of a line: on its last third, in the direction in which its points follow
 };
 
 struct Axis {
@@ -51,6 +52,7 @@ struct Axis {
   std::string si_unit = {};  ///< the SI unit of the quantity, for pages that change units: "N"; may be empty
   double per_si = 1;         ///< what one of those is on this axis: 0.001
   bool logarithmic = false;
+  bool has_numbers = true;          ///< and lines across at them; without, places on it mean nothing
   std::optional<double> low = {};   ///< where the axis begins; by default where the data does, or before
   std::optional<double> high = {};  ///< where the axis ends; by default where the data does, or after
 };

@@ -1,0 +1,27 @@
+#pragma once
+/// A foam in words: where it comes from, and how far it is known.
+
+#include <string>
+#include <vector>
+
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/model/pad/material.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+
+namespace dashpad::output {
+
+/// "tested" for laws with curves, "fitted" for others.
+const char* how_known(const Material& material);
+
+/// Whether a strain lies beyond the highest one by more than rounding.
+bool is_beyond(double strain, const FittedRange& range);
+
+/// The material's title with its name and law.
+std::string material_words(const Material& material);
+
+/// Name and source, tested range, and what to keep in mind; a sentence or two each.
+std::vector<std::string> foam_basis(const Material& material, const UnitSystem& units);
+/// The same of all foams of a pad, each once.
+std::vector<std::string> foam_basis(const Pad& pad, const UnitSystem& units);
+
+}  // namespace dashpad::output
