@@ -92,6 +92,17 @@ std::vector<Violation> violations_beside_law(const Material& material) {
   return broken;
 }
 
+namespace {
+
+/// "from 0.01 to 100", "at 0.01"
+std::string rates_of(const FittedRange& range) {
+  return range.highest_rate > range.lowest_rate
+             ? fmt::format("from {:.3g} to {:.3g}", range.lowest_rate, range.highest_rate)
+             : fmt::format("at {:.3g}", range.lowest_rate);
+}
+
+}  // namespace
+
 std::vector<std::string> extrapolations(const Material& material, double largest_strain,
                                         double largest_rate) {
   std::vector<std::string> reasons;
@@ -102,14 +113,13 @@ std::vector<std::string> extrapolations(const Material& material, double largest
                                     by_curves ? "foam was tested" : "law was fitted", fitted->highest_strain,
                                     by_curves ? ", beyond which its curve is continued" : ""));
     if (largest_rate > fitted->highest_rate || largest_rate < fitted->lowest_rate)
-      reasons.push_back(
-          by_curves
-              ? fmt::format(
-                    "strain rate reaches {:.3g} per second; the foam was tested from {:.3g} to {:.3g}, "
-                    "and outside it the stress of the nearest tested rate is taken",
-                    largest_rate, fitted->lowest_rate, fitted->highest_rate)
-              : fmt::format("strain rate reaches {:.3g} per second; the law was fitted from {:.3g} to {:.3g}",
-                            largest_rate, fitted->lowest_rate, fitted->highest_rate));
+      reasons.push_back(by_curves
+                            ? fmt::format("strain rate reaches {:.3g} per second; the foam was tested {}, "
+                                          "and outside it the stress of the "
+                                          "nearest tested rate is taken",
+                                          largest_rate, rates_of(*fitted))
+                            : fmt::format("strain rate reaches {:.3g} per second; the law was fitted {}",
+                                          largest_rate, rates_of(*fitted)));
   }
   std::visit(
       [&](const auto& law) {

@@ -22,6 +22,7 @@ Json unknown_json(const fit::FittedUnknown& of) {
           {"at_bound", of.is_at_lowest    ? "lowest"
                        : of.is_at_highest ? "highest"
                                           : "no"},
+          {"mostly_from_prior", of.rests_on_prior()},
           {"nuisance", of.is_nuisance}};
 }
 

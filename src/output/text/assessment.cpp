@@ -85,6 +85,27 @@ std::string sources_of(const injury::Standard& standard) {
                      fmt::join(kinds, ", "), full_name(standard));
 }
 
+/// Each source of what is in force with what comes from it, for those who cannot ask for the standard.
+std::vector<std::string> sources_in_full(const injury::Standard& standard) {
+  std::vector<std::pair<std::string, std::string>> all;  // source, names
+  const auto add = [&](const injury::Origin& origin, const std::string& name) {
+    const std::string source = fmt::format("{} ({}{})", one_line(origin.source), to_string(origin.kind),
+                                           origin.verified ? "" : ", unverified");
+    const auto known = std::ranges::find(all, source, &std::pair<std::string, std::string>::first);
+    if (known == all.end())
+      all.emplace_back(source, name);
+    else
+      known->second += ", " + name;
+  };
+  for (const NamedValue& entry : values_of(standard))
+    if (entry.value->value && !entry.value->chosen_by_user) add(entry.value->origin, entry.name);
+  for (const injury::Criterion& criterion : standard.criteria)
+    add(criterion.origin, injury::limit_of(criterion));
+  std::vector<std::string> lines;
+  for (const auto& [source, names] : all) lines.push_back(fmt::format("Source of {}: {}.", names, source));
+  return lines;
+}
+
 /// The sign is there always: a margin of a failed criterion is negative. Of a lower bound it can only shrink.
 std::string margin_text(const injury::CriterionResult& result, const UnitSystem& units, int digits) {
   if (!result.margin) return "none";
@@ -231,7 +252,7 @@ std::vector<std::string> assessment_basis(const AssessmentReport& report, const 
   lines.push_back(impactor.empty() ? "Nothing of the case was replaced."
                                    : "Replaced in the case: " + impactor + ".");
   lines.push_back(replaced.kept);
-  lines.push_back(sources_of(report.standard));
+  for (std::string& line : sources_in_full(report.standard)) lines.push_back(std::move(line));
   if (!report.standard.note.empty()) lines.push_back(report.standard.note);
   return lines;
 }

@@ -25,9 +25,10 @@ std::vector<std::string> foam_basis(const Material& material, const UnitSystem& 
   foam += material.source.empty() ? ". Source not stated." : ". Source: " + one_line(material.source) + ".";
   std::vector<std::string> basis{std::move(foam)};
   if (const auto range = range_of(material))
-    basis.push_back(fmt::format("{} up to a strain of {}, at {} to {} per second.", capitalised(how_known(material)),
-                                brief(range->highest_strain, 3), brief(range->lowest_rate, 3),
-                                brief(range->highest_rate, 3)));
+    basis.push_back(
+        fmt::format("{} up to a strain of {}, at {}{} per second.", capitalised(how_known(material)),
+                    brief(range->highest_strain, 3), brief(range->lowest_rate, 3),
+                    range->highest_rate > range->lowest_rate ? " to " + brief(range->highest_rate, 3) : ""));
   for (const std::string& reservation : material.reservations) basis.push_back(one_line(reservation));
   return basis;
 }

@@ -67,7 +67,7 @@ std::vector<std::string> notes_on(const laboratory::MaterialTestReport& report) 
                   percentage(stress_error), percentage(energy_error)),
       "Energies are per volume. Efficiency is energy over the largest stress so far, ideality that over the "
       "strain; of the first loading."};
-  if (!report.material.fitted)
+  if (!range_of(report.material))
     notes.emplace_back("The card states no fitted range: no result can be called extrapolated.");
   if (report.test.steps_of_1984)
     notes.emplace_back(
