@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "output/page/key_figures.hpp"
+#include "output/page/study_value_figures.hpp"
 #include "output/text/capitals.hpp"
 #include "output/text/factor_words.hpp"
 #include "output/text/study_answer.hpp"
@@ -25,11 +25,6 @@ namespace {
 
 using study::StudyAnswers;
 using Figures = std::vector<KeyFigure>;
-using AsText = std::function<std::string(double)>;
-
-AsText in_unit_of(const std::string& response, const UnitSystem& units) {
-  return [&response, &units](double value) { return three_digits(response, value, units); };
-}
 
 std::string per_cent_of(double share) {
   return std::isfinite(share) ? fmt::format("{:.3g} %", 100 * share) : "undecided";
@@ -42,27 +37,6 @@ std::string share_of_variance(double share) {
 
 std::string part_of_rows(std::uint64_t count, std::uint64_t rows) {
   return fmt::format("{} of {} rows", count, rows);
-}
-
-/// "95 % interval 10.1 to 14.2 %"; empty where there is none.
-std::string interval_of(const study::Estimate& of, const AsText& shown) {
-  const bool has_low = std::isfinite(of.low), has_high = std::isfinite(of.high);
-  if (has_low && has_high) return fmt::format("95 % interval {} to {}", shown(of.low), shown(of.high));
-  if (has_low) return "95 % interval above " + shown(of.low);
-  if (has_high) return "95 % interval below " + shown(of.high);
-  return "";
-}
-
-std::optional<double> limit_of(const StudyAnswers& answers, const std::string& response) {
-  const auto found = std::ranges::find(answers.limits, response, &study::StudyLimit::response);
-  return found == answers.limits.end() ? std::nullopt : std::optional(found->value);
-}
-
-/// The response with the strictest limit, else the first of all.
-std::size_t leading_response(const StudyAnswers& answers) {
-  for (std::size_t i = 0; i < answers.responses.size(); ++i)
-    if (!answers.limits.empty() && response_name(answers, i) == strictest_limit(answers).response) return i;
-  return 0;
 }
 
 /// A probability for each limit, or where levels vary the strictest limit at each of them.
@@ -108,41 +82,6 @@ void add_indices(Figures& figures, const StudyAnswers& answers) {
   }
 }
 
-/// Median and 95 % quantile of a response over draws, towards its limit.
-void add_quantiles(Figures& figures, const StudyAnswers& answers, std::size_t response,
-                   const UnitSystem& units) {
-  const std::string& name = response_name(answers, response);
-  const AsText shown = in_unit_of(name, units);
-  const std::optional<double> limit = limit_of(answers, name);
-  for (const auto& [probability, words] :
-       {std::pair{0.5, "half of the draws below"}, {0.95, "95 % of the draws below"}})
-    if (const auto of = study::quantile(answers.groups.front().distributions[response], probability)) {
-      KeyFigure figure{.label = fmt::format("{}, {}", title_of(name), words),
-                       .value = shown(of->value),
-                       .limit = interval_of(*of, shown)};
-      if (limit && *limit > 0 && std::isfinite(of->value)) {
-        figure.share = of->value / *limit;
-        figure.limit =
-            fmt::format("limit {}{}{}", shown(*limit), figure.limit.empty() ? "" : "; ", figure.limit);
-      }
-      figures.push_back(std::move(figure));
-    }
-}
-
-/// Of the other responses, where most draws lie.
-void add_spreads(Figures& figures, const StudyAnswers& answers, std::size_t leading,
-                 const UnitSystem& units) {
-  for (std::size_t i = 0; i < answers.responses.size(); ++i) {
-    const study::Distribution& of = answers.groups.front().distributions[i];
-    const auto low = study::quantile(of, 0.05), high = study::quantile(of, 0.95);
-    if (i == leading || !low || !high) continue;
-    const std::string& name = response_name(answers, i);
-    figures.push_back({.label = title_of(name),
-                       .value = three_digit_range(name, low->value, high->value, units),
-                       .limit = "nine draws in ten"});
-  }
-}
-
 /// What counts against the answer: struck through, or used beyond what the foam was tested for.
 void add_counts(Figures& figures, const StudyAnswers& answers) {
   const std::uint64_t rows = answers.records.rows.size();
@@ -155,60 +94,6 @@ void add_counts(Figures& figures, const StudyAnswers& answers) {
   };
   add("Bottomed out", answers.records.struck_through, Tone::bad);
   add("Beyond what the foam was tested for", answers.records.extrapolated, Tone::doubtful);
-}
-
-/// The least peak of each thickness from the highest drop, of which the answer speaks.
-void add_least_peaks(Figures& figures, const study::CushionCurves& curves, const UnitSystem& units) {
-  const study::CushionCurves::Drop& drop = curves.drops.back();
-  const AsText shown = [&](double value) { return three_digits("peak_acceleration", value, units); };
-  for (const study::CushionCurve& curve : drop.curves)
-    if (const std::optional<std::size_t> least = study::least_peak(curve))
-      figures.push_back(
-          {.label = fmt::format("Least peak on {}", brief_quantity(curve.thickness, "m", units, 3)),
-           .value = shown(curve.peak_deceleration[*least]),
-           .limit = fmt::format("at {}, from {}", brief_quantity(curve.static_stress[*least], "Pa", units, 3),
-                                brief_quantity(drop.height, "m", units, 3))});
-}
-
-/// "at impact speed 5 m/s, thickness of the pad 30 mm" of a row.
-std::string factors_of(const StudyAnswers& answers, std::size_t place, const UnitSystem& units) {
-  std::string text;
-  for (std::size_t i = 0; i < answers.study.factors.size(); ++i)
-    text += (i == 0 ? "at " : ", ") + factor_at(answers.study, i, answers.records.factors[i][place], units);
-  return text;
-}
-
-/// The least and the greatest value of the leading response with where they are, and the range of others.
-void add_ranges(Figures& figures, const StudyAnswers& answers, const UnitSystem& units) {
-  const std::size_t leading = leading_response(answers);
-  const study::Group& group = answers.groups.front().group;
-  const std::string& name = response_name(answers, leading);
-  const std::vector<double> values =
-      study::values_of(answers.study, answers.records, group, answers.responses[leading]);
-  std::optional<std::size_t> least, greatest;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::isnan(values[i])) continue;
-    if (!least || values[i] < values[*least]) least = i;
-    if (!greatest || values[i] > values[*greatest]) greatest = i;
-  }
-  const std::optional<double> limit = limit_of(answers, name);
-  const auto add = [&](const char* which, std::optional<std::size_t> at) {
-    if (!at) return;
-    KeyFigure figure{.label = fmt::format("{}, {}", title_of(name), which),
-                     .value = in_unit_of(name, units)(values[*at]),
-                     .limit = factors_of(answers, group.places[*at], units)};
-    if (limit && *limit > 0 && std::isfinite(values[*at])) figure.share = values[*at] / *limit;
-    figures.push_back(std::move(figure));
-  };
-  add("least", least);
-  add("greatest", greatest);
-  for (std::size_t i = 0; i < answers.responses.size(); ++i) {
-    const study::Distribution& of = answers.groups.front().distributions[i];
-    if (i == leading || of.rows == 0) continue;
-    const std::string& other = response_name(answers, i);
-    figures.push_back(
-        {.label = title_of(other), .value = three_digit_range(other, of.least, of.greatest, units)});
-  }
 }
 
 }  // namespace
