@@ -93,7 +93,7 @@ class TimeSlider {
     const pictures = document.querySelector(".lead .pictures");
     const { end } = moments;
     if (!pictures || !(end > 0)) return;
-    this.slider = Object.assign(document.createElement("input"), { type: "range", min: 0, max: end, step: end / 500 });
+    this.slider = Object.assign(document.createElement("input"), { type: "range", min: 0, max: end, step: "any" });
     this.slider.setAttribute("aria-label", "Time");
     this.output = document.createElement("output");
     this.box = Object.assign(document.createElement("div"), { className: "time" });
@@ -117,7 +117,7 @@ class TimeSlider {
   // From where it stands, or from the beginning: the whole impact in four seconds.
   play() {
     const { end } = this.moments;
-    const from = this.time !== null && this.time < end ? this.time : 0;
+    const from = this.time !== null && this.time < 0.999 * end ? this.time : 0;
     this.button.textContent = "Pause";
     let begin = null;
     const step = (now) => {

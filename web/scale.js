@@ -14,7 +14,8 @@ function numberText(value, step) {
   const decimals = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
   const isPlain = Math.abs(value) < 1e7 && decimals <= 6;
   const digits = Math.floor(Math.log10(Math.abs(value))) + Math.ceil(-Math.log10(step) - 1e-9);
-  return (isPlain ? value.toFixed(decimals) : scientific(value, digits)).replace("-", "−");
+  // What rounding leaves of nothing has no sign.
+  return (isPlain ? value.toFixed(decimals) : scientific(value, digits)).replace(/^-(0\.?0*)$/, "$1").replace("-", "−");
 }
 
 // 1, 2 or 5 times a power of ten, and not below `least`.

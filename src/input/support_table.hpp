@@ -8,8 +8,8 @@
 namespace dashpad::input {
 
 struct SupportEntry {
-  Support support;  ///< rigid after a fault
-  Backing backing;
+  Support support = {};  ///< rigid after a fault
+  Backing backing = {};
   bool is_known = true;  ///< without a fault
 };
 

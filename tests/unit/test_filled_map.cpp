@@ -55,13 +55,25 @@ TEST(FilledMap, EachClassCoversItsPart) {
   EXPECT_EQ(areas[2].shade, 1);
 }
 
-TEST(FilledMap, BesideAPlaceWithoutAValueTheOthersStandForWhatIsNextToThem) {
+TEST(FilledMap, ACellWithoutAValueStaysEmpty) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const std::vector<output::Series> areas =
       output::filled_areas({0, 1, 2}, {0, 1}, {{1, 1.5, none}, {1, 1.5, 2}}, {0, 5, 10}, "");
   ASSERT_EQ(areas.size(), 1U);
-  EXPECT_NEAR(area_of(areas[0]), 1 + 0.75, 1e-12);
+  EXPECT_NEAR(area_of(areas[0]), 1, 1e-12);
   EXPECT_EQ(areas[0].label, "0 to 5");
+}
+
+TEST(FilledMap, WhatNoWholeCellShowsIsADot) {
+  const double none = std::numeric_limits<double>::infinity();
+  const std::vector<std::vector<double>> values{{1, 1.5, none, 4}, {1, 1.5, 2, none}};
+  const std::vector<output::Series> dots = output::lone_dots({0, 1, 2, 3}, {0, 1}, values, {0, 3, 4}, "");
+  ASSERT_EQ(dots.size(), 2U);
+  EXPECT_THAT(dots[0].x, ElementsAre(2));
+  EXPECT_THAT(dots[0].y, ElementsAre(1));
+  EXPECT_THAT(dots[1].x, ElementsAre(3));
+  EXPECT_EQ(dots[1].shade, 1);
+  EXPECT_EQ(dots[1].style, output::SeriesStyle::points);
 }
 
 TEST(FilledMap, IsDrawnInTheColourOfItsShade) {

@@ -42,7 +42,8 @@ struct Mark {
   [[nodiscard]] std::string label() const { return fmt::format("{}", fmt::join(layers, ", ")); }
 };
 
-/// The layers that have such a strain. Those whose numbers would touch share a label: "1, 3".
+/// The layers that have such a strain. Those whose numbers would touch share a label, in their order on the
+/// scale: "3, 1".
 template <class StrainOf>
 std::vector<Mark> labels(const DrawnMoments& moments, double width, StrainOf&& strain_of) {
   std::vector<Mark> list;
@@ -58,7 +59,6 @@ std::vector<Mark> labels(const DrawnMoments& moments, double width, StrainOf&& s
     else
       apart.push_back(mark);
   }
-  for (Mark& mark : apart) std::ranges::sort(mark.layers);
   return apart;
 }
 

@@ -97,13 +97,6 @@ Plot deciding_curve(const AssessmentReport& report, const std::optional<injury::
   return {.title = {}, .panels = {std::move(panel)}, .source = {}};
 }
 
-std::string first_reservation(const injury::Assessment& assessment) {
-  if (assessment.reservations.empty()) return "";
-  const std::size_t others = assessment.reservations.size() - 1;
-  return one_line(assessment.reservations.front().text) +
-         (others == 0 ? "" : fmt::format(" (and {} more below)", others));
-}
-
 }  // namespace
 
 std::string assessment_page(const AssessmentReport& report, const UnitSystem& units) {
@@ -116,12 +109,12 @@ std::string assessment_page(const AssessmentReport& report, const UnitSystem& un
   page.is_one_impact = true;
   page.lead = Lead{.answer = assessment_answer(report, units),
                    .tone = passes_narrowly(assessment) ? Tone::doubtful : tone_of(assessment.verdict),
-                   .reservation = first_reservation(assessment),
                    .subject = {report.standard.title, "The case: " + report.assessed.title},
                    .drawing = impact_drawing(report.assessed, report.solution, units),
                    .curve = deciding_curve(report, injury, units),
                    .figures = key_figures(report, units)};
-  for (const Flag& reservation : assessment.reservations) page.warnings.push_back(reservation.text);
+  for (const Flag& reservation : assessment.reservations) page.warnings.push_back(one_line(reservation.text));
+  page.lead->reservation = first_of(page.warnings);
   std::vector<std::string> basis{case_text(untitled, units)};
   for (std::string& line : foam_basis(report.assessed.pad, units)) basis.push_back(std::move(line));
   std::vector<std::string> of_standard = assessment_basis(report, units);

@@ -27,4 +27,11 @@ inline std::vector<KeyFigure> key_figures(const std::vector<ResultRow>& rows) {
   return figures;
 }
 
+/// The first of the reservations, and how many there are below; empty without any.
+inline std::string first_of(const std::vector<std::string>& reservations) {
+  if (reservations.empty()) return "";
+  const std::size_t others = reservations.size() - 1;
+  return reservations.front() + (others == 0 ? "" : " (and " + std::to_string(others) + " more below)");
+}
+
 }  // namespace dashpad::output

@@ -103,6 +103,7 @@ std::vector<KeyFigure> test_figures(const MaterialTestReport& report, const Mate
 Panel stress_panel(const MaterialTestReport& report, const MaterialTestRun& run, const UnitSystem& units) {
   constexpr double most_over_best = 4;
   Panel panel = stress_over_strain(report, units);
+  panel.title.clear();
   const CushionPoint& best = run.figures.best_efficiency;
   if (runs_out(run)) {
     panel.series.push_back({.label = "best used",
@@ -114,6 +115,8 @@ Panel stress_panel(const MaterialTestReport& report, const MaterialTestRun& run,
     if (run.figures.peak_stress > most_over_best * best.stress) {
       panel.y.low = 0;
       panel.y.high = value_in(units, most_over_best * best.stress, "Pa");
+      panel.title =
+          fmt::format("The stress goes on to {}", MaterialTestValues{units}.stress(run.figures.peak_stress));
     }
   }
   for (const double limit : report.test.stress_limits)
@@ -132,7 +135,7 @@ Panel deciding_panel(const MaterialTestReport& report, const MaterialTestRun& ru
     panel = strain_over_time(report, units);
   else
     panel = stress_panel(report, run, units);
-  panel.title.clear();
+  if (run.relaxed || run.crept) panel.title.clear();
   return panel;
 }
 
@@ -146,7 +149,7 @@ Lead material_test_lead(const MaterialTestReport& report, const UnitSystem& unit
             .curve = Plot{.panels = {deciding_panel(report, run, units)}},
             .figures = test_figures(report, run, shown)};
   if (const std::vector<std::string> flags = flag_words(report); !flags.empty()) {
-    lead.reservation = flags.front();
+    lead.reservation = first_of(flags);
     const auto range = range_of(report.material);
     if (!run.flags.empty() && (!range || run.figures.best_efficiency.strain > range->highest_strain))
       lead.tone = Tone::doubtful;

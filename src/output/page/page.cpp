@@ -70,9 +70,12 @@ Tone tone_of(const ImpactCase& impact, const Summary& summary) {
 /// Of an impact that is cut the largest values may be larger.
 std::vector<KeyFigure> figures_of(const Summary& summary, const std::vector<ResultRow>& rows) {
   std::vector<KeyFigure> figures = key_figures(rows);
-  if (is_cut(summary))
-    for (KeyFigure& figure : figures)
-      if (figure.label.starts_with("Peak")) figure.value = "≥ " + figure.value;
+  if (!is_cut(summary)) return figures;
+  for (KeyFigure& figure : figures)
+    if (figure.label.starts_with("Peak"))
+      figure.value = "≥ " + figure.value;
+    else
+      figure.limit = "so far" + (figure.limit.empty() ? "" : ", " + figure.limit);
   return figures;
 }
 
@@ -90,7 +93,7 @@ FiguresPage in_units(const ImpactCase& impact, const Options& options, const Sol
   Lead lead{.answer = answer(impact, summary, injury, blows, units),
             .tone = tone_of(impact, summary),
             .subject = {one_line(impact.title), outcome(summary)}};
-  if (!page.warnings.empty()) lead.reservation = page.warnings.front();
+  lead.reservation = first_of(page.warnings);
   ImpactCase last = impact;
   if (!blows.empty()) last.pad.earlier_penetration = blows.back().earlier_penetration;
   lead.drawing = impact_drawing(last, solution, units);

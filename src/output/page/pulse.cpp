@@ -39,7 +39,7 @@ std::string pulse_page(const injury::PulseReport& report, const UnitSystem& unit
   page.warnings = reservations(report);
   if (!page.warnings.empty()) {
     lead.tone = Tone::doubtful;
-    lead.reservation = page.warnings.front();
+    lead.reservation = first_of(page.warnings);
   }
   lead.curve = pulse_plot(report, units);
   lead.curve->title.clear();

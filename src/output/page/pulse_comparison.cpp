@@ -11,6 +11,7 @@
 #include "dashpad/output/drawing/impact_drawing.hpp"
 #include "dashpad/output/page/figures_page.hpp"
 #include "dashpad/output/text/case.hpp"
+#include "output/page/key_figures.hpp"
 #include "output/result_rows.hpp"
 #include "output/text/pulse_comparison_words.hpp"
 #include "output/text/pulse_words.hpp"
@@ -26,7 +27,7 @@ std::string pulse_comparison_page(const PulseComparisonReport& report, const Uni
   Lead lead{.answer = page.title,
             .tone = report.comparison.computed ? Tone::plain : Tone::bad,
             .subject = {fmt::format("{} over {}", report.pulse.file, report.case_file)}};
-  if (!page.warnings.empty()) lead.reservation = page.warnings.front();
+  lead.reservation = first_of(page.warnings);
   lead.drawing = impact_drawing(report.impact, report.solution, units);
   lead.curve = pulse_comparison_plot(report, units);
   lead.curve->title.clear();

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/study.hpp"
+#include "output/page/key_figures.hpp"
 #include "output/page/study_key_figures.hpp"
 #include "output/plot/study_figures.hpp"
 #include "output/text/study_answer.hpp"
@@ -88,7 +89,7 @@ FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& uni
       .sections = {}};
   if (std::string answer = study_answer(answers, units); !answer.empty()) {
     page.lead = Lead{.answer = std::move(answer), .tone = tone_of(answers), .subject = {page.title}};
-    if (!page.warnings.empty()) page.lead->reservation = page.warnings.front();
+    page.lead->reservation = first_of(page.warnings);
     page.lead->figures = study_key_figures(answers, units);
     page.lead->curve = answering_plot(answers, units);
   }

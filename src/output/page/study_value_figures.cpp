@@ -111,14 +111,16 @@ void add_ranges(Figures& figures, const StudyAnswers& answers, const UnitSystem&
   const std::optional<double> limit = limit_of(answers, name);
   const auto add = [&](const char* which, std::optional<std::size_t> at) {
     if (!at) return;
-    KeyFigure figure{.label = fmt::format("{}, {}", title_of(name), which),
-                     .value = in_unit_of(name, units)(values[*at]),
-                     .limit = factors_of(answers, group.places[*at], units)};
+    const bool is_single = values[*least] == values[*greatest];
+    KeyFigure figure{
+        .label = title_of(name) + (is_single ? "" : fmt::format(", {}", which)),
+        .value = in_unit_of(name, units)(values[*at]),
+        .limit = std::isfinite(values[*at]) ? factors_of(answers, group.places[*at], units) : ""};
     if (limit && *limit > 0 && std::isfinite(values[*at])) figure.share = values[*at] / *limit;
     figures.push_back(std::move(figure));
   };
   add("least", least);
-  add("greatest", greatest);
+  if (least && values[*least] != values[*greatest]) add("greatest", greatest);
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const study::Distribution& of = answers.groups.front().distributions[i];
     if (i == leading || of.rows == 0) continue;

@@ -71,7 +71,7 @@ class Areas {
       return;
     }
     flush();
-    if (!is_whole(cell)) return add_quarters(cell);
+    if (!is_whole(cell)) return;
     for (const auto& [a, b, c] : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
       const auto at = [&](int i) { return cell[static_cast<std::size_t>(i)]; };
       add(clipped(clipped({at(a), at(b), at(c)}, low_, 1), high_, -1), area_);
@@ -83,14 +83,6 @@ class Areas {
   }
 
  private:
-  /// Beside a corner without a value each of the others stands for what is next to it.
-  void add_quarters(const CellCorners& cell) {
-    const double x = (cell[0].x + cell[2].x) / 2, y = (cell[0].y + cell[2].y) / 2;
-    for (const Vertex& corner : cell)
-      if (low_ <= corner.value && corner.value <= high_)
-        add({corner, {x, corner.y}, {x, y}, {corner.x, y}}, area_);
-  }
-
   double low_, high_;
   Series& area_;
   Outline pending_;
@@ -119,6 +111,37 @@ Series class_of_levels(const std::vector<double>& levels, std::size_t i, const s
           .style = SeriesStyle::area,
           .turn = 0,
           .shade = classes < 2 ? 0 : static_cast<double>(i) / static_cast<double>(classes - 1)};
+}
+
+std::vector<Series> lone_dots(const std::vector<double>& across, const std::vector<double>& up,
+                              const std::vector<std::vector<double>>& values,
+                              const std::vector<double>& levels, const std::string& unit) {
+  const auto is_finite = [&](std::size_t line, std::size_t place) {
+    return line < up.size() && place < across.size() && std::isfinite(values[line][place]);
+  };
+  /// Of the cell below and before the corner.
+  const auto is_whole_before = [&](std::size_t line, std::size_t place) {
+    return line > 0 && place > 0 && is_finite(line, place) && is_finite(line - 1, place) &&
+           is_finite(line, place - 1) && is_finite(line - 1, place - 1);
+  };
+  std::vector<Series> list;
+  for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
+    Series dots = class_of_levels(levels, i, unit);
+    dots.style = SeriesStyle::points;
+    const bool is_last = i + 2 == levels.size();
+    for (std::size_t line = 0; line < up.size(); ++line)
+      for (std::size_t place = 0; place < across.size(); ++place) {
+        const double value = values[line][place];
+        if (!(value >= levels[i] && (value < levels[i + 1] || (is_last && value == levels[i + 1])))) continue;
+        if (is_whole_before(line, place) || is_whole_before(line, place + 1) ||
+            is_whole_before(line + 1, place) || is_whole_before(line + 1, place + 1))
+          continue;
+        dots.x.push_back(across[place]);
+        dots.y.push_back(up[line]);
+      }
+    if (!dots.x.empty()) list.push_back(std::move(dots));
+  }
+  return list;
 }
 
 std::vector<Series> filled_areas(const std::vector<double>& across, const std::vector<double>& up,

@@ -21,6 +21,11 @@ std::vector<Series> filled_areas(const std::vector<double>& across, const std::v
                                  const std::vector<std::vector<double>>& values,
                                  const std::vector<double>& levels, const std::string& unit);
 
+/// The values that no whole cell shows, as dots in the colours of their classes.
+std::vector<Series> lone_dots(const std::vector<double>& across, const std::vector<double>& up,
+                              const std::vector<std::vector<double>>& values,
+                              const std::vector<double>& levels, const std::string& unit);
+
 /// Where the same values are `level`: lines with pale edges, with a gap after each but the last. Empty where
 /// they are nowhere.
 Series contour(const std::vector<double>& across, const std::vector<double>& up,

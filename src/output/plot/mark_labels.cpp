@@ -51,7 +51,7 @@ bool crosses(PlaceLine line, const Box& box) {
 }
 
 bool is_free(const Box& box, const Obstacles& obstacles) {
-  constexpr double edge = 2, size_of_point = 4;
+  constexpr double edge = 2, size_of_point = 4, beside_line = 3;
   if (box.left < edge || box.right > obstacles.size.width - edge || box.top < 0 ||
       box.bottom > obstacles.size.height)
     return false;
@@ -61,7 +61,9 @@ bool is_free(const Box& box, const Obstacles& obstacles) {
   };
   return std::ranges::none_of(obstacles.texts, [&](const Box& text) { return overlap(text, box); }) &&
          std::ranges::none_of(obstacles.points, is_near) &&
-         std::ranges::none_of(obstacles.lines, [&](const PlaceLine& line) { return crosses(line, box); });
+         std::ranges::none_of(obstacles.lines, [&](const PlaceLine& line) {
+           return crosses(line, {box.left - beside_line, box.top, box.right + beside_line, box.bottom});
+         });
 }
 
 /// A leader from there to the right of the axes would cross half of the panel.
@@ -106,11 +108,13 @@ std::vector<MarkLabel> beside_horizontal(const MarkLabel& label, double y, const
 std::vector<MarkLabel> beside_vertical(const MarkLabel& label, double x) {
   constexpr int rows = 8;
   std::vector<MarkLabel> all;
-  for (int row = 0; row < rows; ++row) {
-    const double base = to_text_below + mark_line * row;
-    all.push_back({label.series, label.text, {x + to_text_beside, base}, TextAnchor::start});
-    all.push_back({label.series, label.text, {x - to_text_beside, base}, TextAnchor::end});
-  }
+  // Where a curve runs along the line, on the other side of it.
+  for (const double away : {to_text_beside, 3 * to_text_beside})
+    for (int row = 0; row < rows; ++row) {
+      const double base = to_text_below + mark_line * row;
+      all.push_back({label.series, label.text, {x + away, base}, TextAnchor::start});
+      all.push_back({label.series, label.text, {x - away, base}, TextAnchor::end});
+    }
   return all;
 }
 

@@ -141,6 +141,8 @@ Panel index_panel(const std::string& response, const study::Sensitivity& of) {
 
 std::vector<CaptionedPlot> distribution_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   std::vector<CaptionedPlot> figures;
+  // One row has no distribution.
+  if (answers.records.rows.size() < 2) return figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
     figures.push_back({.plot = {.title = "Distribution of " + title_of(response_name(answers, i)),
                                 .panels = {distribution_panel(answers, i, units)},

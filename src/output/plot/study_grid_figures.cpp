@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -94,8 +95,16 @@ Plot map_of(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
   panel.x.high = x.back();
   panel.y.low = y.front();
   panel.y.high = y.back();
-  panel.series = filled_areas(x, y, values, round_levels(least, greatest), shown.unit);
+  const std::vector<double> levels = round_levels(least, greatest);
+  panel.series = filled_areas(x, y, values, levels, shown.unit);
   if (panel.series.empty()) return {};
+  std::set<std::string> named;
+  for (const Series& area : panel.series) named.insert(area.label);
+  for (Series& dots : lone_dots(x, y, values, levels, shown.unit)) {
+    // The area of the same colour has the name.
+    if (named.contains(dots.label)) dots.label.clear();
+    panel.series.push_back(std::move(dots));
+  }
   for (const Series& limit : limit_lines(answers, name, SeriesStyle::horizontal_line, units)) {
     Series line = contour(x, y, values, limit.y.front());
     line.label = limit.label;
@@ -158,9 +167,8 @@ std::vector<CaptionedPlot> map_figures(const study::StudyAnswers& answers, const
     Plot map = map_of(answers, *plane, i, units);
     if (map.panels.empty()) continue;
     figures.push_back({"", std::move(map),
-                       "Interpolated linearly between neighbours of the grid; beside those without a value a "
-                       "row stands for what is next "
-                       "to it. " +
+                       "Interpolated linearly between neighbours of the grid; a dot is a row beside others "
+                       "without a value. " +
                            note_of(*plane)});
   }
   return figures;

@@ -125,7 +125,7 @@ std::string spread_text(const study::StudyAnswers& answers, std::size_t factor, 
     return fmt::format("{} measured values, {} to {}", of->values.size(), text(of->values.front()),
                        text(of->values.back()));
   const std::vector<double>& values = std::get<Levels>(spread).values;
-  std::string list = fmt::format("{} levels: ", values.size());
+  std::string list = values.size() == 1 ? "1 level: " : fmt::format("{} levels: ", values.size());
   if (values.size() > 8)
     return list + fmt::format("{}, {} ... {}", text(values[0]), text(values[1]), text(values.back()));
   for (std::size_t i = 0; i < values.size(); ++i) list += (i == 0 ? "" : ", ") + text(values[i]);

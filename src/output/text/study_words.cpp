@@ -60,6 +60,7 @@ std::string three_digits(const std::string& response, double value, const UnitSy
 std::string three_digit_range(const std::string& response, double low, double high, const UnitSystem& units) {
   std::string from = three_digits(response, low, units);
   const std::string to = three_digits(response, high, units);
+  if (from == to) return to;
   if (std::isfinite(low) && std::isfinite(high)) from.resize(std::min(from.find(' '), from.size()));
   return from + " to " + to;
 }
