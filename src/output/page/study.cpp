@@ -91,7 +91,7 @@ FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& uni
     page.lead = Lead{.answer = std::move(answer), .tone = tone_of(answers), .subject = {page.title}};
     page.lead->reservation = first_of(page.warnings);
     page.lead->figures = study_key_figures(answers, units);
-    page.lead->curve = answering_plot(answers, units);
+    if (Plot plot = answering_plot(answers, units); !plot.panels.empty()) page.lead->curve = std::move(plot);
   }
   page.sections.push_back({.heading = "What was studied",
                            .paragraphs = {},
