@@ -277,6 +277,19 @@ TEST(StudyAnswer, OfSeveralCombinationsNamesTheBestAndTheWorst) {
             "impact speed 1 m/s");
 }
 
+TEST(StudyAnswer, OfDrawsAtSeveralLevelsTheMediansWithTheirPlaces) {
+  study::StudyAnswers answers = answers_of({100, 200, 300}, true);
+  answers.study.factors.front().spread = study::Levels{{1, 2}};
+  answers.groups.push_back(answers.groups.front());
+  answers.groups[0].group.levels = {1};
+  answers.groups[1].group.levels = {2};
+  answers.groups[1].distributions = {study::distribution(std::vector<double>{50, 100, 150}, true)};
+  EXPECT_EQ(answer_to(answers),
+            "The median of peak acceleration goes from 10.2 g at impact speed 2 m/s to 20.4 g at impact "
+            "speed 1 m/s");
+  EXPECT_EQ(output::study_key_figures(answers, unit_system("si")).at(1).value, "20.4 g");
+}
+
 TEST(StudyAnswer, OfASingleRowIsItsValue) {
   EXPECT_EQ(answer_to(answers_of({100}, false)), "Peak acceleration is 10.2 g");
 }

@@ -101,6 +101,27 @@ TEST(StudyFigures, AScatterHasARowOfMarksForWhatBottomedOut) {
   EXPECT_GT(marks[0].y.at(0), 300);
 }
 
+TEST(StudyFigures, ACurveOverDrawsHasABandOfNineInTen) {
+  study::StudyAnswers of = answers(false);
+  of.study.factors = {{.key = "impactor.speed", .unit = "m/s", .spread = study::Levels{{1, 2}}},
+                      {.key = "pad.thickness", .unit = "m", .spread = study::Uniform{0.01, 0.03}}};
+  std::vector<double> draws;
+  for (int i = 1; i <= 100; ++i) draws.push_back(i);
+  of.groups.clear();
+  for (const double speed : {1.0, 2.0}) {
+    study::StudyAnswers::OfGroup group;
+    group.group = {.levels = {speed}, .places = {}, .drawn = true};
+    group.distributions = {study::distribution(draws, true)};
+    of.groups.push_back(group);
+  }
+  const output::Panel panel = output::curve_figures(of, units()).at(0).plot.panels.at(0);
+  const auto band = std::ranges::find(panel.series, SeriesStyle::band, &Series::style);
+  ASSERT_NE(band, panel.series.end());
+  EXPECT_THAT(band->x, ElementsAre(1, 2));
+  EXPECT_THAT(band->y, ElementsAre(5, 5));
+  EXPECT_THAT(band->y2, ElementsAre(95, 95));
+}
+
 TEST(StudyFigures, IndicesStandBelowEachOtherTheLargestOnTop) {
   study::StudyAnswers of = answers(true);
   of.groups[0].sensitivities = {study::Sensitivity{

@@ -113,6 +113,8 @@ std::vector<KeyFigure> study_key_figures(const StudyAnswers& answers, const Unit
     add_spreads(figures, answers, leading_response(answers), units);
   } else if (answers.groups.size() == 1)
     add_ranges(figures, answers, units);
+  else if (drawn && answers.limits.empty())
+    add_medians(figures, answers, units);
   // They have a place of their own: what else there is makes room for them.
   Figures counts;
   add_counts(counts, answers);

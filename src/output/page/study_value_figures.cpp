@@ -84,6 +84,22 @@ void add_spreads(Figures& figures, const StudyAnswers& answers, std::size_t lead
   }
 }
 
+void add_medians(Figures& figures, const StudyAnswers& answers, const UnitSystem& units) {
+  for (std::size_t i = 0; i < answers.responses.size(); ++i) {
+    const std::string& name = response_name(answers, i);
+    const auto [least, greatest] = extreme_medians(answers, i);
+    const auto add = [&](const char* which, const StudyAnswers::OfGroup* of) {
+      if (of != nullptr)
+        figures.push_back(
+            {.label = fmt::format("{}, {} median", title_of(name), which),
+             .value = in_unit_of(name, units)(study::quantile(of->distributions[i], 0.5)->value),
+             .limit = "at " + words_of_levels(answers, of->group, units)});
+    };
+    add("least", least);
+    add("greatest", greatest);
+  }
+}
+
 void add_least_peaks(Figures& figures, const study::CushionCurves& curves, const UnitSystem& units) {
   const study::CushionCurves::Drop& drop = curves.drops.back();
   const AsText shown = [&](double value) { return three_digits("peak_acceleration", value, units); };

@@ -31,6 +31,10 @@ void add_quantiles(std::vector<KeyFigure>& figures, const study::StudyAnswers& a
 void add_spreads(std::vector<KeyFigure>& figures, const study::StudyAnswers& answers, std::size_t leading,
                  const UnitSystem& units);
 
+/// Over several combinations of levels, the least and the greatest median of each response.
+void add_medians(std::vector<KeyFigure>& figures, const study::StudyAnswers& answers,
+                 const UnitSystem& units);
+
 /// The least peak of each thickness from the highest drop, of which the answer speaks.
 void add_least_peaks(std::vector<KeyFigure>& figures, const study::CushionCurves& curves,
                      const UnitSystem& units);

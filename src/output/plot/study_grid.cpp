@@ -16,15 +16,20 @@ namespace {
 struct Cell {
   std::vector<double> levels;
   double value = 0;
+  double low = 0, high = 0;  ///< of draws: between them lie nine in ten
 };
 
 std::vector<Cell> cells_of(const study::StudyAnswers& answers, std::size_t response) {
   std::vector<Cell> cells;
   const std::vector<std::size_t> factors = level_factors(answers.study);
   if (answers.groups.front().group.drawn) {
-    constexpr std::size_t median = 3;
-    for (const study::StudyAnswers::OfGroup& of : answers.groups)
-      cells.push_back({of.group.levels, of.distributions[response].quantiles[median].value.value});
+    for (const study::StudyAnswers::OfGroup& of : answers.groups) {
+      const auto at = [&](double probability) {
+        const auto found = study::quantile(of.distributions[response], probability);
+        return found ? found->value : std::numeric_limits<double>::quiet_NaN();
+      };
+      cells.push_back({of.group.levels, at(0.5), at(0.05), at(0.95)});
+    }
     return cells;
   }
   const study::Group& all = answers.groups.front().group;
@@ -90,12 +95,17 @@ std::optional<GridPlane> grid_plane(const study::StudyAnswers& answers, std::siz
   plane.values.assign(
       plane.line_levels.size(),
       std::vector<double>(plane.across_levels.size(), std::numeric_limits<double>::quiet_NaN()));
+  if (plane.is_median) plane.low = plane.high = plane.values;
   for (const Cell& cell : cells_of(answers, response)) {
     bool here = true;
     for (std::size_t i = 2; i < order.size(); ++i) here = here && cell.levels[order[i]] == middle[order[i]];
     if (!here) continue;
     const std::size_t line = plane.lines ? place_in(plane.line_levels, cell.levels[order[1]]) : 0;
-    plane.values[line][place_in(plane.across_levels, cell.levels[order[0]])] = cell.value;
+    const std::size_t place = place_in(plane.across_levels, cell.levels[order[0]]);
+    plane.values[line][place] = cell.value;
+    if (!plane.is_median) continue;
+    plane.low[line][place] = cell.low;
+    plane.high[line][place] = cell.high;
   }
   return plane;
 }

@@ -15,8 +15,10 @@ struct GridPlane {
   std::vector<double> across_levels;        ///< SI
   std::vector<double> line_levels;          ///< SI; {0} without a second factor
   std::vector<std::vector<double>> values;  ///< [line][across], SI; NaN for none, infinite: struck through
-  std::string at;                           ///< levels of the other factors, in words; may be empty
-  bool is_median = false;                   ///< of draws, not of single rows
+  /// Of draws, the 5 % and 95 % quantiles beside them; empty without draws.
+  std::vector<std::vector<double>> low, high;
+  std::string at;          ///< levels of the other factors, in words; may be empty
+  bool is_median = false;  ///< of draws, not of single rows
 };
 
 /// Absent where no number has two levels or more. `response` counts in StudyAnswers::responses.

@@ -18,6 +18,9 @@ namespace dashpad::output {
 
 namespace {
 
+/// More lie on each other.
+constexpr std::size_t most_bands = 3;
+
 std::vector<double> scaled(std::vector<double> values, double scale) {
   for (double& value : values) value *= scale;
   return values;
@@ -36,6 +39,8 @@ std::size_t rows_in(const std::vector<Series>& lines) {
   return rows;
 }
 
+bool has_bands(const GridPlane& plane) { return plane.is_median && plane.values.size() <= most_bands; }
+
 Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::size_t response,
             const UnitSystem& units) {
   const std::string name = response_name(answers, response);
@@ -45,18 +50,26 @@ Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
               .y = {.label = label(name, si_unit_of(name), units)},
               .series = {}};
   const std::size_t count = plane.values.size(), lines = std::min(count, most_lines_drawn);
+  const std::vector<double> x = scaled(plane.across_levels, shown_as(across.unit, units).scale);
+  const double y_scale = shown_as(si_unit_of(name), units).scale;
   for (std::size_t i = 0; i < lines; ++i) {
     const std::size_t line = lines < 2 ? 0 : i * (count - 1) / (lines - 1);
     panel.series.push_back(
         {.label = plane.lines ? factor_at(answers.study, *plane.lines, plane.line_levels[line], units) : "",
          .style = SeriesStyle::line,
-         .x = scaled(plane.across_levels, shown_as(across.unit, units).scale),
-         .y = scaled(plane.values[line], shown_as(si_unit_of(name), units).scale),
+         .x = x,
+         .y = scaled(plane.values[line], y_scale),
          .turn = i});
+    if (has_bands(plane))
+      panel.series.push_back({.style = SeriesStyle::band,
+                              .x = x,
+                              .y = scaled(plane.low[line], y_scale),
+                              .y2 = scaled(plane.high[line], y_scale),
+                              .turn = i});
   }
   Series struck = struck_through_marks();
   for (const Series& line : panel.series)
-    for (std::size_t place = 0; place < line.y.size(); ++place)
+    for (std::size_t place = 0; is_line(line.style) && place < line.y.size(); ++place)
       if (std::isinf(line.y[place])) struck.x.push_back(line.x[place]);
   std::vector<Series> limits = limit_lines(answers, name, SeriesStyle::horizontal_line, units);
   panel.series.insert(panel.series.end(), limits.begin(), limits.end());
@@ -153,7 +166,8 @@ std::vector<CaptionedPlot> curve_figures(const study::StudyAnswers& answers, con
   std::vector<CaptionedPlot> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
     if (const std::optional<GridPlane> plane = grid_plane(answers, i, units))
-      figures.push_back({"", curves(answers, *plane, i, units), note_of(*plane)});
+      figures.push_back({"", curves(answers, *plane, i, units),
+                         (has_bands(*plane) ? "Bands hold nine draws in ten. " : "") + note_of(*plane)});
   return figures;
 }
 

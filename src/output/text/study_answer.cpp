@@ -145,6 +145,20 @@ std::string cushion_answer(const study::CushionCurves& curves, const UnitSystem&
                                       brief_quantity(drop.height, "m", units, 3), minima);
 }
 
+/// Over several combinations of levels, where the median of the draws is least and greatest.
+std::string medians_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
+  const std::string& name = response_name(answers, 0);
+  const auto [least, greatest] = extreme_medians(answers, 0);
+  if (least == nullptr) return "";
+  const auto part = [&](const study::StudyAnswers::OfGroup& of) {
+    return fmt::format("{} at {}",
+                       three_digits(name, study::quantile(of.distributions.front(), 0.5)->value, units),
+                       words_of_levels(answers, of.group, units));
+  };
+  return fmt::format("The median of {} goes from {} to {}", uncapitalised(title_of(name)), part(*least),
+                     part(*greatest));
+}
+
 std::string spread_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
   const std::string& name = response_name(answers, 0);
   const auto at = [&](double probability) {
@@ -155,6 +169,19 @@ std::string spread_answer(const study::StudyAnswers& answers, const UnitSystem& 
 }
 
 }  // namespace
+
+std::pair<const study::StudyAnswers::OfGroup*, const study::StudyAnswers::OfGroup*> extreme_medians(
+    const study::StudyAnswers& answers, std::size_t response) {
+  const auto median = [&](const study::StudyAnswers::OfGroup* of) {
+    return study::quantile(of->distributions[response], 0.5)->value;
+  };
+  std::vector<const study::StudyAnswers::OfGroup*> groups;
+  for (const study::StudyAnswers::OfGroup& of : answers.groups)
+    if (study::quantile(of.distributions[response], 0.5)) groups.push_back(&of);
+  if (groups.empty()) return {nullptr, nullptr};
+  const auto [least, greatest] = std::ranges::minmax(groups, {}, median);
+  return {least, greatest};
+}
 
 LimitCount rows_above(const study::StudyAnswers& answers, const study::StudyLimit& limit) {
   const auto number = static_cast<std::size_t>(&limit - answers.limits.data());
@@ -181,6 +208,7 @@ std::string study_answer(const study::StudyAnswers& answers, const UnitSystem& u
   if (std::string indices = index_answer(answers); !indices.empty()) return indices;
   if (answers.cushion_curves && !answers.cushion_curves->drops.empty())
     return cushion_answer(*answers.cushion_curves, units);
+  if (answers.groups.front().group.drawn && answers.groups.size() > 1) return medians_answer(answers, units);
   return answers.groups.front().group.drawn ? spread_answer(answers, units) : range_answer(answers, units);
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 /// The answer of a study in a sentence.
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "dashpad/quantities/unit_system.hpp"
 #include "dashpad/study/questions.hpp"
@@ -13,6 +15,11 @@ namespace dashpad::output {
 /// from where on, or in how many rows; which factor matters most; where a response is least; how its draws
 /// spread. Empty for a study without rows.
 std::string study_answer(const study::StudyAnswers& answers, const UnitSystem& units);
+
+/// Of draws, the combinations of levels with the least and the greatest median of a response, which counts in
+/// StudyAnswers::responses; null where none has a value.
+std::pair<const study::StudyAnswers::OfGroup*, const study::StudyAnswers::OfGroup*> extreme_medians(
+    const study::StudyAnswers& answers, std::size_t response);
 
 /// Rows of all groups, by one of the limits of the study.
 struct LimitCount {
