@@ -36,8 +36,8 @@ std::string remark_on(const std::string& key, const ImpactCase& impact, const Su
   if (key == "peak_penetration") return part_of_pad(summary.peak_penetration, impact.pad.thickness, digits);
   if (key == "peak_motion") return "pad and support";
   if (key == "peak_strain") return "on the axis";
-  if (key == "rebound_speed" && summary.restitution && summary.release->velocity > 0 && summary.support &&
-      summary.support->body_speed)
+  if (key == "rebound_speed" && summary.restitution && summary.release && summary.release->velocity > 0 &&
+      summary.support && summary.support->body_speed)
     return "goes on at " + brief_quantity(summary.release->velocity, "m/s", units, digits) +
            "; restitution " + significant(*summary.restitution, digits);
   if (key == "rebound_speed" && summary.restitution)

@@ -99,6 +99,13 @@ TEST(PageHtml, SaysWhereThereIsNothingToDraw) {
   EXPECT_THAT(body_of(page), HasSubstr("There is nothing to draw."));
 }
 
+TEST(PageHtml, ALimitAloneIsNothingToDraw) {
+  FiguresPage page;
+  const Series limit{.label = "limit", .style = SeriesStyle::vertical_line, .x = {1000}};
+  page.sections = {{.figures = {{.plot = {.panels = {{.x = {"x"}, .y = {"y"}, .series = {limit}}}}}}}};
+  EXPECT_THAT(body_of(page), HasSubstr("There is nothing to draw."));
+}
+
 TEST(PageHtml, LeavesPointsOutAndSaysSo) {
   Plot many = rising();
   Series& series = many.panels[0].series[0];

@@ -19,7 +19,8 @@ namespace {
 bool has_something_to_draw(const Plot& plot) {
   return std::ranges::any_of(plot.panels, [](const Panel& panel) {
     return std::ranges::any_of(panel.series, [&](const Series& series) {
-      return is_marker(series.style) || !drawable_runs(series, panel.x, panel.y).empty();
+      // Lines across mark places among data.
+      return !is_marker(series.style) && !drawable_runs(series, panel.x, panel.y).empty();
     });
   });
 }
