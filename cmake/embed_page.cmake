@@ -3,15 +3,17 @@
 
 set(script "(() => {\n\"use strict\";\n")
 # In the order in which they need each other.
-foreach(name IN ITEMS scale curves panel plot units moment drawing main)
+set(names scale curves panel plot units moment drawing main)
+foreach(name IN LISTS names)
   file(READ "${WEB}/${name}.js" text)
   string(APPEND script "\n${text}")
 endforeach()
 string(APPEND script "})();\n")
 file(GLOB scripts "${WEB}/*.js")
-list(LENGTH scripts count)
-if(NOT count EQUAL 8)
-  message(FATAL_ERROR "web/ has ${count} scripts, of which this list joins eight")
+list(LENGTH scripts all)
+list(LENGTH names joined)
+if(NOT all EQUAL joined)
+  message(FATAL_ERROR "web/ has ${all} scripts, of which ${joined} are joined")
 endif()
 file(READ "${WEB}/page.css" style)
 # Comments on lines of their own, and indentation, are a third of it.

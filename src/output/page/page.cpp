@@ -18,6 +18,7 @@
 #include "output/plot/impact_figures.hpp"
 #include "output/plot/result_panels.hpp"
 #include "output/result_rows.hpp"
+#include "output/text/capitals.hpp"
 #include "output/text/case_toml.hpp"
 #include "output/text/foam_words.hpp"
 #include "quantities/text.hpp"
@@ -58,8 +59,8 @@ std::string answer(const ImpactCase& impact, const Summary& summary,
   std::string peak =
       brief_quantity(*summary.peak_acceleration, result_quantity("peak_acceleration").si_unit, units, 3);
   if (is_cut(summary)) return fmt::format("At least {}: the run ends before the impact does", peak);
-  peak = "eak " + peak + (injury ? ", HIC15 " + brief(injury->hic15.value, 3) : "");
-  return strikes_through(impact, summary) ? "Strikes through the pad: p" + peak : "P" + peak;
+  peak = "peak " + peak + (injury ? ", HIC15 " + brief(injury->hic15.value, 3) : "");
+  return strikes_through(impact, summary) ? "Strikes through the pad: " + peak : capitalised(peak);
 }
 
 Tone tone_of(const ImpactCase& impact, const Summary& summary) {

@@ -60,7 +60,7 @@ std::vector<CaptionedPlot> leading_figures(const study::StudyAnswers& answers, c
     if (figures.empty()) continue;
     if (asks_for_limit)
       std::ranges::stable_partition(figures, [&](const CaptionedPlot& of) {
-        return of.plot.panels.front().title == title_of(strictest_limit(answers).response);
+        return of.plot.panels.front().title == title_of(answers.limits[strictest_limit(answers)].response);
       });
     // One map alone: its legend would be lost among those of others.
     if (make == Make{map_figures}) figures.resize(1);

@@ -43,10 +43,11 @@ std::string part_of_rows(std::uint64_t count, std::uint64_t rows) {
 void add_probabilities(Figures& figures, const StudyAnswers& answers, const UnitSystem& units) {
   constexpr std::size_t most_limits = 2;
   const bool has_levels = answers.groups.size() > 1;
+  const std::size_t strictest = strictest_limit(answers);
   for (const StudyAnswers::OfGroup& group : answers.groups)
     for (std::size_t i = 0, shown = 0; i < answers.limits.size() && shown < most_limits; ++i) {
       const study::StudyLimit& limit = answers.limits[i];
-      if (has_levels && &limit != &strictest_limit(answers)) continue;
+      if (has_levels && i != strictest) continue;
       ++shown;
       const study::Exceedance& of = group.exceedances[i];
       const std::string above = fmt::format("{} above {}", title_of(limit.response),

@@ -46,8 +46,10 @@ std::string interval_of(const study::Estimate& of, const AsText& shown) {
 }
 
 std::size_t leading_response(const StudyAnswers& answers) {
+  if (answers.limits.empty()) return 0;
+  const std::string& limited = answers.limits[strictest_limit(answers)].response;
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
-    if (!answers.limits.empty() && response_name(answers, i) == strictest_limit(answers).response) return i;
+    if (response_name(answers, i) == limited) return i;
   return 0;
 }
 

@@ -33,20 +33,32 @@ std::string share_of_draws(const study::StudyAnswers::OfGroup& group, std::size_
   return std::isfinite(of.value) ? fmt::format("in {} of cases", per_cent(of.value)) : "undecided";
 }
 
+/// The combinations of levels with the least and the greatest of a value; null where none has one.
+template <class ValueOf>
+ExtremeGroups extreme_groups(const study::StudyAnswers& answers, const ValueOf& value_of) {
+  ExtremeGroups extremes;
+  for (const study::StudyAnswers::OfGroup& group : answers.groups) {
+    const double value = value_of(group);
+    if (std::isnan(value)) continue;
+    if (extremes.least == nullptr || value < value_of(*extremes.least)) extremes.least = &group;
+    if (extremes.greatest == nullptr || value >= value_of(*extremes.greatest)) extremes.greatest = &group;
+  }
+  return extremes;
+}
+
 /// Of draws at each of several combinations of levels: where the limit is kept best, and where worst.
 std::string best_and_worst(const study::StudyAnswers& answers, std::size_t limit, const UnitSystem& units) {
   const auto probability = [&](const study::StudyAnswers::OfGroup& group) {
     return group.exceedances[limit].probability.value;
   };
-  std::vector<const study::StudyAnswers::OfGroup*> groups;
-  for (const study::StudyAnswers::OfGroup& group : answers.groups)
-    if (std::isfinite(probability(group))) groups.push_back(&group);
-  if (groups.empty()) return fmt::format("Whether {} is undecided", exceeds(answers.limits[limit], units));
-  const auto by_probability = [&](const auto* group) { return probability(*group); };
-  const auto [best, worst] = std::ranges::minmax(groups, {}, by_probability);
+  const auto [best, worst] = extreme_groups(answers, probability);
+  if (best == nullptr) return fmt::format("Whether {} is undecided", exceeds(answers.limits[limit], units));
   if (probability(*best) == probability(*worst))
     return fmt::format("{} {} at all {} combinations", capitalised(exceeds(answers.limits[limit], units)),
-                       share_of_draws(*best, limit), groups.size());
+                       share_of_draws(*best, limit),
+                       std::ranges::count_if(answers.groups, [&](const study::StudyAnswers::OfGroup& group) {
+                         return !std::isnan(probability(group));
+                       }));
   return fmt::format("{} {} at {}, {} at {}", capitalised(exceeds(answers.limits[limit], units)),
                      share_of_draws(*best, limit), words_of_levels(answers, best->group, units),
                      share_of_draws(*worst, limit), words_of_levels(answers, worst->group, units));
@@ -84,8 +96,8 @@ std::string crossing(const study::StudyAnswers& answers, const study::StudyLimit
 
 /// Of the limit that is exceeded most.
 std::string limit_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
-  const study::StudyLimit& limit = strictest_limit(answers);
-  const auto number = static_cast<std::size_t>(&limit - answers.limits.data());
+  const std::size_t number = strictest_limit(answers);
+  const study::StudyLimit& limit = answers.limits[number];
   const std::string exceeded = exceeds(limit, units);
   const bool drawn = answers.groups.front().group.drawn;
   if (drawn && answers.groups.size() > 1) return best_and_worst(answers, number, units);
@@ -95,7 +107,7 @@ std::string limit_answer(const study::StudyAnswers& answers, const UnitSystem& u
     return fmt::format("In {} of cases {} ({} to {})", per_cent(of.value), exceeded, per_cent(of.low),
                        per_cent(of.high));
   }
-  const LimitCount count = rows_above(answers, limit);
+  const LimitCount count = rows_above(answers, number);
   if (count.undecided == 0)
     if (std::string words = crossing(answers, limit, units); !words.empty()) return words;
   return fmt::format("In {} of {} rows {}", count.exceeding, count.rows, exceeded);
@@ -170,34 +182,28 @@ std::string spread_answer(const study::StudyAnswers& answers, const UnitSystem& 
 
 }  // namespace
 
-std::pair<const study::StudyAnswers::OfGroup*, const study::StudyAnswers::OfGroup*> extreme_medians(
-    const study::StudyAnswers& answers, std::size_t response) {
-  const auto median = [&](const study::StudyAnswers::OfGroup* of) {
-    return study::quantile(of->distributions[response], 0.5)->value;
-  };
-  std::vector<const study::StudyAnswers::OfGroup*> groups;
-  for (const study::StudyAnswers::OfGroup& of : answers.groups)
-    if (study::quantile(of.distributions[response], 0.5)) groups.push_back(&of);
-  if (groups.empty()) return {nullptr, nullptr};
-  const auto [least, greatest] = std::ranges::minmax(groups, {}, median);
-  return {least, greatest};
+ExtremeGroups extreme_medians(const study::StudyAnswers& answers, std::size_t response) {
+  return extreme_groups(answers, [&](const study::StudyAnswers::OfGroup& of) {
+    const auto median = study::quantile(of.distributions[response], 0.5);
+    return median ? median->value : NAN;
+  });
 }
 
-LimitCount rows_above(const study::StudyAnswers& answers, const study::StudyLimit& limit) {
-  const auto number = static_cast<std::size_t>(&limit - answers.limits.data());
+LimitCount rows_above(const study::StudyAnswers& answers, std::size_t limit) {
   LimitCount count;
   for (const study::StudyAnswers::OfGroup& group : answers.groups) {
-    count.exceeding += group.exceedances[number].exceeding;
-    count.rows += group.exceedances[number].rows;
-    count.undecided += group.exceedances[number].undecided;
+    count.exceeding += group.exceedances[limit].exceeding;
+    count.rows += group.exceedances[limit].rows;
+    count.undecided += group.exceedances[limit].undecided;
   }
   return count;
 }
 
-const study::StudyLimit& strictest_limit(const study::StudyAnswers& answers) {
-  return *std::ranges::max_element(answers.limits, {}, [&](const study::StudyLimit& limit) {
-    return rows_above(answers, limit).exceeding;
-  });
+std::size_t strictest_limit(const study::StudyAnswers& answers) {
+  std::size_t strictest = 0;
+  for (std::size_t i = 1; i < answers.limits.size(); ++i)
+    if (rows_above(answers, i).exceeding > rows_above(answers, strictest).exceeding) strictest = i;
+  return strictest;
 }
 
 std::string study_answer(const study::StudyAnswers& answers, const UnitSystem& units) {

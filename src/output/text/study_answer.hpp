@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <utility>
 
 #include "dashpad/quantities/unit_system.hpp"
 #include "dashpad/study/questions.hpp"
@@ -16,18 +15,23 @@ namespace dashpad::output {
 /// spread. Empty for a study without rows.
 std::string study_answer(const study::StudyAnswers& answers, const UnitSystem& units);
 
-/// Of draws, the combinations of levels with the least and the greatest median of a response, which counts in
-/// StudyAnswers::responses; null where none has a value.
-std::pair<const study::StudyAnswers::OfGroup*, const study::StudyAnswers::OfGroup*> extreme_medians(
-    const study::StudyAnswers& answers, std::size_t response);
+/// Combinations of levels; null where none has a value.
+struct ExtremeGroups {
+  const study::StudyAnswers::OfGroup* least = nullptr;
+  const study::StudyAnswers::OfGroup* greatest = nullptr;
+};
+
+/// Of draws, those with the least and the greatest median of a response, which counts in
+/// StudyAnswers::responses.
+ExtremeGroups extreme_medians(const study::StudyAnswers& answers, std::size_t response);
 
 /// Rows of all groups, by one of the limits of the study.
 struct LimitCount {
   std::uint64_t exceeding = 0, rows = 0, undecided = 0;
 };
-LimitCount rows_above(const study::StudyAnswers& answers, const study::StudyLimit& limit);
+LimitCount rows_above(const study::StudyAnswers& answers, std::size_t limit);
 
-/// The limit that is exceeded in the most rows; the study has one.
-const study::StudyLimit& strictest_limit(const study::StudyAnswers& answers);
+/// Which limit is exceeded in the most rows; the study has one.
+std::size_t strictest_limit(const study::StudyAnswers& answers);
 
 }  // namespace dashpad::output
