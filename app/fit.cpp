@@ -124,7 +124,6 @@ std::string fingerprint_of(const std::vector<input::InputFile>& files) {
 
 /// Runs the fit under a line of progress. Throws fit::Stopped.
 fit::FitReport run_with_progress(const fit::Fit& fit, fit::RunOptions options) {
-  const StopSignal signal;
   ProgressLine line{"Fitting"};
   options.stop = &StopSignal::wanted();
   options.progress = [&line](const char* what, std::size_t done, std::size_t all) {
@@ -155,17 +154,23 @@ void judge_state(const FitRequest& request, const std::vector<Target>& targets,
 }
 
 int stopped(const FitRequest& request, std::size_t kept) {
-  write_error(
-      request.state
-          ? fmt::format("Stopped; nothing was written but {}, with {} finished searches and ends of "
-                        "intervals. The same command goes on where this one stopped.\n",
-                        *request.state, kept)
-          : "Stopped; nothing was written. With --state FILE finished searches and intervals are kept, and "
-            "the same command goes on.\n");
+  if (kept > 0) {
+    write_error(
+        fmt::format("Stopped; nothing was written but {}, with {} finished searches and ends of "
+                    "intervals. The same command goes on where this one stopped.\n",
+                    *request.state, kept));
+  } else if (request.state) {
+    write_error("Stopped before a search was finished; nothing was written.\n");
+  } else {
+    write_error(
+        "Stopped; nothing was written. With --state FILE finished searches and intervals are kept, and the "
+        "same command goes on.\n");
+  }
   return StopSignal::exit_code();
 }
 
 int fit_material(const FitRequest& request, const std::filesystem::path& materials) {
+  const StopSignal signal;
   std::vector<std::string> wrong;
   const std::size_t draws = draws_of(request, wrong);
   std::optional<fit::FitFile> input;

@@ -84,6 +84,12 @@ inline Outcome shell(const std::string& script) {
   return run_program({"/bin/sh", "-c", "DASHPAD='" DASHPAD_COMMAND "'\n" + script});
 }
 
+/// A line of a script that waits until a command of the shell succeeds, for a minute at most: a machine may
+/// be slow.
+inline std::string until(const std::string& condition) {
+  return "for i in $(seq 1200); do " + condition + " && break; sleep 0.05; done\n";
+}
+
 inline Outcome dashpad(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), DASHPAD_COMMAND);
   return run_program(std::move(arguments));

@@ -74,7 +74,7 @@ class Terminal {
   /// False at the end, and when the command has been silent for so long that it hangs.
   bool read_some() {
     pollfd ready{screen_, POLLIN, 0};
-    if (::poll(&ready, 1, 10'000) == 0) {
+    if (::poll(&ready, 1, 60'000) == 0) {
       ::kill(process_, SIGKILL);
       return false;
     }
