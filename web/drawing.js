@@ -37,6 +37,8 @@ class MovingPicture {
     const up = this.deflectionPx + this.bodyPx - sink;
     const lift = (element, by) => element?.setAttribute("transform", `translate(0 ${-by})`);
     lift(this.picture.querySelector(".dd-pad"), up);
+    lift(this.picture.querySelector(".dd-sheet"), up);
+    lift(this.picture.querySelector(".dd-sheet-bent"), (this.penetration - deep) * this.scale);
     lift(this.nose, up + (this.penetration - deep) * this.scale);
     this.showSupport(up, bodyWay);
     const share = this.penetration > 0 ? deep / this.penetration : 0;

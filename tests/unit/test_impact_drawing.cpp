@@ -255,6 +255,25 @@ TEST(ImpactDrawing, LayersHaveNamesAndShareThePenetration) {
   }
 }
 
+TEST(ImpactDrawing, ASheetFollowsTheNose) {
+  ImpactCase impact = test::example_case();
+  EXPECT_THAT(impact_drawing(impact, made_up(0.02, 0.03), si()), Not(HasSubstr("class=\"dd-sheet")));
+  impact.pad.sheet = 12;
+  for (const Nose& nose : every_nose()) {
+    impact.impactor.nose = nose;
+    const std::string svg = impact_drawing(impact, made_up(0.02, 0.03), si());
+    expect_sound(svg);
+    const auto elements = elements_of(svg);
+    std::vector<std::string> sheets, noses;
+    for (const SvgElement& element : elements) {
+      if (element.has("class", "dd-sheet-bent")) sheets.push_back(element.attributes.at("d"));
+      if (element.has("class", "dd-nose")) noses.push_back(element.attributes.at("d"));
+    }
+    EXPECT_EQ(sheets.size(), 2U);
+    EXPECT_EQ(sheets, noses);
+  }
+}
+
 TEST(ImpactDrawing, ABlockEndsWhereItsFaceDoes) {
   // The same area has the outline of the nose: a circle, an ellipse, a rectangle of these proportions.
   const double area = 0.01;

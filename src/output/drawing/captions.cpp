@@ -15,7 +15,7 @@ namespace dashpad::output {
 namespace {
 
 /// Room that a name on the pad needs, px.
-constexpr double least_height = 18;
+constexpr double least_height = 20;
 constexpr double least_half_width = 60;
 
 bool has_names_on_pad(const Scene& scene) {
@@ -54,7 +54,7 @@ std::string names_on_pad(const Scene& scene) {
     const double from = scene.front_of_layer(i), to = scene.front_of_layer(i + 1);
     // A pad that is cut has its break below the middle.
     const double middle = scene.layout.pad_is_cut ? from + 0.3 * (to - from) : (from + to) / 2;
-    text += text_element("dd-text dd-on-pad", {scene.left.axis, scene.layout.face + middle + 4.5}, "middle",
+    text += text_element("dd-text dd-on-pad", {scene.left.axis, scene.layout.face + middle + 5}, "middle",
                          fitting(name_of_layer(scene, i), text_size, 2 * scene.pad_half_width() - 16));
   }
   return text;

@@ -12,7 +12,7 @@ namespace dashpad::output {
 
 namespace {
 
-double label_height(const Dimension& dimension) { return dimension.word.empty() ? 17 : 31; }
+double label_height(const Dimension& dimension) { return dimension.word.empty() ? 19 : 35; }
 
 /// A slanted stroke where a dimension ends.
 std::string tick(double x, double y) { return line_element("dd-tick", {x - 4, y + 4}, {x + 4, y - 4}); }
@@ -62,10 +62,10 @@ std::string dimension_column(const std::vector<Dimension>& dimensions, const Dim
     const double x = column.x + 9 * side;
     if (middles[i] < dimension.from - 1 || middles[i] > dimension.to + 1)
       text += line_element("dd-leader", {column.x + 2 * side, middle}, {x - side, middles[i]});
-    const double baseline = middles[i] + (dimension.word.empty() ? 4.5 : -2);
+    const double baseline = middles[i] + (dimension.word.empty() ? 5 : -2);
     text += text_element(dimension.is_alarm ? "dd-value dd-alarm" : "dd-value", {x, baseline}, anchor,
                          dimension.value);
-    if (!dimension.word.empty()) text += text_element("dd-small", {x, baseline + 14}, anchor, dimension.word);
+    if (!dimension.word.empty()) text += text_element("dd-small", {x, baseline + 16}, anchor, dimension.word);
     text += "</g>\n";
   }
   return text;

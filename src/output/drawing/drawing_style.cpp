@@ -1,6 +1,9 @@
 #include <string>
 
+#include <fmt/format.h>
+
 #include "dashpad/output/drawing/impact_drawing.hpp"
+#include "output/drawing/elements.hpp"
 #include "output/drawing/strain_scale.hpp"
 
 namespace dashpad::output {
@@ -8,12 +11,17 @@ namespace dashpad::output {
 namespace {
 
 /// Contrasts of texts are 4.5 to 1 and more on either paper.
+std::string text_rules() {
+  return fmt::format(
+      ".dd-drawing text{{font-family:system-ui,-apple-system,\"Segoe UI\",Roboto,\"Helvetica Neue\",Arial,"
+      "\"DejaVu Sans\",sans-serif;font-size:{}px;font-variant-numeric:tabular-nums}}"
+      ".dd-drawing .dd-heading{{font-size:{}px;font-weight:600}}"
+      ".dd-drawing .dd-value{{font-weight:600}}"
+      ".dd-drawing .dd-small,.dd-drawing .dd-faint{{font-size:{}px}}",
+      text_size, heading_size, small_text_size);
+}
+
 constexpr const char* rules =
-    ".dd-drawing text{font-family:system-ui,-apple-system,\"Segoe UI\",Roboto,\"Helvetica Neue\",Arial,"
-    "\"DejaVu Sans\",sans-serif;font-size:13px;font-variant-numeric:tabular-nums}"
-    ".dd-drawing .dd-heading{font-size:15px;font-weight:600}"
-    ".dd-drawing .dd-value{font-weight:600}"
-    ".dd-drawing .dd-small,.dd-drawing .dd-faint{font-size:12px}"
     ".dd-drawing .dd-on-pad{paint-order:stroke;stroke-width:3px;stroke-linejoin:round}"
     ".dd-line,.dd-leader,.dd-extension,.dd-rest,.dd-tick,.dd-tested,.dd-cut,.dd-pad-edge,.dd-layer-edge,"
     ".dd-part,.dd-arrow{fill:none}"
@@ -24,6 +32,7 @@ constexpr const char* rules =
     ".dd-tested,.dd-ground,.dd-arrow{stroke-width:2}"
     ".dd-nose,.dd-panel,.dd-body{stroke-width:1.4}"
     ".dd-struck-edge{stroke-width:5}"
+    ".dd-sheet-bent{stroke-width:7;stroke-linejoin:round}"
     ".dd-hatching{fill:none;stroke-width:1;stroke-opacity:.45}"
     ".dd-break{stroke-width:1.1}";
 
@@ -49,7 +58,9 @@ std::string colour_rules(const Colours& colours) {
          rule(".dd-drawing .dd-alarm", "fill:" + alarm) + rule(".dd-drawing .dd-on-pad", "stroke:" + paper) +
          rule(".dd-line,.dd-leader,.dd-extension,.dd-rest", "stroke:" + line) +
          rule(".dd-tick,.dd-tested,.dd-cut,.dd-arrow", "stroke:" + text) +
-         rule(".dd-pad-edge,.dd-layer-edge,.dd-part,.dd-ground,.dd-hatching,.dd-break", "stroke:" + edge) +
+         rule(".dd-pad-edge,.dd-layer-edge,.dd-part,.dd-ground,.dd-hatching,.dd-break,.dd-sheet-bent",
+              "stroke:" + edge) +
+         rule(".dd-sheet-face,.dd-sheet-bent", "fill:" + edge) +
          rule(".dd-nose,.dd-panel,.dd-body", "fill:" + nose + ";stroke:" + edge) +
          rule(".dd-break", "fill:" + paper) + rule(".dd-struck-edge", "stroke:" + alarm);
 }
@@ -69,8 +80,8 @@ std::string whole_style() {
                      .nose = "#566170",
                      .edge = "#b9c3ce",
                      .alarm = "#ff8b85"};
-  return rules + colour_rules(light) + shade_rules(false) + "@media screen and (prefers-color-scheme:dark){" +
-         colour_rules(dark) + shade_rules(true) + "}";
+  return text_rules() + rules + colour_rules(light) + shade_rules(false) +
+         "@media screen and (prefers-color-scheme:dark){" + colour_rules(dark) + shade_rules(true) + "}";
 }
 
 }  // namespace

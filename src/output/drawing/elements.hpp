@@ -22,8 +22,10 @@ std::string text_element(std::string_view style, Place place, std::string_view a
 /// The data of a path through these places.
 std::string path_data(const std::vector<Place>& places, bool closed);
 
-/// Size of the drawing's text, px.
-inline constexpr double text_size = 13;
+/// Sizes of the drawing's texts, px: a page shows them at about 13 px, a phone at no less than 10.
+inline constexpr double text_size = 15;
+inline constexpr double small_text_size = 14;
+inline constexpr double heading_size = 17;
 
 /// `text` with spaces at which no line is broken: for a number and its unit.
 std::string unbroken(std::string text);

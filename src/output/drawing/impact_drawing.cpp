@@ -22,7 +22,7 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr double line_distance = 17;  ///< px
+constexpr double line_distance = 19.5;  ///< px
 
 /// The captions below the left picture.
 std::string captions(const std::vector<std::string>& lines, double x, double y) {

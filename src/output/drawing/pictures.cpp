@@ -19,6 +19,7 @@ namespace {
 
 /// Of half a break, each with a tip up and one down.
 constexpr int teeth = 16;
+constexpr double sheet_thickness = 3.5;  ///< as drawn, px
 
 /// Two ragged lines with nothing between them.
 std::string break_of_pad(const Scene& scene, const Picture& picture) {
@@ -55,6 +56,29 @@ std::string struck_edge(const Scene& scene, const Picture& picture) {
   return line_element("dd-struck-edge", {picture.axis - reach, y}, {picture.axis + reach, y});
 }
 
+NoseFrame nose_frame(const Scene& scene, const Picture& picture) {
+  const double tip = scene.tip(picture);
+  return {.axis = picture.axis,
+          .tip = tip,
+          .scale = scene.layout.scale,
+          .half_width = scene.layout.half_width,
+          .height = tip - picture_top,
+          .is_buried = scene.moments.penetration > scene.outline.depth};
+}
+
+/// A sheet on the pad: a band below its face, and around the nose as far as that is in the pad. A symbol: its
+/// thickness is not known.
+std::string sheet_picture(const Scene& scene, const Picture& picture) {
+  if (!(scene.impact.pad.sheet > 0)) return "";
+  const double half = scene.pad_half_width(), face = scene.face(picture);
+  const std::string name = fmt::format("{}-{}-sheet", own_name, picture.name);
+  return fmt::format(
+             "<clipPath id=\"{0}\">{1}</clipPath>\n<g class=\"dd-sheet\" clip-path=\"url(#{0})\">\n", name,
+             rectangle_element("dd-pad-room", picture.axis - half, face, 2 * half, scene.layout.pad)) +
+         rectangle_element("dd-sheet-face", picture.axis - half, face, 2 * half, sheet_thickness) +
+         nose_picture(scene.impact.impactor.nose, nose_frame(scene, picture), "dd-sheet-bent") + "</g>\n";
+}
+
 }  // namespace
 
 std::string picture_clip(const Scene& scene, const Picture& picture) {
@@ -79,7 +103,6 @@ std::string picture_clip(const Scene& scene, const Picture& picture) {
 
 std::string picture_of(const Scene& scene, const Picture& picture) {
   const Layout& layout = scene.layout;
-  const double tip = scene.tip(picture);
   std::string text = fmt::format("<g clip-path=\"url(#{}-{})\"{}>\n", own_name, picture.name,
                                  data_for_moving(scene, picture));
   text += support_picture(scene.impact, layout.support,
@@ -95,14 +118,8 @@ std::string picture_of(const Scene& scene, const Picture& picture) {
                        .axis = picture.axis,
                        .face = scene.face(picture),
                        .penetration = picture.penetration});
-  text += nose_picture(scene.impact.impactor.nose,
-                       {.axis = picture.axis,
-                        .tip = tip,
-                        .scale = layout.scale,
-                        .half_width = layout.half_width,
-                        .height = tip - picture_top,
-                        .is_buried = scene.moments.penetration > scene.outline.depth},
-                       "dd-nose");
+  text += sheet_picture(scene, picture);
+  text += nose_picture(scene.impact.impactor.nose, nose_frame(scene, picture), "dd-nose");
   if (layout.pad_is_cut) text += break_of_pad(scene, picture);
   if (&picture == &scene.right && scene.moments.struck_through) text += struck_edge(scene, picture);
   return text + "</g>\n";

@@ -52,8 +52,9 @@ std::vector<Mark> labels(const DrawnMoments& moments, double width, StrainOf&& s
   std::ranges::stable_sort(list, {}, &Mark::strain);
   std::vector<Mark> apart;
   for (const Mark& mark : list) {
-    const bool is_near = !apart.empty() && (mark.strain - apart.back().strain) * width <
-                                               text_width(apart.back().label() + mark.label(), 12) / 2 + 8;
+    const bool is_near =
+        !apart.empty() && (mark.strain - apart.back().strain) * width <
+                              text_width(apart.back().label() + mark.label(), small_text_size) / 2 + 8;
     if (is_near)
       apart.back().layers.push_back(mark.layers.front());
     else
@@ -92,10 +93,10 @@ std::string shade_rules(bool dark) {
 
 std::string strain_legend(const DrawnMoments& moments, Place corner, double width) {
   const bool layered = moments.layers.size() > 1;
-  const double bar = corner.y + (layered ? 42 : 26), height = 10;
-  std::string text = text_element("dd-text", {corner.x, corner.y + 11}, "start",
+  const double bar = corner.y + (layered ? 45 : 28), height = 10;
+  std::string text = text_element("dd-text", {corner.x, corner.y + 13}, "start",
                                   moments.layers.size() == 1 ? "Strain" : "Strain on the axis");
-  text += text_element("dd-faint", {corner.x + width, corner.y + 11}, "end", tested_words(moments));
+  text += text_element("dd-faint", {corner.x + width, corner.y + 13}, "end", tested_words(moments));
   for (int shade = 0; shade < shades_of_strain; ++shade) {
     const double left = std::round(corner.x + width * shade / shades_of_strain);
     const double right = std::round(corner.x + width * (shade + 1) / shades_of_strain);
@@ -118,10 +119,10 @@ std::string strain_legend(const DrawnMoments& moments, Place corner, double widt
     const auto reached = [](const DrawnLayer& layer) { return std::optional(layer.strain); };
     write("dd-small dd-strain-reached", labels(moments, width, reached), bar - 11);
     write("dd-small", labels(moments, width, [](const DrawnLayer& layer) { return layer.tested; }),
-          bar + height + 16);
+          bar + height + 17);
   }
   for (const double strain : {0.0, 1.0})
-    text += text_element("dd-small", {x_of(strain) + (strain == 0 ? -3 : 3), bar + height + 16},
+    text += text_element("dd-small", {x_of(strain) + (strain == 0 ? -3 : 3), bar + height + 17},
                          strain == 0 ? "start" : "end", strain == 0 ? "0" : "1");
   return text;
 }

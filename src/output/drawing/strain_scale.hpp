@@ -19,6 +19,6 @@ std::string shade_rules(bool dark);
 /// tested, and the strains on the axis at greatest penetration.
 std::string strain_legend(const DrawnMoments& moments, Place corner, double width);
 /// px, of the legend.
-inline constexpr double strain_legend_height = 74;
+inline constexpr double strain_legend_height = 80;
 
 }  // namespace dashpad::output

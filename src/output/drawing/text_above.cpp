@@ -30,9 +30,9 @@ std::string text_above_left(const Scene& scene) {
   text += line_element("dd-arrow", {x, 32}, {x, 58});
   text += path_element("dd-arrow-head", {{x - 5, 54}, {x + 5, 54}, {x, 65}}, true);
   text += text_element("dd-value", {x - 14, 52}, "end", shown(impactor.mass, "kg"));
-  text += text_element("dd-value", {x + 14, falls ? 45.0 : 52.0}, "start", shown(impactor.speed, "m/s"));
+  text += text_element("dd-value", {x + 14, falls ? 44.0 : 52.0}, "start", shown(impactor.speed, "m/s"));
   if (falls)
-    text += text_element("dd-small", {x + 14, 60}, "start",
+    text += text_element("dd-small", {x + 14, 61}, "start",
                          "drop of " + shown(impactor.speed * impactor.speed / (2 * impactor.gravity), "m"));
   return text;
 }
