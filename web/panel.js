@@ -8,8 +8,6 @@ function svgElement(name, attributes = {}) {
 
 const textElement = (name, text) => Object.assign(document.createElement(name), { textContent: text });
 
-const mostTicks = { x: 9, y: 7 };
-
 class Panel {
   // group: g.dp-panel; tip: where the values are said.
   constructor(group, tip) {
@@ -165,13 +163,13 @@ class Panel {
       made.textContent = text;
       numbers.push(made);
     };
-    for (const { place, label } of this.x.ticks(mostTicks.x)) {
+    for (const { place, label } of this.x.ticks()) {
       paths[label ? "dp-grid" : "dp-minor-grid"] += `M${place} 0V${this.height}`;
       if (!label) continue;
       paths["dp-axis"] += `M${place} ${this.height}v5`;
       number("dp-centred", place, this.height + 18, label);
     }
-    for (const { place, label } of this.y.ticks(mostTicks.y)) {
+    for (const { place, label } of this.y.ticks()) {
       const down = this.height - place;
       paths[label ? "dp-grid" : "dp-minor-grid"] += `M0 ${down}H${this.width}`;
       if (!label) continue;

@@ -58,6 +58,8 @@ class Axis {
     [this.low, this.high] = ["Low", "High"].map((end) => Number(data[name + end]));
     this.hasNumbers = data[`${name}Numbers`] !== "0";
     this.isLogarithmic = data[`${name}Log`] === "1";
+    // How many numbers have room.
+    this.most = Number(data[`${name}Most`]);
     // The SI unit, and what one of it is on this axis; axes of pure numbers have none.
     this.unit = data[`${name}Unit`];
     this.written = { label: data[`${name}Label`], perSi: Number(data[`${name}PerSi`] ?? 1) };
@@ -129,10 +131,10 @@ class Axis {
     return share * this.length;
   }
 
-  ticks(most) {
+  ticks() {
     if (!this.hasNumbers) return [];
     const [low, high] = [this.value(this.from), this.value(this.to)];
-    const list = this.isLogarithmic ? logarithmicTicks(low, high, most) : linearTicks(low, high, most);
+    const list = this.isLogarithmic ? logarithmicTicks(low, high, this.most) : linearTicks(low, high, this.most);
     return list.map(({ value, label }) => ({ place: this.shown(this.placeOf(value)), label }));
   }
 

@@ -7,7 +7,7 @@ import { statSync } from "node:fs";
 import { join } from "node:path";
 import test from "node:test";
 
-import { example, open, picture, scratch } from "./browser.mjs";
+import { example, open, picture, scratch, words } from "./browser.mjs";
 
 const { DASHPAD_COMMAND: command, DASHPAD_SOURCE_DIR: source } = process.env;
 const quiet = { complaints: [], requests: [] };
@@ -34,13 +34,13 @@ const pages = {
 
 test("the verdict is the heading, in its colour and with a sign", async () => {
   const passes = await open(pages.passes);
-  assert.match(await passes.locator("h1.good").innerText(), /^✓ Passes: HIC15 has \d+ to spare$/);
+  assert.match(await words(passes.locator("h1.good")), /^✓ Passes: HIC15 has \d+ to spare$/);
   const narrow = await open(pages.narrow);
-  assert.match(await narrow.locator("h1.doubtful").innerText(), /^\? Passes: 3 ms clip has \d\.\d\d g to spare \(4\.6 %\), less than a foam is known/);
+  assert.match(await words(narrow.locator("h1.doubtful")), /^\? Passes: 3 ms clip has \d\.\d\d g to spare \(4\.6 %\), less than a foam is known/);
   assert.match(await narrow.locator(".reservation").innerText(), /^EXTRAPOLATED: strain reaches/);
   assert.match((await narrow.locator(".subject").allInnerTexts()).join("\n"), /The case: Dashboard[\s\S]*Replaced in the case: .*speed/);
   const fails = await open(pages.fails);
-  assert.match(await fails.locator("h1.bad").innerText(), /^✕ Fails: the pad bottoms out with \d\.\d+ m\/s left$/);
+  assert.match(await words(fails.locator("h1.bad")), /^✕ Fails: the pad bottoms out with \d\.\d+ m\/s left$/);
   assert.match(await passes.title(), /^Passes: /);
 });
 

@@ -95,6 +95,9 @@ export async function placeOf(of, x, y, index = 0) {
   return place(of, share(x, data.xLow, data.xHigh), 1 - share(y, data.yLow, data.yHigh), index);
 }
 
+// What it says, with ordinary blanks also between numbers and their units.
+export const words = async (of) => (await of.innerText()).replaceAll("\u00a0", " ");
+
 export const tip = async (page) => {
   await settled(page);
   return page.locator(".tip:visible").allInnerTexts();

@@ -5,7 +5,7 @@ import { execFileSync } from "node:child_process";
 import { join } from "node:path";
 import test from "node:test";
 
-import { example, open, picture, scratch } from "./browser.mjs";
+import { example, open, picture, scratch, words } from "./browser.mjs";
 
 const { DASHPAD_COMMAND: command, DASHPAD_SOURCE_DIR: source } = process.env;
 const file = join(scratch, "comparison.html");
@@ -17,7 +17,7 @@ execFileSync(command, ["compare", example("helmet-pad-10fps"), "--pulse", pulse,
 
 test("the answer is the heading, and both curves are in one chart", async () => {
   const page = await open(file, { viewport: { width: 1300, height: 2000 } });
-  assert.match(await page.locator("h1").innerText(), /^The case predicts a peak \d+ % above that of the measured pulse/);
+  assert.match(await words(page.locator("h1")), /^The case predicts a peak \d+ % above that of the measured pulse/);
   assert.equal(await page.locator(".dp-panel").count(), 1);
   assert.deepEqual(await page.locator(".dp-series").evaluateAll((all) => all.map(({ dataset }) => dataset.label)), ["computed", "measured"]);
   assert.deepEqual(page.seen, { complaints: [], requests: [] });

@@ -5,7 +5,7 @@ import { execFileSync } from "node:child_process";
 import { join } from "node:path";
 import test from "node:test";
 
-import { example, open, picture, scratch, write } from "./browser.mjs";
+import { example, open, picture, scratch, words, write } from "./browser.mjs";
 
 const { DASHPAD_COMMAND: command, DASHPAD_SOURCE_DIR: source } = process.env;
 const quiet = { complaints: [], requests: [] };
@@ -57,7 +57,7 @@ for (const [name, file] of Object.entries(pages))
   test(`${name}: the answer, its curve and its figures come first, on a phone and without a script too`, async () => {
     for (const [width, javaScriptEnabled] of [[1300, true], [390, true], [390, false]]) {
       const page = await open(file, { viewport: { width, height: 1000 }, javaScriptEnabled });
-      assert.match(await page.locator("h1").innerText(), answers[name]);
+      assert.match(await words(page.locator("h1")), answers[name]);
       assert.equal(await page.locator(".lead .pictures figure:has(svg path)").count(), 1);
       const figures = await page.locator(".key-figures li").count();
       assert.ok(figures >= 3 && figures <= 6, `${figures} figures`);

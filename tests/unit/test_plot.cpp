@@ -115,7 +115,7 @@ TEST(Plot, AsksForNothingElsewhere) {
 TEST(Plot, TellsScriptsWhatItShows) {
   const std::string svg = svg_of(two_lines());
   EXPECT_THAT(svg, HasSubstr("<g class=\"dp-panel\" data-x-low=\"0\" data-x-high=\"3\" data-x-log=\"0\" "
-                             "data-x-label=\"Time (ms)\" data-y-low=\"0\" data-y-high=\"4\""));
+                             "data-x-label=\"Time (ms)\" data-x-most=\"9\" data-y-low=\"0\" data-y-high=\"4\""));
   EXPECT_THAT(svg, HasSubstr("<g class=\"dp-series dp-turn-1\" data-label=\"second\" data-style=\"line\">"));
   EXPECT_THAT(test::numbers_on_axes(svg),
               ElementsAre("0", "0.5", "1.0", "1.5", "2.0", "2.5", "3.0", "0", "1", "2", "3", "4"));

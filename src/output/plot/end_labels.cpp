@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "output/plot/text.hpp"
+#include "output/plot/text_sizes.hpp"
 #include "output/svg/svg.hpp"
 #include "output/svg/text_fit.hpp"
 
@@ -17,8 +18,8 @@ namespace {
 constexpr std::size_t longest_end_label = 40;
 /// More labels, or longer ones, are easier to read in a legend.
 constexpr std::size_t most_lines_named_at_ends = 4, most_lines_of_text = 2;
-constexpr double most_of_width = 0.25;
-constexpr double end_label_line = 15;  // px
+constexpr double most_of_width = 0.29;
+constexpr double end_label_line = 16;  // px
 
 /// Lines with a label, one of those that have the same.
 std::vector<const SeriesDrawing*> lines_to_name(const PanelDrawing& panel) {
@@ -35,7 +36,7 @@ std::vector<const SeriesDrawing*> lines_to_name(const PanelDrawing& panel) {
 
 /// The text in as few lines as have room; empty where a word or the whole does not.
 std::vector<std::string> in_few_lines(const std::string& text, double width) {
-  std::vector<std::string> lines = lines_within(text, end_label_text, width);
+  std::vector<std::string> lines = lines_within(text, label_text, width);
   if (lines.size() > most_lines_of_text) return {};
   std::size_t size = lines.size() - 1;  // the blanks between them
   for (const std::string& line : lines) size += line.size();
@@ -125,7 +126,7 @@ void make_room(std::vector<EndLabel>& labels, double height) {
 double width_beside_axes(const std::vector<EndLabel>& labels) {
   double longest = 0;
   for (const EndLabel& label : labels)
-    for (const std::string& line : label.lines) longest = std::max(longest, text_room(line, end_label_text));
+    for (const std::string& line : label.lines) longest = std::max(longest, text_room(line, label_text));
   return labels.empty() ? 0 : beside_axes + longest;
 }
 

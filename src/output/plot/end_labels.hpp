@@ -9,7 +9,7 @@
 namespace dashpad::output {
 
 // All px. From the axes to the text, and the text's size.
-inline constexpr double beside_axes = 18, end_label_text = 11.5;
+inline constexpr double beside_axes = 18;
 
 /// Places are in px from the upper left corner of the axes.
 struct EndLabel {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "output/plot/series_svg.hpp"
+#include "output/plot/text_sizes.hpp"
 #include "output/svg/svg.hpp"
 #include "output/svg/text_fit.hpp"
 
@@ -12,12 +13,12 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr double legend_text = 12.5, width_of_sample = 38, between_columns = 24;  // px
+constexpr double width_of_sample = 38, between_columns = 24;  // px
 
 /// Of a column that has room for every label.
 double width_of_column(const std::vector<LegendEntry>& entries) {
   double longest = 0;
-  for (const LegendEntry& entry : entries) longest = std::max(longest, text_room(entry.label, legend_text));
+  for (const LegendEntry& entry : entries) longest = std::max(longest, text_room(entry.label, axis_text));
   return width_of_sample + longest + between_columns;
 }
 
@@ -51,7 +52,7 @@ std::string Legend::svg(double left, double top, double width) const {
         fmt::format("<g class=\"dp-entry\" data-label=\"{}\">{}<text class=\"dp-label\" x=\"{}\" y=\"{}\">",
                     xml_text(entry.label), sample_svg(entry.looks, x, middle, width_of_sample - 8),
                     px(x + width_of_sample), px(middle + 4.5));
-    text += xml_text(fitting(entry.label, legend_text, width - width_of_sample)) + "</text></g>\n";
+    text += xml_text(fitting(entry.label, axis_text, width - width_of_sample)) + "</text></g>\n";
   }
   return text + "</g>\n";
 }

@@ -75,7 +75,7 @@ Looks looks_of(const Series& series, std::size_t turn) {
   switch (series.style) {
     case SeriesStyle::line:
       // Lines that lie on each other stay visible: the later ones are narrower, and only the first is solid.
-      looks.width = std::max(1.5, 2.6 - 0.22 * static_cast<double>(turn));
+      looks.width = std::max(1.5, 2.2 - 0.15 * static_cast<double>(turn));
       looks.pattern = turn % dashes_by_turn;
       break;
     case SeriesStyle::solid_line: looks.width = 2; break;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "output/plot/line_places.hpp"
+#include "output/plot/text_sizes.hpp"
 #include "output/svg/svg.hpp"
 #include "output/svg/text_fit.hpp"
 
@@ -14,7 +15,7 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr double mark_text = end_label_text, mark_line = 15;  // px
+constexpr double mark_line = 16;  // px
 /// From a line to the base of a text above it, below it, and to a text beside it, px.
 constexpr double to_text_above = 4, to_text_below = 13, to_text_beside = 6;
 /// More are easier to read in a legend.
@@ -25,8 +26,8 @@ struct Box {
 };
 
 Box box_of(const MarkLabel& label) {
-  constexpr double ascent = 10, descent = 3;
-  const double width = text_room(label.text, mark_text);
+  constexpr double ascent = 11, descent = 3;
+  const double width = text_room(label.text, label_text);
   const double before = label.anchor == TextAnchor::start ? 0 : label.anchor == TextAnchor::end ? 1 : 0.5;
   const double left = label.at.x - before * width;
   return {left, label.at.y - ascent, left + width, label.at.y + descent};
@@ -97,7 +98,7 @@ Obstacles obstacles_of(const PanelDrawing& panel, const std::vector<EndLabel>& e
 /// Places beside a line across, the best first.
 std::vector<MarkLabel> beside_horizontal(const MarkLabel& label, double y, const PlotSize& size) {
   std::vector<MarkLabel> all;
-  const double way = size.width - 2 * to_text_above - text_room(label.text, mark_text);
+  const double way = size.width - 2 * to_text_above - text_room(label.text, label_text);
   for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0})
     for (const double base : {y - to_text_above, y + to_text_below})
       all.push_back(

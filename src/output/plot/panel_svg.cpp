@@ -7,6 +7,7 @@
 
 #include "output/plot/arrows.hpp"
 #include "output/plot/text.hpp"
+#include "output/plot/text_sizes.hpp"
 #include "output/svg/svg.hpp"
 #include "output/svg/text_fit.hpp"
 
@@ -15,11 +16,12 @@ namespace dashpad::output {
 namespace {
 
 // All px.
-constexpr double tick_text = 12, axis_text = 12.5, panel_title_text = 14;
-constexpr double tick_length = 5, tick_gap = 8, panel_title_line = 20, axis_title_line = 17;
+constexpr double tick_length = 5, tick_gap = 8, panel_title_line = 21, axis_title_line = 18;
 constexpr double below_numbers = 20, below_panel = 17;  // from the axis on, and from the title on
+constexpr std::size_t most_y_labels = 7;
+
 /// How many labels there is room for, whatever they say.
-constexpr std::size_t most_x_labels = 9, most_y_labels = 7;
+std::size_t most_x_labels(double plot_width) { return plot_width < 480 ? 7 : 9; }
 
 /// Of the axes, px: narrow plots are less high, and not as flat as wide ones.
 double height_of_axes(double plot_width) { return 160 + plot_width * 160 / 900; }
@@ -75,17 +77,18 @@ std::string axes(const PanelFrame& frame) {
 /// Numbers and words that a script needs to read the panel.
 std::string data_attributes(const PanelFrame& frame) {
   std::string text;
-  const auto add = [&](const char* name, const AxisRange& range, const Axis& axis) {
+  const auto add = [&](const char* name, const AxisRange& range, const Axis& axis, std::size_t labels) {
     text += fmt::format(
-        "data-{0}-low=\"{1}\" data-{0}-high=\"{2}\" data-{0}-log=\"{3:d}\" data-{0}-label=\"{4}\" ", name,
-        range.low, range.high, range.logarithmic, xml_text(axis.label));
+        "data-{0}-low=\"{1}\" data-{0}-high=\"{2}\" data-{0}-log=\"{3:d}\" data-{0}-label=\"{4}\" "
+        "data-{0}-most=\"{5}\" ",
+        name, range.low, range.high, range.logarithmic, xml_text(axis.label), labels);
     if (!axis.has_numbers) text += fmt::format("data-{}-numbers=\"0\" ", name);
     if (!axis.si_unit.empty())
       text += fmt::format("data-{0}-unit=\"{1}\" data-{0}-per-si=\"{2}\" ", name, xml_text(axis.si_unit),
                           axis.per_si);
   };
-  add("x", frame.scale.x, frame.panel->x);
-  add("y", frame.scale.y, frame.panel->y);
+  add("x", frame.scale.x, frame.panel->x, frame.x_labels);
+  add("y", frame.scale.y, frame.panel->y, most_y_labels);
   return text + fmt::format("data-width=\"{}\" data-height=\"{}\"", px(frame.scale.size.width),
                             px(frame.scale.size.height));
 }
@@ -151,10 +154,11 @@ bool is_named_by_axis(const PanelDrawing& drawing, const Panel& panel) {
 PanelFrame::PanelFrame(const Panel& panel_to_draw, const PanelDrawing& drawing_of_panel, double plot_width)
     : panel(&panel_to_draw),
       drawing(&drawing_of_panel),
-      scale{.x = range_of(panel->x, drawing->x, most_x_labels),
+      x_labels(most_x_labels(plot_width)),
+      scale{.x = range_of(panel->x, drawing->x, x_labels),
             .y = range_of(panel->y, drawing->y, most_y_labels),
             .size = {.width = 0, .height = height_of_axes(plot_width)}},
-      x_ticks(ticks_of(panel->x, scale.x, most_x_labels)),
+      x_ticks(ticks_of(panel->x, scale.x, x_labels)),
       y_ticks(ticks_of(panel->y, scale.y, most_y_labels)),
       title(lines_within(panel->title, size_for_bold * panel_title_text, plot_width - 2 * plot_edge)),
       y_title(lines_within(panel->y.label, axis_text, plot_width - 2 * plot_edge)) {
@@ -163,7 +167,7 @@ PanelFrame::PanelFrame(const Panel& panel_to_draw, const PanelDrawing& drawing_o
 
 double PanelFrame::left_margin() const {
   double longest = 0;
-  for (const Tick& tick : y_ticks) longest = std::max(longest, text_room(tick.label, tick_text));
+  for (const Tick& tick : y_ticks) longest = std::max(longest, text_room(tick.label, label_text));
   return longest + tick_gap;
 }
 

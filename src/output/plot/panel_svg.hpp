@@ -1,6 +1,7 @@
 #pragma once
 /// A panel as SVG: axes, marks, series and their names.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ inline constexpr double plot_edge = 16;
 struct PanelFrame {
   const Panel* panel;
   const PanelDrawing* drawing;
-  PanelScale scale;  ///< its width is set when all panels are known
+  std::size_t x_labels;  ///< that have room
+  PanelScale scale;      ///< its width is set when all panels are known
   std::vector<Tick> x_ticks, y_ticks;
   std::vector<std::string> title, y_title;  ///< lines
   std::vector<EndLabel> ends;

@@ -8,6 +8,7 @@
 
 #include "output/plot/panel_svg.hpp"
 #include "output/plot/text.hpp"
+#include "output/plot/text_sizes.hpp"
 #include "output/svg/svg.hpp"
 #include "output/svg/text_fit.hpp"
 
@@ -16,7 +17,7 @@ namespace dashpad::output {
 namespace {
 
 // All px.
-constexpr double title_text = 18, title_line = 26, below_title = 6, source_text = 11, source_line = 15;
+constexpr double title_line = 26, below_title = 6, source_line = 16;
 constexpr double least_right_margin = 24;
 
 /// Lines of text from `top` on.

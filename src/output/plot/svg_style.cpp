@@ -1,5 +1,11 @@
 #include "output/plot/svg_style.hpp"
 
+#include <string>
+
+#include <fmt/format.h>
+
+#include "output/plot/text_sizes.hpp"
+
 namespace dashpad::output {
 
 namespace {
@@ -7,15 +13,15 @@ namespace {
 // The colours by turns are Okabe and Ito's, which the colour-blind tell apart, but for yellow, which is too
 // pale on white; on dark paper the same, lighter. Letters on white are darker than lines, to be read. Series
 // take theirs as currentColor: not every renderer has variables.
-constexpr std::string_view both = R"(
+constexpr std::string_view colours = R"(
 .dp-plot{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
 .dp-paper{fill:#fff}
-.dp-title{font-size:18px;font-weight:600;fill:#1a2028}
-.dp-panel-title{font-size:14px;font-weight:600;fill:#1a2028}
-.dp-axis-title,.dp-label{font-size:12.5px;fill:#1a2028}
-.dp-tick{font-size:12px;fill:#3c4652;font-variant-numeric:tabular-nums}
-.dp-source{font-size:11px;fill:#58626e}
-.dp-end-label,.dp-mark-label{font-size:11.5px;fill:currentColor}
+.dp-title{font-weight:600;fill:#1a2028}
+.dp-panel-title{font-weight:600;fill:#1a2028}
+.dp-axis-title,.dp-label{fill:#1a2028}
+.dp-tick{fill:#3c4652;font-variant-numeric:tabular-nums}
+.dp-source{fill:#58626e}
+.dp-end-label,.dp-mark-label{fill:currentColor}
 .dp-mark-label{stroke:#fff;stroke-width:3px;stroke-linejoin:round;paint-order:stroke}
 .dp-to-end{text-anchor:end}
 .dp-centred{text-anchor:middle}
@@ -71,9 +77,21 @@ constexpr std::string_view both = R"(
 }
 )";
 
+/// All in proportion to one, by which a page makes them smaller together.
+std::string sizes() {
+  const auto rule = [](const char* name, double size) {
+    return fmt::format(".{}{{font-size:{:.4g}em}}\n", name, size / label_text);
+  };
+  return fmt::format("\n.dp-plot{{font-size:{}px}}\n", label_text) + rule("dp-title", title_text) +
+         rule("dp-panel-title", panel_title_text) + rule("dp-axis-title,.dp-label", axis_text) +
+         rule("dp-source", source_text);
+}
+
 }  // namespace
 
 std::string_view style_sheet(PlotStyle style) {
+  static const std::string all = sizes() + std::string(colours);
+  const std::string_view both = all;
   switch (style) {
     case PlotStyle::none: return {};
     case PlotStyle::light: return both.substr(0, both.find("@media"));

@@ -30,8 +30,9 @@ std::size_t bytes_within(std::string_view text, double size, double width) {
 
 /// Whether a number stands before that blank, and behind it a unit.
 bool parts_a_quantity(std::string_view text, std::size_t blank) {
-  constexpr std::array<std::string_view, 17> units{"g",  "%",   "m",   "mm",  "s",  "ms", "N",   "kN", "J",
-                                                   "kg", "kPa", "MPa", "m/s", "in", "ft", "lbf", "psi"};
+  constexpr std::array<std::string_view, 23> units{"g",   "%",   "m",   "mm",   "s",      "ms",  "N",    "kN",
+                                                   "J",   "kg",  "kPa", "MPa",  "m/s",    "in",  "ft",   "lb",
+                                                   "lbf", "psi", "mph", "km/h", "in·lbf", "1/s", "kJ/m³"};
   if (blank == 0 || text[blank - 1] < '0' || text[blank - 1] > '9') return false;
   std::string_view next = text.substr(blank + 1);
   next = next.substr(0, next.find_first_of(" ,;:)"));
@@ -47,6 +48,17 @@ std::size_t last_blank(std::string_view text, std::size_t end) {
 }
 
 }  // namespace
+
+std::string quantities_whole(std::string_view text) {
+  std::string whole;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == ' ' && parts_a_quantity(text, i))
+      whole += "\u00a0";
+    else
+      whole += text[i];
+  }
+  return whole;
+}
 
 double text_room(std::string_view text, double size) { return width_of_wide_font * text_width(text, size); }
 

@@ -7,6 +7,9 @@
 
 namespace dashpad::output {
 
+/// `text` with blanks that are no place to break a line where a unit follows its number.
+std::string quantities_whole(std::string_view text);
+
 /// A bold text has room where one that is so many times as large has.
 inline constexpr double size_for_bold = 1.17;
 
