@@ -19,6 +19,8 @@ constexpr std::size_t longest_end_label = 40;
 /// More labels, or longer ones, are easier to read in a legend.
 constexpr std::size_t most_lines_named_at_ends = 4, most_lines_of_text = 2;
 constexpr double most_of_width = 0.29;
+/// Of labels that are what a plot is read by, such as the names of bars.
+constexpr double most_of_width_for_rows = 0.36;
 constexpr double end_label_line = 16;  // px
 
 /// Lines with a label, one of those that have the same.
@@ -79,7 +81,9 @@ std::vector<EndLabel> end_labels_of(const PanelDrawing& panel, double plot_width
   std::vector<EndLabel> labels;
   for (const SeriesDrawing& series : panel.series)
     if (!series.end_label.empty() && !series.runs.empty())
-      labels.push_back({.series = &series, .lines = {shortened(series.end_label, longest_end_label)}});
+      labels.push_back({.series = &series,
+                        .lines = lines_within(shortened(series.end_label, longest_end_label), label_text,
+                                              most_of_width_for_rows * plot_width)});
   const std::vector<const SeriesDrawing*> lines = lines_to_name(panel);
   if (lines.size() > most_lines_named_at_ends) return labels;
   std::vector<EndLabel> all = labels;
