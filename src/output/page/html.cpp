@@ -126,7 +126,7 @@ std::string answer_part(const Lead& lead) {
   const char* const sign = sign_of_tone(lead.tone);
   std::string html = fmt::format("<h1 class=\"{}\">{}{}</h1>\n", class_of_tone(lead.tone),
                                  *sign == 0 ? "" : fmt::format("<span class=\"sign\">{}</span> ", sign),
-                                 headline_html(lead.answer));
+                                 prose_html(lead.answer));
   if (!lead.reservation.empty()) html += "<p class=\"reservation\">" + text_html(lead.reservation) + "</p>\n";
   for (const std::string& line : lead.subject) html += "<p class=\"subject\">" + text_html(line) + "</p>\n";
   return part("answer", html);

@@ -15,7 +15,7 @@ namespace dashpad::output {
 
 std::string text_html(const std::string& text) { return xml_text(one_line(text)); }
 
-std::string headline_html(const std::string& text) { return xml_text(quantities_whole(one_line(text))); }
+std::string prose_html(const std::string& text) { return xml_text(quantities_whole(one_line(text))); }
 
 std::string paragraphs_html(const std::vector<std::string>& texts) {
   std::string html;
@@ -104,10 +104,10 @@ std::string key_figure_html(const KeyFigure& figure) {
   const char* const sign = sign_of_tone(figure.tone);
   std::string html =
       fmt::format("<li class=\"{}\"><span class=\"label\">{}</span>\n<b>{}{}</b>\n",
-                  class_of_tone(figure.tone), text_html(figure.label), headline_html(figure.value),
+                  class_of_tone(figure.tone), text_html(figure.label), prose_html(figure.value),
                   *sign == 0 ? "" : fmt::format(" <span class=\"sign\">{}</span>", sign));
   html += bar_of(figure);
-  if (!figure.limit.empty()) html += "<span class=\"remark\">" + text_html(figure.limit) + "</span>\n";
+  if (!figure.limit.empty()) html += "<span class=\"remark\">" + prose_html(figure.limit) + "</span>\n";
   return html + "</li>\n";
 }
 

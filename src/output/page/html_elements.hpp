@@ -9,8 +9,8 @@
 namespace dashpad::output {
 
 std::string text_html(const std::string& text);
-/// For large letters, which are broken into lines most often: not between a number and its unit.
-std::string headline_html(const std::string& text);
+/// In lines that do not end between a number and its unit.
+std::string prose_html(const std::string& text);
 std::string paragraphs_html(const std::vector<std::string>& texts);
 /// Lines stay lines.
 std::string lines_html(const std::string& text);
