@@ -1,7 +1,9 @@
 #pragma once
 /// Reads an SVG strictly, as far as Dashpad writes any: tags, attributes in double quotes, the five entities.
 
+#include <cctype>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -21,6 +23,15 @@ struct SvgElement {
   [[nodiscard]] bool has(const std::string& attribute, std::string_view value) const {
     const auto found = attributes.find(attribute);
     return found != attributes.end() && found->second == value;
+  }
+  /// Whether that is one of its classes.
+  [[nodiscard]] bool is_of(std::string_view class_name) const {
+    const auto classes = attributes.find("class");
+    if (classes == attributes.end()) return false;
+    std::istringstream words{classes->second};
+    for (std::string word; words >> word;)
+      if (word == class_name) return true;
+    return false;
   }
 };
 
@@ -82,6 +93,49 @@ inline std::vector<SvgElement> svg_elements(const std::string& svg) {
   }
   require(open.empty() && !elements.empty(), "end");
   return elements;
+}
+
+inline std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t result = 0;
+  for (auto place = text.find(part); place != std::string::npos; place = text.find(part, place + 1)) ++result;
+  return result;
+}
+
+/// The text between each `begin` and the next `end`.
+inline std::vector<std::string> all_between(const std::string& text, const std::string& begin,
+                                            const std::string& end) {
+  std::vector<std::string> found;
+  for (auto place = text.find(begin); place != std::string::npos; place = text.find(begin, place)) {
+    place += begin.size();
+    found.push_back(text.substr(place, text.find(end, place) - place));
+  }
+  return found;
+}
+
+/// What stands on the axes, x before y.
+inline std::vector<std::string> numbers_on_axes(const std::string& svg) {
+  std::vector<std::string> numbers;
+  for (const SvgElement& element : svg_elements(svg))
+    if (element.name == "text" && element.is_of("dp-tick")) numbers.push_back(element.text);
+  return numbers;
+}
+
+/// The "d" of the paths with that class.
+inline std::vector<std::string> paths(const std::string& svg, std::string_view class_name) {
+  std::vector<std::string> found;
+  for (const SvgElement& element : svg_elements(svg))
+    if (element.name == "path" && element.is_of(class_name)) found.push_back(element.attributes.at("d"));
+  return found;
+}
+
+/// The numbers of a path whose commands are capital letters, or z.
+inline std::vector<double> numbers_of(std::string path) {
+  for (char& character : path)
+    if (std::isalpha(static_cast<unsigned char>(character)) != 0) character = ' ';
+  std::istringstream stream{path};
+  std::vector<double> numbers;
+  for (double number = 0; stream >> number;) numbers.push_back(number);
+  return numbers;
 }
 
 }  // namespace dashpad::test

@@ -103,8 +103,13 @@ struct LayerSummary {
   std::optional<double> struck_through = {};  ///< when less than struck_through_gap of it was left, s
 };
 
-/// Of a layer's thickness: with less left it counts as struck through.
+/// Of the thickness of a pad or a layer: with less left it counts as struck through.
 inline constexpr double struck_through_gap = 1e-3;
+
+/// Whether a pad is struck through at that penetration; both in m.
+inline bool is_struck_through(double penetration, double thickness) {
+  return thickness - penetration < struck_through_gap * thickness;
+}
 
 struct Summary {
   Status status = Status::not_run;

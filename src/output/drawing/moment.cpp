@@ -73,8 +73,7 @@ DrawnMoments drawn_moments(const ImpactCase& impact, const Solution& solution) {
   if (pad.layers.empty()) moments.layers.push_back(drawn_layer(pad.material, pad.thickness));
   moments.thickness = pad.thickness;
   moments.penetration = summary.bottomed ? pad.thickness : within(summary.peak_penetration, 0, pad.thickness);
-  // By the measure that holds for a layer.
-  moments.struck_through = moments.left() < struck_through_gap * pad.thickness;
+  moments.struck_through = is_struck_through(moments.penetration, pad.thickness);
   moments.bottomed = bottomed_on_rigid_support(summary);
   if (!history.penetration.empty())
     moments.crater = within(history.penetration.front(), 0, moments.penetration);

@@ -29,7 +29,7 @@ struct DrawnMoments {
   double body_motion = 0;            ///< of a free body behind the support then, m
   std::optional<double> time;        ///< of greatest penetration, s; absent without a history
   std::optional<double> half_width;  ///< of the pad's face, m; absent where it goes on to all sides
-  bool struck_through = false;       ///< less than struck_through_gap of its thickness is left
+  bool struck_through = false;       ///< is_struck_through()
   bool bottomed = false;             ///< nothing is left of it, and its support is rigid
 
   /// Of the pad on the axis, m.

@@ -37,7 +37,7 @@ Table table_of(std::string caption, const std::vector<ResultRow>& rows) {
 }
 
 bool strikes_through(const ImpactCase& impact, const Summary& summary) {
-  return summary.peak_penetration > (1 - struck_through_gap) * impact.pad.thickness;
+  return is_struck_through(summary.peak_penetration, impact.pad.thickness);
 }
 
 /// Whether the largest values are those of a part of the impact.

@@ -1,7 +1,6 @@
 #include "output/page/study_key_figures.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -25,10 +24,6 @@ namespace {
 
 using study::StudyAnswers;
 using Figures = std::vector<KeyFigure>;
-
-std::string per_cent_of(double share) {
-  return std::isfinite(share) ? fmt::format("{:.3g} %", 100 * share) : "undecided";
-}
 
 /// Of a variance: its estimate has no more digits.
 std::string share_of_variance(double share) {
@@ -54,9 +49,9 @@ void add_probabilities(Figures& figures, const StudyAnswers& answers, const Unit
                                             in_unit_of(limit.response, units)(limit.value));
       KeyFigure figure{.label = has_levels ? words_of_levels(answers, group.group, units) : above};
       figure.value =
-          group.group.drawn ? per_cent_of(of.probability.value) : part_of_rows(of.exceeding, of.rows);
+          group.group.drawn ? per_cent(of.probability.value) : part_of_rows(of.exceeding, of.rows);
       figure.limit = has_levels ? above : "";
-      const std::string interval = group.group.drawn  ? interval_of(of.probability, per_cent_of)
+      const std::string interval = group.group.drawn  ? interval_of(of.probability, per_cent)
                                    : of.undecided > 0 ? fmt::format("{} undecided", of.undecided)
                                                       : "";
       if (!interval.empty()) figure.limit += (figure.limit.empty() ? "" : "; ") + interval;
@@ -89,7 +84,7 @@ void add_counts(Figures& figures, const StudyAnswers& answers) {
   const auto add = [&](const char* label, std::uint64_t count, Tone tone) {
     if (count > 0 && rows > 0)
       figures.push_back({.label = label,
-                         .value = per_cent_of(static_cast<double>(count) / static_cast<double>(rows)),
+                         .value = per_cent(static_cast<double>(count) / static_cast<double>(rows)),
                          .limit = part_of_rows(count, rows),
                          .tone = tone});
   };

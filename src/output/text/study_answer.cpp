@@ -20,8 +20,6 @@ namespace dashpad::output {
 
 namespace {
 
-std::string per_cent(double share) { return brief(100 * share, 3) + " %"; }
-
 /// "HIC15 exceeds 1000"
 std::string exceeds(const study::StudyLimit& limit, const UnitSystem& units) {
   return fmt::format("{} exceeds {}", uncapitalised(title_of(limit.response)),

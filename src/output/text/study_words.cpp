@@ -35,6 +35,10 @@ std::string share_with_interval(const study::Estimate& share) {
   return fmt::format("{:.3f} ({:.3f} to {:.3f})", share.value, share.low, share.high);
 }
 
+std::string per_cent(double share) {
+  return std::isfinite(share) ? brief(100 * share, 3) + " %" : "undecided";
+}
+
 std::string percent_with_interval(const study::Estimate& estimate) { return with_interval(estimate, 100); }
 
 const std::string& response_name(const study::StudyAnswers& answers, std::size_t i) {

@@ -21,6 +21,8 @@ std::string four_digits_or_struck(double value);
 std::string with_interval(const study::Estimate& estimate, double scale = 1);
 /// The same with three decimals: shares.
 std::string share_with_interval(const study::Estimate& share);
+/// A share in per cent, with three digits: "12.3 %"; "undecided" if not finite.
+std::string per_cent(double share);
 /// In per cent.
 std::string percent_with_interval(const study::Estimate& estimate);
 
