@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <string_view>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -31,6 +32,17 @@ std::string part_of_pad(double penetration, double thickness, int digits) {
                                  : fmt::format("{} % of the pad", significant(100 * (1 - left), digits));
 }
 
+/// What a reader would otherwise take for a finding.
+std::string loss_words(const Pad& pad) {
+  const auto is_free = [](const Material& material) {
+    const auto* const foam = std::get_if<Foam>(&material.law);
+    return foam != nullptr && is_without_loss(*foam);
+  };
+  const bool all = pad.layers.empty() ? is_free(pad.material)
+                                      : std::ranges::all_of(pad.layers, is_free, &PadLayer::material);
+  return all ? ": no loss was stated for the foam" : "";
+}
+
 std::string remark_on(const std::string& key, const ImpactCase& impact, const Summary& summary,
                       const UnitSystem& units, int digits) {
   if (key == "peak_penetration") return part_of_pad(summary.peak_penetration, impact.pad.thickness, digits);
@@ -41,7 +53,7 @@ std::string remark_on(const std::string& key, const ImpactCase& impact, const Su
     return "goes on at " + brief_quantity(summary.release->velocity, "m/s", units, digits) +
            "; restitution " + significant(*summary.restitution, digits);
   if (key == "rebound_speed" && summary.restitution)
-    return "restitution " + significant(*summary.restitution, digits);
+    return "restitution " + significant(*summary.restitution, digits) + loss_words(impact.pad);
   if (key == "contact_end") return fmt::format("force below {} of its peak", percentage(contact_end_share));
   if (key == "force_below_weight")
     return (summary.force_below_weight->velocity > 0 ? "going on at " : "rebounding at ") +

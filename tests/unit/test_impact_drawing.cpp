@@ -179,6 +179,15 @@ TEST(ImpactDrawing, HasWhatIsMeasured) {
               HasSubstr("1 in<"));
 }
 
+TEST(ImpactDrawing, OfAnImpactThatIsCutItIsTheDeepestSoFar) {
+  Solution cut = made_up(0.02, 0.05);
+  cut.summary.status = Status::time_limit;
+  cut.summary.contact_end.reset();
+  const std::string svg = impact_drawing(test::example_case(), cut, si());
+  EXPECT_THAT(svg, HasSubstr("Deepest so far, at 10 ms"));
+  EXPECT_THAT(svg, Not(HasSubstr(">Greatest penetration")));
+}
+
 TEST(ImpactDrawing, TheNoseEndsWhereThePenetrationDoes) {
   for (const Nose& nose : every_nose()) {
     ImpactCase impact = test::example_case();

@@ -12,6 +12,7 @@
 #include "dashpad/output/text/result.hpp"
 #include "example_result.hpp"
 #include "quantities/text.hpp"
+#include "shared/samples.hpp"
 
 namespace dashpad {
 namespace {
@@ -41,6 +42,23 @@ injury::InjuryFigures half_sine_figures() {
 
 std::string main_text(const Summary& summary, const injury::InjuryFigures& injury) {
   return output::result_text(test::example_case(), summary, injury, unit_system("si"), Detail::main);
+}
+
+TEST(ResultText, SaysWhereAFoamWasGivenNoLoss) {
+  ImpactCase impact = test::example_case();
+  auto foam = test::sample_law<Foam>();
+  const auto shown_of = [&](const Foam& of) {
+    impact.pad.material.law = of;
+    return output::result_text(impact, test::example_summary(), {}, unit_system("si"), Detail::main);
+  };
+  EXPECT_THAT(shown_of(foam), Not(HasSubstr("no loss")));
+  foam.friction = 0;
+  foam.curves.rate_effect = NoRateEffect{};
+  EXPECT_THAT(shown_of(foam), Not(HasSubstr("no loss")));
+  foam.unloading_factor = 1;
+  EXPECT_THAT(shown_of(foam), HasSubstr("restitution 0.9622: no loss was stated for the foam"));
+  foam.unloading_curve = test::soft_table();
+  EXPECT_THAT(shown_of(foam), Not(HasSubstr("no loss")));
 }
 
 TEST(Numbers, HaveFiveSignificantDigits) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "dashpad/impact/flags.hpp"
 #include "output/drawing/annotations.hpp"
 #include "output/drawing/drawing_words.hpp"
 #include "output/drawing/elements.hpp"
@@ -39,9 +40,10 @@ std::string text_above_left(const Scene& scene) {
 
 std::string text_above_right(const Scene& scene) {
   const auto& time = scene.moments.time;
+  const bool is_whole = pulse_is_whole(scene.summary) || bottomed_on_rigid_support(scene.summary);
+  const std::string words = is_whole ? "Greatest penetration" : "Deepest so far";
   std::string text = heading(scene, scene.right,
-                             time ? "Greatest penetration, at " + brief_quantity(*time, "s", scene.units, 3)
-                                  : "Greatest penetration");
+                             time ? words + ", at " + brief_quantity(*time, "s", scene.units, 3) : words);
   const std::string alarm = alarm_words(scene.moments);
   const double x = scene.right.axis - scene.layout.half_width;
   const double width = 2 * scene.layout.half_width + 70;

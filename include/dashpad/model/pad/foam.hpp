@@ -16,6 +16,7 @@
 
 #include <array>
 #include <optional>
+#include <variant>
 
 #include "dashpad/model/pad/foam/base_curve.hpp"
 #include "dashpad/model/pad/foam/rate_effect.hpp"
@@ -51,6 +52,13 @@ struct Foam {
 
   friend bool operator==(const Foam&, const Foam&) = default;
 };
+
+/// Whether the foam gives all energy back, because nothing that loses any was stated: neither friction nor an
+/// unloading nor a rate effect.
+inline bool is_without_loss(const Foam& foam) {
+  return foam.friction == 0 && foam.unloading_factor == 1 && !foam.unloading_curve &&
+         std::holds_alternative<NoRateEffect>(foam.curves.rate_effect);
+}
 
 inline constexpr Bounds lag_strains{
     .lowest = 1e-4, .highest = 0.05, .lowest_admitted = true, .highest_admitted = true};
