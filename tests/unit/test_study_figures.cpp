@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/output/plot/plot.hpp"
+#include "output/plot/looks.hpp"
 #include "output/plot/study_figures.hpp"
 
 namespace dashpad {
@@ -83,7 +84,9 @@ TEST(StudyFigures, MapsAndCurvesMarkWhatBottomedOut) {
   ASSERT_EQ(beside_curves.size(), 1U);
   EXPECT_THAT(beside_curves[0].x, ElementsAre(3));
   EXPECT_GT(beside_curves[0].y.at(0), 300);
-  EXPECT_EQ(labelled(curves, "thickness of the pad 10 mm").size(), 1U);
+  const auto line = labelled(curves, "thickness of the pad 10 mm");
+  ASSERT_EQ(line.size(), 1U);
+  EXPECT_EQ(*beside_curves[0].turn % output::colours_by_turn, *line[0].turn);
   EXPECT_EQ(labelled(curves, "limit 150 N").size(), 1U);
 }
 

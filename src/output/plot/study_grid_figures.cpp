@@ -39,6 +39,26 @@ std::size_t rows_in(const std::vector<Series>& lines) {
   return rows;
 }
 
+/// Above all values, one row of marks for each line with rows that bottomed out, in its colour if there are
+/// several lines.
+std::vector<Series> struck_through_above(const std::vector<Series>& series) {
+  constexpr double between_rows = 0.05;
+  const double above = above_all(series);
+  const auto lines = std::ranges::count_if(series, is_line, &Series::style);
+  std::vector<Series> all;
+  for (const Series& line : series) {
+    if (!is_line(line.style)) continue;
+    Series marks = lines > 1 ? struck_through_marks(*line.turn) : struck_through_marks();
+    for (std::size_t place = 0; place < line.y.size(); ++place)
+      if (std::isinf(line.y[place])) marks.x.push_back(line.x[place]);
+    if (marks.x.empty()) continue;
+    marks.y.assign(marks.x.size(), above + between_rows * double(all.size()) * (above > 0 ? above : 1));
+    if (!all.empty()) marks.label.clear();  // said once
+    all.push_back(std::move(marks));
+  }
+  return all;
+}
+
 bool has_bands(const GridPlane& plane) { return plane.is_median && plane.values.size() <= most_bands; }
 
 Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::size_t response,
@@ -67,16 +87,14 @@ Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
                               .y2 = scaled(plane.high[line], y_scale),
                               .turn = i});
   }
-  Series struck = struck_through_marks();
-  for (const Series& line : panel.series)
-    for (std::size_t place = 0; is_line(line.style) && place < line.y.size(); ++place)
-      if (std::isinf(line.y[place])) struck.x.push_back(line.x[place]);
   std::vector<Series> limits = limit_lines(answers, name, SeriesStyle::horizontal_line, units);
   panel.series.insert(panel.series.end(), limits.begin(), limits.end());
-  struck.y.assign(struck.x.size(), above_all(panel.series));
-  if (struck.x.size() == rows_in(panel.series))
-    panel.y = {.label = panel.y.label, .has_numbers = false, .low = -1, .high = 0.1};
-  if (!struck.x.empty()) panel.series.push_back(std::move(struck));
+  std::vector<Series> struck = struck_through_above(panel.series);
+  std::size_t rows_struck = 0;
+  for (const Series& marks : struck) rows_struck += marks.x.size();
+  if (rows_struck == rows_in(panel.series))
+    panel.y = {.label = panel.y.label, .has_numbers = false, .low = -1, .high = 0.1 * double(struck.size())};
+  panel.series.insert(panel.series.end(), struck.begin(), struck.end());
   return {.title = fmt::format("{} over {}", title_of(name), factor_words(across.key)),
           .panels = {panel},
           .source = study_source(answers)};

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/version.hpp"
+#include "output/plot/looks.hpp"
 #include "output/plot/rows.hpp"
 #include "output/plot/study_figures.hpp"
 #include "output/text/factor_words.hpp"
@@ -35,9 +36,12 @@ std::vector<Series> limit_lines(const study::StudyAnswers& answers, const std::s
   return lines;
 }
 
-Series struck_through_marks() {
-  constexpr std::size_t red_triangle = 8;  // a turn
-  return {.label = "bottomed out: no finite force", .style = SeriesStyle::points, .turn = red_triangle};
+Series struck_through_marks(std::size_t colour) {
+  constexpr std::size_t triangle = 2;
+  // Colours and shapes follow one another in cycles of different lengths, so every pair has a turn.
+  std::size_t turn = triangle;
+  while (turn % colours_by_turn != colour % colours_by_turn) turn += shapes_by_turn;
+  return {.label = "bottomed out: no finite force", .style = SeriesStyle::points, .turn = turn};
 }
 
 double above_all(const std::vector<Series>& series) {
