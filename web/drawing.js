@@ -32,7 +32,8 @@ class MovingPicture {
     const { penetration, deflection, body } = moment ?? this;
     const way = (now, most, px) => (most > 0 ? (Math.max(now, 0) / most) * px : 0);
     const deep = Math.min(Math.max(penetration, 0), this.penetration);
-    const bodyWay = way(body, this.body, this.bodyPx);
+    // A body that is free goes on and on: its way ends where the picture does.
+    const bodyWay = Math.min(way(body, this.body, this.bodyPx), this.bodyPx);
     const sink = way(deflection, this.deflection, this.deflectionPx) + bodyWay;
     const up = this.deflectionPx + this.bodyPx - sink;
     const lift = (element, by) => element?.setAttribute("transform", `translate(0 ${-by})`);

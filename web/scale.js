@@ -43,7 +43,7 @@ function logarithmicTicks(low, high, most) {
       const value = digit * 10 ** power;
       if (value < low * (1 - 1e-9) || value > high * (1 + 1e-9)) continue;
       const isNumbered = digit === 1 ? power % every === 0 : 3 * decades <= most && (digit === 2 || digit === 5);
-      const isPlain = low > 5e-5 && high < 5e5;
+      const isPlain = low > 1.5e-4 && high < 7e4;
       const text = () => (isPlain ? value.toFixed(Math.max(0, -power)) : scientific(value, 0));
       ticks.push({ value, label: isNumbered ? text() : "" });
     }

@@ -138,6 +138,11 @@ void check_sheet(std::vector<Violation>& broken, const ImpactCase& impact) {
   if (impact.blows || impact.pad.earlier_penetration != 0)
     broken.push_back({key, impact.pad.sheet,
                       "must be left out with earlier blows: how a sheet lies after a blow is not known"});
+  if (std::holds_alternative<Cylinder>(impact.impactor.nose))
+    broken.push_back(
+        {key, impact.pad.sheet,
+         "must be left out with a cylinder: it meets the sheet along a line, and the force of that "
+         "blow has no bound"});
 }
 
 /// What is 0 is not there.

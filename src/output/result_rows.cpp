@@ -227,6 +227,8 @@ std::vector<ResultRow> pulse_rows(const injury::InjuryFigures& figures, const Un
   for (const injury::InjuryValue& of : values) {
     const ResultQuantity& quantity = *of.quantity;
     if (detail == Detail::main && !is_main(quantity.key)) continue;
+    // Of a pulse that is shorter than the clip.
+    if (detail == Detail::main && of.value == 0 && std::string_view{quantity.key}.ends_with("_3ms")) continue;
     if (detail == Detail::main && before != nullptr && is_same(of, *before)) {
       same += (same.empty() ? "" : " and ") + title_in_sentence(quantity);
       rows.back().remark = stretch(*of.begin, *of.end, units, digits) + "; also " + same;

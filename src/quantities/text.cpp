@@ -4,8 +4,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
+
+#include "dashpad/quantities/quantity.hpp"
 
 namespace dashpad {
 
@@ -44,6 +47,9 @@ std::string brief(double value, int digits) {
 ScaledUnit shown_as(const std::string& si_unit, const UnitSystem& units) {
   if (si_unit == "rad") return {180 / std::numbers::pi, "deg"};
   ScaledUnit shown = scaled_unit(si_unit, units);
+  if (units.name == "us")
+    for (const auto& [si, us] : {std::pair{"m2", "in2"}, {"kg/m2", "lb/ft2"}, {"kg/m3", "lb/ft3"}})
+      if (si_unit == si) shown = {from_si(1, si, us), us};
   shown.unit = shown_unit(shown.unit);
   return shown;
 }

@@ -137,7 +137,7 @@ test("logarithmic axes have numbers at decades, drawn by the page as by the libr
   const page = await open(file, tall);
   const of = page.locator("#figure-2-1");
   const before = await of.locator(".dp-tick").allTextContents();
-  for (const tick of ["0.001", "1", "100", "10⁻⁶"]) assert.ok(before.includes(tick), tick);
+  for (const tick of ["10⁻³", "1", "100", "10⁻⁶"]) assert.ok(before.includes(tick), tick);
   await page.mouse.dblclick(...(await place(of, 0.5, 0.5)));
   await page.mouse.dblclick(...(await place(of, 0.5, 0.5, 1)));
   assert.deepEqual((await of.locator(".dp-tick").allTextContents()).sort(), before.sort());

@@ -258,7 +258,7 @@ TEST(ImpactDrawing, LayersHaveNamesAndShareThePenetration) {
     const std::string svg = impact_drawing(impact, solution, si());
     expect_sound(svg);
     for (std::size_t i = 0; i < count; ++i) EXPECT_THAT(svg, HasSubstr("foam-" + std::to_string(i)));
-    EXPECT_THAT(svg, HasSubstr("Strain on the axis"));
+    EXPECT_THAT(svg, HasSubstr(">Strain<"));
     EXPECT_THAT(svg, HasSubstr("Struck through: layer 2"));
     EXPECT_THAT(svg, HasSubstr("hatching-" + std::to_string(count)));
   }
@@ -269,6 +269,7 @@ TEST(ImpactDrawing, ASheetFollowsTheNose) {
   EXPECT_THAT(impact_drawing(impact, made_up(0.02, 0.03), si()), Not(HasSubstr("class=\"dd-sheet")));
   impact.pad.sheet = 12;
   for (const Nose& nose : every_nose()) {
+    if (std::holds_alternative<Cylinder>(nose)) continue;  // refused
     impact.impactor.nose = nose;
     const std::string svg = impact_drawing(impact, made_up(0.02, 0.03), si());
     expect_sound(svg);

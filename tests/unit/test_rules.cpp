@@ -158,6 +158,11 @@ TEST(case_rules, each_is_checked) {
          impact.blows = Blows{};
        },
        {"pad.sheet_mass_per_area"}},
+      {[](ImpactCase& impact) {
+         impact.pad.sheet = 5;
+         impact.impactor.nose = Cylinder{.radius = 0.05, .length = 0.2};
+       },
+       {"pad.sheet_mass_per_area"}},
       {[](ImpactCase& impact) { impact.impactor.speed = 1e4; }, {"impactor.speed"}},
       {[](ImpactCase& impact) { impact.pad.thickness = 1e-9; }, {"pad.thickness"}},
       {[](ImpactCase& impact) { impact.pad.material.law = Elastic(); }, {"pad.parameters.modulus"}},

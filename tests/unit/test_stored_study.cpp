@@ -72,11 +72,11 @@ TEST_F(StoredStudyTest, EveryNoseOnAPadWithAnEdge) {
     Study study = small_study(10);
     study.base.impactor.nose = nose;
     study.base.pad.area = 0.004;
-    study.base.pad.sheet = 3;
+    if (!std::holds_alternative<Cylinder>(nose)) study.base.pad.sheet = 3;
     expect_same_rows(study, name);
     const Study read = study::stored_study(Store::open_to_read(file(name.c_str())));
     EXPECT_EQ(read.base.pad.area, 0.004);
-    EXPECT_EQ(read.base.pad.sheet, 3);
+    EXPECT_EQ(read.base.pad.sheet, study.base.pad.sheet);
     EXPECT_EQ(name_of(read.base.impactor.nose), name_of(nose));
     if (const auto* profile = std::get_if<Profile>(&nose)) {
       const auto& same = std::get<Profile>(read.base.impactor.nose);

@@ -40,7 +40,7 @@ TEST(Sheet, StruckByADiscIsAPlasticBlowAndThenASpring) {
 
 /// Nothing but the sheet slows it down: its momentum is shared with what it has met.
 TEST(Sheet, OnAPadThatGivesNoForceSharesTheMomentum) {
-  for (const Nose& nose : {Nose(Sphere{0.08}), Nose(Cone{0.2, 1.2, 0.02}), Nose(Cylinder{0.05, 0.2})}) {
+  for (const Nose& nose : {Nose(Sphere{0.08}), Nose(Cone{0.2, 1.2, 0.02})}) {
     ImpactCase impact = under_sheet(100, Elastic{.modulus = 1});
     impact.impactor.nose = nose;
     impact.pad.thickness = 0.1;

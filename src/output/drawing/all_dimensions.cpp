@@ -16,10 +16,11 @@ constexpr double clearance = 14;
 /// How far the line that leads to a dimension goes beyond it.
 constexpr double overshoot = 5;
 
-/// At most ten characters or so, which is what there is room for.
+/// With three digits, or with two where there is no room for more.
 std::string shown_length(const Scene& scene, double length) {
   const std::string text = brief_quantity(length, "m", scene.units, 3);
-  return text.find('e') == std::string::npos ? text : brief_quantity(length, "m", scene.units, 2);
+  constexpr std::size_t most_characters = 8;
+  return text.size() <= most_characters ? text : brief_quantity(length, "m", scene.units, 2);
 }
 
 /// What is left of the pad. Digits of next to nothing say nothing.

@@ -12,7 +12,7 @@ namespace dashpad::output {
 
 namespace {
 
-double label_height(const Dimension& dimension) { return dimension.word.empty() ? 19 : 35; }
+double label_height(const Dimension& dimension) { return dimension.word.empty() ? 19 : 37; }
 
 /// A slanted stroke where a dimension ends.
 std::string tick(double x, double y) { return line_element("dd-tick", {x - 4, y + 4}, {x + 4, y - 4}); }

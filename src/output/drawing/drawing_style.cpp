@@ -32,7 +32,7 @@ constexpr const char* rules =
     ".dd-tested,.dd-ground,.dd-arrow{stroke-width:2}"
     ".dd-nose,.dd-panel,.dd-body{stroke-width:1.4}"
     ".dd-struck-edge{stroke-width:5}"
-    ".dd-sheet-bent{stroke-width:7;stroke-linejoin:round}"
+    ".dd-sheet-bent{stroke-linejoin:round}"
     ".dd-hatching{fill:none;stroke-width:1;stroke-opacity:.45}"
     ".dd-break{stroke-width:1.1}";
 

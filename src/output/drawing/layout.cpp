@@ -86,9 +86,9 @@ double Layout::pad_half_width(const DrawnMoments& moments) const {
 Layout layout_of(const ImpactCase& impact, const DrawnMoments& moments) {
   Layout layout;
   const bool sinks = moments.sink() > 0;
-  layout.half_width = sinks ? 130 : 146;
+  layout.half_width = sinks ? 122 : 146;
   layout.left = margin + layout.half_width;
-  layout.right = (sinks ? 448 : 416) + layout.half_width;
+  layout.right = (sinks ? 464 : 416) + layout.half_width;
   layout.scale = chosen_scale(impact, moments, layout.half_width);
 
   const SupportHeights at_rest = support_heights(impact, moments, layout.scale, 0);

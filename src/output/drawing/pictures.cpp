@@ -11,6 +11,7 @@
 #include "output/drawing/nose_picture.hpp"
 #include "output/drawing/pad_picture.hpp"
 #include "output/drawing/support_picture.hpp"
+#include "output/svg/svg.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -19,7 +20,7 @@ namespace {
 
 /// Of half a break, each with a tip up and one down.
 constexpr int teeth = 16;
-constexpr double sheet_thickness = 3.5;  ///< as drawn, px
+constexpr double most_of_sheet = 3.5;  ///< of its thickness as drawn, px
 
 /// Two ragged lines with nothing between them.
 std::string break_of_pad(const Scene& scene, const Picture& picture) {
@@ -71,11 +72,17 @@ NoseFrame nose_frame(const Scene& scene, const Picture& picture) {
 std::string sheet_picture(const Scene& scene, const Picture& picture) {
   if (!(scene.impact.pad.sheet > 0)) return "";
   const double half = scene.pad_half_width(), face = scene.face(picture);
+  // What is left of the pad stays in sight.
+  const double left =
+      scene.layout.pad - scene.layout.below_face(scene.moments.penetration, scene.moments.thickness);
+  const double thickness = std::clamp(0.3 * left, 0.8, most_of_sheet);
   const std::string name = fmt::format("{}-{}-sheet", own_name, picture.name);
   return fmt::format(
-             "<clipPath id=\"{0}\">{1}</clipPath>\n<g class=\"dd-sheet\" clip-path=\"url(#{0})\">\n", name,
-             rectangle_element("dd-pad-room", picture.axis - half, face, 2 * half, scene.layout.pad)) +
-         rectangle_element("dd-sheet-face", picture.axis - half, face, 2 * half, sheet_thickness) +
+             "<clipPath id=\"{0}\">{1}</clipPath>\n<g class=\"dd-sheet\" stroke-width=\"{2}\" "
+             "clip-path=\"url(#{0})\">\n",
+             name, rectangle_element("dd-pad-room", picture.axis - half, face, 2 * half, scene.layout.pad),
+             px(2 * thickness)) +
+         rectangle_element("dd-sheet-face", picture.axis - half, face, 2 * half, thickness) +
          nose_picture(scene.impact.impactor.nose, nose_frame(scene, picture), "dd-sheet-bent") + "</g>\n";
 }
 

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "output/svg/svg.hpp"
+#include "output/svg/text_fit.hpp"
 
 namespace dashpad::output {
 
@@ -42,6 +43,12 @@ struct Mark {
   [[nodiscard]] std::string label() const { return fmt::format("{}", fmt::join(layers, ", ")); }
 };
 
+bool touch(const Mark& left, const Mark& right, double width) {
+  constexpr double apart = 6;
+  return (right.strain - left.strain) * width <
+         text_room(left.label() + right.label(), small_text_size) / 2 + apart;
+}
+
 /// The layers that have such a strain. Those whose numbers would touch share a label, in their order on the
 /// scale: "3, 1".
 template <class StrainOf>
@@ -52,13 +59,13 @@ std::vector<Mark> labels(const DrawnMoments& moments, double width, StrainOf&& s
   std::ranges::stable_sort(list, {}, &Mark::strain);
   std::vector<Mark> apart;
   for (const Mark& mark : list) {
-    const bool is_near =
-        !apart.empty() && (mark.strain - apart.back().strain) * width <
-                              text_width(apart.back().label() + mark.label(), small_text_size) / 2 + 8;
-    if (is_near)
-      apart.back().layers.push_back(mark.layers.front());
-    else
-      apart.push_back(mark);
+    apart.push_back(mark);
+    // A shared label is longer, and may touch the one before.
+    while (apart.size() > 1 && touch(apart[apart.size() - 2], apart.back(), width)) {
+      const Mark last = apart.back();
+      apart.pop_back();
+      apart.back().layers.insert(apart.back().layers.end(), last.layers.begin(), last.layers.end());
+    }
   }
   return apart;
 }
@@ -94,8 +101,7 @@ std::string shade_rules(bool dark) {
 std::string strain_legend(const DrawnMoments& moments, Place corner, double width) {
   const bool layered = moments.layers.size() > 1;
   const double bar = corner.y + (layered ? 45 : 28), height = 10;
-  std::string text = text_element("dd-text", {corner.x, corner.y + 13}, "start",
-                                  moments.layers.size() == 1 ? "Strain" : "Strain on the axis");
+  std::string text = text_element("dd-text", {corner.x, corner.y + 13}, "start", "Strain");
   text += text_element("dd-faint", {corner.x + width, corner.y + 13}, "end", tested_words(moments));
   for (int shade = 0; shade < shades_of_strain; ++shade) {
     const double left = std::round(corner.x + width * shade / shades_of_strain);

@@ -97,9 +97,12 @@ std::string support_picture(const ImpactCase& impact, const SupportHeights& heig
           rectangle_element("dd-body", view.axis - half, base, 2 * half, heights.base - 4);
   const double room = 2 * half - 8;
   const std::string words = "free body " + view.mass;
-  const std::string label =
-      fitting(words, text_size, room) == words ? words : fitting(view.mass, text_size, room);
-  return text + text_element("dd-text", {view.axis, base + heights.base / 2 + 2}, "middle", label) + "</g>\n";
+  // What has no room stands in the caption.
+  for (const std::string& label : {words, view.mass})
+    if (fitting(label, text_size, room) == label)
+      return text + text_element("dd-text", {view.axis, base + heights.base / 2 + 2}, "middle", label) +
+             "</g>\n";
+  return text + "</g>\n";
 }
 
 std::string support_words(const ImpactCase& impact, const UnitSystem& units) {

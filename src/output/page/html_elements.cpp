@@ -105,7 +105,7 @@ std::string key_figure_html(const KeyFigure& figure) {
   std::string html =
       fmt::format("<li class=\"{}\"><span class=\"label\">{}</span>\n<b>{}{}</b>\n",
                   class_of_tone(figure.tone), text_html(figure.label), prose_html(figure.value),
-                  *sign == 0 ? "" : fmt::format(" <span class=\"sign\">{}</span>", sign));
+                  *sign == 0 ? "" : fmt::format("\u00a0<span class=\"sign\">{}</span>", sign));
   html += bar_of(figure);
   if (!figure.limit.empty()) html += "<span class=\"remark\">" + prose_html(figure.limit) + "</span>\n";
   return html + "</li>\n";

@@ -48,8 +48,7 @@ void add_probabilities(Figures& figures, const StudyAnswers& answers, const Unit
       const std::string above = fmt::format("{} above {}", title_of(limit.response),
                                             in_unit_of(limit.response, units)(limit.value));
       KeyFigure figure{.label = has_levels ? words_of_levels(answers, group.group, units) : above};
-      figure.value =
-          group.group.drawn ? per_cent(of.probability.value) : part_of_rows(of.exceeding, of.rows);
+      figure.value = group.group.drawn ? per_cent(of.probability.value) : part_of_rows(of.exceeding, of.rows);
       figure.limit = has_levels ? above : "";
       const std::string interval = group.group.drawn  ? interval_of(of.probability, per_cent)
                                    : of.undecided > 0 ? fmt::format("{} undecided", of.undecided)

@@ -18,7 +18,8 @@ struct LegendEntry {
 /// Unless the label is empty or the same entry is there already.
 void add_to(std::vector<LegendEntry>& entries, const LegendEntry& entry);
 
-/// Entries in columns as wide as the longest label needs. Lengths are in px.
+/// Entries in columns as wide as the longest label needs; a label that has no room in the whole width goes on
+/// in further lines. Lengths are in px.
 struct Legend {
   static constexpr double row_height = 20;
 

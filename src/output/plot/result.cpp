@@ -82,12 +82,12 @@ Panel deceleration_panel(const Solution& solution, const std::optional<injury::I
         hic_bracket(fmt::format("{} {}", result_quantity("hic15").title, significant(injury->hic15.value, 4)),
                     value_in(units, injury->hic15.begin, "s"), value_in(units, injury->hic15.end, "s"),
                     injury->peak.magnitude / standard_gravity, 1));
-    Series level;
-    level.label = fmt::format("{} {} g", result_quantity("clip_3ms").title,
-                              significant(injury->clip_3ms.level / standard_gravity, 4));
-    level.style = SeriesStyle::horizontal_line;
-    level.y = {injury->clip_3ms.level / standard_gravity};
-    panel.series.push_back(level);
+    // A pulse may be shorter than the clip.
+    if (const double level = injury->clip_3ms.level / standard_gravity; level > 0)
+      panel.series.push_back(
+          {.label = fmt::format("{} {} g", result_quantity("clip_3ms").title, significant(level, 4)),
+           .style = SeriesStyle::horizontal_line,
+           .y = {level}});
   }
   panel.series.push_back(line(result_quantity("deceleration").title,
                               values_in(units, solution.history.time, "s"), std::move(deceleration)));

@@ -31,8 +31,8 @@ Axis axis_of_factor(const study::Factor& factor, const UnitSystem& units);
 /// Lines across at the limits of a response, with their values.
 std::vector<Series> limit_lines(const study::StudyAnswers& answers, const std::string& response,
                                 SeriesStyle style, const UnitSystem& units);
-/// Marks that point upwards, in the colour of that turn, red by default, for rows that bottomed out on a rigid
-/// support: their force is beyond any axis.
+/// Marks that point upwards, in the colour of that turn, red by default, for rows that bottomed out on a
+/// rigid support: their force is beyond any axis.
 Series struck_through_marks(std::size_t colour = 1);
 /// Where such marks stand if they are not to hide the values: a little above all of them.
 double above_all(const std::vector<Series>& series);

@@ -108,7 +108,8 @@ std::string limit_answer(const study::StudyAnswers& answers, const UnitSystem& u
   const LimitCount count = rows_above(answers, number);
   if (count.undecided == 0)
     if (std::string words = crossing(answers, limit, units); !words.empty()) return words;
-  return fmt::format("In {} of {} rows {}", count.exceeding, count.rows, exceeded);
+  return fmt::format("In {} of {} rows {}{}", count.exceeding, count.rows, exceeded,
+                     count.undecided > 0 ? fmt::format("; {} more are undecided", count.undecided) : "");
 }
 
 /// Of the first response with indices; empty without any.
