@@ -170,6 +170,7 @@ int stopped(const FitRequest& request, std::size_t kept) {
 }
 
 int fit_material(const FitRequest& request, const std::filesystem::path& materials) {
+  // From the reading of the files to the writing of the results: neither is left half done.
   const StopSignal signal;
   std::vector<std::string> wrong;
   const std::size_t draws = draws_of(request, wrong);

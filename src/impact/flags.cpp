@@ -91,6 +91,10 @@ bool pulse_is_whole(const Summary& summary) {
 
 bool bottomed_on_rigid_support(const Summary& summary) { return summary.bottomed && !summary.peak_force; }
 
+bool is_cut(const Summary& summary) {
+  return !pulse_is_whole(summary) && !bottomed_on_rigid_support(summary);
+}
+
 bool leaves_a_known_pad(const Summary& summary) {
   // A tolerance may be missed by the end of contact alone.
   const bool is_known = summary.trustworthy() || summary.errors.peak_penetration <= summary.tolerance;
@@ -115,7 +119,7 @@ std::vector<Flag> flags(const Summary& summary) {
   if (summary.status == Status::time_limit)
     all.push_back(
         {"TIME LIMIT", "TIME LIMIT: the impactor was still on the pad when the time limit was reached"});
-  if (summary.status != Status::not_run && !pulse_is_whole(summary) && !bottomed_on_rigid_support(summary))
+  if (summary.status != Status::not_run && is_cut(summary))
     all.push_back({"PULSE CUT",
                    "PULSE CUT: the pulse ends before the force has returned to zero; HIC, clips and the "
                    "duration of the whole pulse are not known"});

@@ -40,7 +40,7 @@ std::string loss_words(const Pad& pad) {
   };
   const bool all = pad.layers.empty() ? is_free(pad.material)
                                       : std::ranges::all_of(pad.layers, is_free, &PadLayer::material);
-  return all ? ": no loss was stated for the foam" : "";
+  return all ? ": no loss was stated for the pad" : "";
 }
 
 std::string remark_on(const std::string& key, const ImpactCase& impact, const Summary& summary,
@@ -51,7 +51,7 @@ std::string remark_on(const std::string& key, const ImpactCase& impact, const Su
   if (key == "rebound_speed" && summary.restitution && summary.release && summary.release->velocity > 0 &&
       summary.support && summary.support->body_speed)
     return "goes on at " + brief_quantity(summary.release->velocity, "m/s", units, digits) +
-           "; restitution " + significant(*summary.restitution, digits);
+           "; restitution " + significant(*summary.restitution, digits) + loss_words(impact.pad);
   if (key == "rebound_speed" && summary.restitution)
     return "restitution " + significant(*summary.restitution, digits) + loss_words(impact.pad);
   if (key == "contact_end") return fmt::format("force below {} of its peak", percentage(contact_end_share));

@@ -28,7 +28,9 @@ TEST_F(ProgressTest, WhatTakesMinutesSaysSoFirst) {
   const std::string report_case = std::string{DASHPAD_SOURCE_DIR} + "/examples/dashboard-20mph.toml";
   for (const std::string& command :
        {"compare " + report_case + " --time-step 1e-6",
-        "spit1984 " + report_case + " --time-step 1e-6 --most-steps 1000000 --most-stations 1000000"}) {
+        "spit1984 " + std::string{DASHPAD_SOURCE_DIR} +
+            "/examples/dashboard-20mph-21-parameter.toml --time-step 1e-6 --most-steps 1000000 "
+            "--most-stations 1000000 --equilibrium-tolerance 1e-9"}) {
     const Outcome outcome = begun(command);
     EXPECT_EQ(outcome.exit_code, 128 + SIGTERM) << "it has to take long for this test";
     EXPECT_THAT(outcome.err,

@@ -53,6 +53,21 @@ for (const name of cases)
     assert.deepEqual(page.seen, { complaints: [], requests: [] });
   });
 
+test("a sheet follows the nose, and a free body stays in the picture", async () => {
+  const page = await open(report(example("rubber-top-on-a-mat")));
+  const sheetAndNose = () =>
+    page.locator(".drawing [data-penetration]").evaluate((group) => [".dd-sheet-bent", ".dd-nose"].map((name) => group.querySelector(name).getBoundingClientRect().bottom));
+  for (const share of [0, 0.2, 0.5, 1]) {
+    await stand(page, share);
+    const [sheet, nose] = await sheetAndNose();
+    assert.ok(Math.abs(sheet - nose) < 0.3, `at ${share}: ${sheet} and ${nose}`);
+  }
+  const struck = await open(files["helmet-struck-by-a-ram"]);
+  await stand(struck, 1);
+  const [body, frame] = await struck.locator(".drawing svg").first().evaluate((svg) => [svg.querySelector("[data-penetration] .dd-body"), svg].map((each) => each.getBoundingClientRect().bottom));
+  assert.ok(body < frame, `${body} and ${frame}`);
+});
+
 test("who points at a curve moves the drawing, and it goes back", async () => {
   const page = await open(files["dashboard-20mph"]);
   const written = await seen(page);

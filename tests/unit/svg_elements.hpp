@@ -39,7 +39,26 @@ inline void require(bool condition, const std::string& what) {
   if (!condition) throw std::runtime_error("no well-formed SVG: " + what);
 }
 
+/// UTF-8, and of that only what XML admits.
+inline void require_characters(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[i++]);
+    const int following = byte < 0x80 ? 0 : byte >= 0xf0 ? 3 : byte >= 0xe0 ? 2 : 1;
+    require(byte < 0x80 || (byte >= 0xc2 && byte <= 0xf4), "byte that begins no character");
+    char32_t code = following == 0 ? byte : byte & (0x3f >> following);
+    for (int k = 0; k < following; ++k) {
+      require(i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80, "character cut short");
+      code = code << 6 | (static_cast<unsigned char>(text[i++]) & 0x3f);
+    }
+    const char32_t least = following == 3 ? 0x10000 : following == 2 ? 0x800 : 0;
+    require(code >= least && code <= 0x10ffff && (code < 0xd800 || code > 0xdfff) && code != 0xfffe &&
+                code != 0xffff,
+            "character that XML does not admit");
+  }
+}
+
 inline void require_text(std::string_view text) {
+  require_characters(text);
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
     require(byte >= 0x20 || text[i] == '\n', "control character");

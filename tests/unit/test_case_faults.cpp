@@ -142,10 +142,10 @@ const std::vector<Edit> edits{
     {"\"1 in\"",
      "\"1 in\"\nsheet_mass_per_area = \"0 kg/m2\"",
      {{8, "pad.sheet_mass_per_area", "leave the key out"}}},
+    {"\"1 in\"", "\"1 in\"\nsheet_mass_per_area = \"-2 kg/m2\"", {{8, "pad.sheet_mass_per_area", "must be"}}},
     {"\"1 in\"",
-     "\"1 in\"\nsheet_mass_per_area = \"-2 kg/m2\"",
-     {{8, "pad.sheet_mass_per_area", "must be"}}},
-    {"\"1 in\"", "\"1 in\"\nsheet_mass_per_area = \"5 kg\"", {{8, "pad.sheet_mass_per_area", "a mass per area is needed"}}},
+     "\"1 in\"\nsheet_mass_per_area = \"5 kg\"",
+     {{8, "pad.sheet_mass_per_area", "a mass per area is needed"}}},
     // What a support has beside its curve.
     {linear_support, linear_support + "\nmass = \"0 kg\"", {{12, "support.mass", "leave the key out"}}},
     {linear_support,

@@ -183,9 +183,13 @@ TEST(ImpactDrawing, OfAnImpactThatIsCutItIsTheDeepestSoFar) {
   Solution cut = made_up(0.02, 0.05);
   cut.summary.status = Status::time_limit;
   cut.summary.contact_end.reset();
+  EXPECT_THAT(impact_drawing(test::example_case(), cut, si()), HasSubstr("Greatest penetration, at 10 ms"))
+      << "it had turned";
+  cut.history.penetration.back() = 0.021;
   const std::string svg = impact_drawing(test::example_case(), cut, si());
-  EXPECT_THAT(svg, HasSubstr("Deepest so far, at 10 ms"));
-  EXPECT_THAT(svg, Not(HasSubstr(">Greatest penetration")));
+  EXPECT_THAT(svg, HasSubstr("Deepest so far, at 20 ms"));
+  EXPECT_THAT(svg, HasSubstr("Right: deepest so far"));
+  EXPECT_THAT(svg, Not(HasSubstr("reatest penetration")));
 }
 
 TEST(ImpactDrawing, TheNoseEndsWhereThePenetrationDoes) {

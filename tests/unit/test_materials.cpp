@@ -161,7 +161,8 @@ TEST(materials, have_stresses_at_a_few_strains) {
   const std::string text = output::material_text(sample(), unit_system("si"));
   EXPECT_THAT(text, AllOf(ContainsRegex("Stress in a first loading +at 0.1 +at 0.25 +at 0.5\n"),
                           ContainsRegex("at 0.01 1/s +10 kPa +25 kPa +50 kPa\n"),
-                          ContainsRegex("at 10 1/s +20 kPa +50 kPa +100 kPa\n"), Not(HasSubstr("beyond the strains"))));
+                          ContainsRegex("at 10 1/s +20 kPa +50 kPa +100 kPa\n"),
+                          Not(HasSubstr("beyond the strains"))));
   Material short_curve = sample();
   std::get<Foam>(short_curve.law).curves.base = TableCurve{{0.1, 0.2, 0.3}, {10e3, 20e3, 30e3}};
   EXPECT_THAT(output::material_text(short_curve, unit_system("si")),

@@ -56,7 +56,7 @@ TEST(ResultText, SaysWhereAFoamWasGivenNoLoss) {
   foam.curves.rate_effect = NoRateEffect{};
   EXPECT_THAT(shown_of(foam), Not(HasSubstr("no loss")));
   foam.unloading_factor = 1;
-  EXPECT_THAT(shown_of(foam), HasSubstr("restitution 0.9622: no loss was stated for the foam"));
+  EXPECT_THAT(shown_of(foam), HasSubstr("restitution 0.9622: no loss was stated for the pad"));
   foam.unloading_curve = test::soft_table();
   EXPECT_THAT(shown_of(foam), Not(HasSubstr("no loss")));
 }

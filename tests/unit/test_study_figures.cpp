@@ -80,12 +80,12 @@ TEST(StudyFigures, MapsAndCurvesMarkWhatBottomedOut) {
   EXPECT_THAT(on_map[0].x, ElementsAre(3));
   EXPECT_THAT(on_map[0].y, ElementsAre(10));
   const auto curves = output::curve_figures(answers(false), units());
-  const auto beside_curves = labelled(curves, "bottomed out");
+  const auto beside_curves = labelled(curves, "thickness of the pad 10 mm: bottomed out");
   ASSERT_EQ(beside_curves.size(), 1U);
   EXPECT_THAT(beside_curves[0].x, ElementsAre(3));
   EXPECT_GT(beside_curves[0].y.at(0), 300);
   const auto line = labelled(curves, "thickness of the pad 10 mm");
-  ASSERT_EQ(line.size(), 1U);
+  ASSERT_EQ(line.size(), 2U) << "the line and its marks";
   EXPECT_EQ(*beside_curves[0].turn % output::colours_by_turn, *line[0].turn);
   EXPECT_EQ(labelled(curves, "limit 150 N").size(), 1U);
 }

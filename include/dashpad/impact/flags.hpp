@@ -16,6 +16,10 @@ bool pulse_is_whole(const Summary& summary);
 /// where the tolerance was missed on the way there.
 bool bottomed_on_rigid_support(const Summary& summary);
 
+/// Whether the run ends before the pulse does, but for a pad that bottomed out: the largest values are those
+/// of a part of the impact.
+bool is_cut(const Summary& summary);
+
 /// Whether a blow says what the next one would meet: it ended, its penetration is reliable, and it did not
 /// close the pad, beyond which no curve goes.
 bool leaves_a_known_pad(const Summary& summary);

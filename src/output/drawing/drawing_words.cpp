@@ -85,14 +85,17 @@ std::string drawing_description(const ImpactCase& impact, const DrawnMoments& mo
   const std::size_t nose = text.find("contact. ") + 9;
   text[nose] = 'A';
   if (moments.layers.size() > 1) text += fmt::format(" The pad has {} layers.", moments.layers.size());
-  text += fmt::format(" Support: {}. Right: greatest penetration, {}; {} of the pad is left on the axis.",
-                      support_words(impact, units), length(moments.penetration), length(moments.left()));
+  text +=
+      fmt::format(" Support: {}. Right: {}, {}; {} of the pad is left on the axis.",
+                  support_words(impact, units), moments.is_so_far ? "deepest so far" : "greatest penetration",
+                  length(moments.penetration), length(moments.left()));
   if (moments.deflection > 0) text += fmt::format(" The support deflects by {}.", length(moments.deflection));
   if (moments.body_motion > 0)
     text += fmt::format(" The body behind it moved {}.", length(moments.body_motion));
   if (const std::string alarm = alarm_words(moments); !alarm.empty()) text += " " + alarm + ".";
   text += " " + strain_words(moments) + "; columns of the pad are shaded by their strain.";
-  text += " Nose and pad are true to scale; parts of the support are symbols.";
+  text += " Nose and pad are true to scale; parts of the support";
+  text += impact.pad.sheet > 0 ? " and the sheet on the pad are symbols." : " are symbols.";
   if (layout.pad_is_cut) text += " A stretch of the pad is left out.";
   if (layout.sink_is_cut) text += " The way of the support is drawn shorter than it is.";
   return text;

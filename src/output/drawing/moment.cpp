@@ -75,6 +75,7 @@ DrawnMoments drawn_moments(const ImpactCase& impact, const Solution& solution) {
   moments.penetration = summary.bottomed ? pad.thickness : within(summary.peak_penetration, 0, pad.thickness);
   moments.struck_through = is_struck_through(moments.penetration, pad.thickness);
   moments.bottomed = bottomed_on_rigid_support(summary);
+  moments.is_so_far = is_cut(summary) && entry && *entry + 1 == history.penetration.size();
   if (!history.penetration.empty())
     moments.crater = within(history.penetration.front(), 0, moments.penetration);
   moments.deflection = entry ? length_at(history.support_deflection, entry)

@@ -30,6 +30,7 @@ struct DrawnMoments {
   std::optional<double> time;        ///< of greatest penetration, s; absent without a history
   std::optional<double> half_width;  ///< of the pad's face, m; absent where it goes on to all sides
   bool struck_through = false;       ///< is_struck_through()
+  bool is_so_far = false;            ///< the run ends there, before the impact has turned
   bool bottomed = false;             ///< nothing is left of it, and its support is rigid
 
   /// Of the pad on the axis, m.

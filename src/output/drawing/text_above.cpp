@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "dashpad/impact/flags.hpp"
 #include "output/drawing/annotations.hpp"
 #include "output/drawing/drawing_words.hpp"
 #include "output/drawing/elements.hpp"
@@ -40,8 +39,7 @@ std::string text_above_left(const Scene& scene) {
 
 std::string text_above_right(const Scene& scene) {
   const auto& time = scene.moments.time;
-  const bool is_whole = pulse_is_whole(scene.summary) || bottomed_on_rigid_support(scene.summary);
-  const std::string words = is_whole ? "Greatest penetration" : "Deepest so far";
+  const std::string words = scene.moments.is_so_far ? "Deepest so far" : "Greatest penetration";
   std::string text = heading(scene, scene.right,
                              time ? words + ", at " + brief_quantity(*time, "s", scene.units, 3) : words);
   const std::string alarm = alarm_words(scene.moments);

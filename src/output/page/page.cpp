@@ -40,11 +40,6 @@ bool strikes_through(const ImpactCase& impact, const Summary& summary) {
   return is_struck_through(summary.peak_penetration, impact.pad.thickness);
 }
 
-/// Whether the largest values are those of a part of the impact.
-bool is_cut(const Summary& summary) {
-  return !pulse_is_whole(summary) && !bottomed_on_rigid_support(summary);
-}
-
 std::string answer(const ImpactCase& impact, const Summary& summary,
                    const std::optional<injury::InjuryFigures>& injury, const std::vector<BlowResult>& blows,
                    const UnitSystem& units) {

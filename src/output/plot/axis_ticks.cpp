@@ -139,7 +139,7 @@ std::vector<Tick> logarithmic_ticks(const AxisRange& range, std::size_t most) {
   const double length = decades({range.low, range.high});
   const int labelled = std::max(1, static_cast<int>(std::ceil(length / static_cast<double>(most))));
   const bool has_room = 3 * length <= static_cast<double>(most);
-  const bool is_plain = range.low > 1.5e-4 && range.high < 7e4;  // five characters
+  const bool is_plain = range.low > 1.5e-4 && range.high < 7e4;  // short
   const int digits = length <= most_decades_with_digits ? 9 : 1;
   std::vector<Tick> ticks;
   for (int power = first; power <= last; ++power) {

@@ -8,7 +8,7 @@
 
 namespace dashpad::output {
 
-// All px. From the axes to the text, and the text's size.
+/// From the axes to the text, px.
 inline constexpr double beside_axes = 18;
 
 /// Places are in px from the upper left corner of the axes.

@@ -13,7 +13,7 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr double line_height = 17, width_of_sample = 38, between_columns = 24;  // px
+constexpr double legend_line = 17, width_of_sample = 38, between_columns = 24;  // px
 
 /// Of a column that has room for every label.
 double width_of_column(const std::vector<LegendEntry>& entries) {
@@ -27,7 +27,7 @@ std::vector<std::string> lines_of(const LegendEntry& entry, double width) {
 }
 
 double height_of(const std::vector<std::string>& lines) {
-  return Legend::row_height + line_height * static_cast<double>(lines.size() - 1);
+  return Legend::row_height + legend_line * static_cast<double>(lines.size() - 1);
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ std::string Legend::svg(double left, double top, double width) const {
     const std::vector<std::string> lines = lines_of(entry, width);
     for (std::size_t line = 0; line < lines.size(); ++line)
       text += fmt::format("<text class=\"dp-label\" x=\"{}\" y=\"{}\">{}</text>", px(x + width_of_sample),
-                          px(middle + 4.5 + line_height * static_cast<double>(line)), xml_text(lines[line]));
+                          px(middle + 4.5 + legend_line * static_cast<double>(line)), xml_text(lines[line]));
     text += "</g>\n";
     if ((i + 1) % across == 0) row += height_of(lines);
   }

@@ -10,8 +10,8 @@
 
 namespace dashpad::output {
 
-/// Colours, dashes and shapes by turns; later turns begin again. The numbers of colours and of dashes share
-/// no factor.
+/// Colours, dashes and shapes by turns; later turns begin again. The number of colours shares no
+/// factor with the others.
 inline constexpr std::size_t colours_by_turn = 7, dashes_by_turn = 6, shapes_by_turn = 6;
 
 /// Hands out the turns that nobody has been given, in the order in which it is asked.

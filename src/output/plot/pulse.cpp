@@ -59,11 +59,12 @@ Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units) {
   } else {
     panel.series.push_back(line("pulse", report.pulse, turn_of_filtered, units));
   }
-  const double level = side * figures.clip_3ms.level / standard_gravity;
-  panel.series.push_back(
-      {.label = fmt::format("{} {} g", result_quantity("clip_3ms").title, brief(std::abs(level), 4)),
-       .style = SeriesStyle::horizontal_line,
-       .y = {level}});
+  // A pulse may be shorter than the clip.
+  if (const double level = side * figures.clip_3ms.level / standard_gravity; level != 0)
+    panel.series.push_back(
+        {.label = fmt::format("{} {} g", result_quantity("clip_3ms").title, brief(std::abs(level), 4)),
+         .style = SeriesStyle::horizontal_line,
+         .y = {level}});
   return {.title = one_line(report.file),
           .panels = {panel},
           .source = fmt::format("dashpad {}; filter: {}", version(),

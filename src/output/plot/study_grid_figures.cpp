@@ -48,12 +48,15 @@ std::vector<Series> struck_through_above(const std::vector<Series>& series) {
   std::vector<Series> all;
   for (const Series& line : series) {
     if (!is_line(line.style)) continue;
-    Series marks = lines > 1 ? struck_through_marks(*line.turn) : struck_through_marks();
+    Series marks = struck_through_marks();
+    if (lines > 1) {
+      marks = struck_through_marks(*line.turn);
+      marks.label = line.label + ": bottomed out";
+    }
     for (std::size_t place = 0; place < line.y.size(); ++place)
       if (std::isinf(line.y[place])) marks.x.push_back(line.x[place]);
     if (marks.x.empty()) continue;
     marks.y.assign(marks.x.size(), above + between_rows * double(all.size()) * (above > 0 ? above : 1));
-    if (!all.empty()) marks.label.clear();  // said once
     all.push_back(std::move(marks));
   }
   return all;

@@ -38,7 +38,7 @@ std::vector<Series> limit_lines(const study::StudyAnswers& answers, const std::s
 
 Series struck_through_marks(std::size_t colour) {
   constexpr std::size_t triangle = 2;
-  // Colours and shapes follow one another in cycles of different lengths, so every pair has a turn.
+  static_assert(std::gcd(colours_by_turn, shapes_by_turn) == 1, "then every pair has a turn");
   std::size_t turn = triangle;
   while (turn % colours_by_turn != colour % colours_by_turn) turn += shapes_by_turn;
   return {.label = "bottomed out: no finite force", .style = SeriesStyle::points, .turn = turn};

@@ -30,12 +30,15 @@ std::size_t bytes_within(std::string_view text, double size, double width) {
 
 /// Whether a number stands before that blank, and behind it a unit.
 bool parts_a_quantity(std::string_view text, std::size_t blank) {
-  constexpr std::array<std::string_view, 23> units{"g",   "%",   "m",   "mm",   "s",      "ms",  "N",    "kN",
-                                                   "J",   "kg",  "kPa", "MPa",  "m/s",    "in",  "ft",   "lb",
-                                                   "lbf", "psi", "mph", "km/h", "in·lbf", "1/s", "kJ/m³"};
+  constexpr std::array<std::string_view, 38> units{
+      "g",     "%",     "m",      "mm",     "m2",    "in2",    "s",     "ms",   "N",     "kN",
+      "J",     "kg",    "deg",    "kPa",    "MPa",   "m/s",    "in",    "ft",   "lb",    "lbf",
+      "psi",   "mph",   "km/h",   "ft/s",   "1/s",   "in·lbf", "N/m",   "N/mm", "kN/mm", "lbf/in",
+      "kg/m2", "kg/m3", "lb/ft2", "lb/ft3", "kg/m³", "kJ/m³",  "kg/m²", "per"};
   if (blank == 0 || text[blank - 1] < '0' || text[blank - 1] > '9') return false;
   std::string_view next = text.substr(blank + 1);
   next = next.substr(0, next.find_first_of(" ,;:)"));
+  if (next.ends_with('.')) next.remove_suffix(1);
   return std::ranges::find(units, next) != units.end();
 }
 
