@@ -12,7 +12,7 @@ namespace dashpad::output {
 namespace {
 
 /// Between a picture and the column of dimensions beside it, px.
-constexpr double clearance = 14;
+constexpr double clearance = 12;
 /// How far the line that leads to a dimension goes beyond it.
 constexpr double overshoot = 5;
 

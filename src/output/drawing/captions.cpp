@@ -61,11 +61,10 @@ std::string names_on_pad(const Scene& scene) {
 }
 
 std::vector<std::string> caption_lines(const Scene& scene) {
-  const double left = scene.left.axis - scene.layout.half_width;
-  const double width = scene.right.axis - scene.layout.half_width - left - 28;
   std::vector<std::string> lines;
   const auto add = [&](const std::string& text) {
-    for (std::string& line : lines_within(text, text_size, width)) lines.push_back(std::move(line));
+    for (std::string& line : lines_within(text, text_size, scene.layout.captions))
+      lines.push_back(std::move(line));
   };
   add("Nose: " + nose_words(scene.impact.impactor.nose, scene.units));
   if (const std::string pad = pad_words(scene); !pad.empty()) add("Pad: " + pad);

@@ -62,9 +62,9 @@ std::string strain_words(const DrawnMoments& moments) {
       if (moments.layers[i].strain > moments.layers[most].strain) most = i;
     return fmt::format("Strain up to {:.2f}, layer {}", moments.layers[most].strain, most + 1);
   }
-  std::string text = "Strain on the axis ";
+  std::string text = moments.layers.size() == 2 ? "Strain in layers 1 and 2:" : "Strain in layers 1 to 3:";
   for (std::size_t i = 0; i < moments.layers.size(); ++i)
-    text += fmt::format("{}{:.2f} (layer {})", i == 0 ? "" : ", ", moments.layers[i].strain, i + 1);
+    text += fmt::format("{}{:.2f}", i == 0 ? " " : ", ", moments.layers[i].strain);
   return text;
 }
 

@@ -52,13 +52,15 @@ std::string whole_drawing(const Scene& scene) {
           picture_clip(scene, scene.right) + "</defs>\n";
   text += rectangle_element("dd-paper", 0, 0, drawing_width, height);
   // In two groups, so that a page with little room can show them one below the other.
-  const auto group = [](const char* name, const std::string& inside) {
-    return fmt::format("<g id=\"{}-{}\" class=\"dd-drawing\">\n{}</g>\n", own_name, name, inside);
+  const auto group = [&](const char* name, double from, double to, const std::string& inside) {
+    return fmt::format("<g id=\"{}-{}\" class=\"dd-drawing\" data-view=\"{} 0 {} {}\">\n{}</g>\n", own_name,
+                       name, px(from), px(to - from), px(height), inside);
   };
-  text += group("left-half", picture_of(scene, scene.left) + names_on_pad(scene) + text_above_left(scene) +
-                                 dimensions_left(scene) +
-                                 captions(lines, scene.left.axis - layout.half_width, layout.bottom + 25));
-  text += group("right-half",
+  text += group("left-half", 0, layout.left_end,
+                picture_of(scene, scene.left) + names_on_pad(scene) + text_above_left(scene) +
+                    dimensions_left(scene) +
+                    captions(lines, scene.left.axis - layout.half_width, layout.bottom + 25));
+  text += group("right-half", layout.right_begin, drawing_width,
                 picture_of(scene, scene.right) + text_above_right(scene) + dimensions_right(scene) +
                     strain_legend(scene.moments, {scene.right.axis - layout.half_width, layout.bottom + 14},
                                   2 * layout.half_width));

@@ -7,7 +7,7 @@
 namespace dashpad::output {
 
 /// Width of the viewBox.
-inline constexpr double drawing_width = 824;
+inline constexpr double drawing_width = 736;
 /// Upper edge of both pictures, below their headings and what is written beside the arrow.
 inline constexpr double picture_top = 70;
 
@@ -24,6 +24,9 @@ struct Layout {
   double half_width = 0;    ///< of either picture
   double left = 0;          ///< axis of the picture of first contact
   double right = 0;         ///< axis of that of greatest penetration
+  double captions = 0;      ///< width of what is written below the left picture
+  double left_end = 0;      ///< where the left picture and all that is written beside and below it end
+  double right_begin = 0;   ///< where the right picture and what is written beside it begin
   double face = 0;          ///< y of the new pad's face at first contact
   double pad = 0;           ///< height of the new pad
   bool pad_is_cut = false;  ///< a stretch in the middle of the pad is left out

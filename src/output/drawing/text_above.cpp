@@ -44,7 +44,7 @@ std::string text_above_right(const Scene& scene) {
                              time ? words + ", at " + brief_quantity(*time, "s", scene.units, 3) : words);
   const std::string alarm = alarm_words(scene.moments);
   const double x = scene.right.axis - scene.layout.half_width;
-  const double width = 2 * scene.layout.half_width + 70;
+  const double width = drawing_width - x - 4;
   if (!alarm.empty())
     text += text_element("dd-value dd-alarm dd-strain-reached", {x, 40}, "start",
                          fitting(alarm, text_size, width));

@@ -94,21 +94,15 @@ std::string InlineSvgs::add(const Plot& plot, double width) {
 
 std::string InlineSvgs::add_with_halves(std::string svg) {
   svg = add(std::move(svg));
-  const std::string_view size = between(svg, "viewBox=\"0 0 ", "\""),
-                         name = between(svg, "<g id=\"", "-left-half\"");
-  const std::size_t blank = size.find(' ');
-  if (name.empty() || blank == std::string_view::npos) return svg;
-  // What is written beside the right picture begins where the left one's captions may still go on.
-  struct Half {
-    const char* name;
-    double from, to;
-  };
-  const double width = std::stod(std::string{size.substr(0, blank)});
+  const std::string_view name = between(svg, "<g id=\"", "-left-half\"");
+  if (name.empty()) return svg;
   std::string halves;
-  for (const Half& half : {Half{"left-half", 0, 0.52}, Half{"right-half", 0.41, 1}})
-    halves += fmt::format(
-        "<svg class=\"half\" viewBox=\"{} 0 {} {}\" aria-hidden=\"true\"><use href=\"#{}-{}\"/></svg>\n",
-        px(half.from * width), px((half.to - half.from) * width), size.substr(blank + 1), name, half.name);
+  for (const std::string_view half : {"left-half", "right-half"}) {
+    const std::string_view group = between(svg, fmt::format("<g id=\"{}-{}\"", name, half), ">");
+    halves +=
+        fmt::format("<svg class=\"half\" viewBox=\"{}\" aria-hidden=\"true\"><use href=\"#{}-{}\"/></svg>\n",
+                    between(group, "data-view=\"", "\""), name, half);
+  }
   return svg + halves;
 }
 

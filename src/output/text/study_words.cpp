@@ -32,7 +32,10 @@ std::string with_interval(const study::Estimate& estimate, double scale) {
 }
 
 std::string share_with_interval(const study::Estimate& share) {
-  return fmt::format("{:.3f} ({:.3f} to {:.3f})", share.value, share.low, share.high);
+  // What rounds to zero has no sign.
+  const auto rounded = [](double value) { return std::round(1000 * value) / 1000 + 0.0; };
+  return fmt::format("{:.3f} ({:.3f} to {:.3f})", rounded(share.value), rounded(share.low),
+                     rounded(share.high));
 }
 
 std::string per_cent(double share) {
