@@ -47,6 +47,8 @@ void judge_result_files(const ResultFiles& files, const std::vector<input::Input
   judge_targets(targets(files), inputs, files.force, wrong);
   if (files.drawing && *files.drawing != "-" && !output::picture_format(*files.drawing))
     wrong.push_back(fmt::format("--drawing {}: must end in .svg, .png or .pdf", *files.drawing));
+  if (files.png && *files.png != "-" && output::picture_format(*files.png) != output::PictureFormat::png)
+    wrong.push_back(fmt::format("--png {}: must end in .png", *files.png));
 }
 
 void publish(const ResultFiles& files, const SolvedCase& solved, std::string_view heading,

@@ -88,7 +88,7 @@ std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector
   if (!request.figures) return targets;
   const fs::path folder{*request.figures};
   std::error_code error;
-  if (folder.empty())
+  if (folder.empty() || folder == "-")
     wrong.emplace_back("--figures: needs the name of a folder");
   else if (fs::is_directory(folder, error))
     std::ranges::move(stills(request), std::back_inserter(targets));

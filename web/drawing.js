@@ -14,6 +14,10 @@ class MovingPicture {
     this.profile = places.slice(places.length / 2).map(([x, y]) => [this.tip - y, (widest = Math.max(widest, x - this.axis))]);
     this.heading = picture.parentNode.querySelector(".dd-heading");
     this.words = this.heading.textContent;
+    // What is left of the springs, but for their coils on each other.
+    const springs = picture.querySelector(".dd-springs");
+    this.springs = springs && { element: springs, ...numbersIn(springs.dataset) };
+    this.room = springs ? Math.max(this.springs.base - Math.max(this.springs.free, this.springs.touching) - 10, 0) : 0;
   }
 
   // Half the width of the nose so far behind its tip; all px.
@@ -25,6 +29,15 @@ class MovingPicture {
     return narrow + ((depth - low) / (high - low)) * (wide - narrow);
   }
 
+  // How far behind its tip the nose is first that wide.
+  depth(half) {
+    const next = this.profile.findIndex(([, each]) => each >= half);
+    if (next < 0) return Infinity;
+    if (next === 0) return this.profile[0][0];
+    const [[low, narrow], [high, wide]] = [this.profile[next - 1], this.profile[next]];
+    return low + ((half - narrow) / (wide - narrow)) * (high - low);
+  }
+
   // Metres. With null it is as it was drawn.
   show(moment, words) {
     this.picture.parentNode.classList.toggle("dd-moved", moment !== null);
@@ -34,7 +47,8 @@ class MovingPicture {
     const deep = Math.min(Math.max(penetration, 0), this.penetration);
     // A body that is free goes on and on: its way ends where the picture does.
     const bodyWay = Math.min(way(body, this.body, this.bodyPx), this.bodyPx);
-    const sink = way(deflection, this.deflection, this.deflectionPx) + bodyWay;
+    // A support may give way further than at the greatest penetration: as far as there is room.
+    const sink = Math.min(way(deflection, this.deflection, this.deflectionPx), this.deflectionPx + this.room) + bodyWay;
     const up = this.deflectionPx + this.bodyPx - sink;
     const lift = (element, by) => element?.setAttribute("transform", `translate(0 ${-by})`);
     lift(this.picture.querySelector(".dd-pad"), up);
@@ -52,12 +66,11 @@ class MovingPicture {
     const bodyUp = this.bodyPx - bodyWay;
     for (const each of this.picture.querySelectorAll(".dd-panel")) each.setAttribute("transform", `translate(0 ${-up})`);
     for (const each of this.picture.querySelectorAll(".dd-behind")) each.setAttribute("transform", `translate(0 ${-bodyUp})`);
-    const springs = this.picture.querySelector(".dd-springs");
-    if (!springs) return;
-    const { top, base, free, touching } = numbersIn(springs.dataset);
+    if (!this.springs) return;
+    const { element, top, base, free, touching } = this.springs;
     const now = Math.max(free - bodyUp, touching - up);
     const stretch = base > top ? (base - bodyUp - now) / (base - top) : 1;
-    springs.setAttribute("transform", `matrix(1 0 0 ${stretch} 0 ${now - stretch * top})`);
+    element.setAttribute("transform", `matrix(1 0 0 ${stretch} 0 ${now - stretch * top})`);
   }
 
   // One rectangle in another, from small strains to large ones.
@@ -78,8 +91,8 @@ class MovingPicture {
     const y = (shortening) => this.back - behind + shortened * share * shortening;
     const edgeOfContact = Math.min(this.radius(deep), this.halfWidth);
     const right = this.profile.filter(([depth, half]) => depth < deep && half < edgeOfContact).map(([depth, half]) => [half, y(1 - depth / deep)]);
-    if (edgeOfContact < this.halfWidth) right.push([edgeOfContact, y(0)]);
-    right.push([this.halfWidth, y(edgeOfContact < this.halfWidth || deep <= 0 ? 0 : 1)]);
+    if (deep > 0) right.push([edgeOfContact, y(1 - Math.min(this.depth(edgeOfContact), deep) / deep)]);
+    if (deep <= 0 || edgeOfContact < this.halfWidth) right.push([edgeOfContact, y(0)], [this.halfWidth, y(0)]);
     if (edge.localName === "path" && edge.parentNode.localName === "clipPath") right.push([this.halfWidth, this.back]);
     const left = [...right].reverse().map(([x, height]) => [this.axis - x, height]);
     const places = [...left, ...right.map(([x, height]) => [this.axis + x, height])];

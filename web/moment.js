@@ -15,12 +15,16 @@ class Moments {
     for (const panel of panels) panel.onMoment = (stop) => this.pointed(panel, stop);
   }
 
-  // The value of a curve, and where that is on another axis; times are in the unit of the page.
+  // The value of a curve at a time, which is in the unit of the page.
   value(name, time) {
+    const place = this.place(name, time);
+    return place === null ? null : this.curves.get(name).panel.y.value(place);
+  }
+
+  // Where that is on the y axis of the curve; null where it is not known.
+  place(name, time) {
     const known = this.curves.get(name);
-    if (!known) return null;
-    const place = known.curve.at(known.panel.x.placeOf(time * known.panel.x.factor));
-    return place === null ? null : known.panel.y.value(place);
+    return known && time !== null ? known.curve.at(known.panel.x.placeOf(time * known.panel.x.factor)) : null;
   }
 
   // What a panel shows of the moment: places with their curves.
@@ -61,9 +65,10 @@ class Moments {
 
   // The same in words; "" where it is not known.
   text(name, time) {
-    const known = this.curves.get(name);
-    const place = known && time !== null ? known.curve.at(known.panel.x.placeOf(time * known.panel.x.factor)) : null;
-    return place === null ? "" : `${known.panel.y.text(place)} ${known.panel.y.unitName()}`.trim();
+    const place = this.place(name, time);
+    if (place === null) return "";
+    const { y } = this.curves.get(name).panel;
+    return `${y.text(place)} ${y.unitName()}`.trim();
   }
 
   timeOfSi(seconds) {

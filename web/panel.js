@@ -200,11 +200,11 @@ class Panel {
     return made;
   }
 
-  // Marks that another plot or the slider of time asks for.
-  point(places, time) {
+  // Marks that another plot or the slider of time asks for, and a line up at a place on the x axis, or null.
+  point(places, across) {
     this.stop = null;
     this.tip.hide(this);
-    const line = time === null || !this.x.contains(time) ? [] : [svgElement("path", { class: "dp-hairline", d: `M${this.x.shown(time)} 0V${this.height}` })];
+    const line = across === null || !this.x.contains(across) ? [] : [svgElement("path", { class: "dp-hairline", d: `M${this.x.shown(across)} 0V${this.height}` })];
     this.marks.replaceChildren(...line, ...places.filter(([place]) => this.isInView(place)).map(([place, curve]) => this.dot(place, curve)));
   }
 

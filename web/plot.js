@@ -35,8 +35,8 @@ function makeSwitch(entry, plot) {
   entry.setAttribute("aria-label", label);
   const turn = () => {
     const isOn = entry.getAttribute("aria-pressed") !== "true";
-    for (const each of plot.querySelectorAll("[data-label]")) {
-      if (each.dataset.label !== label) continue;
+    for (const each of plot.querySelectorAll("[data-label], [data-of]")) {
+      if ((each.dataset.label || each.dataset.of) !== label) continue;
       if (each.hasAttribute("aria-pressed")) each.setAttribute("aria-pressed", String(isOn));
       else each.classList.toggle("dp-off", !isOn);
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -62,6 +64,18 @@ study::StudyQuestions questions_of(const StudySummaryRequest& request, const stu
   return questions;
 }
 
+/// Drawn before anything is written: one row, or rows that all bottomed out, are no picture.
+std::string picture_of(const StudySummaryRequest& request, const study::StudyAnswers& answers,
+                       const UnitSystem& units) {
+  if (!request.picture) return {};
+  try {
+    return output::picture(output::study_plot(answers, units), *output::picture_format(*request.picture));
+  } catch (const std::invalid_argument&) {
+    throw Refused({fmt::format(
+        "--picture {}: there is nothing to draw; --report has all figures of the study", *request.picture)});
+  }
+}
+
 int summarise(const StudySummaryRequest& request) {
   const study::Store store = open_stored(request.store_file);
   std::vector<std::string> wrong;
@@ -74,10 +88,10 @@ int summarise(const StudySummaryRequest& request) {
 
   const study::StudyAnswers answers = study::study_answers(store, questions);
   const UnitSystem& units = unit_system(request.units);
+  const std::string picture = picture_of(request, answers, units);
   const auto text_of = [&](const Target& target) {
     if (target.option == "--json") return output::study_json(answers);
-    if (target.option == "--picture")
-      return output::picture(output::study_plot(answers, units), *output::picture_format(target.file));
+    if (target.option == "--picture") return picture;
     return output::figures_page(output::study_page(answers, units));
   };
   publish(targets(request), request.force, text_of, output::study_text(answers, units));

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "model/plain_number.hpp"
+
 namespace dashpad {
 
 namespace {
@@ -46,8 +48,13 @@ std::string series_cut(const Summary& summary) {
       summary.blow, summary.blows, why);
 }
 
-/// The layers in the order in which they were struck through; empty if none was.
+/// A pad of which next to nothing was left, or the layers in the order in which they were struck through;
+/// empty if none was. What bottomed out is said to have done so.
 std::string striking_through(const Summary& summary) {
+  if (summary.layers.empty() && !summary.bottomed && is_struck_through(summary.peak_strain, 1))
+    return "STRUCK THROUGH: less than a thousandth of the pad was left, which no test of a foam reaches; "
+           "forces "
+           "and accelerations are not to be relied on";
   std::vector<std::pair<double, std::size_t>> layers;
   for (std::size_t i = 0; i < summary.layers.size(); ++i)
     if (const auto& time = summary.layers[i].struck_through) layers.emplace_back(*time, i + 1);
@@ -61,14 +68,14 @@ std::string striking_through(const Summary& summary) {
 
 std::string softening(const Summary& summary) {
   return fmt::format(
-      "SOFTENING: the curve at {:.3g} per second falls behind its yield; a real foam may then crush layer by "
+      "SOFTENING: the curve at {} per second falls behind its yield; a real foam may then crush layer by "
       "layer, which a column of one strain does not show",
-      summary.softening_rates.front());
+      plain_number(summary.softening_rates.front()));
 }
 
 std::string continuation(const ContinuationRange& range) {
   const auto peak = [](const std::optional<double>& acceleration) {
-    return acceleration ? fmt::format("{:.3g} g", *acceleration / standard_gravity)
+    return acceleration ? plain_number(*acceleration / standard_gravity) + " g"
                         : std::string("without limit");
   };
   const std::string gentlest = peak(range.gentlest), steepest = peak(range.steepest);
@@ -135,9 +142,10 @@ std::vector<Flag> flags(const Summary& summary) {
   if (const std::string text = striking_through(summary); !text.empty())
     all.push_back({"STRUCK THROUGH", text});
   if (!summary.softening_rates.empty()) all.push_back({"SOFTENING", softening(summary)});
+  // How far the peak may be off says more than why.
+  if (summary.continuation) all.push_back({"EXTRAPOLATED", continuation(*summary.continuation)});
   for (const std::string& reason : summary.extrapolations)
     all.push_back({"EXTRAPOLATED", "EXTRAPOLATED: " + reason});
-  if (summary.continuation) all.push_back({"EXTRAPOLATED", continuation(*summary.continuation)});
   if (summary.extrapolated && summary.extrapolations.empty())
     all.push_back({"EXTRAPOLATED", "EXTRAPOLATED: outside the range in which the material was fitted"});
   return all;

@@ -85,9 +85,10 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement, const 
   Summary s;
   s.status = status_of(refinement);
   if (figures.ending != Ending::bottomed_out) {
-    s.peak_force = figures.peak_force;
+    // That of a run which is cut at its very beginning may be extrapolated below nothing.
+    s.peak_force = std::max(figures.peak_force, 0.0);
     s.time_of_peak_force = figures.time_of_peak_force;
-    s.peak_acceleration = figures.peak_force / impactor.mass;
+    s.peak_acceleration = *s.peak_force / impactor.mass;
   }
   s.peak_motion = figures.peak_motion;
   s.peak_penetration = figures.bottomed ? impact.pad.thickness : figures.peak_penetration;

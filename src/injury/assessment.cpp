@@ -136,8 +136,8 @@ Verdict overall(const std::vector<CriterionResult>& results) {
 
 /// Without a range no result can be called extrapolated: that is no sign that none is.
 void add_reservations_about(const Material& material, std::vector<Flag>& reservations) {
-  if (material.fitted) return;
-  const std::string where = material.name == "in line" ? "case" : "card";
+  if (range_of(material)) return;
+  const std::string where = material.name == foam_of_the_case ? "case" : "card";
   reservations.push_back(
       {"UNKNOWN RANGE", "UNKNOWN RANGE: the " + where + " does not say where its law was fitted"});
 }

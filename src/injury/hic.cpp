@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "injury/hic_blocks.hpp"
@@ -79,7 +80,8 @@ Hic hic(const Pulse& pulse, double longest_window) {
   if (!(longest_window > 0)) throw std::invalid_argument("HIC: the longest window must be positive");
   const auto [lowest, highest] = std::minmax_element(pulse.acceleration.begin(), pulse.acceleration.end());
   const double largest = std::max(*highest, -*lowest);
-  if (largest == 0) return {0, pulse.time.front(), pulse.time.front()};
+  // Nor have denormal numbers a power 2.5 that is more.
+  if (largest < std::numeric_limits<double>::min()) return {0, pulse.time.front(), pulse.time.front()};
   const double scale = scale_for(largest);
   if (const std::optional<Hump> hump = hump_of(pulse))
     return hic_of(*hump, Curve(pulse, hump->sign * scale), scale, longest_window);

@@ -21,11 +21,14 @@ namespace {
 constexpr double free_flight = 20e-3;             // s: longer than a filter of class 60 looks
 constexpr double rounding_of_restitution = 1e-3;  // of the impact speed, as in IMPOSSIBLE VELOCITY CHANGE
 
-std::optional<double> onset_of(const Pulse& pulse, double level) {
+/// Sets when the pulse reaches that level, for the first time and for the last one before its peak.
+void find_onset(const Pulse& pulse, double level, PulseShape& shape) {
   const Magnitude line = magnitude_of(pulse);
-  const auto first = std::ranges::find_if(line, [&](const LinePoint& at) { return at.value >= level; });
-  if (first == line.begin()) return std::nullopt;
-  return passing(*(first - 1), *first, level);
+  if (line.front().value >= level) return;
+  for_each_stretch(line, level, Bound::reached, [&](double begin, double) {
+    if (!shape.onset) shape.onset = begin;
+    if (begin <= shape.peak.time) shape.last_onset = begin;
+  });
 }
 
 /// The samples around the one at `peak` with the sign of that one, and the zeros at both ends.
@@ -143,7 +146,7 @@ PulseShape pulse_shape(const Pulse& pulse, std::optional<double> impact_speed) {
   const auto place = std::ranges::find(pulse.time, shape.peak.time) - pulse.time.begin();
   const auto index = static_cast<std::size_t>(place);
   shape.side = pulse.acceleration[index] < 0 ? -1 : 1;
-  shape.onset = onset_of(pulse, onset_share * shape.peak.magnitude);
+  find_onset(pulse, onset_share * shape.peak.magnitude, shape);
   shape.width = cumulative_dwell(pulse, shape.peak.magnitude / 2);
   const Pulse contact = contact_of(pulse, index, shape.side);
   shape.contact_begin = contact.time.front();

@@ -125,7 +125,7 @@ std::optional<Material> read_material_in_line(TableReader& pad) {
   const auto fitted = read_fitted(pad);
   if (!law) return std::nullopt;
   Material material;
-  material.name = "in line";
+  material.name = foam_of_the_case;
   material.law = *law;
   material.fitted = fitted;
   return material;

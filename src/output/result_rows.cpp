@@ -83,9 +83,13 @@ void add_layers(std::vector<ResultRow>& rows, const Pad& pad, const Summary& sum
   }
 }
 
+/// 0 for what is 0 up to rounding, compared with the whole.
+double without_rounding(double part, double whole) { return std::abs(part) < 1e-9 * whole ? 0 : part; }
+
 ResultRow row_of(const ResultQuantity& of, double value, const UnitSystem& units, int digits) {
   const bool is_share = of.key == std::string_view{"energy_absorbed_fraction"};
   const ScaledUnit shown = is_share ? ScaledUnit{100, "%"} : shown_as(of.si_unit, units);
+  if (is_share) value = without_rounding(value, 1);
   return {of.key, of.title, significant(shown.scale * value, digits), shown.unit, {}, ""};
 }
 
@@ -125,9 +129,6 @@ constexpr const char* main_rows[] = {"peak_acceleration",
                                      "velocity_change"};
 
 bool is_main(const std::string& key) { return std::ranges::find(main_rows, key) != std::end(main_rows); }
-
-/// 0 for what is 0 up to rounding, compared with a stretch of the pulse.
-double without_rounding(double time, double length) { return std::abs(time) < 1e-9 * length ? 0 : time; }
 
 /// `length` is that of the pulse, s.
 std::string remark_on(const injury::InjuryValue& of, double length, const UnitSystem& units, int digits) {

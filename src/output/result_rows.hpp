@@ -33,7 +33,7 @@ std::vector<std::string> warnings(const Summary& summary, const UnitSystem& unit
 std::vector<ResultRow> summary_rows(const ImpactCase& impact, const Summary& summary, const UnitSystem& units,
                                     Detail detail);
 
-/// The figures of the pulse. Without `all`, those that are asked for first, and equal ones in one row.
+/// The figures of the pulse. With Detail::main, those that are asked for first, and equal ones in one row.
 std::vector<ResultRow> pulse_rows(const injury::InjuryFigures& figures, const UnitSystem& units,
                                   Detail detail);
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "input/special_numbers.hpp"
 
@@ -29,15 +32,35 @@ std::uint64_t combinations(const Study& study) {
   return count;
 }
 
+/// The levels of each factor in order; none of one that is sampled.
+std::vector<std::vector<double>> sorted_levels(const Study& study) {
+  std::vector<std::vector<double>> all;
+  for (const Factor& factor : study.factors) {
+    const auto* levels = std::get_if<Levels>(&factor.spread);
+    all.push_back(levels ? levels->values : std::vector<double>{});
+    std::ranges::sort(all.back());
+  }
+  return all;
+}
+
 }  // namespace
 
 Records read_records(const Study& study, const Store& store) {
+  const std::vector<std::vector<double>> levels = sorted_levels(study);
   Records records;
   records.factors.resize(study.factors.size());
   records.responses.resize(study.responses.size());
   store.visit_rows([&](const StoredRow& row) {
     records.rows.push_back(row.row);
-    for (std::size_t i = 0; i < records.factors.size(); ++i) records.factors[i].push_back(row.factors[i]);
+    for (std::size_t i = 0; i < records.factors.size(); ++i) {
+      if (!study.factors[i].is_sampled() && !std::ranges::binary_search(levels[i], row.factors[i]))
+        throw std::runtime_error(
+            fmt::format("the store is damaged ({} = {} in row {}, which is none of its levels): delete it "
+                        "and run the study "
+                        "again",
+                        study.factors[i].key, row.factors[i], row.row));
+      records.factors[i].push_back(row.factors[i]);
+    }
     for (std::size_t i = 0; i < records.responses.size(); ++i)
       records.responses[i].push_back(row.outcome.values[i]);
     records.statuses.push_back(row.outcome.status);

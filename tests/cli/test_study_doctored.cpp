@@ -50,6 +50,17 @@ values = ["foam", "other"]
   }
 };
 
+TEST_F(StudyDoctored, a_level_that_the_study_does_not_have_is_no_level) {
+  for (const char* sql : {"UPDATE samples SET \"impactor.speed\" = 7 WHERE row = 0",
+                          "UPDATE samples SET \"pad.material\" = 2 WHERE row = 1"}) {
+    change(sql);
+    const auto summary = dashpad({"study", "summary", file("s.db"), "--report", file("s.html")});
+    EXPECT_EQ(summary.exit_code, 1) << sql;
+    EXPECT_NE(summary.err.find("which is none of its levels"), std::string::npos) << summary.err;
+    EXPECT_FALSE(fs::exists(file("s.html")));
+  }
+}
+
 TEST_F(StudyDoctored, writes_no_escape_codes_to_the_terminal) {
   const std::string escape = "char(27) || '[31m' || char(7) || char(155) || '2J'";
   std::vector<std::string> changes;

@@ -22,7 +22,7 @@ int main() {
   impact.title = "elastic pad on a rigid support";
   impact.impactor = {.mass = mass, .nose = dashpad::Sphere{radius}, .speed = std::sqrt(2 * work / mass)};
   impact.pad.thickness = thickness;
-  impact.pad.material.name = "in line";
+  impact.pad.material.name = dashpad::foam_of_the_case;
   impact.pad.material.law = dashpad::Elastic{.modulus = modulus};
   impact.support = dashpad::Support::rigid();
 

@@ -25,8 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
                      "a case is shown as plain text");
 
   const std::string written = output::case_toml(read->impact, read->options);
-  read->impact.pad.material.name = "in line";
-  for (PadLayer& layer : read->impact.pad.layers) layer.material.name = "in line";
+  read->impact.pad.material.name = foam_of_the_case;
+  for (PadLayer& layer : read->impact.pad.layers) layer.material.name = foam_of_the_case;
   const input::CaseFile again = input::read_case(write("again.toml", written), materials);
   require(output::case_in_si(again.impact, again.options) == output::case_in_si(read->impact, read->options),
           "a case that was written is read as the same numbers");

@@ -40,11 +40,38 @@ test("a phone shows all without scrolling sideways", async () => {
     await settled(page);
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360, units);
     const cut = await page.evaluate(() =>
-      [...document.querySelectorAll("main *")].filter((each) => each.getBoundingClientRect().right > 360.5).map((each) => each.outerHTML.slice(0, 80)),
+      [...document.querySelectorAll("main *, .lead *")].filter((each) => each.getBoundingClientRect().right > 360.5).map((each) => each.outerHTML.slice(0, 80)),
     );
     assert.deepEqual(cut, [], units);
   }
   await page.screenshot({ path: picture("phone.png"), fullPage: true });
+});
+
+// The smallest text in each kind of picture, px as they are seen.
+const sizes = (page) =>
+  page.evaluate(() => {
+    const least = { drawing: Infinity, plots: Infinity };
+    for (const text of document.querySelectorAll("svg.dp-plot text, .drawing > svg:first-child text")) {
+      const svg = text.ownerSVGElement.closest(".dp-plot, .drawing > svg");
+      const kind = svg.matches(".dp-plot") ? "plots" : "drawing";
+      const halves = kind === "drawing" ? [...document.querySelectorAll(".drawing > .half")].filter((half) => half.getBoundingClientRect().width > 0) : [];
+      const group = text.closest("[id$=-half]");
+      const shown = halves.find((half) => `#${group?.id}` === half.querySelector("use").getAttribute("href")) ?? svg;
+      const scale = shown.getBoundingClientRect().width / shown.viewBox.baseVal.width;
+      least[kind] = Math.min(least[kind], Number.parseFloat(getComputedStyle(text).fontSize) * scale);
+    }
+    return least;
+  });
+
+test("texts of pictures can be read at every width", async () => {
+  const page = await open(report(example("knee-on-bolster")));
+  for (const width of [360, 390, 480, 560, 720, 970, 1024, 1200, 1280, 1600]) {
+    await page.setViewportSize({ width, height: 800 });
+    await settled(page);
+    const { drawing, plots } = await sizes(page);
+    const least = width < 400 ? 10.8 : 11.8;
+    assert.ok(drawing >= least && plots >= least, `${width} px: drawing ${drawing}, plots ${plots}`);
+  }
 });
 
 test("light and dark follow the system and can be read", async () => {

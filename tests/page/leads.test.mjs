@@ -46,7 +46,7 @@ const pages = {
 };
 
 const answers = {
-  test: /^Best used at 324 kPa: it has then taken 122 kJ\/m³ \(at 100 per second\)$/,
+  test: /^\? Best used at 324 kPa: it has then taken 122 kJ\/m³ \(at 100 per second\)$/,
   limit: /^Takes 1\d\d kJ\/m³ before its stress reaches 300 kPa \(at 10 per second\)$/,
   creep: /^Creeps from a strain of 0\.169 to 0\.311 in 1000 ms under 50 kPa/,
   indices: /^Peak acceleration follows impact speed most: \d\d\.?\d? % of its scatter$/,
@@ -64,6 +64,8 @@ for (const [name, file] of Object.entries(pages))
       assert.equal(await page.locator(".lead .pictures figure:has(svg path)").count(), 1);
       const figures = await page.locator(".key-figures li").count();
       assert.ok(figures >= 3 && figures <= 6, `${figures} figures`);
+      const headings = await page.locator("main figure h3").allTextContents();
+      assert.ok(headings.every((text) => text.trim()), `a figure without a heading: ${headings}`);
       const scrolled = await page.locator("html").evaluate((html) => html.scrollWidth);
       assert.ok(scrolled <= width, `${scrolled} px wide`);
       assert.deepEqual(page.seen, quiet);
@@ -93,4 +95,22 @@ test("an assessment shows how much of the foam it used", async () => {
   const basis = page.locator("section", { has: page.locator("h2", { hasText: "What it rests on" }) });
   assert.match(await basis.locator("figure h3").innerText(), /^The foam is used to a strain of 0\.979, beyond the 0\.95 that was fitted$/);
   assert.match(await basis.locator("figure").innerText(), /first loading at 1 per second/);
+});
+
+test("who switches a curve off switches its arrow off", async () => {
+  const page = await open(pages.test);
+  const plot = page.locator("main svg.dp-plot", { has: page.locator(".dp-arrow") }).first();
+  const label = await plot.locator(".dp-arrow").first().getAttribute("data-of");
+  const arrows = plot.locator(`.dp-arrow[data-of="${label}"]`);
+  assert.ok(await arrows.first().isVisible());
+  await plot.locator(`[aria-pressed][data-label="${label}"]`).first().click();
+  assert.ok(!(await arrows.first().isVisible()));
+});
+
+test("over materials the answer is their names, and each has its bar", async () => {
+  const file = study("materials", `[factors."pad.material"]\nvalues = ["ensolite-aac-9", "ensolite-aac-21", "team-wendy-hard-pu"]\n`, "--limit", "hic15=1600");
+  const page = await open(file);
+  assert.match(await words(page.locator("h1")), /^HIC15 exceeds 1600 with all but team-wendy-hard-pu$/);
+  const ends = await page.locator(".lead .dp-end").allTextContents();
+  for (const name of ["ensolite-aac-9", "ensolite-aac-21", "team-wendy-hard-pu"]) assert.ok(ends.some((text) => text.includes(name)), `${name}: ${ends}`);
 });

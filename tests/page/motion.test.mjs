@@ -1,9 +1,10 @@
 // The drawing moves with the slider of time, and stands as it was written when nobody moves it.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import test from "node:test";
 
-import { example, figure, open, place, report, settled } from "./browser.mjs";
+import { example, figure, open, place, report, settled, write } from "./browser.mjs";
 
 const cases = ["dashboard-20mph", "playground-mat-in-layers", "helmet-struck-by-a-ram", "head-on-door-panel"];
 const files = Object.fromEntries(cases.map((name) => [name, report(example(name))]));
@@ -29,6 +30,73 @@ const values = async (page) => {
   const words = await page.locator(".time output").innerText();
   return { words, penetration: Number(/penetration ([\d.]+) mm/.exec(words)?.[1]), time: Number(/At ([\d.]+) ms/.exec(words)?.[1]) };
 };
+
+// The numbers of all that moves in the right picture, as they are drawn.
+const shapes = (page) =>
+  page.locator(".drawing [data-penetration]").evaluate((group) => {
+    const ends = [...group.querySelectorAll("[data-behind]")].map((each) => each.getAttribute("d").match(/-?[\d.]+/g).map(Number));
+    const rects = [...group.querySelectorAll("[data-strain] rect")].map((each) => ["x", "width"].map((name) => Number(each.getAttribute(name))));
+    const boxes = [".dd-nose", ".dd-pad", ".dd-springs", ".dd-panel"].map((name) => group.querySelector(name)).filter(Boolean);
+    const places = boxes.map((each) => {
+      const { top, bottom } = each.getBoundingClientRect();
+      return [top, bottom];
+    });
+    return { ends, rects, places };
+  });
+// Outlines are the same where they are drawn through other places, but for a part of a px.
+const reach = (places) => [Math.min(...places), Math.max(...places)];
+
+const edited = (name, to, ...edits) => {
+  const text = readFileSync(example(name), "utf8");
+  return write(to, edits.reduce((now, [old, fresh]) => {
+    assert.ok(now.includes(old), `${old} in ${name}`);
+    return now.replace(old, fresh);
+  }, text));
+};
+const disc = report(edited("playground-mat-in-layers", "disc.toml", ['nose = "sphere"', 'nose = "flat-disc"']));
+
+for (const [name, file] of [...Object.entries(files), ["a disc on layers", disc]])
+  test(`${name}: before it moves it is as the library has drawn it`, async () => {
+    const [plain, moving] = [await open(file, { javaScriptEnabled: false }), await open(file)];
+    const [drawn, now] = [await shapes(plain), await shapes(moving)];
+    const isClose = (a, b) => a.length === b.length && a.every((each, i) => Math.abs(each - b[i]) < 0.3);
+    assert.equal(now.ends.length, drawn.ends.length);
+    for (const [i, end] of drawn.ends.entries()) assert.ok(isClose(reach(end), reach(now.ends[i])), `${end}\n${now.ends[i]}`);
+    for (const [i, rect] of drawn.rects.entries()) assert.ok(isClose(rect, now.rects[i]), `${rect} and ${now.rects[i]}`);
+    const heights = ({ places }) => places.map(([top, bottom]) => [bottom - places[0][0], top - places[0][0]]).flat();
+    assert.ok(isClose(heights(drawn), heights(now)), `${heights(drawn)}\n${heights(now)}`);
+  });
+
+test("the back of a layer below a disc is a step", async () => {
+  const page = await open(disc);
+  for (const [, ends] of [[0, (await shapes(page)).ends], [1, (await stand(page, 0.2), (await shapes(page)).ends)]])
+    for (const places of ends) {
+      const heights = new Set(places.filter((_, i) => i % 2 === 1).map((y) => y.toFixed(1)));
+      assert.ok(heights.size <= 3, `${places}`);
+    }
+});
+
+test("a support that gives way further stays in the picture", async () => {
+  const page = await open(report(edited("head-on-door-panel", "heavy.toml", ['mass = "1.2 kg"', 'mass = "15 kg"'], ['stiffness = "100 N/mm"', 'stiffness = "15 N/mm"'])));
+  for (const share of [0.3, 0.5, 0.7, 0.9, 1]) {
+    await stand(page, share);
+    const [panel, ground, stretch] = await page.locator(".drawing [data-penetration]").evaluate((group) => [
+      group.querySelector(".dd-panel").getBoundingClientRect().bottom,
+      group.querySelector(".dd-ground").getBoundingClientRect().top,
+      Number(/matrix\(1 0 0 (\S+)/.exec(group.querySelector(".dd-springs").getAttribute("transform"))[1]),
+    ]);
+    assert.ok(panel < ground && stretch > 0, `at ${share}: panel ${panel}, ground ${ground}, springs ${stretch}`);
+  }
+});
+
+test("the mark of a pad struck through is that of the greatest penetration", async () => {
+  const page = await open(report(example("rigid-floor-bottoming")));
+  // A line has no height to be visible by.
+  const visibility = () => page.locator(".drawing .dd-struck-edge").first().evaluate((mark) => getComputedStyle(mark).visibility);
+  assert.equal(await visibility(), "visible");
+  await stand(page, 0);
+  assert.equal(await visibility(), "hidden");
+});
 
 for (const name of cases)
   test(`${name}: the nose is as deep in the pad as the curve says`, async () => {

@@ -385,7 +385,7 @@ ImpactCase foam_case(std::uint64_t seed) {
   else
     impact.impactor.nose = Sphere{draw.decades(0.02, 0.25)};
   impact.pad.thickness = draw.decades(0.01, 0.1);
-  impact.pad.material.name = "in line";
+  impact.pad.material.name = foam_of_the_case;
   if (draw.choice(3) == 0)
     impact.pad.material.law = crushable_of(draw);
   else
@@ -420,7 +420,7 @@ ImpactCase layered_case(std::uint64_t seed) {
   std::vector<PadLayer> layers(static_cast<std::size_t>(2 + draw.choice(3)));
   double sum = 0;
   for (PadLayer& layer : layers) {
-    layer.material.name = "in line";
+    layer.material.name = foam_of_the_case;
     layer.material.law = random_layer_law(draw);
     sum += layer.thickness = draw.uniform(0.1, 0.9);
   }
@@ -435,7 +435,7 @@ ImpactCase plausible_case(std::uint64_t seed) {
   impact.title = "plausible case " + std::to_string(seed);
   impact.impactor = {draw.decades(0.5, 20), Sphere{draw.decades(0.0127, 0.254)}, draw.decades(1, 15)};
   impact.pad.thickness = draw.decades(0.005, 0.1);
-  impact.pad.material.name = "in line";
+  impact.pad.material.name = foam_of_the_case;
   impact.pad.material.law = plausible_law(draw);
   impact.support = ordinary_support(draw);
   return impact;
@@ -447,7 +447,7 @@ ImpactCase ordinary_case(std::uint64_t seed) {
   impact.title = "ordinary case " + std::to_string(seed);
   impact.impactor = {draw.decades(0.5, 50), Sphere{draw.decades(0.03, 0.5)}, draw.decades(0.5, 15)};
   impact.pad.thickness = draw.decades(0.01, 0.1);
-  impact.pad.material.name = "in line";
+  impact.pad.material.name = foam_of_the_case;
   impact.pad.material.law = ordinary_law(draw, impact.impactor.speed / impact.pad.thickness);
   impact.support = ordinary_support(draw);
   return impact;
@@ -524,7 +524,7 @@ ImpactCase random_case(std::uint64_t seed) {
   impact.title = "random case " + std::to_string(seed);
   impact.impactor = {draw.decades(0.01, 100), Sphere{draw.decades(1e-3, 1)}, draw.decades(0.1, 50)};
   impact.pad.thickness = draw.decades(1e-3, 0.5);
-  impact.pad.material.name = "in line";
+  impact.pad.material.name = foam_of_the_case;
   impact.pad.material.law = random_law(draw, impact.impactor.speed / impact.pad.thickness);
   impact.support = random_support(draw);
   return impact;

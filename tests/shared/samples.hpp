@@ -75,7 +75,7 @@ inline ImpactCase impact_on(const PadLaw& law, Support support = Support::rigid(
   impact.title = name_of(law);
   impact.impactor = {.mass = 4, .nose = Sphere{0.08}, .speed = 3};
   impact.pad.thickness = 0.03;
-  impact.pad.material.name = "in line";
+  impact.pad.material.name = foam_of_the_case;
   impact.pad.material.law = law;
   impact.support = std::move(support);
   return impact;

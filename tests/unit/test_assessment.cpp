@@ -15,6 +15,7 @@
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/output/assessment.hpp"
 #include "example_result.hpp"
+#include "output/text/assessment_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad {
@@ -210,7 +211,7 @@ TEST(assessment, an_unknown_range_is_no_unqualified_pass) {
   EXPECT_EQ(to_string(assessment), "pass, with reservations");
   EXPECT_THAT(assessment.reservations,
               ElementsAre(says("UNKNOWN RANGE: the card does not say where its law was fitted")));
-  impact.pad.material.name = "in line";
+  impact.pad.material.name = foam_of_the_case;
   EXPECT_THAT(injury::assess(standard, impact, half_sine()).reservations,
               ElementsAre(says("UNKNOWN RANGE: the case does not say where its law was fitted")));
 }
@@ -390,6 +391,43 @@ Written write(const Standard& standard, const Solution& solution) {
   const output::AssessmentReport report{standard, given, assessed, solution, assessment};
   return {output::assessment_text(report, unit_systems().front(), output::Detail::main),
           output::assessment_json(report)};
+}
+
+// --- The answer on top of the page ---
+
+std::string answer_to(const Standard& standard, const Solution& solution) {
+  const ImpactCase given = test::example_case();
+  const ImpactCase assessed = injury::with_impactor_of(standard, given);
+  const Assessment assessment = injury::assess(standard, assessed, solution);
+  const output::AssessmentReport report{standard, given, assessed, solution, assessment};
+  EXPECT_EQ(
+      output::doubt_about_pass(report).empty(),
+      output::assessment_answer(report, unit_systems().front()).find(" to spare,") == std::string::npos);
+  return output::assessment_answer(report, unit_systems().front());
+}
+
+TEST(assessment_answer, a_pass_of_a_pad_that_is_struck_through_is_doubtful) {
+  const Standard standard = standard_with({criterion(Metric::peak_acceleration, 150 * g)});
+  Solution solution = half_sine();
+  EXPECT_EQ(answer_to(standard, solution), "Passes: Peak acceleration has 50 g to spare");
+  solution.summary.peak_penetration = 0.9999 * test::example_case().pad.thickness;
+  EXPECT_THAT(
+      answer_to(standard, solution),
+      StartsWith("Passes: Peak acceleration has 50 g to spare, but the pad is struck through, at a peak of"));
+}
+
+TEST(assessment_answer, a_pass_by_a_guess_beyond_the_tests_is_doubtful) {
+  const Standard standard = standard_with({criterion(Metric::peak_acceleration, 150 * g)});
+  Solution solution = half_sine();
+  solution.summary.continuation = ContinuationRange{1, 4, 140 * g, 95 * g};
+  EXPECT_EQ(answer_to(standard, solution), "Passes: Peak acceleration has 50 g to spare");
+  solution.summary.continuation->gentlest = 160 * g;
+  EXPECT_EQ(answer_to(standard, solution),
+            "Passes: Peak acceleration has 50 g to spare, but how the foam goes on beyond its tests decides, "
+            "and the "
+            "peak may be 160 g");
+  solution.summary.continuation->gentlest.reset();
+  EXPECT_THAT(answer_to(standard, solution), HasSubstr("the peak may be without limit"));
 }
 
 TEST(assessment_text, says_what_was_replaced_and_how_large_the_margin_is) {

@@ -53,7 +53,7 @@ TEST(case_file, mass_is_an_alternative_to_weight) {
 TEST(case_file, law_can_be_given_in_line) {
   const Material material =
       read(edited(good_case, "material = \"ensolite-aac-9\"", in_line_material)).impact.pad.material;
-  EXPECT_EQ(material.name, "in line");
+  EXPECT_EQ(material.name, "foam of the case");
   const auto& law = std::get<LinearViscoelastic>(material.law);
   EXPECT_DOUBLE_EQ(law.asymptotic_modulus, 40 * 6894.757293168361);
   EXPECT_DOUBLE_EQ(law.relaxation_time, 0.01);

@@ -37,6 +37,9 @@ TEST(FilledMap, LevelsAreRoundAndCoverTheRange) {
   EXPECT_THAT(output::round_levels(0.3, 8.9), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 9));
   EXPECT_THAT(output::round_levels(-12, 31), ElementsAre(-15, -10, -5, 0, 5, 10, 15, 20, 25, 30, 35));
   EXPECT_THAT(output::round_levels(2, 2), IsEmpty());
+  EXPECT_THAT(output::round_levels(50, std::nextafter(50, 51)), IsEmpty()) << "rounding";
+  EXPECT_THAT(output::round_levels(1, 1 + 1e-8),
+              testing::SizeIs(testing::AllOf(testing::Gt(5U), testing::Lt(20U))));
   EXPECT_THAT(output::round_levels(2, std::numeric_limits<double>::infinity()), IsEmpty());
 }
 

@@ -41,6 +41,26 @@ TEST(Flags, NameWhatIsNotToBeReliedOn) {
   EXPECT_EQ(flags(summary)[3].text, "EXTRAPOLATED: two");
 }
 
+TEST(Flags, SayThatAPadIsStruckThroughUnlessItBottomedOut) {
+  Summary summary = test::example_summary();
+  summary.peak_strain = 0.9989;
+  EXPECT_THAT(names(summary), ElementsAre());
+  summary.peak_strain = 0.9995;
+  EXPECT_THAT(names(summary), ElementsAre("STRUCK THROUGH"));
+  summary.bottomed = Moment{.time = 0.005, .velocity = 1};
+  EXPECT_THAT(names(summary), ElementsAre("BOTTOMED"));
+}
+
+TEST(Flags, SayHowFarThePeakMayBeOffBeforeTheyGiveReasons) {
+  Summary summary = test::example_summary();
+  summary.extrapolations = {"strain"};
+  summary.continuation = ContinuationRange{1, 4, {}, 14000 * standard_gravity};
+  const std::vector<Flag> all = flags(summary);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_THAT(all[0].text,
+              HasSubstr("the peak is without limit if it goes on gently (exponent 1), 14000 g if"));
+}
+
 /// A rigid foam on a rigid support: the impactor comes to rest and the force stays up.
 TEST(Flags, SayThatAPulseWithoutItsFallingFlankIsCut) {
   Summary summary = test::example_summary();

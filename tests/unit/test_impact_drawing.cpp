@@ -13,8 +13,11 @@
 #include "dashpad/output/drawing/impact_drawing.hpp"
 #include "example_result.hpp"
 #include "output/drawing/dimensions.hpp"
+#include "output/drawing/elements.hpp"
+#include "output/drawing/layout.hpp"
 #include "output/drawing/nose_outline.hpp"
-#include "output/svg/svg.hpp"
+#include "output/svg/text_fit.hpp"
+#include "quantities/text.hpp"
 #include "svg_elements.hpp"
 
 namespace dashpad::output {
@@ -61,6 +64,29 @@ bool is_clipped(const std::vector<SvgElement>& elements, const SvgElement& eleme
   });
 }
 
+/// How long a text may be in a wide font, px.
+double room_of(const SvgElement& text) {
+  std::string seen = text.text;
+  for (const auto& [entity, character] :
+       {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&#39;", "'"}, {"&quot;", "\""}, {"&amp;", "&"}})
+    replace_all(seen, entity, character);
+  const bool is_heading = text.is_of("dd-heading"), is_bold = is_heading || text.is_of("dd-value");
+  const bool is_small = text.is_of("dd-small") || text.is_of("dd-faint");
+  const double size = is_heading ? heading_size : is_small ? small_text_size : text_size;
+  return text_room(seen, is_bold ? size_for_bold * size : size);
+}
+
+/// From where to where a page shows the half of the drawing in which the element is, px.
+std::pair<double, double> view_of(const std::vector<SvgElement>& elements, const SvgElement& element) {
+  for (const std::size_t i : element.ancestors)
+    if (const auto view = elements[i].attributes.find("data-view"); view != elements[i].attributes.end()) {
+      double from = 0, width = 0;
+      EXPECT_EQ(std::sscanf(view->second.c_str(), "%lf 0 %lf", &from, &width), 2) << view->second;
+      return {from, from + width};
+    }
+  return {0, drawing_width};
+}
+
 /// Well-formed, its numbers finite and inside the frame, ids of its own, dimensions as long as they say.
 void expect_sound(const std::string& svg) {
   std::vector<SvgElement> elements;
@@ -70,12 +96,15 @@ void expect_sound(const std::string& svg) {
   EXPECT_THAT(svg, Not(HasSubstr("\x01")));
   double width = 0, height = 0;
   ASSERT_EQ(std::sscanf(root.attributes.at("viewBox").c_str(), "0 0 %lf %lf", &width, &height), 2);
+  ASSERT_EQ(width, drawing_width);
   ASSERT_LT(height, 700);
   const double scale = root.number("data-scale");
   ASSERT_TRUE(std::isfinite(scale) && scale > 0);
   const auto expect_inside = [&](double x, double y, const SvgElement& element) {
-    EXPECT_TRUE(x >= 0 && x <= width && y >= 0 && y <= height)
-        << element.name << " of class " << element.attributes.at("class") << " at " << x << ", " << y;
+    const auto [from, to] = view_of(elements, element);
+    EXPECT_TRUE(x >= from && x <= to && y >= 0 && y <= height)
+        << element.name << " of class " << element.attributes.at("class") << " at " << x << ", " << y
+        << ", not between " << from << " and " << to << ": " << element.text;
   };
   std::set<std::string> ids;
   for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -98,7 +127,7 @@ void expect_sound(const std::string& svg) {
       expect_inside(element.number("x2"), element.number("y2"), element);
     }
     if (element.name == "text") {
-      const double length = text_width(element.text, 12);
+      const double length = room_of(element);
       const double from = element.has("text-anchor", "start") ? 0
                           : element.has("text-anchor", "end") ? 1
                                                               : 0.5;
@@ -220,7 +249,7 @@ TEST(ImpactDrawing, StruckThroughIsSaidAndDrawn) {
   // By the measure for a layer, though no column is closed.
   solution = made_up(0.02539, 0);
   EXPECT_THAT(impact_drawing(impact, solution, si()), HasSubstr(">Struck through</text>"));
-  EXPECT_THAT(impact_drawing(impact, solution, si()), HasSubstr("&lt; 0.025 mm</text>"));
+  EXPECT_THAT(impact_drawing(impact, solution, si()), HasSubstr("&lt; 0.03 mm</text>"));
   solution.summary = test::bottomed_out_summary();
   const std::string svg = impact_drawing(impact, solution, si());
   expect_sound(svg);

@@ -75,9 +75,11 @@ TEST(LayerCases, AreWrittenAsTheyAreRead) {
 TEST(LayerCases, AreShown) {
   const input::CaseFile file = read(layered_case);
   const UnitSystem units = unit_system("si");
-  EXPECT_THAT(output::case_text(file.impact, units),
-              HasSubstr("in 2 layers, 20 mm team-wendy-hard-pu (foam law), then 30 mm in line (elastic law), "
-                        "cut to 0.02 m2, on"));
+  EXPECT_THAT(
+      output::case_text(file.impact, units),
+      HasSubstr(
+          "in 2 layers, 20 mm team-wendy-hard-pu (foam law), then 30 mm foam of the case (elastic law), "
+          "cut to 0.02 m2, on"));
   const std::string si = output::case_in_si(file.impact, file.options);
   EXPECT_THAT(si, HasSubstr("pad.layers[2].scale = 1.5\n"));
   EXPECT_THAT(si, HasSubstr("pad.layers[2].parameters.modulus = 300000 Pa\n"));

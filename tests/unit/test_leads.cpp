@@ -257,6 +257,50 @@ TEST(StudyAnswer, OverOneFactorSaysWhereTheLimitIsPassed) {
   EXPECT_EQ(answer_to(hump), "In 1 of 3 rows peak acceleration exceeds 25 g");
 }
 
+TEST(StudyAnswer, OverMaterialsNamesTheFewer) {
+  study::StudyAnswers answers = answers_of({100, 200, 300}, false);
+  answers.study.factors = {{.key = "pad.material", .unit = "", .spread = study::Levels{{0, 1, 2}}}};
+  for (const char* name : {"soft", "firm", "hard"}) answers.study.materials.push_back({.name = name});
+  answers.records.factors = {{0, 1, 2}};
+  ask_for(answers, 15);
+  EXPECT_EQ(answer_to(answers), "Peak acceleration exceeds 15 g with all but soft");
+  answers.limits.clear();
+  answers.groups[0].exceedances.clear();
+  ask_for(answers, 25);
+  EXPECT_EQ(answer_to(answers), "Peak acceleration exceeds 25 g with hard");
+}
+
+TEST(StudyAnswer, OverTwoFactorsSaysUpToWhereTheLimitIsKept) {
+  study::StudyAnswers answers = answers_of({100, 200, 300, 300, 300, 300, 100, 100, 100}, false);
+  answers.study.factors.push_back({.key = "pad.thickness", .unit = "m"});
+  answers.records.factors = {{1, 2, 3, 1, 2, 3, 1, 2, 3}, {.03, .03, .03, .01, .01, .01, .06, .06, .06}};
+  ask_for(answers, 25);
+  EXPECT_EQ(answer_to(answers), "Peak acceleration stays within 25 g nowhere at 10 mm, everywhere at 60 mm");
+  answers.records.factors[1] = {.06, .06, .06, .01, .01, .01, .03, .03, .03};
+  EXPECT_EQ(answer_to(answers), "Peak acceleration stays within 25 g nowhere at 10 mm, up to 2 m/s at 60 mm");
+}
+
+TEST(StudyAnswer, IndicesWithOverlappingIntervalsDecideNothing) {
+  study::StudyAnswers answers = answers_of({1, 2, 3}, true);
+  const auto with_low = [&](double low) {
+    answers.groups[0].sensitivities = {
+        study::Sensitivity{.indices = {{.factor = "pad.thickness", .first = {}, .total = {0.2, 0.1, 0.4}},
+                                       {.factor = "impactor.speed", .first = {}, .total = {0.76, low, 0.8}}},
+                           .draws = 3}};
+    return answer_to(answers);
+  };
+  EXPECT_EQ(with_low(0.5), "Peak acceleration follows impact speed most: 76 % of its scatter");
+  EXPECT_EQ(with_low(0.3),
+            "The draws do not decide which factor peak acceleration follows most; impact speed leads");
+}
+
+TEST(StudyAnswer, OfDrawsThatBottomOutSaysHowManyFirst) {
+  EXPECT_EQ(answer_to(answers_of({100, 200, HUGE_VAL, HUGE_VAL}, true)),
+            "The pad bottoms out in 50 % of the draws; peak acceleration: half of the draws below 20.4 g");
+  EXPECT_EQ(answer_to(answers_of({100, 200, HUGE_VAL}, false)),
+            "The pad bottoms out in 1 of 3 rows; in the others peak acceleration is 10.2 to 20.4 g");
+}
+
 TEST(StudyAnswer, SpeaksOfTheLimitThatIsExceededMost) {
   study::StudyAnswers answers = answers_of({100, 200, 300, 400}, true);
   ask_for(answers, 35);

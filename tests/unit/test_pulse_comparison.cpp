@@ -78,6 +78,13 @@ TEST(PulseShape, OfATriangle) {
   }
 }
 
+TEST(PulseShape, NoiseBeforeTheImpactIsNotItsLastOnset) {
+  EXPECT_EQ(pulse_shape(triangle(), {}).last_onset, pulse_shape(triangle(), {}).onset);
+  const PulseShape noisy = pulse_shape({{0, 1e-3, 2e-3, 20e-3, 24e-3, 30e-3}, {0, 30, 0, 0, 400, 0}}, {});
+  EXPECT_NEAR(*noisy.onset, 1e-3 * 20 / 30, 1e-15);
+  EXPECT_NEAR(*noisy.last_onset, 20e-3 + 0.05 * 4e-3, 1e-15);
+}
+
 /// An undershoot and a second impact are not of the contact; its ends lie between samples.
 TEST(PulseShape, ContactKeepsTheSignOfThePeak) {
   const Pulse pulse{{0, 1e-3, 2e-3, 4e-3, 6e-3, 8e-3, 9e-3}, {-100, -100, 300, 400, -400, 100, 0}};

@@ -369,6 +369,8 @@ TEST_F(StoredStudyTest, OtherColumnsThanTheStudyHasAreRefused) {
 
 TEST_F(StoredStudyTest, AnUnfinishedStudyIsSummedUpWithAWarning) {
   Study study = small_study(1000);
+  std::vector<double>& speeds = std::get<study::Levels>(study.factors[0].spread).values;
+  for (std::size_t i = 0; i < speeds.size(); ++i) speeds[i] = made_up_row(i).factors[0];
   Store store = Store::open_for(study, file("begun.db"));
   store.write_batch(2, made_up_batch(store, 2));
   const study::StudyAnswers answers =

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "output/plot/text.hpp"
+#include "output/svg/text.hpp"
 #include "output/svg/text_fit.hpp"
 
 namespace dashpad {

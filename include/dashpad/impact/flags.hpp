@@ -31,8 +31,8 @@ bool is_series_cut(const Summary& summary);
 bool gained_energy(const Summary& summary);
 
 struct Flag {
-  /// NOT RUN, TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, BOTTOMED, ENERGY GAINED, SERIES CUT, SOFTENING or
-  /// EXTRAPOLATED.
+  /// NOT RUN, TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, SHEET STRUCK FLAT, ENERGY GAINED, BOTTOMED, SERIES
+  /// CUT, STRUCK THROUGH, SOFTENING or EXTRAPOLATED.
   std::string name;
   std::string text;  ///< a line that begins with the name
 };

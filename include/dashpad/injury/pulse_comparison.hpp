@@ -34,6 +34,9 @@ struct PulseShape {
   double side = 1;  ///< 1 or -1: the sign of the acceleration at the peak
   /// s, when |a| first reaches onset_share of its peak; absent where the first sample is there already.
   std::optional<double> onset;
+  /// s, when it does so for the last time before its peak: later than the onset where noise or an offset
+  /// reaches that level before the impact.
+  std::optional<double> last_onset;
   double width = 0;  ///< s, all time with |a| above half the peak
   /// s, the stretch around the peak in which the acceleration keeps its sign.
   double contact_begin = 0, contact_end = 0;

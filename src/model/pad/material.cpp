@@ -4,6 +4,7 @@
 
 #include "model/pad/foam/foam_curve.hpp"
 #include "model/pad/foam/foam_rules.hpp"
+#include "model/plain_number.hpp"
 
 namespace dashpad {
 namespace {
@@ -97,8 +98,8 @@ namespace {
 /// "from 0.01 to 100", "at 0.01"
 std::string rates_of(const FittedRange& range) {
   return range.highest_rate > range.lowest_rate
-             ? fmt::format("from {:.3g} to {:.3g}", range.lowest_rate, range.highest_rate)
-             : fmt::format("at {:.3g}", range.lowest_rate);
+             ? fmt::format("from {} to {}", plain_number(range.lowest_rate), plain_number(range.highest_rate))
+             : "at " + plain_number(range.lowest_rate);
 }
 
 }  // namespace
@@ -113,22 +114,21 @@ std::vector<std::string> extrapolations(const Material& material, double largest
                                     by_curves ? "foam was tested" : "law was fitted", fitted->highest_strain,
                                     by_curves ? ", beyond which its curve is continued" : ""));
     if (largest_rate > fitted->highest_rate || largest_rate < fitted->lowest_rate)
-      reasons.push_back(by_curves
-                            ? fmt::format("strain rate reaches {:.3g} per second; the foam was tested {}, "
-                                          "and outside it the stress of the "
-                                          "nearest tested rate is taken",
-                                          largest_rate, rates_of(*fitted))
-                            : fmt::format("strain rate reaches {:.3g} per second; the law was fitted {}",
-                                          largest_rate, rates_of(*fitted)));
+      reasons.push_back(by_curves ? fmt::format("strain rate reaches {} per second; the foam was tested {}, "
+                                                "and outside it the stress of the "
+                                                "nearest tested rate is taken",
+                                                plain_number(largest_rate), rates_of(*fitted))
+                                  : fmt::format("strain rate reaches {} per second; the law was fitted {}",
+                                                plain_number(largest_rate), rates_of(*fitted)));
   }
   std::visit(
       [&](const auto& law) {
         if constexpr (requires { law.residual_strain_time; })
           if (law.residual_strain_time * largest_rate >= 1)
             reasons.push_back(
-                fmt::format("strain rate reaches {:.3g} per second; the law's residual strain is defined "
-                            "below {:.3g} per second",
-                            largest_rate, 1 / law.residual_strain_time));
+                fmt::format("strain rate reaches {} per second; the law's residual strain is defined "
+                            "below {} per second",
+                            plain_number(largest_rate), plain_number(1 / law.residual_strain_time)));
       },
       material.law);
   return reasons;

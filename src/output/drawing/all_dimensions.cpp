@@ -5,6 +5,7 @@
 #include "output/drawing/annotations.hpp"
 #include "output/drawing/dimensions.hpp"
 #include "output/drawing/elements.hpp"
+#include "output/svg/text_fit.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -12,22 +13,26 @@ namespace dashpad::output {
 namespace {
 
 /// Between a picture and the column of dimensions beside it, px.
-constexpr double clearance = 12;
+constexpr double clearance = 9;
 /// How far the line that leads to a dimension goes beyond it.
 constexpr double overshoot = 5;
 
-/// With three digits, or with two where there is no room for more.
-std::string shown_length(const Scene& scene, double length) {
-  const std::string text = brief_quantity(length, "m", scene.units, 3);
-  constexpr std::size_t most_characters = 8;
-  return text.size() <= most_characters ? text : brief_quantity(length, "m", scene.units, 2);
+/// With three digits, or fewer where there is no room for more.
+std::string shown_length(const Scene& scene, double length, const std::string& before = {}) {
+  constexpr double room = beside_picture - clearance - 8;
+  std::string text;
+  for (int digits = 3; digits > 0; --digits) {
+    text = before + brief_quantity(length, "m", scene.units, digits);
+    if (text_room(text, size_for_bold * text_size) <= room) break;
+  }
+  return text;
 }
 
 /// What is left of the pad. Digits of next to nothing say nothing.
 std::string shown_rest(const Scene& scene) {
   const double left = scene.moments.left(), least = struck_through_gap * scene.moments.thickness;
   if (left == 0 || left >= least) return shown_length(scene, left);
-  return "< " + brief_quantity(least, "m", scene.units, 2);
+  return shown_length(scene, least, "< ");
 }
 
 DimensionColumn column_at(const Scene& scene, double x, bool labels_left) {

@@ -63,7 +63,7 @@ std::string names_on_pad(const Scene& scene) {
 std::vector<std::string> caption_lines(const Scene& scene) {
   std::vector<std::string> lines;
   const auto add = [&](const std::string& text) {
-    for (std::string& line : lines_within(text, text_size, scene.layout.captions))
+    for (std::string& line : lines_within(text, text_size, scene.layout.captions_width))
       lines.push_back(std::move(line));
   };
   add("Nose: " + nose_words(scene.impact.impactor.nose, scene.units));

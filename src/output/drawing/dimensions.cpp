@@ -59,7 +59,7 @@ std::string dimension_column(const std::vector<Dimension>& dimensions, const Dim
                             {column.x + 1, middle + 3},
                             {column.x + 5, middle - 3}},
                            false);
-    const double x = column.x + 9 * side;
+    const double x = column.x + 7 * side;
     if (middles[i] < dimension.from - 1 || middles[i] > dimension.to + 1)
       text += line_element("dd-leader", {column.x + 2 * side, middle}, {x - side, middles[i]});
     const double baseline = middles[i] + (dimension.word.empty() ? 5 : -2);

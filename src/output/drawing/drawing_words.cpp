@@ -7,6 +7,7 @@
 
 #include "output/drawing/elements.hpp"
 #include "output/drawing/support_picture.hpp"
+#include "output/text/capitals.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -70,20 +71,17 @@ std::string strain_words(const DrawnMoments& moments) {
 
 std::string drawing_title(const ImpactCase& impact) {
   if (!impact.title.empty()) return one_line(impact.title);
-  std::string text = with_article(words_of(impact.impactor.nose)) + " on a pad";
-  text.front() = 'A';
-  return text;
+  return capitalised(with_article(words_of(impact.impactor.nose))) + " on a pad";
 }
 
 std::string drawing_description(const ImpactCase& impact, const DrawnMoments& moments, const Layout& layout,
                                 const UnitSystem& units) {
   const auto length = [&](double value) { return brief_quantity(value, "m", units, 3); };
-  std::string text = fmt::format(
-      "Left: first contact. {} of {} meets a pad of {} at {}.", with_article(words_of(impact.impactor.nose)),
-      brief_quantity(impact.impactor.mass, "kg", units, 3), length(moments.thickness),
-      brief_quantity(impact.impactor.speed, "m/s", units, 3));
-  const std::size_t nose = text.find("contact. ") + 9;
-  text[nose] = 'A';
+  std::string text =
+      fmt::format("Left: first contact. {} of {} meets a pad of {} at {}.",
+                  capitalised(with_article(words_of(impact.impactor.nose))),
+                  brief_quantity(impact.impactor.mass, "kg", units, 3), length(moments.thickness),
+                  brief_quantity(impact.impactor.speed, "m/s", units, 3));
   if (moments.layers.size() > 1) text += fmt::format(" The pad has {} layers.", moments.layers.size());
   text +=
       fmt::format(" Support: {}. Right: {}, {}; {} of the pad is left on the axis.",

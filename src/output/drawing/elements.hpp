@@ -22,10 +22,10 @@ std::string text_element(std::string_view style, Place place, std::string_view a
 /// The data of a path through these places.
 std::string path_data(const std::vector<Place>& places, bool closed);
 
-/// Sizes of the drawing's texts, px: a wide page shows them at 13 px and more, a phone at no less than 12.
+/// Sizes of the drawing's texts, px: pages from 390 px on show them at 12 px and more.
 inline constexpr double text_size = 15;
 inline constexpr double small_text_size = 14;
-inline constexpr double heading_size = 16;
+inline constexpr double heading_size = 15;
 
 /// `text` with spaces at which no line is broken: for a number and its unit.
 std::string unbroken(std::string text);

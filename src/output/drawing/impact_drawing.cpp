@@ -14,7 +14,7 @@
 #include "output/drawing/pictures.hpp"
 #include "output/drawing/scene.hpp"
 #include "output/drawing/strain_scale.hpp"
-#include "output/plot/rendered.hpp"
+#include "output/svg/rendered.hpp"
 #include "output/svg/svg.hpp"
 #include "quantities/text.hpp"
 

@@ -16,7 +16,6 @@ constexpr double most_nose = 130;
 constexpr double least_pad = 44;         ///< of a pad thin against the nose
 constexpr double least_nose_width = 30;  ///< half the width of a nose small against the pad
 constexpr double margin = 8;
-constexpr double beside = 112;       ///< of dimensions beside a picture
 constexpr double solid_spring = 22;  ///< what is left of a spring at its greatest deflection
 
 /// Heights at a scale, with the sink of the pad as given, px.
@@ -87,14 +86,14 @@ double Layout::pad_half_width(const DrawnMoments& moments) const {
 Layout layout_of(const ImpactCase& impact, const DrawnMoments& moments) {
   Layout layout;
   const bool sinks = moments.sink() > 0;
-  const double between = sinks ? 2 * beside : beside;
-  layout.half_width = (drawing_width - margin - between - beside) / 4;
+  const double between = sinks ? 2 * beside_picture : beside_picture;
+  layout.half_width = (drawing_width - margin - between - beside_picture) / 4;
   layout.left = margin + layout.half_width;
-  layout.right = drawing_width - beside - layout.half_width;
-  layout.captions = layout.right - layout.left - 28;
-  layout.left_end =
-      std::max(layout.left + layout.half_width + beside, layout.left - layout.half_width + layout.captions);
-  layout.right_begin = layout.right - layout.half_width - (sinks ? beside : margin);
+  layout.right = drawing_width - beside_picture - layout.half_width;
+  layout.captions_width = layout.right - layout.left - 28;
+  layout.left_end = std::max(layout.left + layout.half_width + beside_picture,
+                             layout.left - layout.half_width + layout.captions_width);
+  layout.right_begin = layout.right - layout.half_width - (sinks ? beside_picture : margin);
   layout.scale = chosen_scale(impact, moments, layout.half_width);
 
   const SupportHeights at_rest = support_heights(impact, moments, layout.scale, 0);

@@ -8,6 +8,8 @@ namespace dashpad::output {
 
 /// Width of the viewBox.
 inline constexpr double drawing_width = 736;
+/// Of dimensions beside a picture.
+inline constexpr double beside_picture = 120;
 /// Upper edge of both pictures, below their headings and what is written beside the arrow.
 inline constexpr double picture_top = 70;
 
@@ -20,17 +22,17 @@ struct SupportHeights {
 };
 
 struct Layout {
-  double scale = 0;         ///< px/m, the same across and along the motion
-  double half_width = 0;    ///< of either picture
-  double left = 0;          ///< axis of the picture of first contact
-  double right = 0;         ///< axis of that of greatest penetration
-  double captions = 0;      ///< width of what is written below the left picture
-  double left_end = 0;      ///< where the left picture and all that is written beside and below it end
-  double right_begin = 0;   ///< where the right picture and what is written beside it begin
-  double face = 0;          ///< y of the new pad's face at first contact
-  double pad = 0;           ///< height of the new pad
-  bool pad_is_cut = false;  ///< a stretch in the middle of the pad is left out
-  double deflection = 0;    ///< of the support
+  double scale = 0;           ///< px/m, the same across and along the motion
+  double half_width = 0;      ///< of either picture
+  double left = 0;            ///< axis of the picture of first contact
+  double right = 0;           ///< axis of that of greatest penetration
+  double captions_width = 0;  ///< width of what is written below the left picture
+  double left_end = 0;        ///< where the left picture and all that is written beside and below it end
+  double right_begin = 0;     ///< where the right picture and what is written beside it begin
+  double face = 0;            ///< y of the new pad's face at first contact
+  double pad = 0;             ///< height of the new pad
+  bool pad_is_cut = false;    ///< a stretch in the middle of the pad is left out
+  double deflection = 0;      ///< of the support
   double body_motion = 0;
   bool sink_is_cut = false;  ///< those two are drawn shorter than they are
   SupportHeights support;

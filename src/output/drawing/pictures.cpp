@@ -40,9 +40,8 @@ std::string data_for_moving(const Scene& scene, const Picture& picture) {
   if (&picture != &scene.right || layout.pad_is_cut || !moments.time || moments.penetration <= 0) return {};
   return fmt::format(
       " data-penetration=\"{}\" data-time=\"{}\" data-deflection=\"{}\" data-body=\"{}\" data-scale=\"{}\" "
-      "data-axis=\"{}\" "
-      "data-tip=\"{}\" "
-      "data-back=\"{}\" data-half-width=\"{}\" data-deflection-px=\"{}\" data-body-px=\"{}\"",
+      "data-axis=\"{}\" data-tip=\"{}\" data-back=\"{}\" data-half-width=\"{}\" data-deflection-px=\"{}\" "
+      "data-body-px=\"{}\"",
       moments.penetration, *moments.time, moments.deflection, moments.body_motion, layout.scale,
       px(picture.axis), px(scene.tip(picture)), px(scene.face(picture) + layout.pad),
       px(layout.pad_half_width(moments)), px(picture.deflection), px(picture.body_motion));

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "output/svg/colour_scale.hpp"
 #include "output/svg/svg.hpp"
 #include "output/svg/text_fit.hpp"
 
@@ -17,23 +18,10 @@ namespace dashpad::output {
 
 namespace {
 
-using Colour = std::array<int, 3>;
 constexpr std::array<Colour, 5> on_light{
     {{0xee, 0xf4, 0xf9}, {0xa6, 0xc9, 0xe6}, {0x4a, 0x90, 0xc8}, {0x14, 0x55, 0x94}, {0x06, 0x22, 0x4a}}};
 constexpr std::array<Colour, 5> on_dark{
     {{0x23, 0x2d, 0x38}, {0x2c, 0x51, 0x74}, {0x3f, 0x86, 0xbd}, {0x86, 0xc2, 0xee}, {0xe6, 0xf4, 0xff}}};
-
-std::string colour_at(const std::array<Colour, 5>& stops, double share) {
-  const double place = share * static_cast<double>(stops.size() - 1);
-  const std::size_t before = std::min(static_cast<std::size_t>(place), stops.size() - 2);
-  std::string text = "#";
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double low = stops[before][i], high = stops[before + 1][i];
-    text +=
-        fmt::format("{:02x}", static_cast<int>(std::lround(low + (high - low) * (place - double(before)))));
-  }
-  return text;
-}
 
 /// A number at a strain, the layer that it is of.
 struct Mark {
@@ -94,7 +82,7 @@ std::string shade_rules(bool dark) {
   std::string text;
   for (int shade = 0; shade < shades_of_strain; ++shade)
     text += fmt::format(".{}{{fill:{}}}", shade_class(shade),
-                        colour_at(dark ? on_dark : on_light, double(shade) / (shades_of_strain - 1)));
+                        colour_on_scale(dark ? on_dark : on_light, double(shade) / (shades_of_strain - 1)));
   return text;
 }
 

@@ -22,7 +22,7 @@ struct SupportView {
 
 std::string support_picture(const ImpactCase& impact, const SupportHeights& heights, const SupportView& view);
 
-/// "a spring of 100 N/mm that crushes, damped; a panel of 1.2 kg": what stands there, in words.
+/// "a spring of 100 N/mm, which crushes, a panel of 1.2 kg": what stands there, in words.
 std::string support_words(const ImpactCase& impact, const UnitSystem& units);
 
 }  // namespace dashpad::output

@@ -1,3 +1,7 @@
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "output/drawing/annotations.hpp"
@@ -10,8 +14,21 @@ namespace dashpad::output {
 
 namespace {
 
-std::string heading(const Scene& scene, const Picture& picture, const std::string& words) {
-  return text_element("dd-heading", {picture.axis - scene.layout.half_width, 18}, "start", words);
+/// The first of the wordings that has room; the last one is cut if it has none.
+std::string heading(const Scene& scene, const Picture& picture, double end,
+                    const std::vector<std::string>& wordings) {
+  const double x = picture.axis - scene.layout.half_width, size = size_for_bold * heading_size;
+  std::size_t i = 0;
+  while (i + 1 < wordings.size() && text_room(wordings[i], size) > end - x) ++i;
+  return text_element("dd-heading", {x, 18}, "start", fitting(wordings[i], size, end - x));
+}
+
+/// With its time, where that is known.
+std::vector<std::string> wordings_of_deepest(const Scene& scene) {
+  const std::string words = scene.moments.is_so_far ? "Deepest so far" : "Greatest penetration";
+  if (!scene.moments.time) return {words};
+  const std::string time = brief_quantity(*scene.moments.time, "s", scene.units, 3);
+  return {words + ", at " + time, words + ", " + time, "Deepest at " + time};
 }
 
 }  // namespace
@@ -24,9 +41,9 @@ std::string text_above_left(const Scene& scene) {
   const bool falls = impactor.gravity > 0;
   const double x = scene.left.axis;
   std::string text =
-      heading(scene, scene.left,
-              scene.summary.blows > 1 ? fmt::format("First contact of blow {}", scene.summary.blow)
-                                      : "First contact");
+      heading(scene, scene.left, scene.layout.left_end,
+              {scene.summary.blows > 1 ? fmt::format("First contact of blow {}", scene.summary.blow)
+                                       : "First contact"});
   text += line_element("dd-arrow", {x, 32}, {x, 58});
   text += path_element("dd-arrow-head", {{x - 5, 54}, {x + 5, 54}, {x, 65}}, true);
   text += text_element("dd-value", {x - 14, 52}, "end", shown(impactor.mass, "kg"));
@@ -38,10 +55,7 @@ std::string text_above_left(const Scene& scene) {
 }
 
 std::string text_above_right(const Scene& scene) {
-  const auto& time = scene.moments.time;
-  const std::string words = scene.moments.is_so_far ? "Deepest so far" : "Greatest penetration";
-  std::string text = heading(scene, scene.right,
-                             time ? words + ", at " + brief_quantity(*time, "s", scene.units, 3) : words);
+  std::string text = heading(scene, scene.right, drawing_width, wordings_of_deepest(scene));
   const std::string alarm = alarm_words(scene.moments);
   const double x = scene.right.axis - scene.layout.half_width;
   const double width = drawing_width - x - 4;

@@ -66,13 +66,8 @@ std::vector<KeyFigure> key_figures(const AssessmentReport& report, const UnitSys
          .value = (of.lower_bound ? "≥ " : "") + brief_quantity(*of.value, quantity.si_unit, units, 3),
          .limit = remark});
   };
-  if (const std::optional<Moment>& bottomed = report.solution.summary.bottomed) {
-    figures.push_back({.label = "Speed when the pad bottomed",
-                       .value = brief_quantity(bottomed->velocity, "m/s", units, 3),
-                       .limit = "after " + brief_quantity(bottomed->time, "s", units, 3)});
-    figures.push_back(
-        {.label = "Impact speed", .value = brief_quantity(report.assessed.impactor.speed, "m/s", units, 3)});
-  }
+  for (KeyFigure& figure : bottoming_figures(report.assessed, report.solution.summary, units))
+    figures.push_back(std::move(figure));
   add("peak_acceleration", assessment.figures.peak_acceleration, "");
   add("peak_strain", assessment.figures.peak_strain,
       report.assessed.pad.layers.empty() ? "1 is a pad that is fully compressed"
@@ -108,8 +103,8 @@ std::string assessment_page(const AssessmentReport& report, const UnitSystem& un
   page.title = report.assessed.title;
   page.is_one_impact = true;
   page.lead = Lead{.answer = assessment_answer(report, units),
-                   .tone = passes_narrowly(assessment) ? Tone::doubtful : tone_of(assessment.verdict),
-                   .subject = {report.standard.title, "The case: " + report.assessed.title},
+                   .tone = doubt_about_pass(report).empty() ? tone_of(assessment.verdict) : Tone::doubtful,
+                   .subject = {report.standard.title, page.title.empty() ? "" : "The case: " + page.title},
                    .drawing = impact_drawing(report.assessed, report.solution, units),
                    .curve = deciding_curve(report, injury, units),
                    .figures = key_figures(report, units)};

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "output/plot/check.hpp"
-#include "output/plot/text.hpp"
+#include "output/svg/text.hpp"
 
 namespace dashpad::output {
 

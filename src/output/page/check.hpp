@@ -5,8 +5,8 @@
 
 namespace dashpad::output {
 
-/// Throws std::invalid_argument if columns of a series or rows of a table differ in length, or if an axis
-/// cannot have its limits.
+/// Throws std::invalid_argument if columns of a series or rows of a table differ in length, if an axis
+/// cannot have its limits, or a bar its ends.
 void check(const FiguresPage& page);
 
 }  // namespace dashpad::output

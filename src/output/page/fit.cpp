@@ -170,7 +170,7 @@ std::string fit_page(const fit::FitReport& report, const UnitSystem& units) {
   basis.paragraphs.push_back(
       fmt::format("{} evaluations in {:.2g} s.", report.evaluations, report.wall_time));
   page.lead = lead_of(report, units);
-  page.lead->answer = page.title.substr(0, page.title.find_last_not_of('.') + 1);
+  page.lead->answer = page.title;
   page.lead->reservation = first_of(page.warnings);
   if (!report.tests.empty() || !report.pulses.empty()) page.sections.push_back(curves_section(report, units));
   page.sections.push_back(unknowns_section(report, units));

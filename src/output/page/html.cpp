@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -51,6 +52,14 @@ std::size_t thin_points(Plot& plot) {
   return most;
 }
 
+/// With a note where not all of its points are there.
+std::string plot_html(Plot plot, InlineSvgs& svgs) {
+  const std::size_t step = thin_points(plot);
+  std::string html = svgs.add(plot, width_of_plots);
+  if (step > 1) html += fmt::format("<p class=\"note\">Of many points one in {} is drawn here.</p>\n", step);
+  return html;
+}
+
 std::string figure(const CaptionedPlot& of, const std::string& id, InlineSvgs& svgs) {
   std::string html =
       fmt::format("<figure id=\"{}\"><figcaption><h3>{}</h3></figcaption>\n", id, xml_text(heading_of(of)));
@@ -61,10 +70,8 @@ std::string figure(const CaptionedPlot& of, const std::string& id, InlineSvgs& s
     plot.panels.front().title.clear();
   plot.title.clear();
   plot.source.clear();
-  const std::size_t step = thin_points(plot);
-  html += svgs.add(plot, width_of_plots);
+  html += plot_html(std::move(plot), svgs);
   if (!of.plot.source.empty()) html += "<p class=\"source\">" + text_html(of.plot.source) + "</p>\n";
-  if (step > 1) html += fmt::format("<p class=\"note\">Of many points one in {} is drawn here.</p>\n", step);
   if (!of.note.empty()) html += "<p class=\"note\">" + text_html(of.note) + "</p>\n";
   return html + "</figure>\n";
 }
@@ -117,8 +124,13 @@ std::string contents(const FiguresPage& page) {
   return "<nav aria-label=\"Contents\"><h2>Contents</h2><ul>\n" + list + "</ul></nav>\n";
 }
 
+/// A heading ends without a stop.
+std::string heading_of(const Lead& lead) {
+  return lead.answer.substr(0, lead.answer.find_last_not_of('.') + 1);
+}
+
 std::string title_html(const FiguresPage& page) {
-  const std::string& title = page.lead ? page.lead->answer : page.title;
+  const std::string title = page.lead ? heading_of(*page.lead) : page.title;
   return title.empty() ? "Dashpad" : text_html(title) + " - Dashpad";
 }
 
@@ -126,9 +138,10 @@ std::string answer_part(const Lead& lead) {
   const char* const sign = sign_of_tone(lead.tone);
   std::string html = fmt::format("<h1 class=\"{}\">{}{}</h1>\n", class_of_tone(lead.tone),
                                  *sign == 0 ? "" : fmt::format("<span class=\"sign\">{}</span> ", sign),
-                                 prose_html(lead.answer));
+                                 prose_html(heading_of(lead)));
   if (!lead.reservation.empty()) html += "<p class=\"reservation\">" + text_html(lead.reservation) + "</p>\n";
-  for (const std::string& line : lead.subject) html += "<p class=\"subject\">" + text_html(line) + "</p>\n";
+  for (const std::string& line : lead.subject)
+    if (!line.empty()) html += "<p class=\"subject\">" + text_html(line) + "</p>\n";
   return part("answer", html);
 }
 
@@ -149,7 +162,7 @@ std::string lead_html(const Lead& lead, InlineSvgs& svgs) {
   std::string html = "<div class=\"lead\">\n" + answer_part(lead);
   if (!lead.drawing.empty() || lead.curve) {
     html += "<div class=\"pictures\">\n" + drawing_part(lead, svgs);
-    if (lead.curve) html += "<figure>" + svgs.add(*lead.curve, width_of_plots) + "</figure>\n";
+    if (lead.curve) html += "<figure>" + plot_html(*lead.curve, svgs) + "</figure>\n";
     html += "</div>\n";
   }
   return html + figures_part(lead) + "</div>\n";

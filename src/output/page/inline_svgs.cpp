@@ -9,6 +9,7 @@
 #include "output/plot/looks.hpp"
 #include "output/plot/rows.hpp"
 #include "output/plot/svg_plot.hpp"
+#include "output/plot/svg_style.hpp"
 #include "output/svg/svg.hpp"
 #include "quantities/text.hpp"
 
@@ -88,8 +89,9 @@ std::string InlineSvgs::add(std::string svg) {
 }
 
 std::string InlineSvgs::add(const Plot& plot, double width) {
-  return has_something_to_draw(plot) ? add(svg_plot(plot, PlotStyle::light_and_dark, width))
-                                     : "<p>There is nothing to draw.</p>\n";
+  if (!has_something_to_draw(plot)) return "<p>There is nothing to draw.</p>\n";
+  styles_.emplace(style_sheet(PlotStyle::light_and_dark));
+  return add(svg_plot(plot, PlotStyle::none, width));
 }
 
 std::string InlineSvgs::add_with_halves(std::string svg) {

@@ -7,6 +7,7 @@
 
 #include "dashpad/output/page/figures_page.hpp"
 #include "output/result_rows.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::output {
 
@@ -25,6 +26,17 @@ inline std::vector<KeyFigure> key_figures(const std::vector<ResultRow>& rows) {
     if (figures.size() < most_key_figures)
       figures.push_back({.label = row.label, .value = shown_value(row), .limit = row.remark});
   return figures;
+}
+
+/// The speed that was left when the pad bottomed out, beside that of the impact; none if it did not.
+inline std::vector<KeyFigure> bottoming_figures(const ImpactCase& impact, const Summary& summary,
+                                                const UnitSystem& units) {
+  if (!summary.bottomed) return {};
+  const auto shown = [&](double value, const char* unit) { return brief_quantity(value, unit, units, 3); };
+  return {{.label = "Speed when the pad bottomed",
+           .value = shown(summary.bottomed->velocity, "m/s"),
+           .limit = "after " + shown(summary.bottomed->time, "s")},
+          {.label = "Impact speed", .value = shown(impact.impactor.speed, "m/s")}};
 }
 
 /// The first of the reservations, and how many there are below; empty without any.

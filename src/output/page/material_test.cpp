@@ -12,7 +12,9 @@ namespace dashpad::output {
 
 std::string material_test_page(const laboratory::MaterialTestReport& report, const UnitSystem& units) {
   const auto figure = [](Panel panel, std::string note = {}) {
-    return CaptionedPlot{.plot = {.panels = {std::move(panel)}}, .note = std::move(note)};
+    std::string title = panel.title;
+    return CaptionedPlot{.plot = {.title = std::move(title), .panels = {std::move(panel)}},
+                         .note = std::move(note)};
   };
   FiguresPage page;
   page.title = material_words(report.material);

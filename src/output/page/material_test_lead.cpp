@@ -139,6 +139,16 @@ Panel deciding_panel(const MaterialTestReport& report, const MaterialTestRun& ru
   return panel;
 }
 
+/// Whether the answer speaks of a strain or a rate beyond what the foam was tested for.
+bool is_beyond_tests(const MaterialTestReport& report, const MaterialTestRun& run) {
+  const std::optional<FittedRange> range = range_of(report.material);
+  if (run.flags.empty()) return false;
+  if (!range || (run.rate && *run.rate > range->highest_rate)) return true;
+  if (run.at_limits.empty()) return is_beyond(run.figures.best_efficiency.strain, *range);
+  const std::optional<CushionPoint>& at = run.at_limits.front();
+  return is_beyond(at ? at->strain : run.column.largest_strain, *range);
+}
+
 }  // namespace
 
 Lead material_test_lead(const MaterialTestReport& report, const UnitSystem& units) {
@@ -148,12 +158,8 @@ Lead material_test_lead(const MaterialTestReport& report, const UnitSystem& unit
             .subject = {material_words(report.material), test_words(report.test, units)},
             .curve = Plot{.panels = {deciding_panel(report, run, units)}},
             .figures = test_figures(report, run, shown)};
-  if (const std::vector<std::string> flags = flag_words(report); !flags.empty()) {
-    lead.reservation = first_of(flags);
-    const auto range = range_of(report.material);
-    if (!run.flags.empty() && (!range || run.figures.best_efficiency.strain > range->highest_strain))
-      lead.tone = Tone::doubtful;
-  }
+  lead.reservation = first_of(flag_words(report));
+  if (is_beyond_tests(report, run)) lead.tone = Tone::doubtful;
   return lead;
 }
 

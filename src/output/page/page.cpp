@@ -1,5 +1,7 @@
 #include "dashpad/output/page/page.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -43,28 +45,50 @@ bool strikes_through(const ImpactCase& impact, const Summary& summary) {
 std::string answer(const ImpactCase& impact, const Summary& summary,
                    const std::optional<injury::InjuryFigures>& injury, const std::vector<BlowResult>& blows,
                    const UnitSystem& units) {
-  if (!blows.empty()) {
-    const std::string growth = growth_text(impact, blows);
-    return growth.substr(0, growth.find_last_not_of('.') + 1);
-  }
+  if (!blows.empty()) return growth_text(impact, blows);
   if (bottomed_on_rigid_support(summary))
     return fmt::format("The pad bottoms out with {} left",
                        brief_quantity(summary.bottomed->velocity, "m/s", units, 3));
   if (!summary.peak_acceleration) return outcome(summary);
-  std::string peak =
-      brief_quantity(*summary.peak_acceleration, result_quantity("peak_acceleration").si_unit, units, 3);
+  const bool is_struck = strikes_through(impact, summary);
+  // Of forces that are not to be relied on all digits but the first say nothing.
+  const auto shown = [&](double value, const char* unit) {
+    const double in_unit = shown_as(unit, units).scale * value;
+    const std::string name = shown_as(unit, units).unit;
+    return brief(is_struck ? rounded_to(in_unit, 2) : in_unit, 3) + (name.empty() ? "" : " " + name);
+  };
+  std::string peak = shown(*summary.peak_acceleration, result_quantity("peak_acceleration").si_unit);
   if (is_cut(summary)) return fmt::format("At least {}: the run ends before the impact does", peak);
-  peak = "peak " + peak + (injury ? ", HIC15 " + brief(injury->hic15.value, 3) : "");
-  return strikes_through(impact, summary) ? "Strikes through the pad: " + peak : capitalised(peak);
+  peak = "peak " + peak + (injury ? ", HIC15 " + shown(injury->hic15.value, "1") : "");
+  return is_struck ? "Strikes through the pad: " + peak : capitalised(peak);
+}
+
+/// Whether the peak depends on how the foam goes on beyond its tests, by more than a foam is known to.
+bool is_guess(const Summary& summary) {
+  constexpr double known_to = 0.15;
+  const auto& range = summary.continuation;
+  if (!range) return false;
+  if (!range->gentlest || !range->steepest) return true;
+  const auto [low, high] = std::minmax(*range->gentlest, *range->steepest);
+  return high > (1 + known_to) * low;
 }
 
 Tone tone_of(const ImpactCase& impact, const Summary& summary) {
   if (bottomed_on_rigid_support(summary) || strikes_through(impact, summary)) return Tone::bad;
-  return is_cut(summary) ? Tone::doubtful : Tone::plain;
+  return is_cut(summary) || is_guess(summary) ? Tone::doubtful : Tone::plain;
 }
 
 /// Of an impact that is cut the largest values may be larger.
-std::vector<KeyFigure> figures_of(const Summary& summary, const std::vector<ResultRow>& rows) {
+std::vector<KeyFigure> figures_of(const ImpactCase& impact, const Summary& summary,
+                                  std::vector<ResultRow> rows, const UnitSystem& units) {
+  if (bottomed_on_rigid_support(summary)) {
+    // What has no finite value is no figure.
+    std::erase_if(rows, [](const ResultRow& row) { return row.value == "none"; });
+    std::vector<KeyFigure> figures = bottoming_figures(impact, summary, units);
+    for (KeyFigure& figure : key_figures(rows))
+      if (figures.size() < most_key_figures) figures.push_back(std::move(figure));
+    return figures;
+  }
   std::vector<KeyFigure> figures = key_figures(rows);
   if (!is_cut(summary)) return figures;
   for (KeyFigure& figure : figures)
@@ -75,33 +99,29 @@ std::vector<KeyFigure> figures_of(const Summary& summary, const std::vector<Resu
   return figures;
 }
 
-FiguresPage in_units(const ImpactCase& impact, const Options& options, const Solution& solution,
-                     const UnitSystem& units, const std::vector<ContactSnapshot>& snapshots,
-                     const std::vector<BlowResult>& blows) {
+/// Where the plots belong, among the sections below.
+constexpr std::size_t basis_section = 0, plots_section = 2;
+
+/// All but the plots, which are drawn once.
+FiguresPage texts_in_units(const ImpactCase& impact, const Options& options, const Solution& solution,
+                           const std::optional<injury::InjuryFigures>& injury,
+                           const std::vector<BlowResult>& blows, const UnitSystem& units) {
   const Summary& summary = solution.summary;
-  const std::optional<injury::InjuryFigures> injury = injury::whole_pulse_figures(solution);
-  ImpactCase untitled = impact;
+  ImpactCase untitled = impact, last = impact;
   untitled.title.clear();
+  if (!blows.empty()) last.pad.earlier_penetration = blows.back().earlier_penetration;
   FiguresPage page;
   page.title = impact.title;
   page.is_one_impact = true;
   page.warnings = warnings(summary, units);
-  Lead lead{.answer = answer(impact, summary, injury, blows, units),
-            .tone = tone_of(impact, summary),
-            .subject = {one_line(impact.title), outcome(summary)}};
-  lead.reservation = first_of(page.warnings);
-  ImpactCase last = impact;
-  if (!blows.empty()) last.pad.earlier_penetration = blows.back().earlier_penetration;
-  lead.drawing = impact_drawing(last, solution, units);
-  Panel deceleration = deceleration_panel(solution, injury, units);
-  lead.curve = Plot{.title = {}, .panels = {std::move(deceleration)}, .source = {}};
-  lead.figures = figures_of(summary, main_rows(impact, summary, injury, units));
-  page.lead = std::move(lead);
-  page.sections.push_back({.heading = "What it rests on", .paragraphs = {case_text(untitled, units)}});
-  for (std::string& line : foam_basis(impact.pad, units))
-    page.sections.back().paragraphs.push_back(std::move(line));
-  if (std::optional<Plot> foam = foam_curve_plot(impact.pad, summary, units))
-    page.sections.back().figures.push_back({.name = {}, .plot = *std::move(foam), .note = {}});
+  page.lead = Lead{.answer = answer(impact, summary, injury, blows, units),
+                   .tone = tone_of(impact, summary),
+                   .reservation = first_of(page.warnings),
+                   .subject = {one_line(impact.title), outcome(summary)},
+                   .drawing = impact_drawing(last, solution, units),
+                   .figures = figures_of(impact, summary, main_rows(impact, summary, injury, units), units)};
+  PageSection basis{.heading = "What it rests on", .paragraphs = {case_text(untitled, units)}};
+  for (std::string& line : foam_basis(impact.pad, units)) basis.paragraphs.push_back(std::move(line));
   PageSection figures{.heading = "Figures"};
   if (!blows.empty()) {
     figures.paragraphs.push_back(growth_text(impact, blows));
@@ -113,16 +133,24 @@ FiguresPage in_units(const ImpactCase& impact, const Options& options, const Sol
   if (injury)
     figures.tables.push_back(
         table_of("Injury figures of this pulse", pulse_rows(*injury, units, Detail::all)));
-  page.sections.push_back(std::move(figures));
-  PageSection plots{.heading = "Plots", .figures = impact_figures(impact, solution, injury, units)};
-  for (CaptionedPlot& figure : contact_figures(snapshots, units)) plots.figures.push_back(std::move(figure));
-  page.sections.push_back(std::move(plots));
-  page.sections.push_back(
-      {.heading = "The case",
-       .paragraphs = {"In SI, as it was computed. Kept as a file, it is a case that dashpad run repeats.",
-                      numbers_text(summary) + "."},
-       .copy = case_toml(impact, options)});
+  PageSection of_case{
+      .heading = "The case",
+      .paragraphs = {"In SI, as it was computed. Kept as a file, it is a case that dashpad run repeats.",
+                     numbers_text(summary) + "."},
+      .copy = case_toml(impact, options)};
+  page.sections = {std::move(basis), std::move(figures), {.heading = "Plots"}, std::move(of_case)};
   return page;
+}
+
+void add_plots(FiguresPage& page, const ImpactCase& impact, const Solution& solution,
+               const std::optional<injury::InjuryFigures>& injury,
+               const std::vector<ContactSnapshot>& snapshots, const UnitSystem& units) {
+  page.lead->curve = Plot{.panels = {deceleration_panel(solution, injury, units)}};
+  if (std::optional<Plot> foam = foam_curve_plot(impact.pad, solution.summary, units))
+    page.sections[basis_section].figures.push_back({.plot = *std::move(foam)});
+  std::vector<CaptionedPlot>& plots = page.sections[plots_section].figures;
+  plots = impact_figures(impact, solution, injury, units);
+  for (CaptionedPlot& figure : contact_figures(snapshots, units)) plots.push_back(std::move(figure));
 }
 
 }  // namespace
@@ -130,10 +158,12 @@ FiguresPage in_units(const ImpactCase& impact, const Options& options, const Sol
 std::string page(const ImpactCase& impact, const Options& options, const Solution& solution,
                  const UnitSystem& shown, const std::vector<ContactSnapshot>& snapshots,
                  const std::vector<BlowResult>& blows) {
-  std::vector<PageInUnits> pages{{&shown, in_units(impact, options, solution, shown, snapshots, blows)}};
+  const std::optional<injury::InjuryFigures> injury = injury::whole_pulse_figures(solution);
+  std::vector<PageInUnits> pages{{&shown, texts_in_units(impact, options, solution, injury, blows, shown)}};
+  add_plots(pages.front().page, impact, solution, injury, snapshots, shown);
   for (const UnitSystem& other : unit_systems())
     if (other.name != shown.name)
-      pages.push_back({&other, in_units(impact, options, solution, other, snapshots, blows)});
+      pages.push_back({&other, texts_in_units(impact, options, solution, injury, blows, other)});
   return framed(html_of(pages));
 }
 

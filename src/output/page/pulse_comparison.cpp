@@ -25,7 +25,9 @@ std::string pulse_comparison_page(const PulseComparisonReport& report, const Uni
   page.warnings = comparison_reservations(report, units);
   const Table table = comparison_table(report, units);
   Lead lead{.answer = page.title,
-            .tone = report.comparison.computed ? Tone::plain : Tone::bad,
+            .tone = !report.comparison.computed ? Tone::bad
+                    : page.warnings.empty()     ? Tone::plain
+                                                : Tone::doubtful,
             .subject = {fmt::format("{} over {}", report.pulse.file, report.case_file)}};
   lead.reservation = first_of(page.warnings);
   lead.drawing = impact_drawing(report.impact, report.solution, units);
@@ -43,7 +45,9 @@ std::string pulse_comparison_page(const PulseComparisonReport& report, const Uni
   }
   page.lead = std::move(lead);
   std::vector<std::string> basis = comparison_notes(report, units);
-  basis.push_back(case_text(report.impact, units) + numbers_text(report.solution.summary) + ".");
+  ImpactCase untitled = report.impact;
+  untitled.title.clear();
+  basis.push_back(case_text(untitled, units) + numbers_text(report.solution.summary) + ".");
   basis.push_back(pulse_source_sentence(report.pulse, units));
   page.sections = {
       {.heading = "Figures", .paragraphs = {}, .tables = {table}, .figures = {}},

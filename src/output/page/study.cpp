@@ -53,7 +53,7 @@ std::vector<CaptionedPlot> leading_figures(const study::StudyAnswers& answers, c
   using Make = std::vector<CaptionedPlot> (*)(const study::StudyAnswers&, const UnitSystem&);
   constexpr Make indices = [](const study::StudyAnswers& of, const UnitSystem&) { return index_figures(of); };
   const bool asks_for_limit = !answers.limits.empty();
-  std::vector<Make> kinds{cushion_figures, map_figures, curve_figures, distribution_figures};
+  std::vector<Make> kinds{cushion_figures, named_figures, map_figures, curve_figures, distribution_figures};
   if (!asks_for_limit) kinds.insert(kinds.begin() + 1, indices);
   for (const Make make : kinds) {
     std::vector<CaptionedPlot> figures = make(answers, units);
@@ -102,6 +102,7 @@ FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& uni
                            .tables = study_tables(answers, units),
                            .figures = {}});
   add(page, "Cushion curves", cushion_figures(answers, units));
+  add(page, "By name", named_figures(answers, units));
   add(page, "Curves", curve_figures(answers, units));
   std::vector<CaptionedPlot> maps = map_figures(answers, units);
   for (CaptionedPlot& figure : coloured_scatter_figures(answers, units)) maps.push_back(std::move(figure));

@@ -36,10 +36,14 @@ std::string part_of_rows(std::uint64_t count, std::uint64_t rows) {
 
 /// A probability for each limit, or where levels vary the strictest limit at each of them.
 void add_probabilities(Figures& figures, const StudyAnswers& answers, const UnitSystem& units) {
-  constexpr std::size_t most_limits = 2;
+  constexpr std::size_t most_limits = 2, most_groups = 4;
   const bool has_levels = answers.groups.size() > 1;
   const std::size_t strictest = strictest_limit(answers);
-  for (const StudyAnswers::OfGroup& group : answers.groups)
+  // The first and the last of the levels are among them.
+  const std::size_t groups = std::min(answers.groups.size(), most_groups);
+  for (std::size_t k = 0; k < groups; ++k) {
+    const std::size_t place = groups < 2 ? 0 : k * (answers.groups.size() - 1) / (groups - 1);
+    const StudyAnswers::OfGroup& group = answers.groups[place];
     for (std::size_t i = 0, shown = 0; i < answers.limits.size() && shown < most_limits; ++i) {
       const study::StudyLimit& limit = answers.limits[i];
       if (has_levels && i != strictest) continue;
@@ -56,6 +60,7 @@ void add_probabilities(Figures& figures, const StudyAnswers& answers, const Unit
       if (!interval.empty()) figure.limit += (figure.limit.empty() ? "" : "; ") + interval;
       figures.push_back(std::move(figure));
     }
+  }
 }
 
 void add_indices(Figures& figures, const StudyAnswers& answers) {

@@ -39,8 +39,9 @@ std::string arrows_svg(const PanelDrawing& panel, const PanelScale& scale) {
     if (!series.has_arrow) continue;
     const std::string path = arrow_path(parts_inside(series, scale));
     if (path.empty()) continue;
-    arrows += fmt::format("<g{}><path class=\"dp-shape\" d=\"{}\"/></g>\n",
-                          colour_attributes(series.looks.colour, "dp-arrow"), path);
+    arrows += fmt::format("<g{} data-of=\"{}\"><path class=\"dp-shape\" d=\"{}\"/></g>\n",
+                          colour_attributes(series.looks.colour, "dp-arrow"),
+                          xml_text(series.label.empty() ? series.of : series.label), path);
   }
   return arrows.empty() ? arrows : "<g class=\"dp-marks\">\n" + arrows + "</g>\n";
 }

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "output/plot/text.hpp"
+#include "output/svg/text.hpp"
 
 namespace dashpad::output {
 
@@ -26,6 +26,7 @@ std::vector<double> shown(const std::vector<double>& values, const Axis& axis) {
 SeriesDrawing drawing_of(const Series& series, const Panel& panel) {
   SeriesDrawing drawing{.label = series.label,
                         .end_label = series.end_label,
+                        .of = series.of,
                         .label_place = series.label_place,
                         .is_cased = series.is_cased,
                         .has_arrow = series.has_arrow,

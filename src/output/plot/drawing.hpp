@@ -13,6 +13,7 @@ namespace dashpad::output {
 /// A series with what its panel shows of it.
 struct SeriesDrawing {
   std::string label, end_label;
+  std::string of;  ///< label of the series to which it belongs
   LabelPlace label_place = LabelPlace::by_style;
   bool is_cased = false;
   bool has_arrow = false;

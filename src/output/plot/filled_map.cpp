@@ -92,15 +92,17 @@ class Areas {
 
 std::vector<double> round_levels(double least, double greatest) {
   constexpr double about = 9;
-  if (!(greatest > least) || !std::isfinite(greatest - least)) return {};
-  const double rough = (greatest - least) / about;
+  constexpr double rounding = 1e-9;  // of the numbers: what differs by less does not differ
+  const double range = greatest - least;
+  if (!std::isfinite(range) || !(range > rounding * std::max(std::abs(least), std::abs(greatest)))) return {};
+  const double rough = range / about;
   const double power = std::pow(10, std::floor(std::log10(rough)));
   double step = 10 * power;
   for (const double part : {5.0, 2.0, 1.0})
     if (part * power >= rough) step = part * power;
-  std::vector<double> levels;
-  for (double count = std::floor(least / step); levels.empty() || levels.back() < greatest; ++count)
-    levels.push_back(count * step);
+  const double first = std::floor(least / step);
+  std::vector<double> levels{first * step};
+  while (levels.back() < greatest) levels.push_back((first + static_cast<double>(levels.size())) * step);
   return levels;
 }
 

@@ -147,7 +147,7 @@ std::optional<Plot> foam_curve_plot(const Pad& pad, const Summary& summary, cons
   for (Series* series : {&rest, &part}) series->y = values_in(units, std::move(series->y), "Pa");
 
   Series ground = part;
-  ground.label.clear();
+  ground.of = std::exchange(ground.label, {});
   ground.style = SeriesStyle::band;
   ground.y2.assign(ground.y.size(), 0);
 

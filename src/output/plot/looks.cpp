@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
+
+#include "output/svg/colour_scale.hpp"
 
 namespace dashpad::output {
 
@@ -29,7 +30,6 @@ bool is_line(SeriesStyle style) {
 bool is_ground(SeriesStyle style) { return style == SeriesStyle::band || style == SeriesStyle::area; }
 
 std::string colour_of_shade(double shade) {
-  using Colour = std::array<double, 3>;
   constexpr std::array<Colour, 9> scale{{{68, 1, 84},
                                          {71, 44, 122},
                                          {59, 81, 139},
@@ -39,13 +39,7 @@ std::string colour_of_shade(double shade) {
                                          {92, 200, 99},
                                          {170, 220, 50},
                                          {253, 231, 37}}};
-  const double place = std::clamp(shade, 0.0, 1.0) * (scale.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), scale.size() - 2);
-  const double part = place - static_cast<double>(below);
-  const auto mixed = [&](std::size_t i) {
-    return static_cast<int>(std::lround(std::lerp(scale[below][i], scale[below + 1][i], part)));
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2));
+  return colour_on_scale(scale, shade);
 }
 
 Turns::Turns(const Plot& plot) {

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "output/plot/arrows.hpp"
-#include "output/plot/text.hpp"
 #include "output/plot/text_sizes.hpp"
 #include "output/svg/svg.hpp"
+#include "output/svg/text.hpp"
 #include "output/svg/text_fit.hpp"
 
 namespace dashpad::output {

@@ -4,8 +4,8 @@
 #include <cctype>
 
 #include "output/plot/check.hpp"
-#include "output/plot/rendered.hpp"
 #include "output/plot/svg_plot.hpp"
+#include "output/svg/rendered.hpp"
 
 namespace dashpad::output {
 

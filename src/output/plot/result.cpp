@@ -1,5 +1,6 @@
 #include "dashpad/output/plot/result.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,10 +29,11 @@ Series line(std::string label, std::vector<double> x, std::vector<double> y) {
 
 /// What the pad made of the energy, where that is known.
 std::string energy_words(const Summary& summary, const UnitSystem& units) {
+  constexpr double rounding = 1e-9;
   const double kept = summary.energy_absorbed_fraction;
-  if (summary.status != Status::released || !(kept >= 0 && kept <= 1)) return {};
+  if (summary.status != Status::released || !(kept > -rounding && kept < 1 + rounding)) return {};
   return fmt::format("Of an impact energy of {} the pad keeps {:.0f} %",
-                     brief_quantity(summary.energy.impact, "J", units, 3), 100 * kept);
+                     brief_quantity(summary.energy.impact, "J", units, 3), 100 * std::max(kept, 0.0));
 }
 
 std::string bottoming_words(const Moment& bottomed, const UnitSystem& units) {
@@ -41,7 +43,8 @@ std::string bottoming_words(const Moment& bottomed, const UnitSystem& units) {
 }
 
 /// Force over displacement and penetration.
-Panel loop_panel(const History& history, const UnitSystem& units) {
+Panel loop_panel(const Solution& solution, const UnitSystem& units) {
+  const History& history = solution.history;
   Panel panel{"Force over displacement and penetration",
               axis_with_unit("Distance", "m", units),
               axis_of("force", units),
@@ -53,6 +56,7 @@ Panel loop_panel(const History& history, const UnitSystem& units) {
                               values_in(units, history.penetration, "m"),
                               values_in(units, history.force, "N")));
   for (Series& loop : panel.series) loop.has_arrow = true;
+  end_before_bottoming(panel.y, solution, panel.series.back().y);
   return panel;
 }
 
@@ -68,7 +72,10 @@ std::string peak_words(const injury::InjuryFigures& figures) {
 
 Panel deceleration_panel(const Solution& solution, const std::optional<injury::InjuryFigures>& injury,
                          const UnitSystem& units) {
-  Panel panel{injury ? "The deceleration " + peak_words(*injury) : result_quantity("deceleration").title,
+  const Summary& summary = solution.summary;
+  Panel panel{bottomed_on_rigid_support(summary) ? bottoming_words(*summary.bottomed, units)
+              : injury                           ? "The deceleration " + peak_words(*injury)
+                                                 : result_quantity("deceleration").title,
               axis_of("time", units),
               axis_of("deceleration", units),
               {}};
@@ -101,8 +108,7 @@ Plot result_plot(const ImpactCase& impact, const Solution& solution,
   for (const Flag& flag : flags(solution.summary)) source += "; " + one_line(flag.text);
   const Summary& summary = solution.summary;
   Panel deceleration = deceleration_panel(solution, injury, units);
-  Panel loop = loop_panel(solution.history, units);
-  if (bottomed_on_rigid_support(summary)) deceleration.title = bottoming_words(*summary.bottomed, units);
+  Panel loop = loop_panel(solution, units);
   if (std::string words = energy_words(summary, units); !words.empty()) loop.title = std::move(words);
   return {impact.title.empty() ? "Impact" : impact.title, {std::move(deceleration), std::move(loop)}, source};
 }

@@ -166,8 +166,9 @@ std::string series_svg(const SeriesDrawing& series, const PanelScale& scale) {
         "<g class=\"dp-series dp-casing\" data-label=\"{}\" data-style=\"line\"><path class=\"dp-line\" "
         "stroke-width=\"{}\" d=\"{}\"/></g>\n",
         label, px(series.looks.width + edges), path);
-  return casing + fmt::format("<g{} data-label=\"{}\" data-style=\"{}\">{}</g>\n",
-                              colour_attributes(series.looks.colour, "dp-series"), label, word_of(series),
+  const std::string of = series.of.empty() ? "" : fmt::format(" data-of=\"{}\"", xml_text(series.of));
+  return casing + fmt::format("<g{} data-label=\"{}\"{} data-style=\"{}\">{}</g>\n",
+                              colour_attributes(series.looks.colour, "dp-series"), label, of, word_of(series),
                               path_element(series.looks, path));
 }
 

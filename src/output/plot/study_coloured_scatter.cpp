@@ -122,7 +122,7 @@ std::vector<CaptionedPlot> coloured_scatter_figures(const study::StudyAnswers& a
                   .source = study_source(answers)},
          .note = fmt::format(
              "A point is a row, over the two sampled factors that the response follows most. The first and "
-             "the last class hold all beyond. At most about {} rows{} are drawn.",
+             "the last class hold all beyond. At most {} rows{} are drawn.",
              most_coloured_dots,
              answers.groups.size() > 1
                  ? " of " + words_of_levels(answers, answers.groups.front().group, units)

@@ -109,7 +109,8 @@ void add_index(Panel& panel, const study::Estimate& estimate, double height, std
                           .x = {estimate.low, estimate.high},
                           .y = {height - half_width, height - half_width},
                           .y2 = {height + half_width, height + half_width},
-                          .turn = turn});
+                          .turn = turn,
+                          .of = name});
   panel.series.push_back(
       {.label = name, .style = SeriesStyle::points, .x = {estimate.value}, .y = {height}, .turn = turn});
 }

@@ -20,6 +20,8 @@ std::vector<CaptionedPlot> coloured_scatter_figures(const study::StudyAnswers& a
                                                     const UnitSystem& units);
 /// Sobol' indices with their intervals.
 std::vector<CaptionedPlot> index_figures(const study::StudyAnswers& answers);
+/// Each response over one factor of names, as bars.
+std::vector<CaptionedPlot> named_figures(const study::StudyAnswers& answers, const UnitSystem& units);
 /// Each response over the factor with the most levels, a line for each level of the next.
 std::vector<CaptionedPlot> curve_figures(const study::StudyAnswers& answers, const UnitSystem& units);
 /// Each response as coloured areas over two factors with levels.

@@ -88,7 +88,8 @@ Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
                               .x = x,
                               .y = scaled(plane.low[line], y_scale),
                               .y2 = scaled(plane.high[line], y_scale),
-                              .turn = i});
+                              .turn = i,
+                              .of = panel.series.back().label});
   }
   std::vector<Series> limits = limit_lines(answers, name, SeriesStyle::horizontal_line, units);
   panel.series.insert(panel.series.end(), limits.begin(), limits.end());

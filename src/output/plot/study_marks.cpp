@@ -48,8 +48,9 @@ double above_all(const std::vector<Series>& series) {
   constexpr double part_above = 0.06;
   Span all;
   for (const Series& of : series)
-    for (const double value : of.y)
-      if (std::isfinite(value)) all.include(value);
+    for (const auto* column : {&of.y, &of.y2})
+      for (const double value : *column)
+        if (std::isfinite(value)) all.include(value);
   return all.is_empty() ? 0 : all.high + part_above * (all.high > all.low ? all.high - all.low : all.high);
 }
 

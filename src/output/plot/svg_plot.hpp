@@ -16,10 +16,11 @@ inline constexpr double usual_plot_width = 900;
 /// nothing in it can be drawn.
 ///
 /// For scripts, all that is drawn of a panel is `g.dp-panel`: data-x-low, -x-high, -x-log (0 or 1), -x-label,
-/// -x-numbers (0) where it has none, where it has an SI unit -x-unit and -x-per-si, and the same of y;
-/// data-width and -height of its axes in px. In it, `svg.dp-inside` begins where the axes do, and holds a
-/// `g.dp-series` for each series, with data-label and data-style, and one path in px; a pale edge of a line
-/// is another, with its label. Names in the panel are `g.dp-mark` in `g.dp-marks`, and `g.dp-end` in
+/// -x-numbers (0) where it has none, -x-most of them that have room, where it has an SI unit -x-unit and
+/// -x-per-si, and the same of y; data-width and -height of its axes in px. In it, `svg.dp-inside` begins
+/// where the axes do, and holds a `g.dp-series` for each series, with data-label and data-style, and one path
+/// in px; a pale edge of a line is another, with its label. What belongs to a series, as its arrow or band,
+/// has that label as data-of. Names in the panel are `g.dp-mark` in `g.dp-marks`, and `g.dp-end` in
 /// `g.dp-ends`, each with the data-label of its series; what they name is not among the `g.dp-entry` of the
 /// legend. `width` in px: texts keep their size, so that a narrow plot can be read where there is little
 /// room.

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "output/plot/text.hpp"
+#include "output/svg/text.hpp"
 
 namespace dashpad::output {
 

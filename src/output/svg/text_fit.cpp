@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
-#include "output/plot/text.hpp"
 #include "output/svg/svg.hpp"
+#include "output/svg/text.hpp"
 
 namespace dashpad::output {
 

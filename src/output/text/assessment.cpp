@@ -193,13 +193,35 @@ const injury::CriterionResult* closest(const injury::Assessment& assessment) {
 
 }  // namespace
 
-bool passes_narrowly(const injury::Assessment& assessment) {
+std::string doubt_about_pass(const AssessmentReport& report) {
   constexpr double known_to = 0.15;  // of a figure, where a foam is used beyond its tests
+  const injury::Assessment& assessment = report.assessment;
+  const Summary& summary = report.solution.summary;
+  const injury::CriterionResult* const next = closest(assessment);
+  if (assessment.verdict != injury::Verdict::pass || next == nullptr) return "";
+  const auto in_g = [](double acceleration) {
+    return brief(rounded_to(acceleration / standard_gravity, 3)) + " g";
+  };
+  if (is_struck_through(summary.peak_penetration, report.assessed.pad.thickness))
+    return "but the pad is struck through" +
+           (summary.peak_acceleration ? ", at a peak of " + in_g(*summary.peak_acceleration) : "");
+  if (const auto& range = summary.continuation) {
+    const bool is_bounded = range->gentlest && range->steepest;
+    const double highest = is_bounded ? std::max(*range->gentlest, *range->steepest) : INFINITY;
+    const auto is_exceeded = [&](const injury::CriterionResult& of) {
+      return of.criterion.metric == injury::Metric::peak_acceleration && highest > of.criterion.limit;
+    };
+    if (!is_bounded)
+      return "but how the foam goes on beyond its tests decides, and the peak may be without limit";
+    if (std::ranges::any_of(assessment.results, is_exceeded))
+      return fmt::format("but how the foam goes on beyond its tests decides, and the peak may be {}",
+                         in_g(highest));
+  }
   const bool is_extrapolated = std::ranges::find(assessment.reservations, "EXTRAPOLATED", &Flag::name) !=
                                assessment.reservations.end();
-  const injury::CriterionResult* const next = closest(assessment);
-  return assessment.verdict == injury::Verdict::pass && is_extrapolated && next != nullptr &&
-         *next->relative_margin < known_to;
+  if (!is_extrapolated || *next->relative_margin >= known_to) return "";
+  return fmt::format("({}), less than a foam is known to beyond its tests",
+                     percentage(*next->relative_margin));
 }
 
 std::string assessment_answer(const AssessmentReport& report, const UnitSystem& units) {
@@ -209,17 +231,18 @@ std::string assessment_answer(const AssessmentReport& report, const UnitSystem& 
     return fmt::format("Fails: the pad bottoms out with {} left",
                        brief_quantity(summary.bottomed->velocity, "m/s", units, 3));
   const injury::CriterionResult* const next = closest(assessment);
-  if (next == nullptr) return "Undecided: the pulse says too little";
+  if (next == nullptr)
+    return is_cut(summary) ? "Undecided: the run ends before the impact does"
+                           : "Undecided: the pulse says too little";
   const std::string name = injury::title_of(next->criterion);
   const std::string margin =
       brief_quantity(std::abs(*next->margin), injury::quantity_of(next->criterion.metric).si_unit, units, 3);
   switch (assessment.verdict) {
-    case injury::Verdict::pass:
-      return fmt::format("Passes: {} has {} to spare{}", name, margin,
-                         passes_narrowly(assessment)
-                             ? fmt::format(" ({}), less than a foam is known to beyond its tests",
-                                           percentage(*next->relative_margin))
-                             : "");
+    case injury::Verdict::pass: {
+      const std::string doubt = doubt_about_pass(report);
+      return fmt::format("Passes: {} has {} to spare{}{}", name, margin,
+                         doubt.empty() || doubt.front() == '(' ? "" : ",", doubt.empty() ? "" : " " + doubt);
+    }
     case injury::Verdict::fail: return fmt::format("Fails: {} is {} above its limit", name, margin);
     case injury::Verdict::undecided: break;
   }
@@ -249,8 +272,15 @@ std::vector<std::string> assessment_basis(const AssessmentReport& report, const 
   std::vector<std::string> lines;
   std::string impactor;
   for (const std::string& line : replaced.lines) impactor += (impactor.empty() ? "" : "; ") + line;
-  lines.push_back(impactor.empty() ? "Nothing of the case was replaced."
-                                   : "Replaced in the case: " + impactor + ".");
+  std::string other;
+  for (const NamedValue& entry : values_of(report.standard))
+    if (entry.value->value && entry.value->instead)
+      other += fmt::format(" The {} is {}, where the standard has {}.", entry.name,
+                           brief_quantity(*entry.value->value, entry.si_unit, units, 3),
+                           brief_quantity(*entry.value->instead, entry.si_unit, units, 3));
+  lines.push_back(
+      (impactor.empty() ? "Nothing of the case was replaced." : "Replaced in the case: " + impactor + ".") +
+      other);
   lines.push_back(replaced.kept);
   for (std::string& line : sources_in_full(report.standard)) lines.push_back(std::move(line));
   if (!report.standard.note.empty()) lines.push_back(report.standard.note);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "model/parameter_values.hpp"
+#include "output/text/capitals.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -124,10 +125,8 @@ std::string support_in_si(const Support& support) {
 std::string case_text(const ImpactCase& impact, const UnitSystem& units) {
   const Impactor& impactor = impact.impactor;
   std::string text = impact.title.empty() ? "" : one_line(impact.title) + "\n";
-  std::string nose = with_article(words_of(impactor.nose));
-  nose.front() = 'A';
-  text += fmt::format("{} of {} strikes at {}\n", nose, impactor_text(impactor, units),
-                      brief_quantity(impactor.speed, "m/s", units));
+  text += fmt::format("{} of {} strikes at {}\n", capitalised(with_article(words_of(impactor.nose))),
+                      impactor_text(impactor, units), brief_quantity(impactor.speed, "m/s", units));
   text +=
       fmt::format("a pad of {}{} on {}.\n", pad_text(impact.pad, units), condition_text(impact.pad, units),
                   support_text(impact.support, units) + backing_text(impact.backing, units));

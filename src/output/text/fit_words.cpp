@@ -150,13 +150,11 @@ std::vector<std::string> notes_on_noise(const fit::FitReport& report) {
   if (!report.noise_is_stated)
     all.emplace_back(
         "Noise: not stated for all data; where it is not, it is taken from what the fit leaves, one share of "
-        "the "
-        "largest stress of each test.");
+        "the largest stress of each test.");
   else if (report.variance_scale > 1)
     all.push_back(
         fmt::format("Noise: chi-squared is {:.3g} per degree of freedom with the stated noise, so that the "
-                    "model misses the "
-                    "data by more than noise; errors are multiplied by {:.3g}.",
+                    "model misses the data by more than noise; errors are multiplied by {:.3g}.",
                     report.misfit_per_degree(), std::sqrt(report.variance_scale)));
   else
     all.push_back(fmt::format("Noise: chi-squared is {:.3g} per degree of freedom with the stated noise.",
@@ -165,14 +163,13 @@ std::vector<std::string> notes_on_noise(const fit::FitReport& report) {
     if (!test.is_held_out && test.effective_points < static_cast<double>(test.points))
       all.push_back(
           fmt::format("{}: neighbouring residuals are correlated by {:.2f}, so that {} points are worth "
-                      "{:.0f}; errors and "
-                      "intervals are widened by that.",
+                      "{:.0f}; errors and intervals are widened by that.",
                       test.file, test.autocorrelation, test.points, test.effective_points));
   for (const fit::MetPulse& pulse : report.pulses)
     if (!pulse.is_held_out && pulse.effective_points < static_cast<double>(pulse.time.size()))
       all.push_back(
-          fmt::format("{}: neighbouring residuals are correlated by {:.2f}, so that {} points are "
-                      "worth {:.0f}; errors and intervals are widened by that.",
+          fmt::format("{}: neighbouring residuals are correlated by {:.2f}, so that {} points are worth "
+                      "{:.0f}; errors and intervals are widened by that.",
                       pulse.pulse_file, pulse.autocorrelation, pulse.time.size(), pulse.effective_points));
   return all;
 }

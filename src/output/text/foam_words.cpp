@@ -15,8 +15,10 @@ const char* how_known(const Material& material) { return has_curves(material.law
 bool is_beyond(double strain, const FittedRange& range) { return strain > (1 + 1e-9) * range.highest_strain; }
 
 std::string material_words(const Material& material) {
-  return fmt::format("{} ({}, {} law)", one_line(material.title.empty() ? material.name : material.title),
-                     one_line(material.name), name_of(material.law));
+  const std::string name = one_line(material.name);
+  return material.title.empty()
+             ? fmt::format("{} ({} law)", name, name_of(material.law))
+             : fmt::format("{} ({}, {} law)", one_line(material.title), name, name_of(material.law));
 }
 
 std::vector<std::string> foam_basis(const Material& material, const UnitSystem& units) {

@@ -9,7 +9,7 @@
 #include "dashpad/output/materials.hpp"
 #include "model/pad/foam/foam_curve.hpp"
 #include "output/loading_curve.hpp"
-#include "output/plot/text.hpp"
+#include "output/svg/text.hpp"
 #include "output/text/table.hpp"
 #include "quantities/text.hpp"
 

@@ -27,8 +27,7 @@ std::string post_impact_text(const Body& first, const Body& second, const Impact
   const std::string other = std::isinf(second.mass) ? "held in place" : shown(second.mass, "kg");
   std::string text = fmt::format(
       "Two bodies: the impactor, {} at {}; the other, {}, at {}.\nSolved as one body of {} at {}, which is "
-      "their "
-      "motion towards each other.\n\n",
+      "their motion towards each other.\n\n",
       shown(first.mass, "kg"), shown(first.velocity, "m/s"), other, shown(second.velocity, "m/s"),
       shown(impact.impactor.mass, "kg"), shown(impact.impactor.speed, "m/s"));
   for (const Flag& flag : flags(solution.summary)) text += one_line(flag.text) + "\n";

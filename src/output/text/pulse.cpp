@@ -43,7 +43,8 @@ std::string offset_line(const injury::PulseReport& report, const UnitSystem& uni
                      injury::change_of_hic15(*report.offset));
 }
 
-/// Restitution, HIC with windows of one's own and dwell times. Without `all` no level that is not reached.
+/// Restitution, HIC with windows of one's own and dwell times. With Detail::main no level that is not
+/// reached.
 std::vector<ResultRow> further_rows(const injury::PulseReport& report, const UnitSystem& units,
                                     Detail detail) {
   const int digits = digits_of(detail);

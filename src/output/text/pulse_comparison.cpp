@@ -59,6 +59,14 @@ std::string shown_share(const ComparedFigure& figure) {
   return (*share < 0 ? "-" : "+") + in_percent(*share);
 }
 
+/// Whether times that count from the onset may count from something else.
+bool is_onset_doubtful(const injury::PulseComparison& of) {
+  constexpr double matters = 0.05;  // of the time to the peak
+  const injury::PulseShape& pulse = of.measured;
+  return of.alignment != injury::Alignment::none && pulse.onset && pulse.last_onset &&
+         *pulse.last_onset - *pulse.onset > matters * (pulse.peak.time - *pulse.onset);
+}
+
 std::string alignment_note(const PulseComparisonReport& report, const UnitSystem& units) {
   const injury::PulseComparison& comparison = report.comparison;
   const std::string shift = fmt::format(
@@ -120,9 +128,16 @@ std::string comparison_answer(const PulseComparisonReport& report) {
 std::vector<std::string> comparison_reservations(const PulseComparisonReport& report,
                                                  const UnitSystem& units) {
   std::vector<std::string> lines;
+  if (is_onset_doubtful(report.comparison))
+    lines.push_back(fmt::format(
+        "ONSET IN DOUBT: the pulse reaches {:.0f} % of its peak at {}, and for the last time before it at "
+        "{}; "
+        "noise or an offset may be taken for the impact: --zero auto, --filter and --align peak help",
+        100 * injury::onset_share, brief_quantity(*report.comparison.measured.onset, "s", units, 3),
+        brief_quantity(*report.comparison.measured.last_onset, "s", units, 3)));
+  for (const std::string& line : reservations(report.pulse)) lines.push_back(line + " (the pulse)");
   for (const std::string& line : warnings(report.solution.summary, units))
     lines.push_back(line + " (the case)");
-  for (const std::string& line : reservations(report.pulse)) lines.push_back(line + " (the pulse)");
   return lines;
 }
 

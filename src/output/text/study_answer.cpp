@@ -13,18 +13,13 @@
 
 #include "output/text/capitals.hpp"
 #include "output/text/factor_words.hpp"
+#include "output/text/study_limit_words.hpp"
 #include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
 
 namespace {
-
-/// "HIC15 exceeds 1000"
-std::string exceeds(const study::StudyLimit& limit, const UnitSystem& units) {
-  return fmt::format("{} exceeds {}", uncapitalised(title_of(limit.response)),
-                     brief_quantity(limit.value, si_unit_of(limit.response), units));
-}
 
 std::string share_of_draws(const study::StudyAnswers::OfGroup& group, std::size_t limit) {
   const study::Estimate& of = group.exceedances[limit].probability;
@@ -62,36 +57,6 @@ std::string best_and_worst(const study::StudyAnswers& answers, std::size_t limit
                      share_of_draws(*worst, limit), words_of_levels(answers, worst->group, units));
 }
 
-/// Over one factor: from where on the limit is exceeded; empty where that changes more than once or not at
-/// all.
-std::string crossing(const study::StudyAnswers& answers, const study::StudyLimit& limit,
-                     const UnitSystem& units) {
-  const study::StudyAnswers::OfGroup& of = answers.groups.front();
-  if (answers.study.factors.size() != 1 || answers.study.factors.front().unit.empty()) return "";
-  const auto response =
-      std::ranges::find(answers.study.responses, limit.response) - answers.study.responses.begin();
-  const std::vector<double> values =
-      study::values_of(answers.study, answers.records, of.group, static_cast<std::size_t>(response));
-  std::vector<std::pair<double, bool>> rows;  // level, and whether it exceeds
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::isnan(values[i])) return "";
-    rows.emplace_back(answers.records.factors.front()[of.group.places[i]], values[i] > limit.value);
-  }
-  std::ranges::sort(rows);
-  const auto change =
-      std::ranges::adjacent_find(rows, std::ranges::not_equal_to(), &std::pair<double, bool>::second);
-  if (change == rows.end()) return "";
-  const auto rest = std::ranges::subrange(change + 1, rows.end());
-  if (!std::ranges::all_of(rest, [&](const auto& row) { return row.second == rest.front().second; }))
-    return "";
-  const auto level = [&](const auto& row) { return level_text(answers.study, 0, row.first, units); };
-  const std::string name = factor_words(answers.study.factors.front().key), limited = exceeds(limit, units);
-  return rest.front().second ? fmt::format("{} from {} {} on, not up to {}", capitalised(limited), name,
-                                           level(rest.front()), level(*change))
-                             : fmt::format("{} up to {} {}, not from {} on", capitalised(limited), name,
-                                           level(*change), level(rest.front()));
-}
-
 /// Of the limit that is exceeded most.
 std::string limit_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
   const std::size_t number = strictest_limit(answers);
@@ -107,7 +72,8 @@ std::string limit_answer(const study::StudyAnswers& answers, const UnitSystem& u
   }
   const LimitCount count = rows_above(answers, number);
   if (count.undecided == 0)
-    if (std::string words = crossing(answers, limit, units); !words.empty()) return words;
+    if (std::string words = where_exceeded(answers, limit, units); !words.empty()) return words;
+  if (count.rows == 0) return fmt::format("Whether {} is undecided", exceeded);
   return fmt::format("In {} of {} rows {}{}", count.exceeding, count.rows, exceeded,
                      count.undecided > 0 ? fmt::format("; {} more are undecided", count.undecided) : "");
 }
@@ -119,10 +85,26 @@ std::string index_answer(const study::StudyAnswers& answers) {
     if (!of || of->indices.empty()) continue;
     const auto most = std::ranges::max_element(
         of->indices, {}, [](const study::Sensitivity::Index& index) { return index.total.value; });
-    return fmt::format("{} follows {} most: {} of its scatter", title_of(response_name(answers, i)),
-                       factor_words(most->factor), per_cent(std::clamp(most->total.value, 0.0, 1.0)));
+    const std::string name = title_of(response_name(answers, i));
+    // Indices of few draws are anything: their intervals tell.
+    const bool is_decided = std::ranges::all_of(of->indices, [&](const study::Sensitivity::Index& other) {
+      return &other == &*most || !(other.total.high >= most->total.low);
+    });
+    if (!is_decided || !(most->total.low > 0))
+      return fmt::format("The draws do not decide which factor {} follows most; {} leads",
+                         uncapitalised(name), factor_words(most->factor));
+    return fmt::format("{} follows {} most: {} of its scatter", name, factor_words(most->factor),
+                       per_cent(std::min(most->total.value, 1.0)));
   }
   return "";
+}
+
+double greatest_finite(const study::StudyAnswers& answers) {
+  double greatest = -HUGE_VAL;
+  for (const double value : study::values_of(answers.study, answers.records, answers.groups.front().group,
+                                             answers.responses.front()))
+    if (std::isfinite(value)) greatest = std::max(greatest, value);
+  return greatest;
 }
 
 /// Of the first response over a grid.
@@ -130,11 +112,12 @@ std::string range_answer(const study::StudyAnswers& answers, const UnitSystem& u
   const std::string& name = response_name(answers, 0);
   const study::Distribution& of = answers.groups.front().distributions.front();
   if (of.rows == 0) return "";
-  if (of.rows == 1 && of.struck_through == 0)
+  if (of.struck_through == 0 && three_digits(name, of.least, units) == three_digits(name, of.greatest, units))
     return fmt::format("{} is {}", title_of(name), three_digits(name, of.least, units));
   if (of.struck_through > 0)
-    return fmt::format("{} goes from {} to bottoming out", title_of(name),
-                       three_digits(name, of.least, units));
+    return fmt::format("The pad bottoms out in {} of {} rows; in the others {} is {}", of.struck_through,
+                       of.struck_through + of.rows, uncapitalised(title_of(name)),
+                       three_digit_range(name, of.least, greatest_finite(answers), units));
   return fmt::format("{} goes from {}", title_of(name),
                      three_digit_range(name, of.least, of.greatest, units));
 }
@@ -172,11 +155,17 @@ std::string medians_answer(const study::StudyAnswers& answers, const UnitSystem&
 
 std::string spread_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
   const std::string& name = response_name(answers, 0);
-  const auto at = [&](double probability) {
-    const auto found = study::quantile(answers.groups.front().distributions.front(), probability);
-    return found ? three_digits(name, found->value, units) : "unknown";
-  };
-  return fmt::format("{}: half of the draws below {}, 95 % below {}", title_of(name), at(0.5), at(0.95));
+  const study::Distribution& of = answers.groups.front().distributions.front();
+  std::vector<std::string> parts;
+  for (const auto& [probability, words] : {std::pair{0.5, "half of the draws"}, {0.95, "95 %"}})
+    if (const auto found = study::quantile(of, probability); found && !std::isinf(found->value))
+      parts.push_back(fmt::format("{} below {}", words, three_digits(name, found->value, units)));
+  const std::string of_values = fmt::format("{}: {}", title_of(name), fmt::join(parts, ", "));
+  if (of.struck_through == 0) return of_values;
+  const auto struck = static_cast<double>(of.struck_through);
+  return fmt::format("The pad bottoms out in {} of the draws{}",
+                     per_cent(struck / (struck + static_cast<double>(of.rows))),
+                     parts.empty() ? "" : "; " + uncapitalised(of_values));
 }
 
 }  // namespace

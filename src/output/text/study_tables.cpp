@@ -172,15 +172,14 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
   const study::Records& records = answers.records;
   const std::size_t rows = records.rows.size();
   if (rows < answers.rows)
-    texts.push_back(
-        fmt::format("NOT COMPLETE: {} of {} rows are computed, in the order of their batches. The same "
-                    "command goes on.",
-                    rows, answers.rows));
-  if (records.doubtful > 0)
     texts.push_back(fmt::format(
-        "DOUBTFUL: {} of {} rows miss the tolerance, make no valid case or lack a figure that was "
-        "asked for. No limit is decided by them.",
-        records.doubtful, rows));
+        "NOT COMPLETE: {} of {} rows are computed, in the order of their batches. The same command goes on.",
+        rows, answers.rows));
+  if (records.doubtful > 0)
+    texts.push_back(
+        fmt::format("DOUBTFUL: {} of {} rows miss the tolerance, make no valid case or lack a figure that "
+                    "was asked for. No limit is decided by them.",
+                    records.doubtful, rows));
   if (records.struck_through > 0)
     texts.push_back(fmt::format(
         "BOTTOMED OUT: in {} of {} rows ({} %) the pad bottomed out on its rigid support, where the force "
@@ -194,11 +193,10 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
                     "they count by their figures.",
                     records.bottomed - records.struck_through, rows));
   if (records.time_limit > 0)
-    texts.push_back(
-        fmt::format("TIME LIMIT: in {} of {} rows the impactor was still on the pad when the time limit was "
-                    "reached. Their largest "
-                    "values are lower bounds: a limit that they do not exceed is undecided.",
-                    records.time_limit, rows));
+    texts.push_back(fmt::format(
+        "TIME LIMIT: in {} of {} rows the impactor was still on the pad when the time limit was reached. "
+        "Their largest values are lower bounds: a limit that they do not exceed is undecided.",
+        records.time_limit, rows));
   if (records.extrapolated > 0)
     texts.push_back(fmt::format("EXTRAPOLATED: {} of {} rows go beyond what the material was measured for.",
                                 records.extrapolated, rows));
@@ -227,16 +225,14 @@ std::string unstratified_factors(const study::Study& study) {
 std::string interval_note(const study::StudyAnswers& answers) {
   if (!answers.groups.front().group.drawn)
     return "Figures are over the levels as they are, each row counting the same. A grid has no "
-           "probabilities, so "
-           "there are no intervals; a range in brackets is that of undecided rows.";
+           "probabilities, so there are no intervals; a range in brackets is that of undecided rows.";
   std::string note =
       "In brackets: 95 % intervals, of the mean by Student, of quantiles between order statistics, of "
       "probabilities by Clopper and Pearson. They cover the sampling only.";
   if (answers.study.sampling != study::Sampling::monte_carlo)
     note +=
         " They are made for independent draws; this study's are more even, so they are too wide rather than "
-        "too "
-        "narrow.";
+        "too narrow.";
   const std::string names = unstratified_factors(answers.study);
   if (answers.study.sampling == study::Sampling::latin_hypercube && !names.empty())
     note += fmt::format(

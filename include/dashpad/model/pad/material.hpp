@@ -24,8 +24,11 @@ struct TemperatureTable {
   std::vector<double> factor;       ///< > 0
 };
 
+/// The name of a material whose law stands in the case itself.
+inline constexpr const char* foam_of_the_case = "foam of the case";
+
 struct Material {
-  std::string name = {};    ///< as cards and cases name it; "in line" where the case gives the law itself
+  std::string name = {};    ///< as cards and cases name it, or foam_of_the_case
   std::string title = {};   ///< for people
   std::string source = {};  ///< where the parameters come from
   std::string basis = {};   ///< "test", "datasheet", "solver card" or "reconstruction"; empty: not stated

@@ -40,11 +40,11 @@ struct KeyFigure {
 struct Lead {
   std::string answer = {};  ///< one sentence: the heading of the page
   Tone tone = Tone::plain;
-  std::string reservation = {};           ///< the one that could turn it round; may be empty
+  std::string reservation = {};           ///< the strongest, and how many more there are; may be empty
   std::vector<std::string> subject = {};  ///< what was asked, a line each
   std::string drawing = {};               ///< an SVG that this library has made; may be empty
   std::optional<Plot> curve = {};         ///< the one that decides
-  std::vector<KeyFigure> figures = {};    ///< four to six
+  std::vector<KeyFigure> figures = {};    ///< up to six
 };
 
 /// Shown in this order: heading, text, bars, tables, figures, text to copy.

@@ -45,6 +45,7 @@ struct Series {
   LabelPlace label_place = LabelPlace::by_style;
   bool is_cased = false;   ///< of a line: with pale edges, so that it is seen on areas of any colour
   bool has_arrow = false;  ///< of a line: on its last third, in the direction in which its points follow
+  std::string of = {};     ///< without a label: that of the series with which pages switch it off
 };
 
 struct Axis {
@@ -57,7 +58,8 @@ struct Axis {
   std::optional<double> high = {};  ///< where the axis ends; by default where the data does, or after
 };
 
-/// One pair of axes. The series are drawn in their order, bands first; those without a point are left out.
+/// One pair of axes. The series are drawn in their order, bands and areas first; those without a point are
+/// left out.
 struct Panel {
   std::string title = {};
   Axis x = {};

@@ -1,4 +1,4 @@
-#include "output/plot/rendered.hpp"
+#include "output/svg/rendered.hpp"
 
 #include <cmath>
 #include <memory>
@@ -8,7 +8,7 @@
 #include <cairo.h>
 #include <librsvg/rsvg.h>
 
-#include "output/plot/text.hpp"
+#include "output/svg/text.hpp"
 
 namespace dashpad::output {
 

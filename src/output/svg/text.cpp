@@ -1,4 +1,4 @@
-#include "output/plot/text.hpp"
+#include "output/svg/text.hpp"
 
 #include "quantities/text.hpp"
 

@@ -1,0 +1,137 @@
+#include "output/text/study_limit_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "output/text/capitals.hpp"
+#include "output/text/factor_words.hpp"
+#include "output/text/study_words.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+/// A level of a factor, and whether the limit is exceeded there.
+using LevelRow = std::pair<double, bool>;
+
+/// Of the row with which that changes for the only time, the number; nothing where it changes more than once
+/// or not at all. In the order of the levels.
+std::optional<std::size_t> only_change(const std::vector<LevelRow>& rows) {
+  std::optional<std::size_t> change;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (rows[i].second == rows[i - 1].second) continue;
+    if (change) return std::nullopt;
+    change = i;
+  }
+  return change;
+}
+
+/// With which names the limit is exceeded, or, where those are fewer, with which it is not.
+std::string by_name(const study::StudyAnswers& answers, const std::vector<LevelRow>& rows,
+                    const study::StudyLimit& limit, const UnitSystem& units) {
+  std::string above, below;
+  for (const auto& [level, is_above] : rows) {
+    std::string& names = is_above ? above : below;
+    names += (names.empty() ? "" : ", ") + level_text(answers.study, 0, level, units);
+  }
+  if (above.empty() || below.empty()) return "";
+  const auto count_above = std::ranges::count_if(rows, &LevelRow::second);
+  const std::string exceeded = capitalised(exceeds(limit, units));
+  return 2 * count_above > std::ssize(rows) ? fmt::format("{} with all but {}", exceeded, below)
+                                            : fmt::format("{} with {}", exceeded, above);
+}
+
+std::string over_one(const study::StudyAnswers& answers, const std::vector<LevelRow>& rows,
+                     const study::StudyLimit& limit, const UnitSystem& units) {
+  const std::optional<std::size_t> change = only_change(rows);
+  if (!change) return "";
+  const std::string before = level_text(answers.study, 0, rows[*change - 1].first, units),
+                    after = level_text(answers.study, 0, rows[*change].first, units),
+                    name = factor_words(answers.study.factors.front().key),
+                    limited = capitalised(exceeds(limit, units));
+  return rows[*change].second ? fmt::format("{} from {} {} on, not up to {}", limited, name, after, before)
+                              : fmt::format("{} up to {} {}, not from {} on", limited, name, before, after);
+}
+
+/// "4.5 m/s": the name only where the unit does not tell it from the other factor.
+std::string level_words(const study::Study& study, std::size_t factor, double level,
+                        const UnitSystem& units) {
+  return study.factors[0].unit == study.factors[1].unit ? factor_at(study, factor, level, units)
+                                                        : level_text(study, factor, level, units);
+}
+
+/// Where along a factor the limit is kept: "up to 4.5 m/s". Empty where that is no stretch to one end.
+std::string where_kept(const study::Study& study, std::size_t factor, const std::vector<LevelRow>& rows,
+                       const UnitSystem& units) {
+  if (std::ranges::none_of(rows, &LevelRow::second)) return "everywhere";
+  if (std::ranges::all_of(rows, &LevelRow::second)) return "nowhere";
+  const std::optional<std::size_t> change = only_change(rows);
+  if (!change) return "";
+  return rows[*change].second ? "up to " + level_words(study, factor, rows[*change - 1].first, units)
+                              : "from " + level_words(study, factor, rows[*change].first, units) + " on";
+}
+
+/// Along the factor with more levels, at the first and the last level of the other one.
+std::string over_two(const study::StudyAnswers& answers, const std::vector<bool>& is_above,
+                     const study::StudyLimit& limit, const UnitSystem& units) {
+  const study::Group& group = answers.groups.front().group;
+  const std::vector<study::Factor>& factors = answers.study.factors;
+  if (factors[0].unit.empty() || factors[1].unit.empty()) return "";
+  const auto level = [&](std::size_t factor, std::size_t row) {
+    return answers.records.factors[factor][group.places[row]];
+  };
+  std::map<double, std::vector<LevelRow>> lines[2];  // by the levels of either factor, along the other one
+  for (std::size_t row = 0; row < is_above.size(); ++row)
+    for (const std::size_t of : {0, 1})
+      lines[of][level(of, row)].emplace_back(level(1 - of, row), is_above[row]);
+  const std::size_t of = lines[0].size() < lines[1].size() ? 0 : 1;
+  std::string text;
+  for (auto* line : {&*lines[of].begin(), &*lines[of].rbegin()}) {
+    std::ranges::sort(line->second);
+    const std::string kept = where_kept(answers.study, 1 - of, line->second, units);
+    if (kept.empty()) return "";
+    text += fmt::format("{} {} at {}", text.empty() ? "" : ",", kept,
+                        level_words(answers.study, of, line->first, units));
+  }
+  return fmt::format("{} stays within {}{}", title_of(limit.response),
+                     brief_quantity(limit.value, si_unit_of(limit.response), units), text);
+}
+
+}  // namespace
+
+std::string exceeds(const study::StudyLimit& limit, const UnitSystem& units) {
+  return fmt::format("{} exceeds {}", uncapitalised(title_of(limit.response)),
+                     brief_quantity(limit.value, si_unit_of(limit.response), units));
+}
+
+std::string where_exceeded(const study::StudyAnswers& answers, const study::StudyLimit& limit,
+                           const UnitSystem& units) {
+  const study::Group& group = answers.groups.front().group;
+  const std::size_t factors = answers.study.factors.size();
+  const auto response =
+      std::ranges::find(answers.study.responses, limit.response) - answers.study.responses.begin();
+  const std::vector<double> values =
+      study::values_of(answers.study, answers.records, group, static_cast<std::size_t>(response));
+  if (factors == 0 || factors > 2 ||
+      std::ranges::any_of(values, [](double value) { return std::isnan(value); }))
+    return "";
+  std::vector<bool> is_above;
+  for (const double value : values) is_above.push_back(value > limit.value);
+  if (factors == 2) return over_two(answers, is_above, limit, units);
+  std::vector<LevelRow> rows;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    rows.emplace_back(answers.records.factors.front()[group.places[i]], is_above[i]);
+  std::ranges::sort(rows);
+  return answers.study.factors.front().unit.empty() ? by_name(answers, rows, limit, units)
+                                                    : over_one(answers, rows, limit, units);
+}
+
+}  // namespace dashpad::output
