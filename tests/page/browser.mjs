@@ -5,7 +5,7 @@ import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after } from "node:test";
+import { after, afterEach } from "node:test";
 import { pathToFileURL } from "node:url";
 
 const { DASHPAD_COMMAND: command, DASHPAD_SOURCE_DIR: source, PAGE_FOLDER: folder } = process.env;
@@ -21,6 +21,8 @@ after(async () => {
   await browser.close();
   rmSync(scratch, { recursive: true });
 });
+// Pages that stay open take their share of the machine.
+afterEach(() => Promise.all(browser.contexts().map((context) => context.close())));
 
 export const example = (name) => join(source, "examples", `${name}.toml`);
 
