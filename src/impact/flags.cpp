@@ -53,8 +53,7 @@ std::string series_cut(const Summary& summary) {
 std::string striking_through(const Summary& summary) {
   if (summary.layers.empty() && !summary.bottomed && is_struck_through(summary.peak_strain, 1))
     return "STRUCK THROUGH: less than a thousandth of the pad was left, which no test of a foam reaches; "
-           "forces "
-           "and accelerations are not to be relied on";
+           "forces and accelerations are not to be relied on";
   std::vector<std::pair<double, std::size_t>> layers;
   for (std::size_t i = 0; i < summary.layers.size(); ++i)
     if (const auto& time = summary.layers[i].struck_through) layers.emplace_back(*time, i + 1);

@@ -56,8 +56,7 @@ Records read_records(const Study& study, const Store& store) {
       if (!study.factors[i].is_sampled() && !std::ranges::binary_search(levels[i], row.factors[i]))
         throw std::runtime_error(
             fmt::format("the store is damaged ({} = {} in row {}, which is none of its levels): delete it "
-                        "and run the study "
-                        "again",
+                        "and run the study again",
                         study.factors[i].key, row.factors[i], row.row));
       records.factors[i].push_back(row.factors[i]);
     }

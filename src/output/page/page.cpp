@@ -53,9 +53,9 @@ std::string answer(const ImpactCase& impact, const Summary& summary,
   const bool is_struck = strikes_through(impact, summary);
   // Of forces that are not to be relied on all digits but the first say nothing.
   const auto shown = [&](double value, const char* unit) {
-    const double in_unit = shown_as(unit, units).scale * value;
-    const std::string name = shown_as(unit, units).unit;
-    return brief(is_struck ? rounded_to(in_unit, 2) : in_unit, 3) + (name.empty() ? "" : " " + name);
+    const auto [scale, name] = shown_as(unit, units);
+    return brief(is_struck ? rounded_to(scale * value, 2) : scale * value, 3) +
+           (name.empty() ? "" : " " + name);
   };
   std::string peak = shown(*summary.peak_acceleration, result_quantity("peak_acceleration").si_unit);
   if (is_cut(summary)) return fmt::format("At least {}: the run ends before the impact does", peak);
@@ -65,12 +65,11 @@ std::string answer(const ImpactCase& impact, const Summary& summary,
 
 /// Whether the peak depends on how the foam goes on beyond its tests, by more than a foam is known to.
 bool is_guess(const Summary& summary) {
-  constexpr double known_to = 0.15;
   const auto& range = summary.continuation;
   if (!range) return false;
   if (!range->gentlest || !range->steepest) return true;
   const auto [low, high] = std::minmax(*range->gentlest, *range->steepest);
-  return high > (1 + known_to) * low;
+  return high > (1 + known_beyond_tests) * low;
 }
 
 Tone tone_of(const ImpactCase& impact, const Summary& summary) {

@@ -8,6 +8,7 @@
 
 #include "dashpad/output/text/case.hpp"
 #include "output/text/assessment_words.hpp"
+#include "output/text/foam_words.hpp"
 #include "output/text/standard_words.hpp"
 #include "quantities/text.hpp"
 
@@ -194,7 +195,6 @@ const injury::CriterionResult* closest(const injury::Assessment& assessment) {
 }  // namespace
 
 std::string doubt_about_pass(const AssessmentReport& report) {
-  constexpr double known_to = 0.15;  // of a figure, where a foam is used beyond its tests
   const injury::Assessment& assessment = report.assessment;
   const Summary& summary = report.solution.summary;
   const injury::CriterionResult* const next = closest(assessment);
@@ -203,24 +203,21 @@ std::string doubt_about_pass(const AssessmentReport& report) {
     return brief(rounded_to(acceleration / standard_gravity, 3)) + " g";
   };
   if (is_struck_through(summary.peak_penetration, report.assessed.pad.thickness))
-    return "but the pad is struck through" +
+    return ", but the pad is struck through" +
            (summary.peak_acceleration ? ", at a peak of " + in_g(*summary.peak_acceleration) : "");
   if (const auto& range = summary.continuation) {
-    const bool is_bounded = range->gentlest && range->steepest;
-    const double highest = is_bounded ? std::max(*range->gentlest, *range->steepest) : INFINITY;
+    const std::string guess = ", but how the foam goes on beyond its tests decides, and the peak may be ";
+    if (!range->gentlest || !range->steepest) return guess + "without limit";
+    const double highest = std::max(*range->gentlest, *range->steepest);
     const auto is_exceeded = [&](const injury::CriterionResult& of) {
       return of.criterion.metric == injury::Metric::peak_acceleration && highest > of.criterion.limit;
     };
-    if (!is_bounded)
-      return "but how the foam goes on beyond its tests decides, and the peak may be without limit";
-    if (std::ranges::any_of(assessment.results, is_exceeded))
-      return fmt::format("but how the foam goes on beyond its tests decides, and the peak may be {}",
-                         in_g(highest));
+    if (std::ranges::any_of(assessment.results, is_exceeded)) return guess + in_g(highest);
   }
   const bool is_extrapolated = std::ranges::find(assessment.reservations, "EXTRAPOLATED", &Flag::name) !=
                                assessment.reservations.end();
-  if (!is_extrapolated || *next->relative_margin >= known_to) return "";
-  return fmt::format("({}), less than a foam is known to beyond its tests",
+  if (!is_extrapolated || *next->relative_margin >= known_beyond_tests) return "";
+  return fmt::format(" ({}), less than a foam is known to beyond its tests",
                      percentage(*next->relative_margin));
 }
 
@@ -238,11 +235,8 @@ std::string assessment_answer(const AssessmentReport& report, const UnitSystem& 
   const std::string margin =
       brief_quantity(std::abs(*next->margin), injury::quantity_of(next->criterion.metric).si_unit, units, 3);
   switch (assessment.verdict) {
-    case injury::Verdict::pass: {
-      const std::string doubt = doubt_about_pass(report);
-      return fmt::format("Passes: {} has {} to spare{}{}", name, margin,
-                         doubt.empty() || doubt.front() == '(' ? "" : ",", doubt.empty() ? "" : " " + doubt);
-    }
+    case injury::Verdict::pass:
+      return fmt::format("Passes: {} has {} to spare{}", name, margin, doubt_about_pass(report));
     case injury::Verdict::fail: return fmt::format("Fails: {} is {} above its limit", name, margin);
     case injury::Verdict::undecided: break;
   }

@@ -159,18 +159,15 @@ std::vector<std::string> notes_on_noise(const fit::FitReport& report) {
   else
     all.push_back(fmt::format("Noise: chi-squared is {:.3g} per degree of freedom with the stated noise.",
                               report.misfit_per_degree()));
-  for (const fit::MetTest& test : report.tests)
-    if (!test.is_held_out && test.effective_points < static_cast<double>(test.points))
-      all.push_back(
-          fmt::format("{}: neighbouring residuals are correlated by {:.2f}, so that {} points are worth "
-                      "{:.0f}; errors and intervals are widened by that.",
-                      test.file, test.autocorrelation, test.points, test.effective_points));
-  for (const fit::MetPulse& pulse : report.pulses)
-    if (!pulse.is_held_out && pulse.effective_points < static_cast<double>(pulse.time.size()))
-      all.push_back(
-          fmt::format("{}: neighbouring residuals are correlated by {:.2f}, so that {} points are worth "
-                      "{:.0f}; errors and intervals are widened by that.",
-                      pulse.pulse_file, pulse.autocorrelation, pulse.time.size(), pulse.effective_points));
+  const auto add = [&](const auto& of, const std::string& file, std::size_t points) {
+    if (of.is_held_out || !(of.effective_points < static_cast<double>(points))) return;
+    all.push_back(fmt::format(
+        "{}: neighbouring residuals are correlated by {:.2f}, so that {} points are worth {:.0f}; "
+        "errors and intervals are widened by that.",
+        file, of.autocorrelation, points, of.effective_points));
+  };
+  for (const fit::MetTest& test : report.tests) add(test, test.file, test.points);
+  for (const fit::MetPulse& pulse : report.pulses) add(pulse, pulse.pulse_file, pulse.time.size());
   return all;
 }
 

@@ -10,6 +10,9 @@
 
 namespace dashpad::output {
 
+/// To what share a figure is known at best where a foam is used beyond its tests.
+inline constexpr double known_beyond_tests = 0.15;
+
 /// "tested" for laws with curves, "fitted" for others.
 const char* how_known(const Material& material);
 
