@@ -77,6 +77,10 @@ void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitR
   for (std::size_t i = 0; i < problem.coordinates.size(); ++i)
     report.unknowns.push_back(unknown_of(fit, problem, solved, i));
   const auto key = [&](std::size_t i) { return problem.coordinates[i].key; };
+  for (std::size_t i = 0; i < problem.coordinates.size(); ++i) {
+    if (solved.below[i].is_rough) report.rough_ends.push_back(key(i) + ", below");
+    if (solved.above[i].is_rough) report.rough_ends.push_back(key(i) + ", above");
+  }
   for (std::size_t k = 0; k < uncertainty.correlations.size(); ++k) {
     const auto& [i, j] = uncertainty.strongly_correlated[k];
     report.correlations.push_back({key(i), key(j), uncertainty.correlations[k]});

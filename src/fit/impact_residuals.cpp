@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <tbb/enumerable_thread_specific.h>
+#include <boost/math/tools/minima.hpp>
 
 #include "dashpad/impact/case_quantity.hpp"
 #include "dashpad/impact/solver.hpp"
@@ -44,15 +45,22 @@ SmoothCurve filtered(const SmoothCurve& curve, double end, const MeasuredDeceler
   return {std::move(pulse.time), std::move(pulse.acceleration)};
 }
 
-/// The deceleration at times since the onset; nothing before first contact and after the end of contact.
-bool predict_pulse(const Solution& solution, const MeasuredDeceleration& measured, double shift,
-                   std::span<double> predicted) {
+/// A computed deceleration and its onset.
+struct ComputedPulse {
+  SmoothCurve curve;
+  double onset = 0;
+
+  /// At a time since the measured onset; nothing before first contact and after the end of contact.
+  [[nodiscard]] double at(double time, double shift) const { return curve.at(onset + time - shift); }
+};
+
+std::optional<ComputedPulse> computed_pulse(const Solution& solution, const MeasuredDeceleration& measured) {
   const History& history = solution.history;
   if (!solution.summary.peak_acceleration || history.size() < 2)
-    return false;  // bottomed out on a rigid support
+    return std::nullopt;  // bottomed out on a rigid support
   std::vector<double> deceleration;
   for (const double a : history.acceleration) {
-    if (!std::isfinite(a)) return false;
+    if (!std::isfinite(a)) return std::nullopt;
     deceleration.push_back(-a);
   }
   SmoothCurve curve(history.time, std::move(deceleration));
@@ -65,10 +73,118 @@ bool predict_pulse(const Solution& solution, const MeasuredDeceleration& measure
   }
   // A foam that answers at first contact has its onset there.
   const double onset = curve.first_at(injury::onset_share * peak);
-  for (std::size_t i = 0; i < predicted.size(); ++i)
-    predicted[i] = curve.at(onset + measured.time[i] - shift);
-  return true;
+  return ComputedPulse{std::move(curve), onset};
 }
+
+/// The shift between two with which a computed pulse meets the measured one best. Where a pulse has an edge,
+/// as at the turning point of a foam with a rate effect, the misfit has a dent for each sample that passes
+/// it: all of them are looked at, on chords, and the best two searched.
+double best_shift(const ComputedPulse& computed, const MeasuredDeceleration& measured, double lowest,
+                  double highest) {
+  constexpr double looks_per_sample = 3;
+  constexpr int fewest_looks = 16, most_looks = 200, bits = 22;
+  const std::vector<double>& time = measured.time;
+  const double spacing = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  const int looks = static_cast<int>(
+      std::clamp<double>(looks_per_sample * (highest - lowest) / spacing, fewest_looks, most_looks));
+  const double look = (highest - lowest) / looks;
+
+  // The curve at even times, from the earliest that any look reads.
+  const double begin = time.front() - highest, fine = look / 2;
+  std::vector<double> chords;
+  for (double t = begin; t <= time.back() - lowest + 2 * fine; t += fine) chords.push_back(computed.at(t, 0));
+  const auto misses_by_chords = [&](double shift) {
+    double squares = 0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+      const double at = std::max((time[i] - shift - begin) / fine, 0.0);
+      const auto k = std::min(static_cast<std::size_t>(at), chords.size() - 2);
+      const double off =
+          chords[k] + (at - static_cast<double>(k)) * (chords[k + 1] - chords[k]) - measured.deceleration[i];
+      squares += off * off;
+    }
+    return squares;
+  };
+  const auto misses = [&](double place) {
+    double squares = 0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+      const double off = computed.at(time[i], std::lerp(lowest, highest, place)) - measured.deceleration[i];
+      squares += off * off;
+    }
+    return squares;
+  };
+  std::vector<double> looked(static_cast<std::size_t>(looks) + 1);
+  for (std::size_t i = 0; i < looked.size(); ++i)
+    looked[i] = misses_by_chords(lowest + look * static_cast<double>(i));
+  std::vector<std::size_t> dents;
+  for (std::size_t i = 0; i < looked.size(); ++i)
+    if ((i == 0 || looked[i] <= looked[i - 1]) && (i + 1 == looked.size() || looked[i] < looked[i + 1]))
+      dents.push_back(i);
+  std::ranges::sort(dents, {}, [&](std::size_t i) { return looked[i]; });
+  double best = 0.5, least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < std::min<std::size_t>(dents.size(), 2); ++k) {
+    const double place = static_cast<double>(dents[k]) / looks;
+    const auto [found, of] = boost::math::tools::brent_find_minima(misses, std::max(place - 1.0 / looks, 0.0),
+                                                                   std::min(place + 1.0 / looks, 1.0), bits);
+    if (of < least) best = found, least = of;
+  }
+  // A bound itself is never tried by that.
+  for (const double bound : {0.0, 1.0})
+    if (const double of = misses(bound); of < least) best = bound, least = of;
+  return std::lerp(lowest, highest, best);
+}
+
+/// Solves an impact with the values of the unknowns.
+class ImpactPrediction {
+ public:
+  ImpactPrediction(const Fit& fit, const ImpactMeasurement& measured, int runs)
+      : impact_(measured.impact),
+        options_(measured.options),
+        figures_(measured.figures),
+        pulse_(measured.pulse) {
+    impact_.pad.material = fit.base.pad.material;
+    options_.fixed_runs = runs;
+    const std::vector<CaseQuantity> quantities = quantities_of(impact_);
+    for (const Unknown& unknown : fit.unknowns) {
+      const auto found = std::ranges::find(quantities, unknown.key, &CaseQuantity::key);
+      if (found == quantities.end()) throw std::invalid_argument(measured.file + " has no " + unknown.key);
+      setters_.push_back(found->set);
+    }
+  }
+
+  [[nodiscard]] const MeasuredDeceleration& pulse() const { return *pulse_; }
+
+  /// `shift_of` says by how much a computed pulse comes later.
+  template <class ShiftOf>
+  bool operator()(std::span<const double> values, std::span<double> predicted, ShiftOf&& shift_of) const {
+    try {
+      ImpactCase with_values = impact_;
+      for (std::size_t i = 0; i < setters_.size(); ++i) setters_[i](with_values, values[i]);
+      const Solution& solution = solvers_->local().solve(with_values, options_);
+      for (std::size_t i = 0; i < figures_.size(); ++i) {
+        // None, such as a peak force where the pad bottoms out, is no number.
+        predicted[i] = figure_in(solution.summary, figures_[i].figure).value_or(no_figure);
+      }
+      if (!pulse_) return true;
+      const std::optional<ComputedPulse> computed = computed_pulse(solution, *pulse_);
+      if (!computed) return false;
+      const double shift = shift_of(*computed);
+      for (std::size_t i = 0; i < pulse_->time.size(); ++i)
+        predicted[figures_.size() + i] = computed->at(pulse_->time[i], shift);
+      return true;
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+  }
+
+ private:
+  using Solvers = tbb::enumerable_thread_specific<Solver>;
+  ImpactCase impact_;
+  Options options_;
+  std::vector<MeasuredFigure> figures_;
+  std::optional<MeasuredDeceleration> pulse_;
+  std::vector<std::function<void(ImpactCase&, double)>> setters_;
+  std::shared_ptr<Solvers> solvers_ = std::make_shared<Solvers>();
+};
 
 }  // namespace
 
@@ -86,36 +202,20 @@ const std::vector<ImpactFigureName>& impact_figure_names() {
 
 Predict prediction_of(const Fit& fit, const ImpactMeasurement& measured, int runs,
                       std::optional<std::size_t> shift) {
-  ImpactCase impact = measured.impact;
-  impact.pad.material = fit.base.pad.material;
-  std::vector<std::function<void(ImpactCase&, double)>> setters;
-  const std::vector<CaseQuantity> quantities = quantities_of(impact);
-  for (const Unknown& unknown : fit.unknowns) {
-    const auto found = std::ranges::find(quantities, unknown.key, &CaseQuantity::key);
-    if (found == quantities.end()) throw std::invalid_argument(measured.file + " has no " + unknown.key);
-    setters.push_back(found->set);
-  }
-  Options options = measured.options;
-  options.fixed_runs = runs;
-  using Solvers = tbb::enumerable_thread_specific<Solver>;
-  return
-      [impact, options, setters, figures = measured.figures, pulse = measured.pulse, shift,
-       solvers = std::make_shared<Solvers>()](std::span<const double> values, std::span<double> predicted) {
-        try {
-          ImpactCase with_values = impact;
-          for (std::size_t i = 0; i < setters.size(); ++i) setters[i](with_values, values[i]);
-          const Solution& solution = solvers->local().solve(with_values, options);
-          const Summary& summary = solution.summary;
-          for (std::size_t i = 0; i < figures.size(); ++i) {
-            // None, such as a peak force where the pad bottoms out, is no number.
-            predicted[i] = figure_in(summary, figures[i].figure).value_or(no_figure);
-          }
-          return !pulse || predict_pulse(solution, *pulse, shift ? values[*shift] : 0,
-                                         predicted.subspan(figures.size()));
-        } catch (const std::invalid_argument&) {
-          return false;
-        }
-      };
+  return [shift, predict = ImpactPrediction(fit, measured, runs)](std::span<const double> values,
+                                                                  std::span<double> predicted) {
+    return predict(values, predicted, [&](const ComputedPulse&) { return shift ? values[*shift] : 0.0; });
+  };
+}
+
+Settle settling_of(const Fit& fit, const ImpactMeasurement& measured, int runs, std::size_t shift,
+                   double lowest, double highest) {
+  return [shift, lowest, highest, predict = ImpactPrediction(fit, measured, runs)](
+             std::span<double> values, std::span<double> predicted) {
+    return predict(values, predicted, [&](const ComputedPulse& computed) {
+      return values[shift] = best_shift(computed, predict.pulse(), lowest, highest);
+    });
+  };
 }
 
 }  // namespace dashpad::fit

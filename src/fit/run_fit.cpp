@@ -27,13 +27,23 @@ constexpr double most_off = 0.1;
 
 LeastSquares least_squares_of(const Problem& problem, const Session& session,
                               std::atomic<std::size_t>& evaluations) {
-  return {problem.coordinates.size(), problem.residuals(), problem.derivative_step,
-          [&problem, &session, &evaluations](std::span<const double> x, std::span<double> residuals) {
-            // A search whose model cannot be evaluated any more ends soon.
-            if (session.is_stopped()) return false;
-            ++evaluations;
-            return problem.evaluate(x, residuals);
-          }};
+  LeastSquares of{problem.coordinates.size(), problem.residuals(), problem.derivative_step,
+                  [&problem, &session, &evaluations](std::span<const double> x, std::span<double> residuals) {
+                    // A search whose model cannot be evaluated any more ends soon.
+                    if (session.is_stopped()) return false;
+                    ++evaluations;
+                    return problem.evaluate(x, residuals);
+                  }};
+  of.takes_impacts = std::ranges::any_of(problem.blocks, &Block::is_impact);
+  of.settles = problem.shifts();
+  if (std::ranges::any_of(of.settles, std::identity{}))
+    of.settle = [&problem, &session, &evaluations](std::span<double> x, const std::vector<bool>& held,
+                                                   std::span<double> residuals) {
+      if (session.is_stopped()) return false;
+      ++evaluations;
+      return problem.settle(x, held, residuals);
+    };
+  return of;
 }
 
 /// Whether the figures and pulses of all fitted impacts, by a fixed number of runs, are those of the full

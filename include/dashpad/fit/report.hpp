@@ -110,6 +110,8 @@ struct FitReport {
   std::string why_not;  ///< if it did not converge
   Material material;    ///< the card, where it converged
   std::vector<FittedUnknown> unknowns;
+  /// Ends of intervals that are rough, since the refits for each are bounded: "pad.curve.modulus, above".
+  std::vector<std::string> rough_ends;
   std::vector<StrongCorrelation> correlations;
   std::vector<std::vector<std::string>> flat_directions;  ///< unknowns that are not told apart, or alone
   std::vector<MetTest> tests;

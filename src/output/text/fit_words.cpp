@@ -142,6 +142,8 @@ std::vector<std::string> open_matters(const fit::FitReport& report) {
   for (const fit::StrongCorrelation& of : report.correlations)
     all.push_back(fmt::format("The errors of {} and {} go together: correlation {:.3f}.", of.first, of.second,
                               of.value));
+  for (const std::string& end : report.rough_ends)
+    all.push_back("The end of an interval is rough, since the refits for it ran out: " + end + ".");
   return all;
 }
 
