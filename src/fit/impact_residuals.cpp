@@ -7,7 +7,12 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/solver.hpp"
+#include "dashpad/injury/clip.hpp"
+#include "dashpad/injury/figures.hpp"
+#include "dashpad/injury/hic.hpp"
+#include "dashpad/injury/peak.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
 #include "fit/problem.hpp"
 #include "fit/smooth_curve.hpp"
@@ -16,7 +21,45 @@ namespace dashpad::fit {
 
 namespace {
 
-std::optional<double> figure_in(const Summary& summary, ImpactFigure figure) {
+constexpr int points_per_step =
+    4;  ///< of the curve through the steps of the solver, for figures of the pulse
+
+/// The curve through the steps of the solver: a polyline through them would jump when their number changes.
+/// Nothing where the pulse was cut off or is not finite.
+std::optional<Pulse> smooth_pulse(const Solution& solution) {
+  const History& history = solution.history;
+  const auto finite = [](double value) { return std::isfinite(value); };
+  if (!pulse_is_whole(solution.summary) || history.size() < 2 ||
+      !std::ranges::all_of(history.acceleration, finite))
+    return std::nullopt;
+  const SmoothCurve curve(history.time, history.acceleration);
+  Pulse pulse{{history.time.front()}, {history.acceleration.front()}};
+  for (std::size_t i = 1; i < history.size(); ++i)
+    for (int part = 1; part <= points_per_step; ++part) {
+      const double time = part == points_per_step ? history.time[i]
+                                                  : std::lerp(history.time[i - 1], history.time[i],
+                                                              static_cast<double>(part) / points_per_step);
+      pulse.time.push_back(time);
+      pulse.acceleration.push_back(curve.at(time));
+    }
+  return pulse;
+}
+
+double figure_of(const Pulse& pulse, ImpactFigure figure) {
+  constexpr double three_milliseconds = 3e-3;
+  switch (figure) {
+    case ImpactFigure::hic15: return injury::hic(pulse, injury::hic15_window).value;
+    case ImpactFigure::hic36: return injury::hic(pulse, 36e-3).value;
+    case ImpactFigure::hic_unlimited: return injury::hic(pulse, injury::unlimited_window).value;
+    case ImpactFigure::clip_3ms: return injury::contiguous_clip(pulse, three_milliseconds).level;
+    case ImpactFigure::cumulative_3ms: return injury::cumulative_clip(pulse, three_milliseconds).level;
+    case ImpactFigure::velocity_change: return injury::velocity_change(pulse);
+    default: return no_figure;
+  }
+}
+
+std::optional<double> figure_in(const Solution& solution, ImpactFigure figure) {
+  const Summary& summary = solution.summary;
   switch (figure) {
     case ImpactFigure::peak_force: return summary.peak_force;
     case ImpactFigure::peak_acceleration: return summary.peak_acceleration;
@@ -26,8 +69,10 @@ std::optional<double> figure_in(const Summary& summary, ImpactFigure figure) {
     case ImpactFigure::contact_time:
       if (summary.contact_end) return summary.contact_end->time;
       return std::nullopt;
+    default:
+      if (const std::optional<Pulse> pulse = smooth_pulse(solution)) return figure_of(*pulse, figure);
+      return std::nullopt;
   }
-  return std::nullopt;
 }
 
 /// The computed deceleration with the filter of the measured one.
@@ -80,6 +125,12 @@ const std::vector<ImpactFigureName>& impact_figure_names() {
       {ImpactFigure::rebound_speed, "rebound_speed", "m/s"},
       {ImpactFigure::peak_penetration, "peak_penetration", "m"},
       {ImpactFigure::contact_time, "contact_time", "s"},
+      {ImpactFigure::hic15, "hic15", "1"},
+      {ImpactFigure::hic36, "hic36", "1"},
+      {ImpactFigure::hic_unlimited, "hic_unlimited", "1"},
+      {ImpactFigure::clip_3ms, "clip_3ms", "m/s2"},
+      {ImpactFigure::cumulative_3ms, "cumulative_3ms", "m/s2"},
+      {ImpactFigure::velocity_change, "velocity_change", "m/s"},
   };
   return names;
 }
@@ -105,10 +156,9 @@ Predict prediction_of(const Fit& fit, const ImpactMeasurement& measured, int run
           ImpactCase with_values = impact;
           for (std::size_t i = 0; i < setters.size(); ++i) setters[i](with_values, values[i]);
           const Solution& solution = solvers->local().solve(with_values, options);
-          const Summary& summary = solution.summary;
           for (std::size_t i = 0; i < figures.size(); ++i) {
             // None, such as a peak force where the pad bottoms out, is no number.
-            predicted[i] = figure_in(summary, figures[i].figure).value_or(no_figure);
+            predicted[i] = figure_in(solution, figures[i].figure).value_or(no_figure);
           }
           return !pulse || predict_pulse(solution, *pulse, shift ? values[*shift] : 0,
                                          predicted.subspan(figures.size()));

@@ -56,7 +56,13 @@ enum class ImpactFigure {
   time_of_peak,
   rebound_speed,
   peak_penetration,
-  contact_time
+  contact_time,
+  hic15,
+  hic36,
+  hic_unlimited,
+  clip_3ms,
+  cumulative_3ms,
+  velocity_change
 };
 
 /// A figure of an impact.
@@ -79,6 +85,8 @@ struct MeasuredDeceleration {
   double deviation = 0;                       ///< standard deviation of a deceleration, m/s2, > 0
   std::optional<injury::PulseFilter> filter;  ///< that it went through; the computed pulse gets it, too
   double interval = 0;                        ///< s between two samples of the file
+  double hic = 0;              ///< of any window, of all samples between onset and end, g^2.5 s
+  double velocity_change = 0;  ///< m/s, over the stretch around the peak in which it keeps its sign
 };
 
 /// Samples of a pulse that are fitted, at most; neighbours tell little that is new.

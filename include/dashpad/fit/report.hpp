@@ -104,6 +104,27 @@ struct MetPulse {
   std::vector<double> measured, computed;  ///< m/s2; nothing computed where there is no whole pulse
 };
 
+/// A figure that matters to verdicts, measured in an impact and computed for it: peak, HIC and rebound speed
+/// of every pulse, and of what was measured as figures peak_force, peak_acceleration, those of HIC,
+/// rebound_speed and peak_penetration. A pulse gives its rebound speed by its velocity change less the speed
+/// of the case, unless that is not between 0 and the speed.
+struct ImpactComparison {
+  std::string file;  ///< the case
+  ImpactFigure figure = ImpactFigure::peak_acceleration;
+  bool is_held_out = false;  ///< predicted, not fitted
+  bool is_of_pulse = false;  ///< taken from a pulse; else measured as a figure
+  double measured = 0;       ///< SI, > 0
+  std::optional<double>
+      computed;  ///< with the filter of the pulse; absent where the impact has no such figure
+  /// Standard deviation of what was measured, as stated; absent of a pulse, of which nobody states it.
+  std::optional<double> deviation;
+
+  /// Of the measured value.
+  [[nodiscard]] std::optional<double> share() const {
+    return computed ? std::optional{(*computed - measured) / measured} : std::nullopt;
+  }
+};
+
 struct FitReport {
   std::string title;
   bool converged = false;
@@ -115,7 +136,8 @@ struct FitReport {
   std::vector<MetTest> tests;
   std::vector<MetFigure> figures;
   std::vector<MetPulse> pulses;
-  std::size_t points = 0;  ///< fitted residuals, without priors
+  std::vector<ImpactComparison> comparison;  ///< in the order of the impacts
+  std::size_t points = 0;                    ///< fitted residuals, without priors
   std::size_t priors = 0;
   double degrees_of_freedom = 0;
   double misfit = 0;             ///< sum of squared residuals over deviations, priors included
