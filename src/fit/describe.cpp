@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "fit/card.hpp"
+#include "fit/comparison.hpp"
 #include "fit/met.hpp"
 #include "fit/prediction.hpp"
 
@@ -58,6 +59,7 @@ void describe_measurements(const Fit& fit, const Problem& problem, const Solved&
     for (std::size_t i = 0; i < figures.size(); ++i)
       if (figures[i].computed) figures[i].prediction_deviation = deviations[i];
     std::ranges::move(figures, std::back_inserter(report.figures));
+    std::ranges::move(compared(fit, impact, values), std::back_inserter(report.comparison));
     if (impact.pulse) {
       MetPulse met = met_pulse(fit, impact, values, block ? block->shift : std::nullopt);
       if (block) {

@@ -1,3 +1,5 @@
+#include "fit/impact_residuals.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,28 +23,20 @@ namespace dashpad::fit {
 
 namespace {
 
-constexpr int points_per_step =
-    4;  ///< of the curve through the steps of the solver, for figures of the pulse
+constexpr int points_per_step = 4;  ///< of the curve through the steps of the solver
 
-/// The curve through the steps of the solver: a polyline through them would jump when their number changes.
-/// Nothing where the pulse was cut off or is not finite.
-std::optional<Pulse> smooth_pulse(const Solution& solution) {
-  const History& history = solution.history;
-  const auto finite = [](double value) { return std::isfinite(value); };
-  if (!pulse_is_whole(solution.summary) || history.size() < 2 ||
-      !std::ranges::all_of(history.acceleration, finite))
-    return std::nullopt;
-  const SmoothCurve curve(history.time, history.acceleration);
-  Pulse pulse{{history.time.front()}, {history.acceleration.front()}};
-  for (std::size_t i = 1; i < history.size(); ++i)
-    for (int part = 1; part <= points_per_step; ++part) {
-      const double time = part == points_per_step ? history.time[i]
-                                                  : std::lerp(history.time[i - 1], history.time[i],
-                                                              static_cast<double>(part) / points_per_step);
-      pulse.time.push_back(time);
-      pulse.acceleration.push_back(curve.at(time));
-    }
-  return pulse;
+using Setter = std::function<void(ImpactCase&, double)>;
+
+/// How each unknown gets into an impact. Throws std::invalid_argument where that has no such quantity.
+std::vector<Setter> setters_of(const Fit& fit, const std::string& file, const ImpactCase& impact) {
+  std::vector<Setter> setters;
+  const std::vector<CaseQuantity> quantities = quantities_of(impact);
+  for (const Unknown& unknown : fit.unknowns) {
+    const auto found = std::ranges::find(quantities, unknown.key, &CaseQuantity::key);
+    if (found == quantities.end()) throw std::invalid_argument(file + " has no " + unknown.key);
+    setters.push_back(found->set);
+  }
+  return setters;
 }
 
 double figure_of(const Pulse& pulse, ImpactFigure figure) {
@@ -135,17 +129,38 @@ const std::vector<ImpactFigureName>& impact_figure_names() {
   return names;
 }
 
+std::optional<Pulse> smooth_pulse(const Solution& solution) {
+  const History& history = solution.history;
+  const auto finite = [](double value) { return std::isfinite(value); };
+  if (!pulse_is_whole(solution.summary) || history.size() < 2 ||
+      !std::ranges::all_of(history.acceleration, finite))
+    return std::nullopt;
+  const SmoothCurve curve(history.time, history.acceleration);
+  Pulse pulse{{history.time.front()}, {history.acceleration.front()}};
+  for (std::size_t i = 1; i < history.size(); ++i)
+    for (int part = 1; part <= points_per_step; ++part) {
+      const double time = part == points_per_step ? history.time[i]
+                                                  : std::lerp(history.time[i - 1], history.time[i],
+                                                              static_cast<double>(part) / points_per_step);
+      pulse.time.push_back(time);
+      pulse.acceleration.push_back(curve.at(time));
+    }
+  return pulse;
+}
+
+ImpactCase impact_with(const Fit& fit, const ImpactMeasurement& measured, std::span<const double> values) {
+  ImpactCase impact = measured.impact;
+  impact.pad.material = fit.base.pad.material;
+  const std::vector<Setter> setters = setters_of(fit, measured.file, impact);
+  for (std::size_t i = 0; i < setters.size(); ++i) setters[i](impact, values[i]);
+  return impact;
+}
+
 Predict prediction_of(const Fit& fit, const ImpactMeasurement& measured, int runs,
                       std::optional<std::size_t> shift) {
   ImpactCase impact = measured.impact;
   impact.pad.material = fit.base.pad.material;
-  std::vector<std::function<void(ImpactCase&, double)>> setters;
-  const std::vector<CaseQuantity> quantities = quantities_of(impact);
-  for (const Unknown& unknown : fit.unknowns) {
-    const auto found = std::ranges::find(quantities, unknown.key, &CaseQuantity::key);
-    if (found == quantities.end()) throw std::invalid_argument(measured.file + " has no " + unknown.key);
-    setters.push_back(found->set);
-  }
+  const std::vector<Setter> setters = setters_of(fit, measured.file, impact);
   Options options = measured.options;
   options.fixed_runs = runs;
   using Solvers = tbb::enumerable_thread_specific<Solver>;

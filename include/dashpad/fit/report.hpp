@@ -104,10 +104,10 @@ struct MetPulse {
   std::vector<double> measured, computed;  ///< m/s2; nothing computed where there is no whole pulse
 };
 
-/// A figure that matters to verdicts, measured in an impact and computed for it: peak, HIC and rebound speed
-/// of every pulse, and of what was measured as figures peak_force, peak_acceleration, those of HIC,
-/// rebound_speed and peak_penetration. A pulse gives its rebound speed by its velocity change less the speed
-/// of the case, unless that is not between 0 and the speed.
+/// A figure on which a verdict may rest, measured in an impact and computed for it: peak, HIC and rebound
+/// speed of each pulse; then what was measured as a figure and no pulse says: peak_force, peak_acceleration,
+/// HIC, rebound_speed, peak_penetration. The rebound speed of a pulse is its velocity change less the speed
+/// of the case and what gravity adds meanwhile; there is none where that is not between 0 and the speed.
 struct ImpactComparison {
   std::string file;  ///< the case
   ImpactFigure figure = ImpactFigure::peak_acceleration;

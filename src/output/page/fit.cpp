@@ -144,6 +144,7 @@ PageSection misfit_section(const fit::FitReport& report, const UnitSystem& units
     table.caption = caption;
     misfit.tables.push_back(std::move(table));
   };
+  add("Peak, HIC and rebound of impacts, measured and of the model", table_of_comparison(report, units));
   add("Model minus test, root mean square, and its share of the largest stress",
       table_of_tests(report, units));
   add("Energy given back over energy put in, by the strain where the test turns", table_of_loops(report));

@@ -25,6 +25,8 @@ std::string fit_text(const fit::FitReport& report, const UnitSystem& units) {
   if (!report.tests.empty())
     text += "\nModel minus test, root mean square, and its share of the largest stress\n" +
             plain_text(table_of_tests(report, units));
+  if (!report.comparison.empty())
+    text += "\nMeasured and model\n" + plain_text(table_of_comparison(report, units));
   if (!report.figures.empty()) text += "\n" + plain_text(table_of_figures(report, units));
   if (!report.pulses.empty()) text += "\n" + plain_text(table_of_pulses(report, units));
   text += "\n";

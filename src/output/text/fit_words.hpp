@@ -42,6 +42,8 @@ std::vector<std::string> notes_on_noise(const fit::FitReport& report);
 Table table_of_unknowns(const fit::FitReport& report, const UnitSystem& units);
 Table table_of_tests(const fit::FitReport& report, const UnitSystem& units);
 Table table_of_figures(const fit::FitReport& report, const UnitSystem& units);
+/// Peak, HIC and rebound of impacts, measured and of the model.
+Table table_of_comparison(const fit::FitReport& report, const UnitSystem& units);
 /// A row a loop: energy given back over energy put in.
 Table table_of_loops(const fit::FitReport& report);
 Table table_of_pulses(const fit::FitReport& report, const UnitSystem& units);
