@@ -63,6 +63,7 @@ bool read_base(TableReader& top, const TomlNode& root, const FitFolders& folders
     try {
       input::CaseFile read = input::read_case(folders.of_fit / name, folders.materials);
       into.fit.base = std::move(read.impact);
+      into.fit.options = read.options;
       into.fit.has_case = true;
       std::ranges::move(read.files, std::back_inserter(into.files));
     } catch (const input::InputError& error) {

@@ -111,6 +111,7 @@ struct Fit {
   std::string title;
   ImpactCase base;        ///< its material has the starting values; without impacts the rest is made up
   bool has_case = false;  ///< the base is a case of the user's, not a pad alone
+  Options options;        ///< of that case
   std::vector<Unknown> unknowns;
   std::vector<MaterialMeasurement> tests;
   std::vector<ImpactMeasurement> impacts;
@@ -125,6 +126,11 @@ struct ImpactFigureName {
   const char* unit;
 };
 const std::vector<ImpactFigureName>& impact_figure_names();
+
+/// Whether a card holds that number: one of the law, or the scale that goes into its stresses.
+bool is_of_card(const std::string& key);
+/// Whether an unknown is none of those, as the stiffness of a support: a case holds it.
+bool finds_more_than_a_card(const Fit& fit);
 
 /// Whether a strain counts in the fit.
 inline bool counts(const MaterialMeasurement& test, std::size_t i) {

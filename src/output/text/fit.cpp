@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/version.hpp"
+#include "output/text/case_toml.hpp"
 #include "output/text/fit_words.hpp"
 #include "output/text/table.hpp"
 #include "quantities/text.hpp"
@@ -33,6 +34,10 @@ std::string fit_text(const fit::FitReport& report, const UnitSystem& units) {
   for (const std::string& line : notes_on_noise(report)) text += wrapped(line, 2) + "\n";
   return text + fmt::format("{} evaluations in {:.2g} s (dashpad {})\n", report.evaluations, report.wall_time,
                             version());
+}
+
+std::string fitted_case_toml(const fit::FitReport& report) {
+  return case_toml(report.fitted_case.value().impact, report.fitted_case->options);
 }
 
 std::string posterior_csv(const fit::FitReport& report) {

@@ -124,7 +124,8 @@ std::string fit_answer(const fit::FitReport& report) {
 
 std::string interval_words(const fit::FittedUnknown& of, const UnitSystem& units) {
   const auto shown = [&](double value) { return brief_quantity(value, of.unit, units, 4); };
-  if (of.low && of.high) return shown(*of.low) + " to " + shown(*of.high);
+  if (of.is_identified())
+    return shown(of.low.value_or(of.lowest)) + " to " + shown(of.high.value_or(of.highest));
   if (of.low) return "above " + shown(*of.low) + ", open above";
   if (of.high) return "below " + shown(*of.high) + ", open below";
   return "open on both sides";
