@@ -25,6 +25,7 @@ FittedUnknown unknown_of(const Fit& fit, const Problem& problem, const Solved& s
   found.is_logarithmic = coordinate.is_logarithmic;
   found.is_nuisance = coordinate.is_nuisance;
   if (i < fit.unknowns.size()) {
+    found.is_added = fit.unknowns[i].is_added;
     found.lowest_is_natural = is_natural_bound(fit, fit.unknowns[i], coordinate.lowest);
     found.highest_is_natural = is_natural_bound(fit, fit.unknowns[i], coordinate.highest);
   }

@@ -9,6 +9,7 @@
 #include "dashpad/study/application.hpp"
 #include "fit/card.hpp"
 #include "fit/met.hpp"
+#include "fit/recoil.hpp"
 
 namespace dashpad::fit {
 
@@ -126,10 +127,15 @@ Sentences reservations_of(const Fit& fit, std::span<const double> values, const 
       report.tests, [](const MetTest& test) { return !test.is_held_out && test.rms_unloading.has_value(); });
   const bool strikes = std::ranges::any_of(fit.impacts, [](const auto& of) { return !of.is_held_out; });
   if (!unloads && !strikes) all.emplace_back("Fitted to loading only: the way back is assumed.");
+  if (assumes_recoil(fit))
+    all.emplace_back(
+        "How much of the stress that the rate adds resists the way back (recoil) was not tested: 1 is "
+        "assumed, "
+        "the largest loss, and 0 to 1 are possible.");
   add_range(fit, values, all);
   for (const std::string& old : fit.base.pad.material.reservations) {
     const auto is_about = [&](const Unknown& unknown) { return old.find(unknown.key) != std::string::npos; };
-    if (std::ranges::none_of(fit.unknowns, is_about)) all.push_back(old);
+    if (std::ranges::none_of(fit.unknowns, is_about) && std::ranges::count(all, old) == 0) all.push_back(old);
   }
   return all;
 }

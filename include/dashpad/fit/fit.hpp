@@ -28,7 +28,8 @@ struct Unknown {
   double highest = 0;           ///< > lowest
   double start = 0;             ///< of the first start
   bool is_logarithmic = false;  ///< sought by its logarithm; then lowest > 0
-  std::optional<Prior> prior;
+  std::optional<Prior> prior = {};
+  bool is_added = false;  ///< by the program, since nobody stated the number
 };
 
 /// Where a value lies between its bounds, 0 to 1; by the logarithm where it is sought so.
@@ -112,6 +113,8 @@ struct Fit {
   ImpactCase base;        ///< its material has the starting values; without impacts the rest is made up
   bool has_case = false;  ///< the base is a case of the user's, not a pad alone
   Options options;        ///< of that case
+  /// Of a foam with a rate effect: whether somebody gave the recoil of the base, or it is the default.
+  bool recoil_is_stated = true;
   std::vector<Unknown> unknowns;
   std::vector<MaterialMeasurement> tests;
   std::vector<ImpactMeasurement> impacts;

@@ -30,6 +30,7 @@ struct FittedUnknown {
   bool is_at_lowest = false, is_at_highest = false;
   bool is_logarithmic = false;            ///< sought by its logarithm
   std::optional<double> prior_deviation;  ///< of its prior, where it has one
+  bool is_added = false;                  ///< sought though the fit file does not name it
   /// Of a measurement, not of the material: the shift of a force zero, or of the clock of a pulse.
   bool is_nuisance = false;
 

@@ -161,6 +161,7 @@ std::string fit_page(const fit::FitReport& report, const UnitSystem& units) {
   std::string answer = fit_answer(report);
   answer.pop_back();  // the last line break; the other is a blank
   page.summary.push_back(std::move(answer));
+  if (std::string added = words_on_added(report); !added.empty()) page.summary.push_back(std::move(added));
   if (std::string predicted = prediction_words(report); !predicted.empty())
     page.summary.push_back(std::move(predicted));
   page.warnings = fit_warnings(report, units);

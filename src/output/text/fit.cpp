@@ -18,7 +18,9 @@ std::string fit_text(const fit::FitReport& report, const UnitSystem& units) {
     return text + "The fit did not converge: " + one_line(report.why_not) +
            ".\nThere is no card. Start nearer (start = ...), narrow the bounds, try more starts, or leave "
            "unknowns out that the data do not show.\n";
-  text += fit_answer(report) + "\n" + plain_text(table_of_unknowns(report, units));
+  text += fit_answer(report);
+  if (const std::string added = words_on_added(report); !added.empty()) text += wrapped(added, 2) + "\n";
+  text += "\n" + plain_text(table_of_unknowns(report, units));
   if (const auto open = open_matters(report); !open.empty()) {
     text += "\n";
     for (const std::string& line : open) text += wrapped(line, 2) + "\n";

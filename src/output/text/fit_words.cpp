@@ -122,6 +122,13 @@ std::string fit_answer(const fit::FitReport& report) {
                         : "");
 }
 
+std::string words_on_added(const fit::FitReport& report) {
+  if (std::ranges::none_of(report.unknowns, &fit::FittedUnknown::is_added)) return "";
+  return "How much of the stress that the rate adds resists the way back was not stated: "
+         "pad.parameters.recoil "
+         "is sought too, from 0 to 1. State it where it is known.";
+}
+
 std::string interval_words(const fit::FittedUnknown& of, const UnitSystem& units) {
   const auto shown = [&](double value) { return brief_quantity(value, of.unit, units, 4); };
   if (of.is_identified())

@@ -23,6 +23,9 @@ Misses misses(const fit::FitReport& report, bool held_out);
 /// line each.
 std::string fit_answer(const fit::FitReport& report);
 
+/// What was sought though the fit file does not name it, and why; empty without.
+std::string words_on_added(const fit::FitReport& report);
+
 /// "The data determine all 5 unknowns; the model misses the tests by 1.2 % of their largest stress (root mean
 /// square)."
 std::string fit_headline(const fit::FitReport& report);
