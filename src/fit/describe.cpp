@@ -24,6 +24,11 @@ FittedUnknown unknown_of(const Fit& fit, const Problem& problem, const Solved& s
   found.highest = coordinate.highest;
   found.is_logarithmic = coordinate.is_logarithmic;
   found.is_nuisance = coordinate.is_nuisance;
+  if (i < fit.unknowns.size()) {
+    found.is_added = fit.unknowns[i].is_added;
+    found.lowest_is_natural = is_natural_bound(fit, fit.unknowns[i], coordinate.lowest);
+    found.highest_is_natural = is_natural_bound(fit, fit.unknowns[i], coordinate.highest);
+  }
   found.is_at_lowest = is_at_bound(x) && x < 0.5;
   found.is_at_highest = is_at_bound(x) && x > 0.5;
   if (solved.uncertainty.error[i])
@@ -96,7 +101,9 @@ void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitR
     if (uncertainty.error[i])
       report.largest_widening = std::max(report.largest_widening, std::sqrt(uncertainty.widening[i]));
   describe_measurements(fit, problem, solved, report);
-  report.material = card_of(fit, problem.values(solved.minimum.x), report);
+  const std::vector<double> values = problem.values(solved.minimum.x);
+  report.material = card_of(fit, values, report);
+  report.fitted_case = fitted_case_of(fit, values, report.material);
 }
 
 }  // namespace dashpad::fit

@@ -104,6 +104,9 @@ Settle settling_of(const Fit& fit, const ImpactMeasurement& impact, int runs, st
 /// What keeps the base curve of a foam rising; nothing for a law whose curves are no formulas.
 std::optional<Block> rule_of_rising(const Fit& fit);
 
+/// Whether the model admits nothing beyond that bound of an unknown.
+bool is_natural_bound(const Fit& fit, const Unknown& unknown, double bound);
+
 /// The material with these values of the unknowns.
 Material material_with(const Fit& fit, std::span<const double> values);
 

@@ -16,17 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool read_yes_or_no(input::TableReader& table, const std::string& key) {
-  if (!table.has(key)) {
-    table.fault(key, "is missing; must be true or false");
-    return false;
-  }
-  const input::TomlNode& node = *table.node().child(key);
-  const bool is_other = node.kind == input::TomlNode::Kind::other;
-  if (!is_other || (node.text != "true" && node.text != "false")) table.fault(key, "must be true or false");
-  return is_other && node.text == "true";
-}
-
 /// No source after a fault.
 SourceKind read_kind(input::TableReader& table) {
   constexpr SourceKind all[]{SourceKind::own_text, SourceKind::secondary, SourceKind::none};
@@ -39,7 +28,7 @@ SourceKind read_kind(input::TableReader& table) {
 Origin read_origin(input::TableReader& table) {
   Origin origin{.source = table.text("source"),
                 .kind = read_kind(table),
-                .verified = read_yes_or_no(table, "verified"),
+                .verified = table.yes_or_no("verified"),
                 .note = table.text("note", input::Presence::optional)};
   const input::TomlNode* kind = table.node().child("kind");
   if (origin.verified && kind && kind->text == to_string(SourceKind::none))
@@ -65,7 +54,7 @@ std::optional<double> read_number(input::TableReader& table, const std::string& 
   const bool is_speed = si_unit == "m/s";
   const bool has_value = table.has("value");
   const bool has_height = is_speed && table.has("drop_height");
-  const bool from_case = table.has("from_case") && read_yes_or_no(table, "from_case");
+  const bool from_case = table.has("from_case") && table.yes_or_no("from_case");
   if (has_value + has_height + from_case != 1)
     table.fault("value", is_speed ? "give one of value, drop_height and from_case = true"
                                   : "give one of value and from_case = true");
@@ -119,7 +108,7 @@ Criterion read_criterion(input::TableReader table) {
   } else {
     for (const char* key : {"limit", "limit_g", "level_g"}) table.has(key);  // right or wrong: who knows
   }
-  criterion.strict = table.has("strict") && read_yes_or_no(table, "strict");
+  criterion.strict = table.has("strict") && table.yes_or_no("strict");
   criterion.description = table.text("description");
   criterion.origin = read_origin(table);
   table.refuse_others();

@@ -123,11 +123,13 @@ std::optional<Material> read_named_material(TableReader& pad, const Folders& fol
 std::optional<Material> read_material_in_line(TableReader& pad) {
   const auto law = read_law(pad);
   const auto fitted = read_fitted(pad);
+  Uncertainty uncertainty = read_uncertainty(pad, law.value_or(PadLaw()));
   if (!law) return std::nullopt;
   Material material;
   material.name = foam_of_the_case;
   material.law = *law;
   material.fitted = fitted;
+  material.uncertainty = std::move(uncertainty);
   return material;
 }
 
@@ -160,8 +162,8 @@ MaterialEntry read_material_entry(TableReader& table, const Folders& folders,
 
 void refuse_beside_layers(TableReader& table) {
   if (table.has("thickness")) table.fault("thickness", "leave it out: it is the sum of the layers");
-  for (const char* key : {"material", "law", "parameters", "curve", "rate", "unloading", "fitted", "scale",
-                          "density", "temperature"})
+  for (const char* key : {"material", "law", "parameters", "curve", "rate", "unloading", "fitted",
+                          "uncertainty", "scale", "density", "temperature"})
     if (table.has(key)) table.fault(key, "leave it out: each layer has its own");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Pad laws and their fitted range in TOML. Cards have them at their top, cases in [pad].
+/// Pad laws, their fitted range and what is not known of them in TOML. Cards have them at their top, cases in
+/// [pad].
 
 #include <optional>
 
@@ -13,5 +14,8 @@ std::optional<PadLaw> read_law(TableReader& table);
 
 /// The optional table [fitted].
 std::optional<FittedRange> read_fitted(TableReader& table);
+
+/// The optional table [uncertainty]. Keys of the posterior that the law does not have are at fault.
+Uncertainty read_uncertainty(TableReader& table, const PadLaw& law);
 
 }  // namespace dashpad::input

@@ -74,6 +74,7 @@ Material read_material(const std::filesystem::path& file) {
   const auto law = read_law(card);
   material.law = law.value_or(PadLaw());
   material.fitted = read_fitted(card);
+  material.uncertainty = read_uncertainty(card, material.law);
   material.also_published = read_also_published(card);
   card.refuse_others();
 

@@ -68,6 +68,17 @@ std::string TableReader::choice(const std::string& key, const std::vector<std::s
   return {};
 }
 
+bool TableReader::yes_or_no(const std::string& key) {
+  if (!has(key)) {
+    fault(key, "is missing; must be true or false");
+    return false;
+  }
+  const TomlNode& node = *find(key, Presence::optional);
+  const bool is_other = node.kind == Kind::other;
+  if (!is_other || (node.text != "true" && node.text != "false")) fault(key, "must be true or false");
+  return is_other && node.text == "true";
+}
+
 std::optional<TableReader> TableReader::table(const std::string& key, Presence presence) {
   const TomlNode* node = find(key, presence);
   if (!node) return std::nullopt;

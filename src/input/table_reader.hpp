@@ -49,6 +49,8 @@ class TableReader {
   std::string text(const std::string& key, Presence presence = Presence::required);
   /// One of the choices; empty if absent or at fault.
   std::string choice(const std::string& key, const std::vector<std::string>& choices);
+  /// true or false; false after a fault.
+  bool yes_or_no(const std::string& key);
   std::optional<TableReader> table(const std::string& key, Presence presence = Presence::required);
   const TomlNode* array(const std::string& key);
 

@@ -28,7 +28,8 @@ struct Unknown {
   double highest = 0;           ///< > lowest
   double start = 0;             ///< of the first start
   bool is_logarithmic = false;  ///< sought by its logarithm; then lowest > 0
-  std::optional<Prior> prior;
+  std::optional<Prior> prior = {};
+  bool is_added = false;  ///< by the program, since nobody stated the number
 };
 
 /// Where a value lies between its bounds, 0 to 1; by the logarithm where it is sought so.
@@ -111,6 +112,9 @@ struct Fit {
   std::string title;
   ImpactCase base;        ///< its material has the starting values; without impacts the rest is made up
   bool has_case = false;  ///< the base is a case of the user's, not a pad alone
+  Options options;        ///< of that case
+  /// Of a foam with a rate effect: whether somebody gave the recoil of the base, or it is the default.
+  bool recoil_is_stated = true;
   std::vector<Unknown> unknowns;
   std::vector<MaterialMeasurement> tests;
   std::vector<ImpactMeasurement> impacts;
@@ -125,6 +129,11 @@ struct ImpactFigureName {
   const char* unit;
 };
 const std::vector<ImpactFigureName>& impact_figure_names();
+
+/// Whether a card holds that number: one of the law, or the scale that goes into its stresses.
+bool is_of_card(const std::string& key);
+/// Whether an unknown is none of those, as the stiffness of a support: a case holds it.
+bool finds_more_than_a_card(const Fit& fit);
 
 /// Whether a strain counts in the fit.
 inline bool counts(const MaterialMeasurement& test, std::size_t i) {

@@ -1,5 +1,7 @@
 #include "dashpad/model/pad/material.hpp"
 
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "model/pad/foam/foam_curve.hpp"
@@ -40,6 +42,73 @@ void check_conditions(const Material& material, std::vector<Violation>& broken) 
     if (!(factor[i] >= 1e-3 && factor[i] <= 1e3))
       broken.push_back(
           {fmt::format("temperature.factors[{}]", i + 1), factor[i], "must be from 0.001 to 1000"});
+}
+
+void check_range(const char* key, const std::optional<ValueRange>& range, std::optional<double> nominal,
+                 const Bounds& bounds, std::vector<Violation>& broken) {
+  if (!range) return;
+  const std::string full = fmt::format("uncertainty.{}", key);
+  if (!bounds.contain(range->low) || !bounds.contain(range->high))
+    broken.push_back(
+        {full, range->low, fmt::format("must lie from {:g} to {:g}", bounds.lowest, bounds.highest)});
+  else if (!(range->low <= range->high))
+    broken.push_back({full, range->low, "must be two numbers, the lower first"});
+  else if (nominal && !(*nominal >= range->low && *nominal <= range->high))
+    broken.push_back({full, *nominal, fmt::format("must hold the card's own {}", key)});
+}
+
+/// Its own value and bounds where the law has a parameter of that name; a fault where it has none.
+void check_parameter_range(const Material& material, const char* key, const std::optional<ValueRange>& range,
+                           std::vector<Violation>& broken) {
+  if (!range) return;
+  const bool is_known = std::visit(
+      [&]<class Law>(const Law& law) {
+        for (const Parameter<Law>& parameter : Law::parameters)
+          if (std::string_view(parameter.key) == key) {
+            check_range(key, range, law.*parameter.member, parameter.bounds, broken);
+            return true;
+          }
+        return false;
+      },
+      material.law);
+  if (!is_known)
+    broken.push_back({fmt::format("uncertainty.{}", key), range->low, "the law has no such parameter"});
+}
+
+void check_uncertainty(const Material& material, std::vector<Violation>& broken) {
+  constexpr Bounds shares{.lowest = 0, .highest = 1, .lowest_admitted = true, .highest_admitted = true};
+  const Uncertainty& of = material.uncertainty;
+  check_parameter_range(material, "recoil", of.recoil, broken);
+  check_parameter_range(material, "unloading_factor", of.unloading_factor, broken);
+  check_parameter_range(material, "lag_strain", of.lag_strain, broken);
+  check_range("rate_exponent", of.rate_exponent, {}, shares, broken);
+  const auto check_share = [&](const char* key, double value) {
+    if (!shares.contain(value))
+      broken.push_back({fmt::format("uncertainty.{}", key), value, "must be a share, from 0 to 1"});
+  };
+  if (of.scatter) check_share("scatter", *of.scatter);
+  if (const auto& misfit = of.misfit) {
+    check_share("misfit.peak_acceleration", misfit->peak_acceleration);
+    check_share("misfit.hic", misfit->hic);
+    check_share("misfit.rebound_speed", misfit->rebound_speed);
+    check_share("misfit.penetration", misfit->penetration);
+    if (const auto& nose = misfit->nose_over_pad; nose && !positive.contain(*nose))
+      broken.push_back({"uncertainty.misfit.nose_over_pad", *nose, "must be more than 0"});
+    if (misfit->impacts < 1)
+      broken.push_back(
+          {"uncertainty.misfit.impacts", double(misfit->impacts), "must be a whole number, 1 or more"});
+  }
+  const PosteriorAxes& axes = of.posterior;
+  if (axes.minus.size() != axes.plus.size() || axes.minus.size() > most_posterior_axes ||
+      axes.keys.size() > most_posterior_keys)
+    broken.push_back({"uncertainty.posterior.plus", double(axes.plus.size()),
+                      fmt::format("must have a row for each of minus, {} at most", most_posterior_axes)});
+  for (const auto* rows : {&axes.minus, &axes.plus})
+    for (const std::vector<double>& row : *rows)
+      if (row.size() != axes.keys.size())
+        broken.push_back({rows == &axes.minus ? "uncertainty.posterior.minus" : "uncertainty.posterior.plus",
+                          double(row.size()),
+                          fmt::format("must have {} numbers a row, one for each of keys", axes.keys.size())});
 }
 
 /// Where the curves of a foam were tested.
@@ -90,6 +159,7 @@ std::vector<Violation> violations_beside_law(const Material& material) {
   std::vector<Violation> broken;
   if (material.fitted) check_fit(*material.fitted, broken);
   check_conditions(material, broken);
+  check_uncertainty(material, broken);
   return broken;
 }
 

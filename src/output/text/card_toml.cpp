@@ -94,6 +94,48 @@ std::string fitted_toml(const FittedRange& fitted, const std::string& prefix) {
          toml_line("highest_rate", fitted.highest_rate, "1/s");
 }
 
+/// `key = [[...], ...]`
+std::string rows_toml(const std::string& key, const std::vector<std::vector<double>>& rows) {
+  std::string text = key + " = [\n";
+  for (const std::vector<double>& row : rows) {
+    std::string line;
+    for (const double value : row) line += (line.empty() ? "" : ", ") + toml_value(value, "1");
+    text += "  [" + line + "],\n";
+  }
+  return text + "]\n";
+}
+
+std::string posterior_toml(const PosteriorAxes& axes, const std::string& prefix) {
+  if (axes.keys.empty()) return "";
+  std::string keys;
+  for (const std::string& key : axes.keys) keys += (keys.empty() ? "" : ", ") + toml_string(key);
+  return table_head(prefix, "uncertainty.posterior") + "keys = [" + keys + "]\n" +
+         rows_toml("minus", axes.minus) + rows_toml("plus", axes.plus);
+}
+
+std::string misfit_toml(const Misfit& of, const std::string& prefix) {
+  return table_head(prefix, "uncertainty.misfit") +
+         toml_line("peak_acceleration", of.peak_acceleration, "1") + toml_line("hic", of.hic, "1") +
+         toml_line("rebound_speed", of.rebound_speed, "1") + toml_line("penetration", of.penetration, "1") +
+         toml_line("impacts", of.impacts, "1") + fmt::format("held_out = {}\n", of.is_held_out) +
+         (of.nose_over_pad ? toml_line("nose_over_pad", *of.nose_over_pad, "1") : "");
+}
+
+std::string uncertainty_toml(const Uncertainty& of, const std::string& prefix) {
+  if (of == Uncertainty{}) return "";
+  std::string text = table_head(prefix, "uncertainty");
+  const auto range = [&](const char* key, const std::optional<ValueRange>& value) {
+    if (value) text += toml_line(key, std::vector{value->low, value->high});
+  };
+  range("recoil", of.recoil);
+  range("unloading_factor", of.unloading_factor);
+  range("lag_strain", of.lag_strain);
+  range("rate_exponent", of.rate_exponent);
+  if (of.scatter) text += toml_line("scatter", *of.scatter, "1");
+  if (of.misfit) text += misfit_toml(*of.misfit, prefix);
+  return text + posterior_toml(of.posterior, prefix);
+}
+
 bool is_bare_key(std::string_view key) {
   return !key.empty() && key.find_first_not_of(
                              "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
@@ -118,7 +160,7 @@ std::string law_toml(const Material& material, const std::string& prefix) {
     text += curves_toml(crushable->curves, prefix);
   }
   if (material.fitted) text += fitted_toml(*material.fitted, prefix);
-  return text;
+  return text + uncertainty_toml(material.uncertainty, prefix);
 }
 
 std::string card_toml(const Material& material) {

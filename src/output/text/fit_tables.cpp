@@ -39,8 +39,9 @@ Table table_of_unknowns(const fit::FitReport& report, const UnitSystem& units) {
     table.rows.push_back({of.key, brief_quantity(of.value, of.unit, units, 4),
                           of.standard_error ? brief_quantity(*of.standard_error, of.unit, units, 2) : "none",
                           interval_words(of, units),
-                          of.is_at_lowest       ? "at its lower bound"
-                          : of.is_at_highest    ? "at its upper bound"
+                          of.wants_beyond()  ? of.is_at_lowest ? "at its lower bound" : "at its upper bound"
+                          : of.is_at_lowest  ? "as small as it can be"
+                          : of.is_at_highest ? "as large as it can be"
                           : of.rests_on_prior() ? "mostly from its prior"
                                                 : ""});
   return table;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dashpad/model/pad/law.hpp"
+#include "dashpad/model/pad/uncertainty.hpp"
 
 namespace dashpad {
 
@@ -39,6 +40,7 @@ struct Material {
   std::vector<std::string> reservations = {};  ///< what to keep in mind, a sentence each
   PadLaw law = {};
   std::optional<FittedRange> fitted = {};
+  Uncertainty uncertainty = {};
   /// Published values that the law does not use: name and value as the card has them.
   std::vector<std::pair<std::string, std::string>> also_published = {};
 };
@@ -49,8 +51,8 @@ std::optional<FittedRange> range_of(const Material& material);
 /// Whether the key of a broken rule of a law (violations(PadLaw)) is that of a parameter, not of a curve.
 bool is_of_parameters(std::string_view key);
 
-/// Every rule that the law or its fitted range breaks. Keys are those of cards: `parameters.modulus`,
-/// `fitted.highest_rate`.
+/// Every rule that the law, its fitted range or its uncertainty breaks. Keys are those of cards:
+/// `parameters.modulus`, `fitted.highest_rate`, `uncertainty.recoil`.
 std::vector<Violation> violations(const Material& material);
 /// The same but for the law, where that is known to keep its rules.
 std::vector<Violation> violations_beside_law(const Material& material);
