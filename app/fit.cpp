@@ -27,6 +27,7 @@ constexpr const char* fit_footer = R"(Examples:
   dashpad fit examples/fits/vn600.toml --output my-foam.toml   the card, with its origin
   dashpad fit my-fit.toml --json fit.json --posterior 1000 draws.csv
   dashpad fit my-fit.toml --report fit.html                    a page: model over data, intervals, what is open
+  dashpad fit my-fit.toml --case fitted.toml                   the case with the support, nose or mass that was found
   dashpad fit my-fit.toml --state my-fit.state                 keeps what is finished; the same command goes on
 
 A fit file names the law with its starting values, the unknowns with their bounds, and the measurements:
@@ -57,6 +58,7 @@ A fit file names the law with its starting values, the unknowns with their bound
   [[impacts]]
   case = "drop.toml"
   peak_force = {value = "1.8 kN", deviation = "5 %"}
+  hic15 = {value = 640, deviation = "5 %"}          # as hic36, hic_unlimited, clip_3ms, rebound_speed, ...
   pulse = {file = "drop.csv", deviation = "3 g", filter = "CFC180"}   # or a share of its peak, "5 %"
 
 docs/fits.md has every key, and what the numbers mean.
@@ -74,7 +76,7 @@ Exit codes: 0 done, 1 a result could not be written, 2 the fit file or its data 
 
 struct FitRequest {
   std::string file;
-  std::optional<std::string> card, json, report, state;
+  std::optional<std::string> card, fitted_case, json, report, state;
   std::vector<std::string> posterior;  ///< N and FILE
   std::string units;
   std::string materials;
@@ -99,6 +101,7 @@ std::size_t draws_of(const FitRequest& request, std::vector<std::string>& wrong)
 std::vector<Target> fit_targets(const FitRequest& request) {
   std::vector<Target> targets;
   if (request.card) targets.push_back({"--output", *request.card});
+  if (request.fitted_case) targets.push_back({"--case", *request.fitted_case});
   if (request.json) targets.push_back({"--json", *request.json});
   if (request.report) targets.push_back({"--report", *request.report});
   if (request.posterior.size() == 2) targets.push_back({"--posterior", request.posterior.back()});
@@ -169,6 +172,15 @@ int stopped(const FitRequest& request, std::size_t kept) {
   return StopSignal::exit_code();
 }
 
+/// What no card holds, where the case that would is not asked for.
+std::string kept_by_case(const FitRequest& request, const fit::FitReport& report) {
+  if (request.fitted_case || !report.fitted_case) return "";
+  std::string keys;
+  for (const fit::FittedUnknown& of : report.unknowns)
+    if (!of.is_nuisance && !fit::is_of_card(of.key)) keys += (keys.empty() ? "" : ", ") + of.key;
+  return keys + ": no card holds that; --case FILE keeps it, with the foam.\n";
+}
+
 int fit_material(const FitRequest& request, const std::filesystem::path& materials) {
   // From the reading of the files to the writing of the results: neither is left half done.
   const StopSignal signal;
@@ -184,6 +196,11 @@ int fit_material(const FitRequest& request, const std::filesystem::path& materia
   const std::vector<input::InputFile> files =
       input ? input->files : std::vector<input::InputFile>{{"the fit file", request.file}};
   judge_targets(targets, files, request.force, wrong);
+  if (request.fitted_case && input && !fit::finds_more_than_a_card(input->fit))
+    wrong.push_back(
+        fmt::format("--case {}: no unknown of this fit is one of the case, as support.stiffness; "
+                    "a card holds all that it finds (--output)",
+                    *request.fitted_case));
   fit::RunOptions options{.posterior = draws};
   if (request.state && input) {
     options.state = *request.state;
@@ -202,12 +219,14 @@ int fit_material(const FitRequest& request, const std::filesystem::path& materia
   const auto text_of = [&](const Target& target) {
     if (target.option == "--json") return output::fit_json(report);
     if (target.option == "--posterior") return output::posterior_csv(report);
+    if (target.option == "--case") return output::fitted_case_toml(report);
     if (target.option == "--report") return output::fit_page(report, unit_system(request.units));
     return output::card_toml(report.material);
   };
   std::string account = output::fit_text(report, unit_system(request.units));
   for (const Target& target : targets)
     if (!target.is_standard_output()) account += "written: " + target.file + "\n";
+  account += kept_by_case(request, report);
   if (!report.posterior.empty())
     account +=
         "The draws are from the Laplace approximation: normal in the coordinates of the search, cut off at "
@@ -223,6 +242,10 @@ void add_fit(CLI::App& app, Action& action, const std::filesystem::path& executa
   const auto request = std::make_shared<FitRequest>();
   sub->add_option("FIT", request->file, "Fit file (TOML)")->required()->type_name("");
   sub->add_option("-o,--output", request->card, "Write the material card (- for standard output)")
+      ->type_name("FILE");
+  sub->add_option(
+         "--case", request->fitted_case,
+         "Write the case with what was found of it, as a support, and the foam (- for standard output)")
       ->type_name("FILE");
   sub->add_option("--json", request->json, "Write everything as JSON, SI (- for standard output)")
       ->type_name("FILE");

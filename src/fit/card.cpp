@@ -5,13 +5,20 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/impact/case_quantity.hpp"
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/study/application.hpp"
+#include "fit/impact_residuals.hpp"
 #include "fit/problem.hpp"
+#include "fit/reservations.hpp"
+#include "fit/test_residuals.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::fit {
 
 namespace {
+
+/// Significant digits of what was found: figures by the card are those of the fit to 1e-4 and better.
+constexpr int digits = 6;
 
 std::string rms_words(const MetTest& test) {
   const auto share = [&](const std::optional<double>& rms) { return 100 * *rms / test.largest_stress; };
@@ -51,75 +58,161 @@ std::string origin_of(const Fit& fit, const FitReport& report) {
     origin += fmt::format("{}{} ({})", separator, impact.file, impact_words(impact, report));
     separator = "; ";
   }
-  return origin + fmt::format("; misfit {:.3g} per degree of freedom{}", report.misfit_per_degree(),
-                              report.noise_is_stated ? "" : ", by construction: the noise was not stated");
+  origin += fmt::format("; misfit {:.3g} per degree of freedom{}", report.misfit_per_degree(),
+                        report.noise_is_stated ? "" : ", by construction: the noise was not stated");
+  const Material& base = fit.base.pad.material;
+  if (is_stated(base) && !base.source.empty() && !base.name.empty())
+    origin += fmt::format("; the rest from {}: {}", base.name, base.source);
+  return origin;
 }
 
-std::vector<std::string> reservations_of(const Fit& fit, const FitReport& report) {
-  std::vector<std::string> all;
-  for (const FittedUnknown& unknown : report.unknowns)
-    if (!unknown.is_identified() && !unknown.is_nuisance)
-      all.push_back(fmt::format("The data do not determine {}: its 95 % interval is open {}.", unknown.key,
-                                unknown.open()));
-  for (const FittedUnknown& unknown : report.unknowns)
-    if (!study::is_of_law(unknown.key) && !unknown.is_nuisance)
-      all.push_back(fmt::format("Found together with {} = {:.4g}{}, which a card does not hold.", unknown.key,
-                                unknown.value, unknown.unit == "1" ? "" : " " + unknown.unit));
-  const bool unloads = std::ranges::any_of(
-      report.tests, [](const MetTest& test) { return !test.is_held_out && test.rms_unloading.has_value(); });
-  const bool strikes = std::ranges::any_of(fit.impacts, [](const auto& of) { return !of.is_held_out; });
-  if (!unloads && !strikes) all.emplace_back("Fitted to loading only: the way back is assumed.");
-  for (const MetTest& test : report.tests)
-    if (test.offset)
-      all.push_back(fmt::format("The force zero of {} was taken to be off by {:.3g} kPa.", test.file,
-                                *test.offset / 1000));
-  return all;
+/// Rounded so that the value stays within, but for the dust of computed numbers.
+double rounded_outwards(double value, double side) {
+  constexpr double dust = 1e-9;
+  const double near = rounded_to(value, digits);
+  if (side * (value - near) <= dust * value) return near;
+  return rounded_to(near + side * value * std::pow(10, 1 - digits), digits);
 }
 
-/// Strains and rates of the fitted tests and impacts; one rate counts for half a decade on either side.
-FittedRange range_of_data(const Fit& fit, const Material& material) {
-  double strain = 0;
-  double lowest = 1e300;
-  double highest = 0;
+/// Whether a fitted number is one of the base curve, whose tested range the old one was.
+bool refits_curve(const Fit& fit) {
+  return std::ranges::any_of(fit.unknowns,
+                             [](const Unknown& of) { return of.key.starts_with("pad.curve."); });
+}
+
+void take_rate(FittedRange& range, double rate) {
+  range.lowest_rate = std::min(range.lowest_rate, rate);
+  range.highest_rate = std::max(range.highest_rate, rate);
+}
+
+constexpr FittedRange nothing{.highest_strain = 0, .lowest_rate = 1e300, .highest_rate = 0};
+
+/// Strains and rates of the fitted tests; with the largest strain 0 where there are none.
+FittedRange range_of_tests(const Fit& fit) {
+  FittedRange range = nothing;
   for (const MaterialMeasurement& test : fit.tests) {
     if (test.is_held_out) continue;
     for (std::size_t i = 0; i < test.strain.size(); ++i)
-      if (counts(test, i)) strain = std::max(strain, test.strain[i]);
-    double way = 0, time = 0;
-    for (std::size_t i = 1; i < test.strain.size(); ++i) {
-      way += std::abs(test.strain[i] - test.strain[i - 1]);
-      time += test.strain[i] == test.strain[i - 1] ? 0 : test.time[i] - test.time[i - 1];
-    }
-    lowest = std::min(lowest, way / time);
-    highest = std::max(highest, way / time);
+      if (counts(test, i)) range.highest_strain = std::max(range.highest_strain, test.strain[i]);
+    take_rate(range, mean_rate_of(test));
   }
-  for (const ImpactMeasurement& impact : fit.impacts) {
-    if (impact.is_held_out) continue;
-    ImpactCase with_material = impact.impact;
-    with_material.pad.material = material;
-    const Summary summary = solve(with_material, impact.options).summary;
-    strain = std::max(strain, std::min(summary.peak_strain, 1.0));
-    lowest = std::min(lowest, summary.peak_strain_rate);
-    highest = std::max(highest, summary.peak_strain_rate);
+  return range;
+}
+
+/// What was tested, never what the model reached: tests say up to which strain, and impacts, whose forces
+/// were measured, at which rates. Without tests the strain is what the card says that the fit started from;
+/// then that of a curve that the file gave. One rate counts for half a decade on either side. Absent where
+/// nobody says a strain.
+std::optional<FittedRange> range_of_data(const Fit& fit, std::span<const double> values,
+                                         const Material& material) {
+  FittedRange range = range_of_tests(fit);
+  const bool is_tested = range.highest_strain > 0;
+  const Material& base = fit.base.pad.material;
+  const bool keeps_own = !is_tested || !refits_curve(fit);
+  if (const auto own = range_of(base); own && is_stated(base) && keeps_own) {
+    range.highest_strain = std::max(range.highest_strain, own->highest_strain);
+    take_rate(range, own->lowest_rate);
+    take_rate(range, own->highest_rate);
+  } else if (!is_tested) {
+    const auto of_curve = range_of(material);
+    if (!of_curve) return std::nullopt;
+    range.highest_strain = of_curve->highest_strain;
   }
-  if (highest < 2 * lowest) {
-    lowest /= std::sqrt(10.0);
-    highest *= std::sqrt(10.0);
+  for (const ImpactMeasurement& impact : fit.impacts)
+    if (!impact.is_held_out) take_rate(range, rate_of(fit, impact, values));
+  if (range.highest_rate < 2 * range.lowest_rate) {
+    range.lowest_rate /= std::sqrt(10.0);
+    range.highest_rate *= std::sqrt(10.0);
   }
-  return {strain, lowest, highest};
+  return FittedRange{.highest_strain = rounded_outwards(range.highest_strain, 1),
+                     .lowest_rate = rounded_outwards(range.lowest_rate, -1),
+                     .highest_rate = rounded_outwards(range.highest_rate, 1)};
+}
+
+/// Stresses that were multiplied have as many digits as others.
+void round_stresses(TableCurve& table) {
+  for (double& stress : table.stress) stress = rounded_to(stress, digits);
+}
+void round_stresses(CurvesRateEffect& effect) {
+  for (CurvesRateEffect::AtRate& at : effect.curves) round_stresses(at.curve);
+}
+template <class Of>
+void round_stresses(Of& of) {
+  if constexpr (requires { Of::parameters; })
+    for (const Parameter<Of>& parameter : Of::parameters)
+      if (std::string_view(parameter.unit) == "Pa")
+        of.*parameter.member = rounded_to(of.*parameter.member, digits);
+}
+
+/// The law with all its stresses times a factor; not rounded where it then would break a rule, as a table
+/// whose neighbours are nearly equal.
+PadLaw scaled_and_rounded(const PadLaw& law, double factor) {
+  const PadLaw exact = scaled(law, factor);
+  PadLaw result = exact;
+  std::visit(
+      []<class Law>(Law& of) {
+        round_stresses(of);
+        if constexpr (SharesSlip<Law>) {
+          std::visit([](auto& form) { round_stresses(form); }, of.curves.base);
+          std::visit([](auto& effect) { round_stresses(effect); }, of.curves.rate_effect);
+          if constexpr (requires { of.unloading_curve; })
+            if (of.unloading_curve) round_stresses(*of.unloading_curve);
+        }
+      },
+      result);
+  return violations(result).empty() ? result : exact;
 }
 
 }  // namespace
 
+bool is_stated(const Material& material) {
+  return material.fitted || (material.name != foam_of_the_case && !material.name.empty());
+}
+
+double rate_of(const Fit& fit, const ImpactMeasurement& impact, std::span<const double> values) {
+  return solve(impact_with(fit, impact, values), impact.options).summary.peak_strain_rate;
+}
+
+std::vector<double> written_values(const Fit& fit, std::span<const double> values) {
+  std::vector<double> written(values.begin(), values.end());
+  for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
+    written[i] = std::clamp(rounded_to(values[i], digits), fit.unknowns[i].lowest, fit.unknowns[i].highest);
+  return written;
+}
+
 Material card_of(const Fit& fit, std::span<const double> values, const FitReport& report) {
-  Material material = material_with(fit, values);
+  const std::vector<double> written = written_values(fit, values);
+  Material material = material_with(fit, written);
+  const auto scale = std::ranges::find(fit.unknowns, "pad.scale", &Unknown::key);
+  if (scale != fit.unknowns.end())
+    material.law =
+        scaled_and_rounded(material.law, written[static_cast<std::size_t>(scale - fit.unknowns.begin())]);
+  material.source = origin_of(fit, report);
+  material.reservations = reservations_of(fit, written, report);
+  material.fitted = range_of_data(fit, written, material);
   material.name = "fitted";
   material.title = fit.title.empty() ? "Fitted foam" : fit.title;
-  material.source = origin_of(fit, report);
   material.basis = "test";
-  material.reservations = reservations_of(fit, report);
-  material.fitted = range_of_data(fit, material);
   return material;
+}
+
+std::optional<FittedCase> fitted_case_of(const Fit& fit, std::span<const double> values,
+                                         const Material& card) {
+  if (!finds_more_than_a_card(fit)) return std::nullopt;
+  FittedCase found{fit.base, fit.options};
+  if (!fit.has_case) {
+    const ImpactMeasurement& first =
+        *std::ranges::find_if(fit.impacts, [](const ImpactMeasurement& of) { return !of.is_held_out; });
+    found = {first.impact, first.options};
+  }
+  const std::vector<double> written = written_values(fit, values);
+  const std::vector<CaseQuantity> quantities = quantities_of(found.impact);
+  for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
+    if (!is_of_card(fit.unknowns[i].key))
+      std::ranges::find(quantities, fit.unknowns[i].key, &CaseQuantity::key)->set(found.impact, written[i]);
+  found.impact.pad.material = card;
+  if (std::ranges::count(fit.unknowns, "pad.scale", &Unknown::key) > 0) found.impact.pad.condition.scale = 1;
+  return found;
 }
 
 }  // namespace dashpad::fit

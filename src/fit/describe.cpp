@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "fit/card.hpp"
+#include "fit/comparison.hpp"
 #include "fit/met.hpp"
 #include "fit/prediction.hpp"
 
@@ -23,6 +24,11 @@ FittedUnknown unknown_of(const Fit& fit, const Problem& problem, const Solved& s
   found.highest = coordinate.highest;
   found.is_logarithmic = coordinate.is_logarithmic;
   found.is_nuisance = coordinate.is_nuisance;
+  if (i < fit.unknowns.size()) {
+    found.is_added = fit.unknowns[i].is_added;
+    found.lowest_is_natural = is_natural_bound(fit, fit.unknowns[i], coordinate.lowest);
+    found.highest_is_natural = is_natural_bound(fit, fit.unknowns[i], coordinate.highest);
+  }
   found.is_at_lowest = is_at_bound(x) && x < 0.5;
   found.is_at_highest = is_at_bound(x) && x > 0.5;
   if (solved.uncertainty.error[i])
@@ -58,6 +64,7 @@ void describe_measurements(const Fit& fit, const Problem& problem, const Solved&
     for (std::size_t i = 0; i < figures.size(); ++i)
       if (figures[i].computed) figures[i].prediction_deviation = deviations[i];
     std::ranges::move(figures, std::back_inserter(report.figures));
+    std::ranges::move(compared(fit, impact, values), std::back_inserter(report.comparison));
     if (impact.pulse) {
       MetPulse met = met_pulse(fit, impact, values, block ? block->shift : std::nullopt);
       if (block) {
@@ -77,6 +84,10 @@ void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitR
   for (std::size_t i = 0; i < problem.coordinates.size(); ++i)
     report.unknowns.push_back(unknown_of(fit, problem, solved, i));
   const auto key = [&](std::size_t i) { return problem.coordinates[i].key; };
+  for (std::size_t i = 0; i < problem.coordinates.size(); ++i) {
+    if (solved.below[i].is_rough) report.rough_ends.push_back(key(i) + ", below");
+    if (solved.above[i].is_rough) report.rough_ends.push_back(key(i) + ", above");
+  }
   for (std::size_t k = 0; k < uncertainty.correlations.size(); ++k) {
     const auto& [i, j] = uncertainty.strongly_correlated[k];
     report.correlations.push_back({key(i), key(j), uncertainty.correlations[k]});
@@ -90,7 +101,9 @@ void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitR
     if (uncertainty.error[i])
       report.largest_widening = std::max(report.largest_widening, std::sqrt(uncertainty.widening[i]));
   describe_measurements(fit, problem, solved, report);
-  report.material = card_of(fit, problem.values(solved.minimum.x), report);
+  const std::vector<double> values = problem.values(solved.minimum.x);
+  report.material = card_of(fit, values, report);
+  report.fitted_case = fitted_case_of(fit, values, report.material);
 }
 
 }  // namespace dashpad::fit

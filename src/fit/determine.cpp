@@ -65,9 +65,15 @@ void find_profiles(const LeastSquares& residuals, const FitReport& report, int r
     if (of.error[i])
       for (std::size_t j = 0; j < n; ++j)
         request.direction.push_back(of.covariance[j * n + i] / of.covariance[i * n + i]);
-    (task % 2 == 0 ? solved.below : solved.above)[i] =
-        session.piece(fmt::format("runs {}, round {}, end {}", report.solver_runs, round, task),
-                      [&] { return profile(residuals, solved.minimum, request); });
+    ProfileEnd& end = (task % 2 == 0 ? solved.below : solved.above)[i];
+    if (residuals.settle && residuals.settles[i]) {
+      // The clock of a pulse is nobody's aim: its curvature is enough.
+      const double x = solved.minimum.x[i] + request.side * request.guess;
+      if (of.error[i] && x > 0 && x < 1) end.x = x;
+      return;
+    }
+    end = session.piece(fmt::format("runs {}, round {}, end {}", report.solver_runs, round, task),
+                        [&] { return profile(residuals, solved.minimum, request); });
   });
 }
 

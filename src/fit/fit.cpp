@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -170,6 +171,21 @@ void check_pulse(const MeasuredDeceleration& pulse, const std::string& key, Brok
 }
 
 }  // namespace
+
+bool is_of_card(const std::string& key) { return study::is_of_law(key) || key == "pad.scale"; }
+
+bool finds_more_than_a_card(const Fit& fit) {
+  return !std::ranges::all_of(fit.unknowns, [](const Unknown& of) { return is_of_card(of.key); });
+}
+
+bool is_natural_bound(const Fit& fit, const Unknown& unknown, double bound) {
+  const double step = 1e-6 * (unknown.highest - unknown.lowest);
+  try {
+    return !rule_at(fit, unknown, bound == unknown.lowest ? bound - step : bound + step).empty();
+  } catch (const std::invalid_argument&) {
+    return true;  // a support that cannot exist
+  }
+}
 
 std::vector<Violation> violations(const Fit& fit) {
   Broken broken;

@@ -9,6 +9,7 @@
 
 #include "dashpad/input/case_file.hpp"
 #include "fit/fit_tables.hpp"
+#include "fit/recoil.hpp"
 #include "input/pad_table.hpp"
 
 namespace dashpad::fit {
@@ -63,6 +64,7 @@ bool read_base(TableReader& top, const TomlNode& root, const FitFolders& folders
     try {
       input::CaseFile read = input::read_case(folders.of_fit / name, folders.materials);
       into.fit.base = std::move(read.impact);
+      into.fit.options = read.options;
       into.fit.has_case = true;
       std::ranges::move(read.files, std::back_inserter(into.files));
     } catch (const input::InputError& error) {
@@ -120,6 +122,7 @@ FitFile read_fit(const std::filesystem::path& file, const std::filesystem::path&
   Lines lines;
   fit.title = top.text("title", Presence::optional);
   const bool has_base = read_base(top, root, folders, result);
+  const std::vector<input::InputFile> of_base(result.files.begin() + 1, result.files.end());
   read_unknowns(top, has_base, fit, lines);
   read_each(top, "tests", lines,
             [&](TableReader& table) { fit.tests.push_back(read_test(table, folders, result.files)); });
@@ -127,6 +130,8 @@ FitFile read_fit(const std::filesystem::path& file, const std::filesystem::path&
             [&](TableReader& table) { fit.impacts.push_back(read_impact(table, folders, result.files)); });
   read_search(top, fit);
   top.refuse_others();
+  if (has_base) fit.recoil_is_stated = states_recoil(root, of_base);
+  if (faults.size() == 0) seek_recoil(fit);
   // What follows from several entries is judged where each is sound.
   if (faults.size() == 0) add_broken_rules(violations(fit), root, lines, faults);
   faults.throw_if_any();

@@ -1,3 +1,5 @@
+#include "fit/impact_residuals.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -5,9 +7,15 @@
 #include <stdexcept>
 
 #include <tbb/enumerable_thread_specific.h>
+#include <boost/math/tools/minima.hpp>
 
 #include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/solver.hpp"
+#include "dashpad/injury/clip.hpp"
+#include "dashpad/injury/figures.hpp"
+#include "dashpad/injury/hic.hpp"
+#include "dashpad/injury/peak.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
 #include "fit/problem.hpp"
 #include "fit/smooth_curve.hpp"
@@ -16,7 +24,37 @@ namespace dashpad::fit {
 
 namespace {
 
-std::optional<double> figure_in(const Summary& summary, ImpactFigure figure) {
+constexpr int points_per_step = 4;  ///< of the curve through the steps of the solver
+
+using Setter = std::function<void(ImpactCase&, double)>;
+
+/// How each unknown gets into an impact. Throws std::invalid_argument where that has no such quantity.
+std::vector<Setter> setters_of(const Fit& fit, const std::string& file, const ImpactCase& impact) {
+  std::vector<Setter> setters;
+  const std::vector<CaseQuantity> quantities = quantities_of(impact);
+  for (const Unknown& unknown : fit.unknowns) {
+    const auto found = std::ranges::find(quantities, unknown.key, &CaseQuantity::key);
+    if (found == quantities.end()) throw std::invalid_argument(file + " has no " + unknown.key);
+    setters.push_back(found->set);
+  }
+  return setters;
+}
+
+double figure_of(const Pulse& pulse, ImpactFigure figure) {
+  constexpr double three_milliseconds = 3e-3;
+  switch (figure) {
+    case ImpactFigure::hic15: return injury::hic(pulse, injury::hic15_window).value;
+    case ImpactFigure::hic36: return injury::hic(pulse, 36e-3).value;
+    case ImpactFigure::hic_unlimited: return injury::hic(pulse, injury::unlimited_window).value;
+    case ImpactFigure::clip_3ms: return injury::contiguous_clip(pulse, three_milliseconds).level;
+    case ImpactFigure::cumulative_3ms: return injury::cumulative_clip(pulse, three_milliseconds).level;
+    case ImpactFigure::velocity_change: return injury::velocity_change(pulse);
+    default: return no_figure;
+  }
+}
+
+std::optional<double> figure_in(const Solution& solution, ImpactFigure figure) {
+  const Summary& summary = solution.summary;
   switch (figure) {
     case ImpactFigure::peak_force: return summary.peak_force;
     case ImpactFigure::peak_acceleration: return summary.peak_acceleration;
@@ -26,8 +64,10 @@ std::optional<double> figure_in(const Summary& summary, ImpactFigure figure) {
     case ImpactFigure::contact_time:
       if (summary.contact_end) return summary.contact_end->time;
       return std::nullopt;
+    default:
+      if (const std::optional<Pulse> pulse = smooth_pulse(solution)) return figure_of(*pulse, figure);
+      return std::nullopt;
   }
-  return std::nullopt;
 }
 
 /// The computed deceleration with the filter of the measured one.
@@ -44,15 +84,22 @@ SmoothCurve filtered(const SmoothCurve& curve, double end, const MeasuredDeceler
   return {std::move(pulse.time), std::move(pulse.acceleration)};
 }
 
-/// The deceleration at times since the onset; nothing before first contact and after the end of contact.
-bool predict_pulse(const Solution& solution, const MeasuredDeceleration& measured, double shift,
-                   std::span<double> predicted) {
+/// A computed deceleration and its onset.
+struct ComputedPulse {
+  SmoothCurve curve;
+  double onset = 0;
+
+  /// At a time since the measured onset; nothing before first contact and after the end of contact.
+  [[nodiscard]] double at(double time, double shift) const { return curve.at(onset + time - shift); }
+};
+
+std::optional<ComputedPulse> computed_pulse(const Solution& solution, const MeasuredDeceleration& measured) {
   const History& history = solution.history;
   if (!solution.summary.peak_acceleration || history.size() < 2)
-    return false;  // bottomed out on a rigid support
+    return std::nullopt;  // bottomed out on a rigid support
   std::vector<double> deceleration;
   for (const double a : history.acceleration) {
-    if (!std::isfinite(a)) return false;
+    if (!std::isfinite(a)) return std::nullopt;
     deceleration.push_back(-a);
   }
   SmoothCurve curve(history.time, std::move(deceleration));
@@ -65,10 +112,113 @@ bool predict_pulse(const Solution& solution, const MeasuredDeceleration& measure
   }
   // A foam that answers at first contact has its onset there.
   const double onset = curve.first_at(injury::onset_share * peak);
-  for (std::size_t i = 0; i < predicted.size(); ++i)
-    predicted[i] = curve.at(onset + measured.time[i] - shift);
-  return true;
+  return ComputedPulse{std::move(curve), onset};
 }
+
+/// The shift between two with which a computed pulse meets the measured one best. Where a pulse has an edge,
+/// as at the turning point of a foam with a rate effect, the misfit has a dent for each sample that passes
+/// it: all of them are looked at, on chords, and the best two searched.
+double best_shift(const ComputedPulse& computed, const MeasuredDeceleration& measured, double lowest,
+                  double highest) {
+  constexpr double looks_per_sample = 3;
+  constexpr int fewest_looks = 16, most_looks = 200, bits = 22;
+  const std::vector<double>& time = measured.time;
+  const double spacing = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  const int looks = static_cast<int>(
+      std::clamp<double>(looks_per_sample * (highest - lowest) / spacing, fewest_looks, most_looks));
+  const double look = (highest - lowest) / looks;
+
+  // The curve at even times, from the earliest that any look reads.
+  const double begin = time.front() - highest, fine = look / 2;
+  std::vector<double> chords;
+  for (double t = begin; t <= time.back() - lowest + 2 * fine; t += fine) chords.push_back(computed.at(t, 0));
+  const auto misses_by_chords = [&](double shift) {
+    double squares = 0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+      const double at = std::max((time[i] - shift - begin) / fine, 0.0);
+      const auto k = std::min(static_cast<std::size_t>(at), chords.size() - 2);
+      const double off =
+          chords[k] + (at - static_cast<double>(k)) * (chords[k + 1] - chords[k]) - measured.deceleration[i];
+      squares += off * off;
+    }
+    return squares;
+  };
+  const auto misses = [&](double place) {
+    double squares = 0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+      const double off = computed.at(time[i], std::lerp(lowest, highest, place)) - measured.deceleration[i];
+      squares += off * off;
+    }
+    return squares;
+  };
+  std::vector<double> looked(static_cast<std::size_t>(looks) + 1);
+  for (std::size_t i = 0; i < looked.size(); ++i)
+    looked[i] = misses_by_chords(lowest + look * static_cast<double>(i));
+  std::vector<std::size_t> dents;
+  for (std::size_t i = 0; i < looked.size(); ++i)
+    if ((i == 0 || looked[i] <= looked[i - 1]) && (i + 1 == looked.size() || looked[i] < looked[i + 1]))
+      dents.push_back(i);
+  std::ranges::sort(dents, {}, [&](std::size_t i) { return looked[i]; });
+  double best = 0.5, least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < std::min<std::size_t>(dents.size(), 2); ++k) {
+    const double place = static_cast<double>(dents[k]) / looks;
+    const auto [found, of] = boost::math::tools::brent_find_minima(misses, std::max(place - 1.0 / looks, 0.0),
+                                                                   std::min(place + 1.0 / looks, 1.0), bits);
+    if (of < least) best = found, least = of;
+  }
+  // A bound itself is never tried by that.
+  for (const double bound : {0.0, 1.0})
+    if (const double of = misses(bound); of < least) best = bound, least = of;
+  return std::lerp(lowest, highest, best);
+}
+
+/// Solves an impact with the values of the unknowns.
+class ImpactPrediction {
+ public:
+  ImpactPrediction(const Fit& fit, const ImpactMeasurement& measured, int runs)
+      : impact_(measured.impact),
+        options_(measured.options),
+        figures_(measured.figures),
+        pulse_(measured.pulse) {
+    impact_.pad.material = fit.base.pad.material;
+    options_.fixed_runs = runs;
+    setters_ = setters_of(fit, measured.file, impact_);
+  }
+
+  [[nodiscard]] const MeasuredDeceleration& pulse() const { return *pulse_; }
+
+  /// `shift_of` says by how much a computed pulse comes later.
+  template <class ShiftOf>
+  bool operator()(std::span<const double> values, std::span<double> predicted, ShiftOf&& shift_of) const {
+    try {
+      ImpactCase with_values = impact_;
+      for (std::size_t i = 0; i < setters_.size(); ++i) setters_[i](with_values, values[i]);
+      const Solution& solution = solvers_->local().solve(with_values, options_);
+      for (std::size_t i = 0; i < figures_.size(); ++i) {
+        // None, such as a peak force where the pad bottoms out, is no number.
+        predicted[i] = figure_in(solution, figures_[i].figure).value_or(no_figure);
+      }
+      if (!pulse_) return true;
+      const std::optional<ComputedPulse> computed = computed_pulse(solution, *pulse_);
+      if (!computed) return false;
+      const double shift = shift_of(*computed);
+      for (std::size_t i = 0; i < pulse_->time.size(); ++i)
+        predicted[figures_.size() + i] = computed->at(pulse_->time[i], shift);
+      return true;
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+  }
+
+ private:
+  using Solvers = tbb::enumerable_thread_specific<Solver>;
+  ImpactCase impact_;
+  Options options_;
+  std::vector<MeasuredFigure> figures_;
+  std::optional<MeasuredDeceleration> pulse_;
+  std::vector<Setter> setters_;
+  std::shared_ptr<Solvers> solvers_ = std::make_shared<Solvers>();
+};
 
 }  // namespace
 
@@ -80,42 +230,59 @@ const std::vector<ImpactFigureName>& impact_figure_names() {
       {ImpactFigure::rebound_speed, "rebound_speed", "m/s"},
       {ImpactFigure::peak_penetration, "peak_penetration", "m"},
       {ImpactFigure::contact_time, "contact_time", "s"},
+      {ImpactFigure::hic15, "hic15", "1"},
+      {ImpactFigure::hic36, "hic36", "1"},
+      {ImpactFigure::hic_unlimited, "hic_unlimited", "1"},
+      {ImpactFigure::clip_3ms, "clip_3ms", "m/s2"},
+      {ImpactFigure::cumulative_3ms, "cumulative_3ms", "m/s2"},
+      {ImpactFigure::velocity_change, "velocity_change", "m/s"},
   };
   return names;
 }
 
-Predict prediction_of(const Fit& fit, const ImpactMeasurement& measured, int runs,
-                      std::optional<std::size_t> shift) {
+std::optional<Pulse> smooth_pulse(const Solution& solution) {
+  const History& history = solution.history;
+  const auto finite = [](double value) { return std::isfinite(value); };
+  if (!pulse_is_whole(solution.summary) || history.size() < 2 ||
+      !std::ranges::all_of(history.acceleration, finite))
+    return std::nullopt;
+  const SmoothCurve curve(history.time, history.acceleration);
+  Pulse pulse{{history.time.front()}, {history.acceleration.front()}};
+  for (std::size_t i = 1; i < history.size(); ++i)
+    for (int part = 1; part <= points_per_step; ++part) {
+      const double time = part == points_per_step ? history.time[i]
+                                                  : std::lerp(history.time[i - 1], history.time[i],
+                                                              static_cast<double>(part) / points_per_step);
+      pulse.time.push_back(time);
+      pulse.acceleration.push_back(curve.at(time));
+    }
+  return pulse;
+}
+
+ImpactCase impact_with(const Fit& fit, const ImpactMeasurement& measured, std::span<const double> values) {
   ImpactCase impact = measured.impact;
   impact.pad.material = fit.base.pad.material;
-  std::vector<std::function<void(ImpactCase&, double)>> setters;
-  const std::vector<CaseQuantity> quantities = quantities_of(impact);
-  for (const Unknown& unknown : fit.unknowns) {
-    const auto found = std::ranges::find(quantities, unknown.key, &CaseQuantity::key);
-    if (found == quantities.end()) throw std::invalid_argument(measured.file + " has no " + unknown.key);
-    setters.push_back(found->set);
-  }
-  Options options = measured.options;
-  options.fixed_runs = runs;
-  using Solvers = tbb::enumerable_thread_specific<Solver>;
-  return
-      [impact, options, setters, figures = measured.figures, pulse = measured.pulse, shift,
-       solvers = std::make_shared<Solvers>()](std::span<const double> values, std::span<double> predicted) {
-        try {
-          ImpactCase with_values = impact;
-          for (std::size_t i = 0; i < setters.size(); ++i) setters[i](with_values, values[i]);
-          const Solution& solution = solvers->local().solve(with_values, options);
-          const Summary& summary = solution.summary;
-          for (std::size_t i = 0; i < figures.size(); ++i) {
-            // None, such as a peak force where the pad bottoms out, is no number.
-            predicted[i] = figure_in(summary, figures[i].figure).value_or(no_figure);
-          }
-          return !pulse || predict_pulse(solution, *pulse, shift ? values[*shift] : 0,
-                                         predicted.subspan(figures.size()));
-        } catch (const std::invalid_argument&) {
-          return false;
-        }
-      };
+  const std::vector<Setter> setters = setters_of(fit, measured.file, impact);
+  for (std::size_t i = 0; i < setters.size(); ++i) setters[i](impact, values[i]);
+  return impact;
+}
+
+Predict prediction_of(const Fit& fit, const ImpactMeasurement& measured, int runs,
+                      std::optional<std::size_t> shift) {
+  return [shift, predict = ImpactPrediction(fit, measured, runs)](std::span<const double> values,
+                                                                  std::span<double> predicted) {
+    return predict(values, predicted, [&](const ComputedPulse&) { return shift ? values[*shift] : 0.0; });
+  };
+}
+
+Settle settling_of(const Fit& fit, const ImpactMeasurement& measured, int runs, std::size_t shift,
+                   double lowest, double highest) {
+  return [shift, lowest, highest, predict = ImpactPrediction(fit, measured, runs)](
+             std::span<double> values, std::span<double> predicted) {
+    return predict(values, predicted, [&](const ComputedPulse& computed) {
+      return values[shift] = best_shift(computed, predict.pulse(), lowest, highest);
+    });
+  };
 }
 
 }  // namespace dashpad::fit

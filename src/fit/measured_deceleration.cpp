@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/fit/fit.hpp"
+#include "dashpad/injury/hic.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
 
 namespace dashpad::fit {
@@ -34,6 +35,13 @@ MeasuredDeceleration deceleration_of(const Pulse& measured) {
     throw std::invalid_argument(fmt::format("has {} samples between its onset and its end; a fit needs {}",
                                             kept.size(), fewest_samples));
   result.samples = kept.size();
+  Pulse between;
+  for (const std::size_t i : kept) {
+    between.time.push_back(measured.time[i]);
+    between.acceleration.push_back(measured.acceleration[i]);
+  }
+  result.hic = injury::hic(between, injury::unlimited_window).value;
+  result.velocity_change = shape.velocity_change;
   const std::size_t points = std::min(kept.size(), most_pulse_points);
   for (std::size_t k = 0; k < points; ++k) {
     const std::size_t i = kept[k * (kept.size() - 1) / (points - 1)];

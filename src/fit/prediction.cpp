@@ -42,16 +42,19 @@ std::vector<std::optional<double>> prediction_deviations(const Fit& fit, const I
     for (const double side : {1.0, -1.0}) {
       std::vector<double> place(x.begin(), x.end());
       double share = 1;
+      // Rounding must not move a coordinate at a bound, of which the covariance knows nothing.
+      const auto axis = [&](Eigen::Index i) {
+        return covariance(i, i) > 0 ? axes.eigenvectors()(i, k) : 0.0;
+      };
       for (Eigen::Index i = 0; i < n; ++i) {
-        const double step = side * deviation * axes.eigenvectors()(i, k);
+        const double step = side * deviation * axis(i);
         const double room =
             step > 0 ? 1 - place[static_cast<std::size_t>(i)] : place[static_cast<std::size_t>(i)];
         if (std::abs(step) > room) share = std::min(share, room / std::abs(step));
       }
       for (Eigen::Index i = 0; i < n; ++i)
-        place[static_cast<std::size_t>(i)] = std::clamp(
-            place[static_cast<std::size_t>(i)] + share * side * deviation * axes.eigenvectors()(i, k), 0.0,
-            1.0);
+        place[static_cast<std::size_t>(i)] =
+            std::clamp(place[static_cast<std::size_t>(i)] + share * side * deviation * axis(i), 0.0, 1.0);
       const std::vector<double> there = at(place);
       for (std::size_t i = 0; i < count; ++i) {
         if (!std::isfinite(there[i])) continue;

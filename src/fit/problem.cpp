@@ -1,8 +1,10 @@
 #include "fit/problem.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 namespace dashpad::fit {
 namespace {
@@ -26,8 +28,11 @@ Block block_of(const Fit& fit, const MaterialMeasurement& test) {
   return block;
 }
 
-Block block_of(const Fit& fit, const ImpactMeasurement& impact, int runs, std::optional<std::size_t> shift) {
+/// `shift`, where there is one: the coordinate and what it is.
+Block block_of(const Fit& fit, const ImpactMeasurement& impact, int runs, std::optional<std::size_t> shift,
+               const Coordinate* of_shift) {
   Block block;
+  if (shift) block.settle = settling_of(fit, impact, runs, *shift, of_shift->lowest, of_shift->highest);
   block.is_impact = true;
   block.shift = shift;
   for (const MeasuredFigure& figure : impact.figures) {
@@ -93,22 +98,45 @@ std::vector<double> Problem::values(std::span<const double> x) const {
   return values;
 }
 
+std::vector<bool> Problem::shifts() const {
+  std::vector<bool> are(coordinates.size());
+  for (const Block& block : blocks)
+    if (block.shift) are[*block.shift] = true;
+  return are;
+}
+
 bool Problem::evaluate(std::span<const double> x, std::span<double> residuals) const {
-  const std::vector<double> at = values(x);
-  for (const Block& block : blocks) {
+  std::vector<double> at(x.begin(), x.end());
+  return settle(at, std::vector<bool>(x.size(), true), residuals);
+}
+
+bool Problem::settle(std::span<double> x, const std::vector<bool>& held, std::span<double> residuals) const {
+  std::vector<double> at = values(x);
+  std::atomic<bool> is_sound = true;
+  const auto fill = [&](const Block& block) {
     const std::span<double> own = residuals.subspan(block.first, block.size());
-    if (!block.predict(at, own)) return false;
-    const double shift = block.offset ? at[*block.offset] : 0;
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      own[i] = (own[i] + shift - block.measured[i]) / block.deviation[i];
-      if (!std::isfinite(own[i])) return false;
+    const bool moves = block.shift && !held[*block.shift];
+    // A block changes no value but its own shift, which no other reads.
+    if (!is_sound || !(moves ? block.settle(at, own) : block.predict(at, own))) {
+      is_sound = false;
+      return;
     }
-  }
+    if (moves) x[*block.shift] = std::clamp(coordinates[*block.shift].place(at[*block.shift]), 0.0, 1.0);
+    const double offset = block.offset ? at[*block.offset] : 0;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      own[i] = (own[i] + offset - block.measured[i]) / block.deviation[i];
+      if (!std::isfinite(own[i])) is_sound = false;
+    }
+  };
+  if (std::ranges::count_if(blocks, &Block::is_impact) > 1)
+    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) { fill(blocks[i]); });
+  else
+    std::ranges::for_each(blocks, fill);
   std::size_t next = residuals.size() - priors();
   for (std::size_t i = 0; i < coordinates.size(); ++i)
     if (const auto& prior = coordinates[i].prior)
       residuals[next++] = (at[i] - prior->mean) / prior->deviation;
-  return true;
+  return is_sound;
 }
 
 Problem problem_of(const Fit& fit, int runs) {
@@ -139,7 +167,7 @@ Problem problem_of(const Fit& fit, int runs) {
       shift = problem.coordinates.size();
       problem.coordinates.push_back(shift_of(*impact.pulse, i));
     }
-    add(block_of(fit, impact, runs, shift));
+    add(block_of(fit, impact, runs, shift, shift ? &problem.coordinates.back() : nullptr));
   }
   if (auto rule = rule_of_rising(fit)) add(*std::move(rule));
   return problem;

@@ -48,6 +48,10 @@ inline constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
 /// figure that an impact does not have is `no_figure`.
 using Predict = std::function<bool(std::span<const double> values, std::span<double> predicted)>;
 
+/// The same with a pulse that comes later by the shift with which it meets the measured one best. That is
+/// put into the values; it costs no impact.
+using Settle = std::function<bool(std::span<double> values, std::span<double> predicted)>;
+
 /// One source of data.
 struct Block {
   std::size_t first = 0;  ///< of its residuals
@@ -59,6 +63,7 @@ struct Block {
   /// figures. Absent: none does.
   std::optional<std::size_t> curve;
   std::optional<std::size_t> shift;  ///< the coordinate by which its pulse comes later; predict() knows it
+  Settle settle;                     ///< where there is a shift
   bool noise_is_stated = true;
   bool is_impact = false;
   /// No data: what keeps a base curve rising, as a material must.
@@ -77,6 +82,9 @@ struct Problem {
   [[nodiscard]] std::size_t residuals() const;  ///< of all blocks, then priors
   /// `x` in [0, 1]; false where the model cannot be evaluated.
   bool evaluate(std::span<const double> x, std::span<double> residuals) const;
+  /// The same with the best shift of each pulse whose shift is not held, which is put into `x`.
+  bool settle(std::span<double> x, const std::vector<bool>& held, std::span<double> residuals) const;
+  [[nodiscard]] std::vector<bool> shifts() const;  ///< which coordinates are shifts of pulses
   [[nodiscard]] std::vector<double> values(std::span<const double> x) const;
 };
 
@@ -89,9 +97,15 @@ Predict prediction_of(const Fit& fit, const MaterialMeasurement& test);
 /// with 0. The pulse has the onset of the measured one, or comes later by the coordinate `shift`.
 Predict prediction_of(const Fit& fit, const ImpactMeasurement& impact, int runs,
                       std::optional<std::size_t> shift = {});
+/// The same with the best shift between these bounds, s.
+Settle settling_of(const Fit& fit, const ImpactMeasurement& impact, int runs, std::size_t shift,
+                   double lowest, double highest);
 
 /// What keeps the base curve of a foam rising; nothing for a law whose curves are no formulas.
 std::optional<Block> rule_of_rising(const Fit& fit);
+
+/// Whether the model admits nothing beyond that bound of an unknown.
+bool is_natural_bound(const Fit& fit, const Unknown& unknown, double bound);
 
 /// The material with these values of the unknowns.
 Material material_with(const Fit& fit, std::span<const double> values);

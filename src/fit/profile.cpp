@@ -7,8 +7,12 @@ namespace dashpad::fit {
 
 namespace {
 
-constexpr int most_refits = 40;
-constexpr double precision = 5e-3;       ///< of the root of the rise over the threshold
+/// Of the root of the rise over the threshold; with impacts each refit costs hundreds of them.
+constexpr double precision = 5e-3, precision_with_impacts = 2e-2;
+constexpr int most_refits = 40, most_refits_with_impacts = 12;
+constexpr int iterations_with_impacts = 12;  ///< of a refit
+/// A guess beyond this share of the room is tried at the bound first: most ends there are open.
+constexpr double near_bound = 0.6;
 constexpr double least_distance = 1e-7;  ///< of a coordinate
 constexpr double better_by = 1e-2;       ///< of the threshold
 
@@ -35,10 +39,13 @@ class Profiler {
     std::optional<Rise> high;  // without a root: there is no material
     bool barrier = false;
     double distance = std::clamp(request_.guess, least_distance, room);
-    for (int refit = 0; refit < most_refits; ++refit) {
+    if (distance > near_bound * room) distance = room;
+    const int most = problem_.takes_impacts ? most_refits_with_impacts : most_refits;
+    int refit = 0;
+    for (; refit < most; ++refit) {
       const std::optional<double> root = rise_at(distance);
       if (better_) break;
-      if (root && std::abs(*root - 1) < precision) {
+      if (root && std::abs(*root - 1) < (problem_.takes_impacts ? precision_with_impacts : precision)) {
         end.x = at + request_.side * distance;
         return end;
       }
@@ -52,10 +59,11 @@ class Profiler {
       if (high && high->distance - low.distance < least_distance) break;
       distance = next(low, high, barrier, room);
     }
+    end.is_rough = refit == most;
     if (better_)
       end.better = better_;
     else if (high && !barrier)
-      end.x = at + request_.side * high->distance;
+      end.x = at + request_.side * (end.is_rough ? distance : high->distance);
     return end;
   }
 
@@ -71,6 +79,11 @@ class Profiler {
     return low.distance + width * std::clamp(straight, 0.05, 0.95);
   }
 
+  /// With impacts a refit that ran out of iterations counts: its misfit is a little high.
+  [[nodiscard]] bool is_good(const Minimum& refit) const {
+    return problem_.takes_impacts ? refit.is_sound : refit.converged;
+  }
+
   /// Nothing where no material was found.
   std::optional<double> rise_at(double distance) {
     const double place = std::clamp(minimum_.x[request_.coordinate] + request_.side * distance, 0.0, 1.0);
@@ -80,13 +93,17 @@ class Profiler {
         guess[i] = std::clamp(guess[i] + request_.side * distance * request_.direction[i], 0.0, 1.0);
     guess[request_.coordinate] = place;
     last_[request_.coordinate] = place;
-    Minimum found = minimise(problem_, guess, coarse, held_);
+    const auto refitted = [&](const std::vector<double>& from) {
+      return minimise(problem_, from, coarse, held_,
+                      problem_.takes_impacts ? iterations_with_impacts : most_iterations);
+    };
+    Minimum found = refitted(guess);
     // The last place may be nearer, or the only one with a material.
-    if (!found.converged) {
-      const Minimum other = minimise(problem_, last_, coarse, held_);
-      if (other.converged) found = other;
+    if (!is_good(found)) {
+      const Minimum other = refitted(last_);
+      if (is_good(other)) found = other;
     }
-    if (!found.converged) return std::nullopt;
+    if (!is_good(found)) return std::nullopt;
     last_ = found.x;
     const double rise = (found.misfit - minimum_.misfit) / request_.threshold;
     if (rise < -better_by) better_ = found;

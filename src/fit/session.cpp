@@ -13,24 +13,33 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* format_of_state = "dashpad fit state 1";
+constexpr const char* format_of_state = "dashpad fit state 2";
+constexpr const char* format_before = "dashpad fit state 1";
 
 json json_of(const Minimum& of) {
-  return {{"converged", of.converged}, {"why_not", of.why_not}, {"x", of.x}, {"misfit", of.misfit}};
+  return {{"converged", of.converged},
+          {"why_not", of.why_not},
+          {"x", of.x},
+          {"misfit", of.misfit},
+          {"is_sound", of.is_sound}};
 }
 
 Minimum minimum_of(const json& from) {
   return {from.at("converged").get<bool>(), from.at("why_not").get<std::string>(),
-          from.at("x").get<std::vector<double>>(), from.at("misfit").get<double>()};
+          from.at("x").get<std::vector<double>>(), from.at("misfit").get<double>(),
+          from.at("is_sound").get<bool>()};
 }
 
 json json_of(const ProfileEnd& of) {
-  return {{"x", of.x ? json(*of.x) : json()}, {"better", of.better ? json_of(*of.better) : json()}};
+  return {{"x", of.x ? json(*of.x) : json()},
+          {"is_rough", of.is_rough},
+          {"better", of.better ? json_of(*of.better) : json()}};
 }
 
 void take(const json& from, Minimum& result) { result = minimum_of(from); }
 void take(const json& from, ProfileEnd& result) {
   if (!from.at("x").is_null()) result.x = from.at("x").get<double>();
+  result.is_rough = from.at("is_rough").get<bool>();
   if (!from.at("better").is_null()) result.better = minimum_of(from.at("better"));
 }
 
@@ -42,6 +51,10 @@ std::map<std::string, std::string> read_state(const RunOptions& options) {
   std::ostringstream text;
   text << file.rdbuf();
   const json state = json::parse(text.str(), nullptr, false);
+  if (state.is_object() && state.value("format", json()) == format_before)
+    throw std::runtime_error(name +
+                             ": is the state of a fit by an earlier version of dashpad, whose searches "
+                             "ended elsewhere; give another name, or remove it");
   if (!file || !state.is_object() || state.value("format", json()) != format_of_state ||
       !state.contains("fit") || !state.contains("pieces") || !state["pieces"].is_object())
     throw std::runtime_error(name + ": is no state of a fit; give another name, or remove it");

@@ -15,6 +15,14 @@ struct LeastSquares {
   std::size_t residuals = 0;
   double step = 1e-4;  ///< of a coordinate, for derivatives
   std::function<bool(std::span<const double> x, std::span<double> residuals)> evaluate;
+  /// Residuals take impacts, which are exact to some 1e-4: differences by several threads, and no search goes
+  /// on below what that moves.
+  bool takes_impacts = false;
+  /// Coordinates that settle() puts where they are best unless they are held, at no cost: they are not
+  /// searched for. Empty: none.
+  std::vector<bool> settles = {};
+  std::function<bool(std::span<double> x, const std::vector<bool>& held, std::span<double> residuals)>
+      settle = {};
 };
 
 /// d residual / d x, a row a residual: central differences, at a bound one-sided ones of second order. False
@@ -25,14 +33,17 @@ struct Minimum {
   bool converged = false;
   std::string why_not;
   std::vector<double> x;
-  double misfit = 0;  ///< sum of squares
+  double misfit = 0;      ///< sum of squares
+  bool is_sound = false;  ///< converged, or out of iterations with a misfit that is not below the least one
 };
 
-/// Relative change of the misfit at which a search has converged: for a comparison, and for the result.
+/// Relative change of the misfit at which a search has converged: for a comparison, and for the result; with
+/// impacts, whose noise in it is up to 1e-4, not below that and a tenth of it.
 inline constexpr double coarse = 1e-6, fine = 1e-10;
+inline constexpr int most_iterations = 300;
 
 /// From a start, by Levenberg-Marquardt within [0, 1]. Coordinates that are `held` (empty: none) stay.
 Minimum minimise(const LeastSquares& problem, std::vector<double> start, double tolerance = fine,
-                 const std::vector<bool>& held = {});
+                 const std::vector<bool>& held = {}, int iterations = most_iterations);
 
 }  // namespace dashpad::fit

@@ -28,7 +28,8 @@ struct Unknown {
   double highest = 0;           ///< > lowest
   double start = 0;             ///< of the first start
   bool is_logarithmic = false;  ///< sought by its logarithm; then lowest > 0
-  std::optional<Prior> prior;
+  std::optional<Prior> prior = {};
+  bool is_added = false;  ///< by the program, since nobody stated the number
 };
 
 /// Where a value lies between its bounds, 0 to 1; by the logarithm where it is sought so.
@@ -56,7 +57,13 @@ enum class ImpactFigure {
   time_of_peak,
   rebound_speed,
   peak_penetration,
-  contact_time
+  contact_time,
+  hic15,
+  hic36,
+  hic_unlimited,
+  clip_3ms,
+  cumulative_3ms,
+  velocity_change
 };
 
 /// A figure of an impact.
@@ -79,6 +86,8 @@ struct MeasuredDeceleration {
   double deviation = 0;                       ///< standard deviation of a deceleration, m/s2, > 0
   std::optional<injury::PulseFilter> filter;  ///< that it went through; the computed pulse gets it, too
   double interval = 0;                        ///< s between two samples of the file
+  double hic = 0;              ///< of any window, of all samples between onset and end, g^2.5 s
+  double velocity_change = 0;  ///< m/s, over the stretch around the peak in which it keeps its sign
 };
 
 /// Samples of a pulse that are fitted, at most; neighbours tell little that is new.
@@ -103,6 +112,9 @@ struct Fit {
   std::string title;
   ImpactCase base;        ///< its material has the starting values; without impacts the rest is made up
   bool has_case = false;  ///< the base is a case of the user's, not a pad alone
+  Options options;        ///< of that case
+  /// Of a foam with a rate effect: whether somebody gave the recoil of the base, or it is the default.
+  bool recoil_is_stated = true;
   std::vector<Unknown> unknowns;
   std::vector<MaterialMeasurement> tests;
   std::vector<ImpactMeasurement> impacts;
@@ -117,6 +129,11 @@ struct ImpactFigureName {
   const char* unit;
 };
 const std::vector<ImpactFigureName>& impact_figure_names();
+
+/// Whether a card holds that number: one of the law, or the scale that goes into its stresses.
+bool is_of_card(const std::string& key);
+/// Whether an unknown is none of those, as the stiffness of a support: a case holds it.
+bool finds_more_than_a_card(const Fit& fit);
 
 /// Whether a strain counts in the fit.
 inline bool counts(const MaterialMeasurement& test, std::size_t i) {

@@ -25,14 +25,27 @@ struct FittedUnknown {
   /// 95 % interval by profile likelihood; an end is absent where the misfit does not rise enough within the
   /// bounds.
   std::optional<double> low, high;
+  /// Whether the model admits nothing beyond a bound, such as friction below 0: an interval may end there.
+  bool lowest_is_natural = false, highest_is_natural = false;
   bool is_at_lowest = false, is_at_highest = false;
   bool is_logarithmic = false;            ///< sought by its logarithm
   std::optional<double> prior_deviation;  ///< of its prior, where it has one
+  bool is_added = false;                  ///< sought though the fit file does not name it
   /// Of a measurement, not of the material: the shift of a force zero, or of the clock of a pulse.
   bool is_nuisance = false;
 
-  /// Whether its interval ends within the bounds on both sides.
-  [[nodiscard]] bool is_identified() const { return low && high; }
+  /// Whether its interval ends within the bounds on both sides; or on one, in the half of the bounds that
+  /// ends at the natural bound on the other.
+  [[nodiscard]] bool is_identified() const {
+    const auto place = [this](double end) { return place_between(lowest, highest, is_logarithmic, end); };
+    if (low && high) return true;
+    if (high) return lowest_is_natural && place(*high) <= 0.5;
+    return low && highest_is_natural && place(*low) >= 0.5;
+  }
+  /// At a bound beyond which the model goes on.
+  [[nodiscard]] bool wants_beyond() const {
+    return (is_at_lowest && !lowest_is_natural) || (is_at_highest && !highest_is_natural);
+  }
   /// Whether its prior says more of it than the data do: half of the variance of the prior is left.
   [[nodiscard]] bool rests_on_prior() const {
     return prior_deviation &&
@@ -104,18 +117,51 @@ struct MetPulse {
   std::vector<double> measured, computed;  ///< m/s2; nothing computed where there is no whole pulse
 };
 
+/// A figure on which a verdict may rest, measured in an impact and computed for it: peak, HIC and rebound
+/// speed of each pulse; then what was measured as a figure and no pulse says: peak_force, peak_acceleration,
+/// HIC, rebound_speed, peak_penetration. The rebound speed of a pulse is its velocity change less the speed
+/// of the case and what gravity adds meanwhile; there is none where that is not between 0 and the speed.
+struct ImpactComparison {
+  std::string file;  ///< the case
+  ImpactFigure figure = ImpactFigure::peak_acceleration;
+  bool is_held_out = false;  ///< predicted, not fitted
+  bool is_of_pulse = false;  ///< taken from a pulse; else measured as a figure
+  double measured = 0;       ///< SI, > 0
+  std::optional<double>
+      computed;  ///< with the filter of the pulse; absent where the impact has no such figure
+  /// Standard deviation of what was measured, as stated; absent of a pulse, of which nobody states it.
+  std::optional<double> deviation;
+
+  /// Of the measured value.
+  [[nodiscard]] std::optional<double> share() const {
+    return computed ? std::optional{(*computed - measured) / measured} : std::nullopt;
+  }
+};
+
+/// A case with what was found of it.
+struct FittedCase {
+  ImpactCase impact;
+  Options options;
+};
+
 struct FitReport {
   std::string title;
   bool converged = false;
   std::string why_not;  ///< if it did not converge
   Material material;    ///< the card, where it converged
+  /// The case of the fit, else the first impact, with the card and what was found beside it; absent where a
+  /// card holds all that was sought.
+  std::optional<FittedCase> fitted_case;
   std::vector<FittedUnknown> unknowns;
+  /// Ends of intervals that are rough, since the refits for each are bounded: "pad.curve.modulus, above".
+  std::vector<std::string> rough_ends;
   std::vector<StrongCorrelation> correlations;
   std::vector<std::vector<std::string>> flat_directions;  ///< unknowns that are not told apart, or alone
   std::vector<MetTest> tests;
   std::vector<MetFigure> figures;
   std::vector<MetPulse> pulses;
-  std::size_t points = 0;  ///< fitted residuals, without priors
+  std::vector<ImpactComparison> comparison;  ///< in the order of the impacts
+  std::size_t points = 0;                    ///< fitted residuals, without priors
   std::size_t priors = 0;
   double degrees_of_freedom = 0;
   double misfit = 0;             ///< sum of squared residuals over deviations, priors included

@@ -15,6 +15,8 @@ std::string fit_json(const fit::FitReport& report);
 /// The answer, model over measurements, intervals within their bounds, and what the data leave open, as a
 /// page. Of a fit that converged. Throws as figures_page() does.
 std::string fit_page(const fit::FitReport& report, const UnitSystem& units);
+/// The case with what was found of it and the foam in it, as a case file. Of a fit that has one.
+std::string fitted_case_toml(const fit::FitReport& report);
 /// The sample of the unknowns as CSV: a header of keys with SI units, a row a draw.
 std::string posterior_csv(const fit::FitReport& report);
 

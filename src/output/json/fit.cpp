@@ -51,12 +51,28 @@ Json met_test_json(const fit::MetTest& of) {
           {"computed_stress_Pa", numbers(of.computed)}};
 }
 
-Json met_figure_json(const fit::MetFigure& of) {
+const fit::ImpactFigureName& name_of(fit::ImpactFigure figure) {
   const auto& names = fit::impact_figure_names();
-  const auto name = std::ranges::find(names, of.figure, &fit::ImpactFigureName::figure);
+  return *std::ranges::find(names, figure, &fit::ImpactFigureName::figure);
+}
+
+Json comparison_json(const fit::ImpactComparison& of) {
+  const fit::ImpactFigureName& name = name_of(of.figure);
   return {{"case", of.file},
-          {"figure", name->key},
-          {"unit", name->unit},
+          {"figure", name.key},
+          {"unit", name.unit},
+          {"held_out", of.is_held_out},
+          {"from_pulse", of.is_of_pulse},
+          {"measured", number(of.measured)},
+          {"computed", number(of.computed)},
+          {"share", number(of.share())}};
+}
+
+Json met_figure_json(const fit::MetFigure& of) {
+  const fit::ImpactFigureName& name = name_of(of.figure);
+  return {{"case", of.file},
+          {"figure", name.key},
+          {"unit", name.unit},
           {"held_out", of.is_held_out},
           {"measured", number(of.measured)},
           {"deviation", number(of.deviation)},
@@ -102,11 +118,13 @@ Json left_open_json(const fit::FitReport& report) {
 }  // namespace
 
 std::string fit_json(const fit::FitReport& report) {
-  Json unknowns = Json::array(), tests = Json::array(), figures = Json::array(), pulses = Json::array();
+  Json unknowns = Json::array(), tests = Json::array(), figures = Json::array(), pulses = Json::array(),
+       comparison = Json::array();
   for (const fit::FittedUnknown& of : report.unknowns) unknowns.push_back(unknown_json(of));
   for (const fit::MetTest& of : report.tests) tests.push_back(met_test_json(of));
   for (const fit::MetFigure& of : report.figures) figures.push_back(met_figure_json(of));
   for (const fit::MetPulse& of : report.pulses) pulses.push_back(met_pulse_json(of));
+  for (const fit::ImpactComparison& of : report.comparison) comparison.push_back(comparison_json(of));
   return json_text(
       {{"title", report.title},
        {"converged", report.converged},
@@ -125,6 +143,7 @@ std::string fit_json(const fit::FitReport& report) {
        {"tests", tests},
        {"impacts", figures},
        {"pulses", pulses},
+       {"comparison", comparison},
        {"search",
         {{"starts", report.starts},
          {"starts_at_best", report.starts_at_best},

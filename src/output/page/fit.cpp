@@ -39,8 +39,8 @@ RangeBar bar_of(const fit::FittedUnknown& of, const UnitSystem& units) {
           .place = place_of(of, of.value),
           .from = of.low ? place_of(of, *of.low) : 0,
           .to = of.high ? place_of(of, *of.high) : 1,
-          .open_below = !of.low,
-          .open_above = !of.high};
+          .open_below = !of.low && !of.is_identified(),
+          .open_above = !of.high && !of.is_identified()};
 }
 
 /// What could turn the answer round.
@@ -56,7 +56,7 @@ std::vector<std::string> fit_warnings(const fit::FitReport& report, const UnitSy
       all.push_back(fmt::format("FROM ITS PRIOR: {} is what its prior says; the data add little.",
                                 factor_words(of.key)));
   for (const fit::FittedUnknown& of : report.unknowns)
-    if (of.is_at_lowest || of.is_at_highest)
+    if (of.wants_beyond())
       all.push_back(fmt::format("AT A BOUND: {} is at its {} bound: the data want it beyond.",
                                 factor_words(of.key), of.is_at_lowest ? "lower" : "upper"));
   if (report.starts > 1 && report.starts_at_best <= 1)
@@ -144,6 +144,7 @@ PageSection misfit_section(const fit::FitReport& report, const UnitSystem& units
     table.caption = caption;
     misfit.tables.push_back(std::move(table));
   };
+  add("Peak, HIC and rebound of impacts, measured and of the model", table_of_comparison(report, units));
   add("Model minus test, root mean square, and its share of the largest stress",
       table_of_tests(report, units));
   add("Energy given back over energy put in, by the strain where the test turns", table_of_loops(report));
@@ -160,6 +161,7 @@ std::string fit_page(const fit::FitReport& report, const UnitSystem& units) {
   std::string answer = fit_answer(report);
   answer.pop_back();  // the last line break; the other is a blank
   page.summary.push_back(std::move(answer));
+  if (std::string added = words_on_added(report); !added.empty()) page.summary.push_back(std::move(added));
   if (std::string predicted = prediction_words(report); !predicted.empty())
     page.summary.push_back(std::move(predicted));
   page.warnings = fit_warnings(report, units);

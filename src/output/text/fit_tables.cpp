@@ -11,6 +11,11 @@ namespace dashpad::output {
 
 namespace {
 
+const fit::ImpactFigureName& name_of(fit::ImpactFigure figure) {
+  const auto& names = fit::impact_figure_names();
+  return *std::ranges::find(names, figure, &fit::ImpactFigureName::figure);
+}
+
 constexpr double width_of_95 = 1.96;  ///< of a normal distribution, in deviations
 
 std::string rms_text(const std::optional<double>& rms, double largest, const UnitSystem& units) {
@@ -34,8 +39,9 @@ Table table_of_unknowns(const fit::FitReport& report, const UnitSystem& units) {
     table.rows.push_back({of.key, brief_quantity(of.value, of.unit, units, 4),
                           of.standard_error ? brief_quantity(*of.standard_error, of.unit, units, 2) : "none",
                           interval_words(of, units),
-                          of.is_at_lowest       ? "at its lower bound"
-                          : of.is_at_highest    ? "at its upper bound"
+                          of.wants_beyond()  ? of.is_at_lowest ? "at its lower bound" : "at its upper bound"
+                          : of.is_at_lowest  ? "as small as it can be"
+                          : of.is_at_highest ? "as large as it can be"
                           : of.rests_on_prior() ? "mostly from its prior"
                                                 : ""});
   return table;
@@ -55,17 +61,29 @@ Table table_of_figures(const fit::FitReport& report, const UnitSystem& units) {
   Table table{.columns = {"impact", "figure", "measured", "deviation", "model", "the model's own 95 %",
                           "off by", ""}};
   for (const fit::MetFigure& of : report.figures) {
-    const auto& names = fit::impact_figure_names();
-    const auto name = std::ranges::find(names, of.figure, &fit::ImpactFigureName::figure);
+    const fit::ImpactFigureName& name = name_of(of.figure);
     const auto shown = [&](double value, int digits) {
-      return brief_quantity(value, name->unit, units, digits);
+      return brief_quantity(value, name.unit, units, digits);
     };
     table.rows.push_back(
-        {of.file, name->key, shown(of.measured, 4), shown(of.deviation, 2),
+        {of.file, name.key, shown(of.measured, 4), shown(of.deviation, 2),
          of.computed ? shown(*of.computed, 4) : "none",
          of.prediction_deviation ? "± " + shown(width_of_95 * *of.prediction_deviation, 2) : "",
          of.computed ? fmt::format("{:+.1f} deviations", (*of.computed - of.measured) / of.deviation) : "",
          of.is_held_out ? "held out: predicted" : ""});
+  }
+  return table;
+}
+
+Table table_of_comparison(const fit::FitReport& report, const UnitSystem& units) {
+  Table table{.columns = {"impact", "figure", "measured", "model", "off by", ""}};
+  for (const fit::ImpactComparison& of : report.comparison) {
+    const fit::ImpactFigureName& name = name_of(of.figure);
+    const auto shown = [&](double value) { return brief_quantity(value, name.unit, units, 4); };
+    table.rows.push_back({of.file, result_quantity(name.key).title, shown(of.measured),
+                          of.computed ? shown(*of.computed) : "none",
+                          of.computed ? fmt::format("{:+.1f} %", 100 * *of.share()) : "",
+                          of.is_held_out ? "held out: predicted" : "fitted"});
   }
   return table;
 }

@@ -122,9 +122,17 @@ std::string fit_answer(const fit::FitReport& report) {
                         : "");
 }
 
+std::string words_on_added(const fit::FitReport& report) {
+  if (std::ranges::none_of(report.unknowns, &fit::FittedUnknown::is_added)) return "";
+  return "How much of the stress that the rate adds resists the way back was not stated: "
+         "pad.parameters.recoil "
+         "is sought too, from 0 to 1. State it where it is known.";
+}
+
 std::string interval_words(const fit::FittedUnknown& of, const UnitSystem& units) {
   const auto shown = [&](double value) { return brief_quantity(value, of.unit, units, 4); };
-  if (of.low && of.high) return shown(*of.low) + " to " + shown(*of.high);
+  if (of.is_identified())
+    return shown(of.low.value_or(of.lowest)) + " to " + shown(of.high.value_or(of.highest));
   if (of.low) return "above " + shown(*of.low) + ", open above";
   if (of.high) return "below " + shown(*of.high) + ", open below";
   return "open on both sides";
@@ -142,6 +150,8 @@ std::vector<std::string> open_matters(const fit::FitReport& report) {
   for (const fit::StrongCorrelation& of : report.correlations)
     all.push_back(fmt::format("The errors of {} and {} go together: correlation {:.3f}.", of.first, of.second,
                               of.value));
+  for (const std::string& end : report.rough_ends)
+    all.push_back("The end of an interval is rough, since the refits for it ran out: " + end + ".");
   return all;
 }
 

@@ -23,6 +23,9 @@ Misses misses(const fit::FitReport& report, bool held_out);
 /// line each.
 std::string fit_answer(const fit::FitReport& report);
 
+/// What was sought though the fit file does not name it, and why; empty without.
+std::string words_on_added(const fit::FitReport& report);
+
 /// "The data determine all 5 unknowns; the model misses the tests by 1.2 % of their largest stress (root mean
 /// square)."
 std::string fit_headline(const fit::FitReport& report);
@@ -30,7 +33,7 @@ std::string fit_headline(const fit::FitReport& report);
 /// What was predicted, not fitted, and by how much that is off; empty where nothing was held out.
 std::string prediction_words(const fit::FitReport& report);
 
-/// "1.2 to 3.4 kPa", "above 1.2 kPa, open above", "open on both sides".
+/// "1.2 to 3.4 kPa", "above 1.2 kPa, open above", "open on both sides"; a natural bound ends it as well.
 std::string interval_words(const fit::FittedUnknown& of, const UnitSystem& units);
 
 /// What cannot be told from the data, a sentence each.
@@ -42,6 +45,8 @@ std::vector<std::string> notes_on_noise(const fit::FitReport& report);
 Table table_of_unknowns(const fit::FitReport& report, const UnitSystem& units);
 Table table_of_tests(const fit::FitReport& report, const UnitSystem& units);
 Table table_of_figures(const fit::FitReport& report, const UnitSystem& units);
+/// Peak, HIC and rebound of impacts, measured and of the model.
+Table table_of_comparison(const fit::FitReport& report, const UnitSystem& units);
 /// A row a loop: energy given back over energy put in.
 Table table_of_loops(const fit::FitReport& report);
 Table table_of_pulses(const fit::FitReport& report, const UnitSystem& units);

@@ -1,0 +1,143 @@
+#include "fit/reservations.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/study/application.hpp"
+#include "fit/card.hpp"
+#include "fit/met.hpp"
+#include "fit/recoil.hpp"
+
+namespace dashpad::fit {
+
+namespace {
+
+using Sentences = std::vector<std::string>;
+
+std::string value_words(const FittedUnknown& of, double value) {
+  return fmt::format("{:.4g}{}", value, of.unit == "1" ? "" : " " + of.unit);
+}
+
+void add_open_unknowns(const FitReport& report, Sentences& all) {
+  for (const FittedUnknown& of : report.unknowns) {
+    if (of.is_nuisance) continue;
+    if (of.wants_beyond())
+      all.push_back(fmt::format("{} lies at its {} bound, {}: the data want it beyond.", of.key,
+                                of.is_at_lowest ? "lower" : "upper", value_words(of, of.value)));
+    else if (!of.is_identified())
+      all.push_back(fmt::format("The data do not determine {}: its 95 % interval is open {}.", of.key,
+                                of.open() == "both" ? "on both sides" : of.open()));
+  }
+}
+
+/// The search and the misfit.
+void add_doubts(const FitReport& report, Sentences& all) {
+  if (report.starts > 1 && report.starts_at_best == 1)
+    all.push_back(fmt::format(
+        "Only 1 of {} starts of the search came to this fit: there may be a better one.", report.starts));
+  if (report.starts_at_best == 0)
+    all.emplace_back(
+        "No start of the search came to this fit, which was met on the way: there may be a better one.");
+  // Of good data chi-squared scatters by the root of twice its degrees of freedom.
+  const double most = 1 + 3 * std::sqrt(2 / std::max(report.degrees_of_freedom, 1.0));
+  if (report.noise_is_stated && report.misfit_per_degree() > most)
+    all.push_back(fmt::format(
+        "Chi-squared is {:.3g} per degree of freedom: the model misses the data by more than their noise.",
+        report.misfit_per_degree()));
+}
+
+constexpr double worth_saying = 0.05;  ///< of the measured figure
+
+/// The largest miss of each figure of the impacts.
+void add_misses(const FitReport& report, Sentences& all) {
+  for (const ImpactFigureName& name : impact_figure_names()) {
+    const ImpactComparison* worst = nullptr;
+    for (const ImpactComparison& of : report.comparison)
+      if (of.figure == name.figure && of.share() &&
+          (!worst || std::abs(*of.share()) > std::abs(*worst->share())))
+        worst = &of;
+    if (worst && std::abs(*worst->share()) > worth_saying)
+      all.push_back(fmt::format("Of {} the {} by the model is {:.2g} % {} what was measured.", worst->file,
+                                title_in_sentence(result_quantity(name.key)), 100 * std::abs(*worst->share()),
+                                *worst->share() < 0 ? "below" : "above"));
+  }
+}
+
+/// What the impacts were met with, beside the card.
+void add_company(const Fit& fit, const FitReport& report, Sentences& all) {
+  bool is_scaled = false;
+  for (const FittedUnknown& of : report.unknowns) {
+    if (of.is_nuisance) continue;
+    is_scaled = is_scaled || of.key == "pad.scale";
+    if (!is_of_card(of.key))
+      all.push_back(fmt::format("Found together with {} = {}, which a card does not hold.", of.key,
+                                value_words(of, of.value)));
+  }
+  const bool has_tests = std::ranges::any_of(fit.tests, [](const auto& of) { return !of.is_held_out; });
+  if (is_scaled && has_tests)
+    all.emplace_back(
+        "The scale that impacts asked for is in all stresses: the tests were fitted without it.");
+  for (const MetTest& test : report.tests)
+    if (test.offset)
+      all.push_back(fmt::format("The force zero of {} was taken to be off by {:.3g} kPa.", test.file,
+                                *test.offset / 1000));
+}
+
+/// Where the card says that it was tested, if no compression test says so.
+void add_range(const Fit& fit, std::span<const double> values, Sentences& all) {
+  const bool has_tests = std::ranges::any_of(fit.tests, [](const auto& of) { return !of.is_held_out; });
+  const Material& base = fit.base.pad.material;
+  if (!has_tests && !is_stated(base)) {
+    all.emplace_back(
+        has_curves(base.law)
+            ? "No compression test is among the data: the strain up to which the foam counts as "
+              "tested is that of the curve in the fit file."
+            : "No compression test is among the data: up to which strain the law holds is not known.");
+    return;
+  }
+  double tested = 0, reached = 0;
+  for (const MaterialMeasurement& test : fit.tests)
+    if (!test.is_held_out) tested = std::max(tested, rates_of(test).highest);
+  if (const auto own = range_of(base); own && !has_tests) tested = own->highest_rate;
+  std::string file;
+  for (const ImpactMeasurement& impact : fit.impacts) {
+    if (impact.is_held_out) continue;
+    const double rate = rate_of(fit, impact, values);
+    if (rate > reached) file = impact.file;
+    reached = std::max(reached, rate);
+  }
+  if (reached > tested)
+    all.push_back(
+        fmt::format("Rates above {:.3g} per second, up to {:.3g}, rest on impacts alone, such as {}.", tested,
+                    reached, file));
+}
+
+}  // namespace
+
+Sentences reservations_of(const Fit& fit, std::span<const double> values, const FitReport& report) {
+  Sentences all;
+  add_open_unknowns(report, all);
+  add_doubts(report, all);
+  add_misses(report, all);
+  add_company(fit, report, all);
+  const bool unloads = std::ranges::any_of(
+      report.tests, [](const MetTest& test) { return !test.is_held_out && test.rms_unloading.has_value(); });
+  const bool strikes = std::ranges::any_of(fit.impacts, [](const auto& of) { return !of.is_held_out; });
+  if (!unloads && !strikes) all.emplace_back("Fitted to loading only: the way back is assumed.");
+  if (assumes_recoil(fit))
+    all.emplace_back(
+        "How much of the stress that the rate adds resists the way back (recoil) was not tested: 1 is "
+        "assumed, "
+        "the largest loss, and 0 to 1 are possible.");
+  add_range(fit, values, all);
+  for (const std::string& old : fit.base.pad.material.reservations) {
+    const auto is_about = [&](const Unknown& unknown) { return old.find(unknown.key) != std::string::npos; };
+    if (std::ranges::none_of(fit.unknowns, is_about) && std::ranges::count(all, old) == 0) all.push_back(old);
+  }
+  return all;
+}
+
+}  // namespace dashpad::fit
