@@ -149,9 +149,11 @@ void add_reservations_about(const Material& material, std::vector<Flag>& reserva
 }
 
 void add_reservations_about(const Standard& standard, std::vector<Flag>& reservations) {
-  std::string unverified;
-  const auto add = [&unverified](const std::string& what) {
-    unverified += (unverified.empty() ? "" : ", ") + what;
+  std::string unverified, secondary;
+  const auto add = [&](const Origin& origin, const std::string& what) {
+    if (origin.verified && origin.kind == SourceKind::own_text) return;
+    std::string& names = origin.verified ? secondary : unverified;
+    names += (names.empty() ? "" : ", ") + what;
   };
   const std::pair<const char*, const StandardValue*> values[]{
       {"mass", &standard.mass}, {"radius", &standard.radius}, {"speed", &standard.speed}};
@@ -159,13 +161,15 @@ void add_reservations_about(const Standard& standard, std::vector<Flag>& reserva
     if (value->instead)
       reservations.push_back(
           {"REPLACED", std::string("REPLACED: the ") + name + " is not that of the standard"});
-    if (value->value && !value->origin.verified) add(name);
+    if (value->value && !value->chosen_by_user) add(value->origin, name);
   }
-  for (const Criterion& criterion : standard.criteria)
-    if (!criterion.origin.verified) add(limit_of(criterion));
+  for (const Criterion& criterion : standard.criteria) add(criterion.origin, limit_of(criterion));
   if (!unverified.empty())
     reservations.push_back(
         {"UNVERIFIED", "UNVERIFIED: not read in the standard or a source that repeats it: " + unverified});
+  if (!secondary.empty())
+    reservations.push_back(
+        {"SECONDARY SOURCE", "SECONDARY SOURCE: not read in the standard itself: " + secondary});
 }
 
 /// What gives no interval is no better known for it.

@@ -59,14 +59,14 @@ injury::Criterion criterion(Metric metric, double limit) {
   made.metric = metric;
   made.level = 50 * g;
   made.limit = limit;
-  made.origin = {.source = "made up", .kind = injury::SourceKind::secondary, .verified = true, .note = ""};
+  made.origin = {.source = "made up", .kind = injury::SourceKind::own_text, .verified = true, .note = ""};
   return made;
 }
 
 injury::StandardValue verified(double value) {
   injury::StandardValue made;
   made.value = value;
-  made.origin = {.source = "made up", .kind = injury::SourceKind::secondary, .verified = true, .note = ""};
+  made.origin = {.source = "made up", .kind = injury::SourceKind::own_text, .verified = true, .note = ""};
   return made;
 }
 
@@ -241,9 +241,25 @@ TEST(assessment, unverified_values_are_no_unqualified_pass) {
                         HasSubstr(": radius, limit of peak acceleration, limit of dwell time above 50 g")))));
 }
 
+TEST(assessment, values_that_were_read_elsewhere_are_no_unqualified_pass) {
+  Standard standard =
+      standard_with({criterion(Metric::peak_acceleration, 200 * g), criterion(Metric::dwell_time, 1)});
+  standard.mass.origin.kind = injury::SourceKind::secondary;
+  standard.criteria[1].origin.kind = injury::SourceKind::secondary;
+  EXPECT_THAT(assess(standard, half_sine()).reservations,
+              ElementsAre(says("SECONDARY SOURCE: not read in the standard itself: mass, limit of dwell time "
+                               "above 50 g")));
+  // What was not even read there is named once.
+  standard.mass.origin.verified = false;
+  EXPECT_THAT(assess(standard, half_sine()).reservations,
+              ElementsAre(says(StartsWith("UNVERIFIED: ")),
+                          says(AllOf(StartsWith("SECONDARY SOURCE: "), Not(HasSubstr("mass"))))));
+}
+
 TEST(assessment, a_value_that_the_case_gives_needs_no_verification) {
   Standard standard = standard_with({criterion(Metric::peak_acceleration, 200 * g)});
   standard.speed = {};
+  standard.speed.origin.kind = injury::SourceKind::secondary;
   EXPECT_TRUE(assess(standard, half_sine()).unqualified());
   standard = injury::with_user_values(standard, {.mass = {}, .radius = {}, .speed = 3, .drop_height = {}});
   EXPECT_TRUE(assess(standard, half_sine()).unqualified());
@@ -535,7 +551,7 @@ TEST(assessment_text, only_what_differs_was_replaced) {
 
 TEST(assessment_text, says_what_kind_of_sources_the_figures_have) {
   Standard standard = standard_with({criterion(Metric::peak_acceleration, 125 * g)});
-  standard.criteria[0].origin.kind = injury::SourceKind::own_text;
+  standard.mass.origin.kind = injury::SourceKind::secondary;
   standard.radius.origin = {};
   standard.speed = {};
   const Written written = write(standard, half_sine());

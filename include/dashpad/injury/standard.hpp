@@ -154,8 +154,8 @@ struct Assessment {
   KeyFigures figures;
   Verdict verdict = Verdict::undecided;
   /// Why the verdict is not to be taken as it stands: a flag of the impact, a material of which nobody knows
-  /// whether it was extrapolated, a limit or value that is unverified, a value of the standard that was
-  /// replaced.
+  /// whether it was extrapolated, a limit or value that was not read in the standard itself, a value of the
+  /// standard that was replaced.
   std::vector<Flag> reservations;
 
   [[nodiscard]] bool unqualified() const { return reservations.empty(); }
