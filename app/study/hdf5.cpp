@@ -118,6 +118,11 @@ class Columns {
     columns_.emplace_back(about,
                           study::StoredColumn{"extrapolated", "", "beyond the range of the fit: 0 or 1"},
                           H5T_STD_U8LE, rows);
+    columns_.emplace_back(about,
+                          study::StoredColumn{"extrapolated_strain", "", "by its strain, a guess: 0 or 1"},
+                          H5T_STD_U8LE, rows);
+    columns_.emplace_back(about, study::StoredColumn{"extrapolated_rate", "", "by its rate, a law: 0 or 1"},
+                          H5T_STD_U8LE, rows);
     columns_.emplace_back(about, study::StoredColumn{"bottomed", "", "pad fully compressed: 0 or 1"},
                           H5T_STD_U8LE, rows);
     columns_.emplace_back(about, study::StoredColumn{"error", "", "largest relative error estimate"},
@@ -130,7 +135,10 @@ class Columns {
     std::size_t place = 0;
     const study::Outcome& outcome = row.outcome;
     for (const double value : {static_cast<double>(row.row), static_cast<double>(outcome.status),
-                               outcome.extrapolated ? 1.0 : 0.0, outcome.bottomed ? 1.0 : 0.0, outcome.error})
+                               outcome.extrapolated != 0 ? 1.0 : 0.0,
+                               (outcome.extrapolated & study::extrapolated_strain) != 0 ? 1.0 : 0.0,
+                               (outcome.extrapolated & study::extrapolated_rate) != 0 ? 1.0 : 0.0,
+                               outcome.bottomed ? 1.0 : 0.0, outcome.error})
       columns_[place++].add(value);
     for (const auto* values : {&row.factors, &outcome.values})
       for (const double value : *values) columns_[place++].add(value);

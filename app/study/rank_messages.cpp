@@ -39,7 +39,7 @@ Message packed(const BatchReport& report) {
   for (const study::StoredRow& row : report.rows) {
     message.push_back(row.row);
     message.push_back(static_cast<std::uint64_t>(row.outcome.status));
-    message.push_back((row.outcome.extrapolated ? 1U : 0U) | (row.outcome.bottomed ? 2U : 0U));
+    message.push_back(std::uint64_t{2} * row.outcome.extrapolated + (row.outcome.bottomed ? 1U : 0U));
     message.push_back(std::bit_cast<std::uint64_t>(row.outcome.error));
     add(message, row.factors);
     add(message, row.outcome.values);
@@ -56,8 +56,8 @@ BatchReport unpacked(const Message& message) {
     row.row = reader.next();
     row.outcome.status = static_cast<Status>(reader.next());
     const std::uint64_t flags = reader.next();
-    row.outcome.extrapolated = (flags & 1U) != 0;
-    row.outcome.bottomed = (flags & 2U) != 0;
+    row.outcome.extrapolated = static_cast<unsigned>(flags / 2);
+    row.outcome.bottomed = flags % 2 != 0;
     row.outcome.error = reader.number();
     row.factors = reader.numbers();
     row.outcome.values = reader.numbers();

@@ -19,8 +19,9 @@ namespace {
 
 void append(fmt::memory_buffer& text, const StoredRow& row, const std::vector<ExportedColumn>& columns) {
   const Outcome& outcome = row.outcome;
-  fmt::format_to(std::back_inserter(text), "{},{},{:d},{:d},", row.row, to_string(outcome.status),
-                 outcome.extrapolated, outcome.bottomed);
+  fmt::format_to(std::back_inserter(text), "{},{},{:d},{:d},{:d},{:d},", row.row, to_string(outcome.status),
+                 outcome.extrapolated != 0, (outcome.extrapolated & extrapolated_strain) != 0,
+                 (outcome.extrapolated & extrapolated_rate) != 0, outcome.bottomed);
   if (!std::isnan(outcome.error)) fmt::format_to(std::back_inserter(text), "{}", outcome.error);
   auto column = columns.begin();
   for (const auto* values : {&row.factors, &outcome.values})
@@ -36,7 +37,7 @@ void append(fmt::memory_buffer& text, const StoredRow& row, const std::vector<Ex
 
 void export_csv(const Store& store, const std::function<void(std::string_view)>& write) {
   constexpr std::size_t piece = 1 << 16;
-  std::string names = "row,status,extrapolated,bottomed,error";
+  std::string names = "row,status,extrapolated,extrapolated_strain,extrapolated_rate,bottomed,error";
   std::vector<ExportedColumn> columns;
   for (const auto* list : {&store.factors(), &store.responses()})
     for (const StoredColumn& column : *list) {

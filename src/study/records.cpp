@@ -64,7 +64,9 @@ Records read_records(const Study& study, const Store& store) {
       records.responses[i].push_back(row.outcome.values[i]);
     records.statuses.push_back(row.outcome.status);
     if (is_doubtful(row.outcome, study.responses)) ++records.doubtful;
-    if (row.outcome.extrapolated) ++records.extrapolated;
+    if (row.outcome.extrapolated != 0) ++records.extrapolated;
+    if ((row.outcome.extrapolated & extrapolated_strain) != 0) ++records.beyond_strain;
+    if ((row.outcome.extrapolated & extrapolated_rate) != 0) ++records.beyond_rate;
     if (row.outcome.bottomed) ++records.bottomed;
     if (row.outcome.status == Status::bottomed_out) ++records.struck_through;
     if (row.outcome.status == Status::time_limit) ++records.time_limit;

@@ -139,7 +139,9 @@ ResponseReader& ResponseReader::operator=(ResponseReader&&) noexcept = default;
 void ResponseReader::operator()(const Solution& solution, Outcome& outcome) {
   const Summary& summary = solution.summary;
   outcome.status = summary.status;
-  outcome.extrapolated = !summary.extrapolations.empty();
+  outcome.extrapolated = (summary.is_beyond(Beyond::strain) ? extrapolated_strain : 0U) |
+                         (summary.is_beyond(Beyond::rate) ? extrapolated_rate : 0U) |
+                         (summary.is_beyond(Beyond::other) ? extrapolated_otherwise : 0U);
   outcome.bottomed = summary.bottomed.has_value();
   outcome.error = 0;
   outcome.values.assign(kinds_.size(), input::no_value);

@@ -301,7 +301,8 @@ TEST_F(NamesTest, OfAStudyAreThoseOfTheTable) {
   ASSERT_EQ(computed.exit_code, 0) << computed.err;
   std::string csv = dashpad({"study", "export", file("s.db"), "--csv", "-"}).out;
   const std::string factors =
-      "row,status,extrapolated,bottomed,error,impactor.mass_kg,impactor.speed_m_per_s,";
+      "row,status,extrapolated,extrapolated_strain,extrapolated_rate,bottomed,error,impactor.mass_kg,"
+      "impactor.speed_m_per_s,";
   ASSERT_THAT(csv, testing::StartsWith(factors));
   const Found columns = heading_of(csv.substr(factors.size()), plain_si());
   EXPECT_THAT(columns.foreign, IsEmpty());

@@ -38,7 +38,7 @@ inline study::StoredRow made_up_row(std::uint64_t number) {
   const auto x = static_cast<double>(number);
   study::StoredRow row{.row = number, .factors = {1 + 1e-3 * x}, .outcome = {}};
   row.outcome.status = number % 7 == 0 ? Status::time_limit : Status::released;
-  row.outcome.extrapolated = number % 3 == 0;
+  row.outcome.extrapolated = number % 3 == 0 ? study::extrapolated_strain : 0U;
   row.outcome.bottomed = number % 5 == 0;
   row.outcome.error = 1e-5 * std::sqrt(x);
   row.outcome.values = {std::exp(1e-3 * x),

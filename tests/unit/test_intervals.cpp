@@ -194,7 +194,8 @@ TEST(Intervals, ThePosteriorIsItsAxesInQuadrature) {
 TEST(Intervals, WhatHasNoIntervalSaysWhy) {
   const auto reasons = [](const ImpactCase& impact) {
     std::string all;
-    for (const OpenSource& of : with_intervals(impact).summary.intervals->sources)
+    const Solution solution = with_intervals(impact);
+    for (const OpenSource& of : solution.summary.intervals->sources)
       if (!of.why_not.empty()) all += of.words + ": " + of.why_not + "\n";
     return all;
   };

@@ -195,7 +195,7 @@ TEST(StudyKeyFigures, OfDrawsWithALimitTheProbabilityAndTheQuantilesTowardsIt) {
   std::vector<study::Reading> readings;
   for (const double peak : peaks) readings.push_back({peak, peak});
   answers.groups[0].exceedances = {study::exceedance(readings, limit)};
-  answers.records.extrapolated = 25;
+  answers.records.beyond_strain = 25;
   const std::vector<KeyFigure> figures = output::study_key_figures(answers, unit_system("si"));
   EXPECT_EQ(figures.at(0).label, "Peak acceleration above 80 g");
   EXPECT_EQ(figures.at(0).value, "20 %");

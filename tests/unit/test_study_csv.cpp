@@ -28,10 +28,11 @@ TEST(StudyCsv, has_a_line_a_row_with_units_and_empty_places) {
   Store store = Store::open_for(small_study(64), folder.path() / "s");
   fill(store);
   EXPECT_THAT(csv_of(store),
-              StartsWith("row,status,extrapolated,bottomed,error,impactor.speed_m_per_s,peak_force_N,"
+              StartsWith("row,status,extrapolated,extrapolated_strain,extrapolated_rate,bottomed,error,"
+                         "impactor.speed_m_per_s,peak_force_N,"
                          "rebound_speed_m_per_s\n"
-                         "0,time limit,1,1,0,1,1,\n"
-                         "1,released,0,0,1e-05,1.001,1.0010005001667084,1.140175425099138\n"));
+                         "0,time limit,1,1,0,1,0,1,1,\n"
+                         "1,released,0,0,0,0,1e-05,1.001,1.0010005001667084,1.140175425099138\n"));
 }
 
 TEST(StudyCsv, reads_back_as_the_same_numbers) {

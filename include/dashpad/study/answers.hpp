@@ -103,6 +103,8 @@ struct Records {
   std::vector<Status> statuses;
   std::uint64_t doubtful = 0;        ///< is_doubtful()
   std::uint64_t extrapolated = 0;    ///< beyond what the material was measured for
+  std::uint64_t beyond_strain = 0;   ///< of these by their strain, a guess; stores of 0.1.0 do not say it
+  std::uint64_t beyond_rate = 0;     ///< and by their rate, a law
   std::uint64_t bottomed = 0;        ///< the pad was fully compressed at some time
   std::uint64_t struck_through = 0;  ///< of these: on a rigid support, where no force is finite
   std::uint64_t time_limit = 0;      ///< the impactor was still on the pad when the time limit was reached

@@ -17,10 +17,10 @@ struct ExportedColumn {
 ExportedColumn exported(const StoredColumn& column);
 
 /// Passes the CSV on in pieces, so that memory does not grow with the rows: a heading, then one line a row
-/// done, by row number. Columns: row, status, extrapolated and bottomed (0 or 1), error, factors, responses;
-/// the heading names units: "impactor.speed_m_per_s". Numbers read back as the same, but for accelerations,
-/// which the store has in m/s2; a value that a row does not have is empty. What `write` throws passes
-/// through.
+/// done, by row number. Columns: row, status, extrapolated, extrapolated_strain, extrapolated_rate and
+/// bottomed (0 or 1), error, factors, responses; the heading names units: "impactor.speed_m_per_s". Numbers
+/// read back as the same, but for accelerations, which the store has in m/s2; a value that a row does not
+/// have is empty. What `write` throws passes through.
 void export_csv(const Store& store, const std::function<void(std::string_view)>& write);
 
 }  // namespace dashpad::study

@@ -39,10 +39,18 @@ bool has_response(const ResponseKind& kind, Status status);
 /// Those that cost nothing beyond the solution: all that are not of the pulse.
 std::vector<std::string> default_responses();
 
+/// By what a row went beyond what its material was measured for: a sum of these.
+enum Extrapolated : unsigned {
+  extrapolated_untold = 1,  ///< rows of 0.1.0, which do not say by what
+  extrapolated_strain = 2,
+  extrapolated_rate = 4,
+  extrapolated_otherwise = 8,
+};
+
 /// The outcome of a row.
 struct Outcome {
   Status status = Status::not_run;  ///< not_run: the case breaks a rule; all values are NaN
-  bool extrapolated = false;
+  unsigned extrapolated = 0;        ///< a sum of Extrapolated; 0 for none
   bool bottomed = false;
   /// The largest error estimate of the figures kept, as ErrorEstimates and InjuryFigures::Errors count them.
   /// There is none for the peak strain rate. Infinite where a pulse has too few samples to tell.

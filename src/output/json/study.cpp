@@ -114,6 +114,8 @@ std::string study_json(const study::StudyAnswers& answers) {
                {"rows_of_study", answers.rows},
                {"rows_doubtful", answers.records.doubtful},
                {"rows_extrapolated", answers.records.extrapolated},
+               {"rows_extrapolated_strain", answers.records.beyond_strain},
+               {"rows_extrapolated_rate", answers.records.beyond_rate},
                {"rows_bottomed", answers.records.bottomed},
                {"rows_struck_through", answers.records.struck_through},
                {"rows_at_time_limit", answers.records.time_limit},

@@ -93,7 +93,8 @@ void add_counts(Figures& figures, const StudyAnswers& answers) {
                          .tone = tone});
   };
   add("Bottomed out", answers.records.struck_through, Tone::bad);
-  add("Beyond what the foam was tested for", answers.records.extrapolated, Tone::doubtful);
+  add("Beyond the tested strain", answers.records.beyond_strain, Tone::doubtful);
+  add("Beyond the tested rates", answers.records.beyond_rate, Tone::plain);
 }
 
 }  // namespace

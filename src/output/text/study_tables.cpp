@@ -197,7 +197,15 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
         "TIME LIMIT: in {} of {} rows the impactor was still on the pad when the time limit was reached. "
         "Their largest values are lower bounds: a limit that they do not exceed is undecided.",
         records.time_limit, rows));
-  if (records.extrapolated > 0)
+  if (records.beyond_strain > 0)
+    texts.push_back(fmt::format(
+        "EXTRAPOLATED STRAIN: {} of {} rows go beyond the tested strain, where the foam is a guess.",
+        records.beyond_strain, rows));
+  if (records.beyond_rate > 0)
+    texts.push_back(
+        fmt::format("EXTRAPOLATED RATE: {} of {} rows go beyond the tested rates, where the foam is a law.",
+                    records.beyond_rate, rows));
+  if (records.extrapolated > 0 && records.beyond_strain + records.beyond_rate == 0)
     texts.push_back(fmt::format("EXTRAPOLATED: {} of {} rows go beyond what the material was measured for.",
                                 records.extrapolated, rows));
   if (answers.groups.size() > most_groups_shown)
