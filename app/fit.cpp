@@ -127,7 +127,7 @@ std::string fingerprint_of(const std::vector<input::InputFile>& files) {
 
 /// Runs the fit under a line of progress. Throws fit::Stopped.
 fit::FitReport run_with_progress(const fit::Fit& fit, fit::RunOptions options) {
-  ProgressLine line{"Fitting"};
+  ProgressLine line{"Fitting", ProgressLine::Elsewhere::lines};
   options.stop = &StopSignal::wanted();
   options.progress = [&line](const char* what, std::size_t done, std::size_t all) {
     line.now(fmt::format("{} ({} of {})", what, done, all));

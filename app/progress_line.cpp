@@ -1,6 +1,7 @@
 #include "progress_line.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -21,12 +22,16 @@ constexpr auto silence = 1s;
 constexpr auto between_drawings = 200ms;
 /// The first share of a computation is no measure of the rest before this time, s.
 constexpr double enough_to_tell = 2;
-constexpr double worth_saying = 60;  // s
+constexpr double worth_saying = 60;                          // s
+constexpr std::array<double, 3> times_of_lines{10, 30, 60};  ///< after the first, s
 
 }  // namespace
 
-ProgressLine::ProgressLine(std::string what)
-    : what_(std::move(what)), clock_([this](const std::stop_token& stop) { tick(stop); }) {}
+ProgressLine::ProgressLine(std::string what, Elsewhere elsewhere)
+    : what_(std::move(what)),
+      elsewhere_(elsewhere),
+      next_line_(std::chrono::duration<double>(silence).count()),
+      clock_([this](const std::stop_token& stop) { tick(stop); }) {}
 
 ProgressLine::~ProgressLine() {
   clock_.request_stop();
@@ -54,7 +59,10 @@ void ProgressLine::tick(const std::stop_token& stop) {
   while (!wake_.wait_for(lock, stop, pause, [&] { return stop.stop_requested(); })) {
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     say_how_long(seconds);
-    if (line_.is_terminal()) draw(seconds);
+    if (line_.is_terminal())
+      draw(seconds);
+    else if (elsewhere_ == Elsewhere::lines)
+      add_line(seconds);
     pause = between_drawings;
   }
 }
@@ -65,6 +73,16 @@ void ProgressLine::draw(double seconds) {
   const std::string bar =
       percent > 0 ? fmt::format(" [{}] {:3} %", progress_bar(percent, whole), percent) : std::string{};
   line_.draw(fmt::format("{}{}  {:.0f} s", what_, bar, std::floor(seconds)));
+}
+
+void ProgressLine::add_line(double seconds) {
+  if (seconds < next_line_) return;
+  const auto after = std::ranges::upper_bound(times_of_lines, seconds);
+  next_line_ =
+      after != times_of_lines.end() ? *after : (std::floor(seconds / worth_saying) + 1) * worth_saying;
+  write_error(seconds < 2 * worth_saying
+                  ? fmt::format("{}, {:.0f} s\n", what_, std::floor(seconds))
+                  : fmt::format("{}, {:.0f} min\n", what_, std::floor(seconds / worth_saying)));
 }
 
 void ProgressLine::say_how_long(double seconds) {

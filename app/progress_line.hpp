@@ -18,8 +18,13 @@ namespace dashpad::app {
 /// once, also where it is no terminal.
 class ProgressLine {
  public:
+  enum class Elsewhere {
+    silent,
+    lines,  ///< where standard error is no terminal: a line after 1, 10, 30 and 60 s, then every minute
+  };
+
   /// `what` is going on: "Simulating the tests".
-  explicit ProgressLine(std::string what);
+  explicit ProgressLine(std::string what, Elsewhere elsewhere = Elsewhere::silent);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -34,12 +39,15 @@ class ProgressLine {
  private:
   void tick(const std::stop_token& stop);
   void draw(double seconds);
+  void add_line(double seconds);
   void say_how_long(double seconds);
   void say(double seconds);
 
   std::string what_;
   std::atomic<double> share_ = 0;  ///< done, of 1; 0 as long as the computation does not tell
   bool said_how_long_ = false;
+  const Elsewhere elsewhere_;
+  double next_line_;  ///< s
   TerminalLine line_;
   std::mutex mutex_;
   std::condition_variable_any wake_;

@@ -7,6 +7,7 @@
 
 #include "dashpad/impact/case_quantity.hpp"
 #include "dashpad/impact/solve.hpp"
+#include "fit/card_uncertainty.hpp"
 #include "fit/impact_residuals.hpp"
 #include "fit/problem.hpp"
 #include "fit/reservations.hpp"
@@ -16,9 +17,6 @@
 namespace dashpad::fit {
 
 namespace {
-
-/// Significant digits of what was found: figures by the card are those of the fit to 1e-4 and better.
-constexpr int digits = 6;
 
 std::string rms_words(const MetTest& test) {
   const auto share = [&](const std::optional<double>& rms) { return 100 * *rms / test.largest_stress; };
@@ -69,9 +67,9 @@ std::string origin_of(const Fit& fit, const FitReport& report) {
 /// Rounded so that the value stays within, but for the dust of computed numbers.
 double rounded_outwards(double value, double side) {
   constexpr double dust = 1e-9;
-  const double near = rounded_to(value, digits);
+  const double near = rounded_to(value, card_digits);
   if (side * (value - near) <= dust * value) return near;
-  return rounded_to(near + side * value * std::pow(10, 1 - digits), digits);
+  return rounded_to(near + side * value * std::pow(10, 1 - card_digits), card_digits);
 }
 
 /// Whether a fitted number is one of the base curve, whose tested range the old one was.
@@ -129,9 +127,9 @@ std::optional<FittedRange> range_of_data(const Fit& fit, std::span<const double>
                      .highest_rate = rounded_outwards(range.highest_rate, 1)};
 }
 
-/// Stresses that were multiplied have as many digits as others.
+/// Stresses that were multiplied have as many card_digits as others.
 void round_stresses(TableCurve& table) {
-  for (double& stress : table.stress) stress = rounded_to(stress, digits);
+  for (double& stress : table.stress) stress = rounded_to(stress, card_digits);
 }
 void round_stresses(CurvesRateEffect& effect) {
   for (CurvesRateEffect::AtRate& at : effect.curves) round_stresses(at.curve);
@@ -141,13 +139,12 @@ void round_stresses(Of& of) {
   if constexpr (requires { Of::parameters; })
     for (const Parameter<Of>& parameter : Of::parameters)
       if (std::string_view(parameter.unit) == "Pa")
-        of.*parameter.member = rounded_to(of.*parameter.member, digits);
+        of.*parameter.member = rounded_to(of.*parameter.member, card_digits);
 }
 
-/// The law with all its stresses times a factor; not rounded where it then would break a rule, as a table
-/// whose neighbours are nearly equal.
-PadLaw scaled_and_rounded(const PadLaw& law, double factor) {
-  const PadLaw exact = scaled(law, factor);
+/// With the card_digits that are written; as it is where it then would break a rule, as a table whose
+/// neighbours are nearly equal.
+PadLaw rounded(const PadLaw& exact) {
   PadLaw result = exact;
   std::visit(
       []<class Law>(Law& of) {
@@ -176,17 +173,16 @@ double rate_of(const Fit& fit, const ImpactMeasurement& impact, std::span<const 
 std::vector<double> written_values(const Fit& fit, std::span<const double> values) {
   std::vector<double> written(values.begin(), values.end());
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
-    written[i] = std::clamp(rounded_to(values[i], digits), fit.unknowns[i].lowest, fit.unknowns[i].highest);
+    written[i] =
+        std::clamp(rounded_to(values[i], card_digits), fit.unknowns[i].lowest, fit.unknowns[i].highest);
   return written;
 }
 
 Material card_of(const Fit& fit, std::span<const double> values, const FitReport& report) {
   const std::vector<double> written = written_values(fit, values);
   Material material = material_with(fit, written);
-  const auto scale = std::ranges::find(fit.unknowns, "pad.scale", &Unknown::key);
-  if (scale != fit.unknowns.end())
-    material.law =
-        scaled_and_rounded(material.law, written[static_cast<std::size_t>(scale - fit.unknowns.begin())]);
+  const bool is_scaled = std::ranges::count(fit.unknowns, "pad.scale", &Unknown::key) > 0;
+  if (is_scaled) material.law = rounded(law_with(fit, written));
   material.source = origin_of(fit, report);
   material.reservations = reservations_of(fit, written, report);
   material.fitted = range_of_data(fit, written, material);

@@ -9,6 +9,9 @@
 
 namespace dashpad::fit {
 
+/// Significant digits of what a card says was found: figures by it are those of the fit to 1e-4 and better.
+inline constexpr int card_digits = 6;
+
 /// The material with its origin: files, points, misfit, and what the data leave open as reservations. A scale
 /// of the pad that was fitted is in all its stresses.
 Material card_of(const Fit& fit, std::span<const double> values, const FitReport& report);

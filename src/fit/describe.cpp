@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "fit/card.hpp"
+#include "fit/card_uncertainty.hpp"
 #include "fit/comparison.hpp"
 #include "fit/met.hpp"
 #include "fit/prediction.hpp"
@@ -103,6 +104,7 @@ void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitR
   describe_measurements(fit, problem, solved, report);
   const std::vector<double> values = problem.values(solved.minimum.x);
   report.material = card_of(fit, values, report);
+  report.material.uncertainty = uncertainty_of(fit, problem, solved, report, report.material);
   report.fitted_case = fitted_case_of(fit, values, report.material);
 }
 

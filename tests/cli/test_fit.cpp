@@ -206,6 +206,45 @@ TEST_F(FitTest, KeepsWhatIsFinished) {
   EXPECT_EQ(answer(again.out), answer(first.out));
 }
 
+const std::string fit_of_a_support = R"(case = "case.toml"
+[unknowns]
+"support.stiffness" = {bounds = ["20 N/mm", "500 N/mm"]}
+[[impacts]]
+case = "case.toml"
+peak_acceleration = {value = "22 g", deviation = "5 %"}
+[fit]
+starts = 2
+)";
+
+TEST_F(FitTest, KeepsWhatWasFoundOfACase) {
+  write_file(file("fit.toml"), fit_of_a_support);
+  const Outcome without = dashpad({"fit", file("fit.toml")});
+  EXPECT_THAT(without.out, HasSubstr("support.stiffness: no card holds that; --case FILE keeps it"));
+  const Outcome outcome = dashpad({"fit", file("fit.toml"), "--case", file("fitted.toml")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::Not(HasSubstr("--case FILE")));
+  const Outcome run = dashpad({"run", file("fitted.toml"), "--json", "-"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NEAR(json::parse(run.out)["peak_acceleration_g"].get<double>(), 22, 0.01);
+}
+
+TEST_F(FitTest, RefusesACaseOfWhichNothingWasSought) {
+  const auto before = other_files();
+  const Outcome outcome = dashpad({"fit", file("fit.toml"), "--case", file("fitted.toml")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("fitted.toml: no unknown of this fit is one of the case"));
+  EXPECT_EQ(other_files(), before);
+}
+
+TEST_F(FitTest, SaysInAPipeHowFarItIs) {
+  write_file(file("fit.toml"), with(fit_of_a_support, "starts = 2", "starts = 1000"));
+  const Outcome outcome = shell("\"$DASHPAD\" fit '" + file("fit.toml") + "' 2> '" + file("said") + "' &\n" +
+                                until("[ -s '" + file("said") + "' ]") + "kill -TERM $!; wait $!; cat '" +
+                                file("said") + "' >&2");
+  EXPECT_THAT(outcome.err,
+              testing::ContainsRegex("^Searching from several starts \\([0-9]+ of 1000\\), [0-9]+ s\n"));
+}
+
 TEST_F(FitTest, TheExampleWorks) {
   const Outcome outcome = dashpad({"fit", examples + "fits/vn600.toml"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

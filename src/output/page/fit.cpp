@@ -170,7 +170,7 @@ std::string fit_page(const fit::FitReport& report, const UnitSystem& units) {
   basis.paragraphs.push_back(report.material.source + ".");
   for (const std::string& reservation : report.material.reservations) basis.paragraphs.push_back(reservation);
   basis.paragraphs.push_back(
-      fmt::format("{} evaluations in {:.2g} s.", report.evaluations, report.wall_time));
+      fmt::format("{} evaluations in {}.", report.evaluations, duration_words(report.wall_time)));
   page.lead = lead_of(report, units);
   page.lead->answer = page.title;
   page.lead->reservation = first_of(page.warnings);

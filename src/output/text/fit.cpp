@@ -32,10 +32,12 @@ std::string fit_text(const fit::FitReport& report, const UnitSystem& units) {
     text += "\nMeasured and model\n" + plain_text(table_of_comparison(report, units));
   if (!report.figures.empty()) text += "\n" + plain_text(table_of_figures(report, units));
   if (!report.pulses.empty()) text += "\n" + plain_text(table_of_pulses(report, units));
+  if (!report.material.reservations.empty()) text += "\nReservations of the card\n";
+  for (const std::string& line : report.material.reservations) text += wrapped("- " + line, 2) + "\n";
   text += "\n";
   for (const std::string& line : notes_on_noise(report)) text += wrapped(line, 2) + "\n";
-  return text + fmt::format("{} evaluations in {:.2g} s (dashpad {})\n", report.evaluations, report.wall_time,
-                            version());
+  return text + fmt::format("{} evaluations in {} (dashpad {})\n", report.evaluations,
+                            duration_words(report.wall_time), version());
 }
 
 std::string fitted_case_toml(const fit::FitReport& report) {

@@ -138,6 +138,13 @@ std::string interval_words(const fit::FittedUnknown& of, const UnitSystem& units
   return "open on both sides";
 }
 
+std::string duration_words(double seconds) {
+  constexpr double minute = 60, hour = 3600;
+  if (seconds < 2 * minute) return brief(seconds, 2) + " s";
+  if (seconds < 2 * hour) return fmt::format("{:.0f} min", seconds / minute);
+  return fmt::format("{:.1f} h", seconds / hour);
+}
+
 std::vector<std::string> open_matters(const fit::FitReport& report) {
   std::vector<std::string> all;
   for (const std::vector<std::string>& keys : report.flat_directions) {

@@ -42,6 +42,9 @@ std::vector<std::string> open_matters(const fit::FitReport& report);
 /// Where the noise comes from, and what correlated residuals are worth; a sentence each.
 std::vector<std::string> notes_on_noise(const fit::FitReport& report);
 
+/// "1.5 s", "15 min", "2.5 h".
+std::string duration_words(double seconds);
+
 Table table_of_unknowns(const fit::FitReport& report, const UnitSystem& units);
 Table table_of_tests(const fit::FitReport& report, const UnitSystem& units);
 Table table_of_figures(const fit::FitReport& report, const UnitSystem& units);
