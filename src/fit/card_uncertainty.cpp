@@ -193,7 +193,12 @@ dashpad::Uncertainty uncertainty_of(const Fit& fit, const Problem& problem, cons
           report.tests,
           [](const MetTest& test) { return !test.is_held_out && test.rms_unloading.has_value(); }) ||
       std::ranges::any_of(fit.impacts, [](const ImpactMeasurement& impact) { return !impact.is_held_out; });
-  if (foam->unloading_curve)
+  // What is known to both sides is in the axes already.
+  const auto sought =
+      std::ranges::find(report.unknowns, "pad.parameters.unloading_factor", &FittedUnknown::key);
+  const bool is_in_axes =
+      sought != report.unknowns.end() && sought->is_identified() && sought->standard_error;
+  if (foam->unloading_curve || is_in_axes)
     of.unloading_factor.reset();
   else if (const auto range = share_range(report, "unloading_factor", foam->unloading_factor))
     of.unloading_factor = range;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <boost/math/distributions/students_t.hpp>
 
 #include "fit/comparison.hpp"
+#include "fit/prediction.hpp"
 #include "fit/search.hpp"
 #include "fit/solve.hpp"
 
@@ -37,18 +39,19 @@ std::optional<Kind> kind_of(ImpactFigure figure) {
   }
 }
 
-/// Shares by which figures of a kind were missed, without what their measurement misses by itself.
+/// Shares by which figures of a kind were missed, without what their measurement and the unknowns explain.
 struct Missed {
   double squares = 0;
   double count = 0;
 };
 
-Missed missed(std::span<const ImpactComparison> all, Kind kind) {
+Missed missed(std::span<const PredictedFigure> all, Kind kind) {
   Missed of;
-  for (const ImpactComparison& each : all) {
-    if (kind_of(each.figure) != kind || !each.share()) continue;
-    const double noise = each.deviation.value_or(0) / each.measured;
-    of.squares += std::max(*each.share() * *each.share() - noise * noise, 0.0);
+  for (const PredictedFigure& each : all) {
+    const std::optional<double> share = each.of.share();
+    if (kind_of(each.of.figure) != kind || !share) continue;
+    const double noise = each.of.deviation.value_or(0) / each.of.measured;
+    of.squares += std::max(*share * *share - noise * noise - each.by_unknowns * each.by_unknowns, 0.0);
     ++of.count;
   }
   return of;
@@ -80,14 +83,29 @@ Problem problem_without(const Fit& fit, const Problem& whole, std::span<const do
 
 }  // namespace
 
-std::vector<ImpactComparison> left_out(const Fit& fit, const Problem& problem, std::span<const double> x,
-                                       int runs, Session& session, std::atomic<std::size_t>& evaluations) {
+std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& problem, const Solved& solved,
+                                               int runs, Session& session,
+                                               std::atomic<std::size_t>& evaluations) {
+  const std::vector<double>& x = solved.minimum.x;
+  std::vector<std::vector<PredictedFigure>> found(fit.impacts.size());
+  const auto take = [&](std::size_t i, std::span<const double> values) {
+    ImpactMeasurement asked = fit.impacts[i];
+    asked.figures.clear();
+    for (const ImpactComparison& of : compared(fit, fit.impacts[i], values)) {
+      found[i].push_back({of});
+      asked.figures.push_back({of.figure, of.measured, 1});
+    }
+    const auto own = prediction_deviations(fit, asked, problem, x, solved.uncertainty);
+    for (std::size_t k = 0; k < own.size(); ++k)
+      found[i][k].by_unknowns = own[k].value_or(0) / asked.figures[k].value;
+  };
   std::vector<std::size_t> fitted;
   for (std::size_t i = 0; i < fit.impacts.size(); ++i)
-    if (!fit.impacts[i].is_held_out) fitted.push_back(i);
-  const std::size_t groups = std::min(fitted.size(), most_left_out);
-  if (groups < 2) return {};
-  std::vector<std::vector<ImpactComparison>> found(groups);
+    if (fit.impacts[i].is_held_out)
+      take(i, problem.values(x));
+    else
+      fitted.push_back(i);
+  const std::size_t groups = fitted.size() < 2 ? 0 : std::min(fitted.size(), most_left_out);
   session.begin("Leaving out each impact", groups);
   tbb::parallel_for(std::size_t{0}, groups, [&](std::size_t group) {
     Fit rest = fit;
@@ -99,19 +117,36 @@ std::vector<ImpactComparison> left_out(const Fit& fit, const Problem& problem, s
     const Minimum minimum = session.piece(fmt::format("runs {}, left out {}", runs, group),
                                           [&] { return minimise(residuals, start, coarse); });
     if (!minimum.is_sound) return;
-    const std::vector<double> values = without.values(minimum.x);
-    for (std::size_t k = group; k < fitted.size(); k += groups)
-      std::ranges::move(compared(rest, rest.impacts[fitted[k]], values), std::back_inserter(found[group]));
+    for (std::size_t k = group; k < fitted.size(); k += groups) take(fitted[k], without.values(minimum.x));
   });
-  std::vector<ImpactComparison> all;
+  std::vector<PredictedFigure> all;
   for (auto& each : found) std::ranges::move(each, std::back_inserter(all));
   return all;
 }
 
-std::optional<Misfit> misfit_of(std::span<const ImpactComparison> predicted,
+std::optional<double> nose_over_pad_of(const Fit& fit) {
+  constexpr double alike = 1.1;
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const ImpactMeasurement& measured : fit.impacts) {
+    const ImpactCase& impact = measured.impact;
+    const bool is_round = std::holds_alternative<Sphere>(impact.impactor.nose) ||
+                          std::holds_alternative<Ellipsoid>(impact.impactor.nose) ||
+                          std::holds_alternative<Rod>(impact.impactor.nose);
+    if (!is_round || !impact.pad.layers.empty() || impact.pad.area) return std::nullopt;
+    const double ratio = sections_of(impact).width / impact.pad.thickness;  // of the curvature at the tip
+    least = std::min(least, ratio);
+    most = std::max(most, ratio);
+  }
+  if (!(most > 0 && most <= alike * least)) return std::nullopt;
+  return std::sqrt(least * most);
+}
+
+std::optional<Misfit> misfit_of(std::span<const PredictedFigure> predicted,
                                 std::span<const ImpactComparison> fitted) {
   const bool is_predicted = !predicted.empty();
-  const std::span<const ImpactComparison> of = is_predicted ? predicted : fitted;
+  std::vector<PredictedFigure> of(predicted.begin(), predicted.end());
+  if (!is_predicted)
+    for (const ImpactComparison& each : fitted) of.push_back({each});
   double impacts = 0;
   for (const Kind kind : {Kind::acceleration, Kind::hic, Kind::rebound, Kind::penetration})
     impacts = std::max(impacts, missed(of, kind).count);

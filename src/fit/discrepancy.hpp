@@ -8,26 +8,39 @@
 
 #include "dashpad/fit/report.hpp"
 #include "dashpad/model/pad/uncertainty.hpp"
+#include "fit/determine.hpp"
 #include "fit/problem.hpp"
 #include "fit/session.hpp"
 
 namespace dashpad::fit {
 
-/// Each fitted impact as a fit to the others predicts it: the search goes on without it from the minimum `x`.
-/// Of more than most_left_out impacts, several are left out together. Nothing of impacts without which there
-/// is no fit.
-std::vector<ImpactComparison> left_out(const Fit& fit, const Problem& problem, std::span<const double> x,
-                                       int runs, Session& session, std::atomic<std::size_t>& evaluations);
+/// A figure of an impact that was predicted.
+struct PredictedFigure {
+  ImpactComparison of;
+  double by_unknowns = 0;  ///< standard deviation of it by the uncertainty of the unknowns, a share
+};
+
+/// The figures of the impacts that are held out, and of each fitted impact as a fit to the others predicts
+/// it: the search goes on without it from the minimum. Of more than most_left_out impacts, several are left
+/// out together. Nothing of impacts without which there is no fit.
+std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& problem, const Solved& solved,
+                                               int runs, Session& session,
+                                               std::atomic<std::size_t>& evaluations);
 
 inline constexpr std::size_t most_left_out = 8;
 
 /// Standard deviations of what the law misses. `predicted`: of impacts that were not fitted; `fitted`: the
 /// others, which count where nothing was predicted. Nothing without impacts.
 ///
-///   s^2 = (n0 s0^2 + sum of squared shares) / (n0 + n),   times t(n0 + n) / t(infinity), both at 97.5 %
+///   s^2 = (n0 s0^2 + sum of max(e^2 - u^2, 0)) / (n0 + n),   times t(n0 + n) / t(infinity), both at 97.5 %
 ///
+/// e are the shares by which they were missed, u what the unknowns and the noise of the measurement explain.
 /// s0 is how sure a law of few numbers is at best, 2 % of stresses, and counts like n0 impacts.
-std::optional<Misfit> misfit_of(std::span<const ImpactComparison> predicted,
+std::optional<Misfit> misfit_of(std::span<const PredictedFigure> predicted,
                                 std::span<const ImpactComparison> fitted);
+
+/// Radius of a round nose over the thickness of the pad, where that is nearly the same in all impacts of the
+/// fit.
+std::optional<double> nose_over_pad_of(const Fit& fit);
 
 }  // namespace dashpad::fit

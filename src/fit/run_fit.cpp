@@ -59,13 +59,13 @@ void throw_if_broken(const Fit& fit) {
 }
 
 /// What a card says of impacts that the law was not fitted to.
-void find_misfit(const Fit& fit, const Problem& problem, std::span<const double> x, Session& session,
+void find_misfit(const Fit& fit, const Problem& problem, const Solved& solved, Session& session,
                  std::atomic<std::size_t>& evaluations, FitReport& report) {
-  std::vector<ImpactComparison> predicted =
-      left_out(fit, problem, x, report.solver_runs, session, evaluations);
-  for (const ImpactComparison& each : report.comparison)
-    if (each.is_held_out) predicted.push_back(each);
-  report.material.uncertainty.misfit = misfit_of(predicted, report.comparison);
+  const std::vector<PredictedFigure> predicted =
+      predicted_figures(fit, problem, solved, report.solver_runs, session, evaluations);
+  std::optional<Misfit>& misfit = report.material.uncertainty.misfit;
+  misfit = misfit_of(predicted, report.comparison);
+  if (misfit) misfit->nose_over_pad = nose_over_pad_of(fit);
   if (report.fitted_case) report.fitted_case->impact.pad.material = report.material;
 }
 
@@ -103,7 +103,7 @@ FitReport run_fit(const Fit& fit, const RunOptions& options) {
     const Solved solved = determine(problem, residuals, minimum, session, report);
     if (!report.converged) break;
     describe(fit, problem, solved, report);
-    find_misfit(fit, problem, solved.minimum.x, session, evaluations, report);
+    find_misfit(fit, problem, solved, session, evaluations, report);
     judge_card(report);
     if (options.posterior > 0 && report.converged)
       for (const std::vector<double>& x :

@@ -22,8 +22,7 @@
 #include "dashpad/fit/report.hpp"
 #include "dashpad/impact/case_quantity.hpp"
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/injury/hic.hpp"
-#include "fit/impact_residuals.hpp"
+#include "dashpad/uncertainty/intervals.hpp"
 
 namespace dashpad::test {
 namespace {
@@ -67,6 +66,7 @@ fit::Fit fit_of(const DrawnMat& drawn, std::uint64_t seed) {
   seek("pad.curve.densification_exponent", 0.6, 6);
   seek("pad.parameters.unloading_factor", 0, 1);
   seek("pad.parameters.recoil", 0, 1);
+  seek("pad.rate.exponent", 0, 0.3);
   std::uint64_t which = 0;
   for (const double share : {0.5, 0.75, 1.0}) {
     fit::ImpactMeasurement impact;
@@ -83,47 +83,24 @@ fit::Fit fit_of(const DrawnMat& drawn, std::uint64_t seed) {
   return fit;
 }
 
-struct Interval {
-  double low = 0, nominal = 0, high = 0;
-};
-
-/// HIC of any window; nothing of a number where the pad bottoms out.
-double hic_of(const ImpactCase& impact) {
-  const std::optional<Pulse> pulse = fit::smooth_pulse(solve(impact));
-  return pulse ? injury::hic(*pulse, injury::unlimited_window).value : 0;
-}
-
-Interval hic_with_interval(const fit::Fit& fit, const Material& card, double height) {
+/// HIC of any window by the card, with what is not known of it.
+FigureInterval hic_of(const fit::Fit& fit, const Material& card, double height) {
   ImpactCase impact = fit.base;
   impact.pad.material = card;
   impact.impactor.speed = std::sqrt(2 * standard_gravity * height);
-  const double nominal = hic_of(impact);
-  const double strain = solve(impact).summary.peak_strain;
-  double down = std::pow(1.96 * card.uncertainty.misfit.value().hic * nominal, 2), up = down;
-  const PosteriorAxes& axes = card.uncertainty.posterior;
-  for (const auto* ends : {&axes.minus, &axes.plus})
-    for (const std::vector<double>& end : *ends) {
-      ImpactCase moved = impact;
-      for (const CaseQuantity& quantity : quantities_of(moved))
-        for (std::size_t i = 0; i < axes.keys.size(); ++i)
-          if (quantity.key == "pad." + axes.keys[i]) quantity.set(moved, end[i]);
-      const double change = 1.96 * (hic_of(moved) - nominal);
-      (change < 0 ? down : up) += change * change;
-    }
-  down = std::sqrt(down), up = std::sqrt(up);
-  if (card.fitted && strain > card.fitted->highest_strain) {
-    double least = nominal, most = nominal;
-    for (const double exponent : {1.0, 4.0}) {
-      ImpactCase moved = impact;
-      Foam& foam = std::get<Foam>(moved.pad.material.law);
-      foam.continuation_exponent = exponent;
-      std::get<AvalleCurve>(foam.curves.base).highest_strain = card.fitted->highest_strain;
-      const double hic = hic_of(moved);
-      least = std::min(least, hic), most = std::max(most, hic);
-    }
-    down += nominal - least, up += most - nominal;
-  }
-  return {nominal - down, nominal, nominal + up};
+  Solution solution = solve(impact);
+  uncertainty::add_intervals(impact, {}, solution);
+  for (const FigureInterval& figure : solution.summary.intervals.value().figures)
+    if (figure.key == "hic_unlimited") return figure;
+  return {};
+}
+
+std::string words_of(const FigureInterval& figure) {
+  std::string words;
+  for (const Contribution& of : figure.sources)
+    words += fmt::format("{} {} {:+.0f} {:+.0f} %", words.empty() ? "" : ",", to_string(of.source),
+                         100 * (of.low / figure.nominal - 1), 100 * (of.high / figure.nominal - 1));
+  return words;
 }
 
 /// One height of one law over all mats.
@@ -133,7 +110,7 @@ struct Line {
   std::vector<double> widths = {}, off = {};
   std::vector<std::uint64_t> missed = {};
 
-  void add(std::uint64_t seed, const Interval& interval, double truth) {
+  void add(std::uint64_t seed, const FigureInterval& interval, double truth) {
     ++mats;
     widths.push_back((interval.high - interval.low) / interval.nominal);
     off.push_back(std::abs(interval.nominal / truth - 1));
@@ -174,11 +151,11 @@ void try_mat(const Law& law, std::uint64_t seed, const Settings& settings, Line&
   }
   const auto ask = [&](Line& line, double height) {
     const double truth = dropped(drawn.mat, height).hic;
-    const Interval interval = hic_with_interval(fit, report.material, height);
+    const FigureInterval interval = hic_of(fit, report.material, height);
     line.add(seed, interval, truth);
     if (settings.all)
-      fmt::print("{}, seed {}, {:.2f} m: HIC {:.0f}, {:.0f} to {:.0f}; true {:.0f}{}\n", law.name, seed,
-                 height, interval.nominal, interval.low, interval.high, truth,
+      fmt::print("{}, seed {}, {:.2f} m: HIC {:.0f}, {:.0f} to {:.0f} ({} ); true {:.0f}{}\n", law.name, seed,
+                 height, interval.nominal, interval.low, interval.high, words_of(interval), truth,
                  interval.low <= truth && truth <= interval.high ? "" : "  MISSED");
   };
   ask(within, drawn.within);

@@ -86,12 +86,12 @@ TEST(Fits, FindTheShiftsOfPulsesThatPutThemBest) {
       }
 }
 
-ImpactComparison compared_by(ImpactFigure figure, double share, std::optional<double> deviation = {}) {
-  return {"drop.toml", figure, true, !deviation, 100, 100 * (1 + share), deviation};
+PredictedFigure compared_by(ImpactFigure figure, double share, std::optional<double> deviation = {}) {
+  return {{"drop.toml", figure, true, !deviation, 100, 100 * (1 + share), deviation}};
 }
 
 TEST(MisfitOf, IsStudentsOfWhatWasMissedAndOfHowSureALawIsAtBest) {
-  const std::vector<ImpactComparison> predicted{
+  const std::vector<PredictedFigure> predicted{
       compared_by(ImpactFigure::hic_unlimited, 0.08), compared_by(ImpactFigure::hic_unlimited, -0.06),
       compared_by(ImpactFigure::hic_unlimited, 0.10), compared_by(ImpactFigure::rebound_speed, 0.05, 3)};
   const Misfit of = misfit_of(predicted, {}).value();
@@ -106,7 +106,7 @@ TEST(MisfitOf, IsStudentsOfWhatWasMissedAndOfHowSureALawIsAtBest) {
 }
 
 TEST(MisfitOf, TakesWhatWasFittedForNoBetterThanTheBest) {
-  const std::vector<ImpactComparison> fitted{compared_by(ImpactFigure::hic_unlimited, 0.001)};
+  const std::vector<ImpactComparison> fitted{compared_by(ImpactFigure::hic_unlimited, 0.001).of};
   const Misfit of = misfit_of({}, fitted).value();
   EXPECT_NEAR(of.hic, 0.05 * 4.302653 / 1.959964, 1e-6);
   EXPECT_FALSE(of.is_held_out);
