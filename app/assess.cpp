@@ -32,12 +32,13 @@ The impactor (mass, radius, speed) is that of the standard, or yours where you g
 solver are those of the case. What was replaced is said. A standard that leaves a value open takes the case's.
 Several variants may follow the name, each after a colon. dashpad standards lists names and variants.
 
-Verdicts: pass where the value with its estimated error is within every limit, fail where a value without its
-error is above one, undecided where a limit lies within the error. A pad that bottomed out on a rigid
+Every figure has an interval, 95 %, by what is not known of the foam and of the model; docs/theory.md, section 6, says
+what goes into it. Verdicts: pass where every interval is within its limit, fail where one is above its limit as a
+whole, undecided where a limit lies within one. A pad that bottomed out on a rigid
 support fails. A pulse that ends before contact is lost (PULSE CUT: a foam that does not unload, on a rigid
 support, or the time limit) gives lower bounds: they fail above a limit and are undecided below. Only the
 peak is judged in full, once the impactor has come to rest. A pass is "with reservations" where the result has a
-flag (EXTRAPOLATED, BOTTOMED, PULSE CUT, ...), where the material has an UNKNOWN RANGE, where a value of the
+flag (EXTRAPOLATED STRAIN, BOTTOMED, PULSE CUT, ...), where the material has an UNKNOWN RANGE, where a value of the
 standard is UNVERIFIED, or where you REPLACED one. It is a computation with one rigid sphere on a flat pad:
 no test to the standard, no certification.
 
@@ -55,6 +56,7 @@ struct AssessRequest {
   std::optional<std::string> tolerance;
   std::string standards;
   std::string materials;
+  bool no_intervals = false;
   bool force = false;
 };
 
@@ -136,7 +138,10 @@ AssessInput read_and_check(const AssessRequest& request, const AssessFolders& fo
 
 int run_assessment(const AssessRequest& request, const AssessFolders& folders) {
   const AssessInput input = read_and_check(request, folders);
-  const Solution solution = solve_with_progress(input.assessed, input.given.options);
+  Solution solution = solve_with_progress(input.assessed, input.given.options);
+  if (!request.no_intervals)
+    add_intervals_with_progress(input.assessed, input.given.options, solution,
+                                injury::dwell_levels(input.standard));
   const injury::Assessment assessment = injury::assess(input.standard, input.assessed, solution);
   const output::AssessmentReport report{input.standard, input.given.impact, input.assessed, solution,
                                         assessment};
@@ -173,6 +178,7 @@ void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
   add_units(*sub, request->units);
   add_all(*sub, request->detail);
   add_tolerance(*sub, request->tolerance);
+  add_no_intervals(*sub, request->no_intervals);
   add_force(*sub, request->force);
   add_standard_folder(*sub, request->standards);
   add_material_folder(*sub, request->materials);

@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/impact/continuation.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/output/plot/plot.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/quantities/unit_system.hpp"
+#include "dashpad/uncertainty/intervals.hpp"
 #include "material_folder.hpp"
 #include "progress_line.hpp"
 #include "streams.hpp"
@@ -121,16 +121,24 @@ std::vector<input::InputFile> files_of(const std::string& file, const std::optio
 
 Solution solve_with_progress(const ImpactCase& impact, const Options& options) {
   const ProgressLine line{"Solving"};
-  Solution solution = solve(impact, options);
-  explore_continuation(impact, options, solution.summary);
-  return solution;
+  return solve(impact, options);
 }
 
 std::vector<Blow> solve_blows_with_progress(const ImpactCase& impact, const Options& options) {
   const ProgressLine line{"Solving"};
-  std::vector<Blow> blows = solve_blows(impact, options);
-  for (Blow& blow : blows) explore_continuation(blow.impact, options, blow.solution.summary);
-  return blows;
+  return solve_blows(impact, options);
+}
+
+void add_no_intervals(CLI::App& app, bool& no_intervals) {
+  app.add_flag("--no-intervals", no_intervals,
+               "Leave out how sure the figures are, and the impacts that are solved for it")
+      ->disable_flag_override();
+}
+
+void add_intervals_with_progress(const ImpactCase& impact, const Options& options, Solution& solution,
+                                 std::span<const double> dwell_levels) {
+  const ProgressLine line{"Solving what is not known"};
+  uncertainty::add_intervals(impact, options, solution, dwell_levels);
 }
 
 int list_cards(std::string heading, const std::vector<std::filesystem::path>& cards,

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -91,6 +92,12 @@ std::vector<input::InputFile> files_of(const std::string& file, const std::optio
 Solution solve_with_progress(const ImpactCase& impact, const Options& options);
 /// The same with every blow of a series; of one blow there is one.
 std::vector<Blow> solve_blows_with_progress(const ImpactCase& impact, const Options& options);
+
+/// Adds --no-intervals.
+void add_no_intervals(CLI::App& app, bool& no_intervals);
+/// uncertainty::add_intervals(), likewise.
+void add_intervals_with_progress(const ImpactCase& impact, const Options& options, Solution& solution,
+                                 std::span<const double> dwell_levels = {});
 
 /// Lists cards, a line each below the heading. One with faults does not hide the others; Refused with all of
 /// them.

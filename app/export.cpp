@@ -42,7 +42,7 @@ Compression is positive; the acceleration is negative while the pad pushes. docs
 
 Files: - as FILE is standard output; what is said about the curves then goes to standard error. An existing
 file is kept unless --force is given. A file is written whole or not at all, and carries the flags of the
-result (TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, BOTTOMED, ENERGY GAINED, SERIES CUT, EXTRAPOLATED) as comments.
+result (TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, BOTTOMED, ENERGY GAINED, SERIES CUT, EXTRAPOLATED STRAIN or RATE) as comments.
 
 Exit codes: 0 done (also when the pad bottomed out or the time limit was reached), 1 the file could not be written or
 none of the curves exists, 2 refused and nothing was run, 3 not reliable: the file is there but misses the

@@ -45,14 +45,16 @@ struct RunRequest {
   ResultFiles files;
   std::optional<std::string> tolerance;
   std::string materials;
+  bool no_intervals = false;
 };
 
 int run(const RunRequest& request, const std::filesystem::path& materials) {
   const input::CaseFile input =
       case_to_solve(request.case_file, materials, request.tolerance, {},
                     [&](const auto& files, auto& wrong) { judge_result_files(request.files, files, wrong); });
-  const std::vector<Blow> blows = solve_blows_with_progress(input.impact, input.options);
-  const Solution& solution = blows.back().solution;
+  std::vector<Blow> blows = solve_blows_with_progress(input.impact, input.options);
+  Solution& solution = blows.back().solution;
+  if (!request.no_intervals) add_intervals_with_progress(blows.back().impact, input.options, solution);
   publish(request.files, {input.impact, input.options, solution,
                           input.impact.blows ? std::span(blows) : std::span<const Blow>{}});
   const bool all_trusted =
@@ -68,6 +70,7 @@ void add_run(CLI::App& app, Action& action, const std::filesystem::path& executa
   sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
   add_result_files(*sub, request->files);
   add_tolerance(*sub, request->tolerance);
+  add_no_intervals(*sub, request->no_intervals);
   add_force(*sub, request->files.force);
   add_material_folder(*sub, request->materials);
   sub->footer(run_footer);

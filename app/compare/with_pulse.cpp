@@ -55,7 +55,8 @@ int compare_with_pulse(const CompareRequest& request, const std::filesystem::pat
   });
   const injury::Alignment alignment = alignment_of(request.align);
   judge_pulse(pulse, alignment);
-  const Solution solution = solve_with_progress(input->impact, input->options);
+  Solution solution = solve_with_progress(input->impact, input->options);
+  add_intervals_with_progress(input->impact, input->options, solution);
   const injury::PulseComparison comparison =
       injury::compare_pulses(pulse, solution, input->impact.impactor.speed, alignment);
   const output::PulseComparisonReport report{request.case_file, input->impact, solution, pulse, comparison};

@@ -11,6 +11,7 @@
 #include "dashpad/fit/report.hpp"
 #include "fit/describe.hpp"
 #include "fit/determine.hpp"
+#include "fit/discrepancy.hpp"
 #include "fit/posterior.hpp"
 #include "fit/problem.hpp"
 #include "fit/search.hpp"
@@ -24,27 +25,6 @@ namespace {
 constexpr int first_runs = 3, most_runs = 7;
 /// Figures by a fixed number of runs may be off by this share of their deviations.
 constexpr double most_off = 0.1;
-
-LeastSquares least_squares_of(const Problem& problem, const Session& session,
-                              std::atomic<std::size_t>& evaluations) {
-  LeastSquares of{problem.coordinates.size(), problem.residuals(), problem.derivative_step,
-                  [&problem, &session, &evaluations](std::span<const double> x, std::span<double> residuals) {
-                    // A search whose model cannot be evaluated any more ends soon.
-                    if (session.is_stopped()) return false;
-                    ++evaluations;
-                    return problem.evaluate(x, residuals);
-                  }};
-  of.takes_impacts = std::ranges::any_of(problem.blocks, &Block::is_impact);
-  of.settles = problem.shifts();
-  if (std::ranges::any_of(of.settles, std::identity{}))
-    of.settle = [&problem, &session, &evaluations](std::span<double> x, const std::vector<bool>& held,
-                                                   std::span<double> residuals) {
-      if (session.is_stopped()) return false;
-      ++evaluations;
-      return problem.settle(x, held, residuals);
-    };
-  return of;
-}
 
 /// Whether the figures and pulses of all fitted impacts, by a fixed number of runs, are those of the full
 /// tolerance: each figure, and pulses in the mean square.
@@ -76,6 +56,17 @@ void throw_if_broken(const Fit& fit) {
   std::string message = "invalid fit";
   for (const Violation& v : broken) message += fmt::format("\n  {}: {}", v.key, v.rule);
   throw std::invalid_argument(message);
+}
+
+/// What a card says of impacts that the law was not fitted to.
+void find_misfit(const Fit& fit, const Problem& problem, std::span<const double> x, Session& session,
+                 std::atomic<std::size_t>& evaluations, FitReport& report) {
+  std::vector<ImpactComparison> predicted =
+      left_out(fit, problem, x, report.solver_runs, session, evaluations);
+  for (const ImpactComparison& each : report.comparison)
+    if (each.is_held_out) predicted.push_back(each);
+  report.material.uncertainty.misfit = misfit_of(predicted, report.comparison);
+  if (report.fitted_case) report.fitted_case->impact.pad.material = report.material;
 }
 
 /// No card where the best values make none.
@@ -112,6 +103,7 @@ FitReport run_fit(const Fit& fit, const RunOptions& options) {
     const Solved solved = determine(problem, residuals, minimum, session, report);
     if (!report.converged) break;
     describe(fit, problem, solved, report);
+    find_misfit(fit, problem, solved.minimum.x, session, evaluations, report);
     judge_card(report);
     if (options.posterior > 0 && report.converged)
       for (const std::vector<double>& x :

@@ -1,6 +1,7 @@
 #include "fit/search.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -40,6 +41,27 @@ std::vector<std::vector<double>> starts_of(const Fit& fit, const Problem& proble
   return starts;
 }
 }  // namespace
+
+LeastSquares least_squares_of(const Problem& problem, const Session& session,
+                              std::atomic<std::size_t>& evaluations) {
+  LeastSquares of{problem.coordinates.size(), problem.residuals(), problem.derivative_step,
+                  [&problem, &session, &evaluations](std::span<const double> x, std::span<double> residuals) {
+                    // A search whose model cannot be evaluated any more ends soon.
+                    if (session.is_stopped()) return false;
+                    ++evaluations;
+                    return problem.evaluate(x, residuals);
+                  }};
+  of.takes_impacts = std::ranges::any_of(problem.blocks, &Block::is_impact);
+  of.settles = problem.shifts();
+  if (std::ranges::any_of(of.settles, std::identity{}))
+    of.settle = [&problem, &session, &evaluations](std::span<double> x, const std::vector<bool>& held,
+                                                   std::span<double> residuals) {
+      if (session.is_stopped()) return false;
+      ++evaluations;
+      return problem.settle(x, held, residuals);
+    };
+  return of;
+}
 
 Minimum search(const Fit& fit, const Problem& problem, const LeastSquares& residuals, Session& session,
                FitReport& report) {

@@ -69,7 +69,8 @@ bool fill_columns(const LeastSquares& problem, std::size_t count, double* matrix
   std::atomic<bool> is_sound = true;
   const auto fill = [&](std::size_t i) {
     std::vector<double> one(problem.residuals);
-    if (!is_sound || !column(i, std::span<double>(one)))
+    // All of them, whoever comes first: how much is evaluated must not depend on the threads.
+    if (!column(i, std::span<double>(one)))
       is_sound = false;
     else
       for (std::size_t k = 0; k < one.size(); ++k) matrix[k * count + i] = one[k];

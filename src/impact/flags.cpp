@@ -72,21 +72,60 @@ std::string softening(const Summary& summary) {
       plain_number(summary.softening_rates.front()));
 }
 
-std::string continuation(const ContinuationRange& range) {
-  const auto peak = [](const std::optional<double>& acceleration) {
-    return acceleration ? plain_number(*acceleration / standard_gravity) + " g"
-                        : std::string("without limit");
-  };
-  const std::string gentlest = peak(range.gentlest), steepest = peak(range.steepest);
-  if (gentlest == steepest)
-    return fmt::format(
-        "EXTRAPOLATED: beyond the tested strain the curve is a guess; the peak is {} however it goes on",
-        gentlest);
-  return fmt::format(
-      "EXTRAPOLATED: beyond the tested strain the curve is a guess; the peak is {} if it goes on gently "
-      "(exponent {:.3g}), {} "
-      "if steeply ({:.3g})",
-      gentlest, range.gentlest_exponent, steepest, range.steepest_exponent);
+/// Of a figure: what moves it by less is no reservation.
+constexpr double worth_saying = 0.01;
+
+/// What a source does to the decisive figure that it moves most.
+struct Effect {
+  std::string key;
+  double down = 0, up = 0;  ///< shares of the nominal, >= 0
+
+  [[nodiscard]] double largest() const { return std::max(down, up); }
+};
+Effect effect_of(Source source, const Intervals& intervals, const std::vector<std::string>& decisive) {
+  Effect most;
+  for (const std::string& key : decisive) {
+    const FigureInterval* const figure = intervals.find(key);
+    if (figure == nullptr || !(figure->nominal > 0)) continue;
+    for (const Contribution& of : figure->sources)
+      if (const Effect effect{key, 1 - of.low / figure->nominal, of.high / figure->nominal - 1};
+          of.source == source && effect.largest() > most.largest())
+        most = effect;
+  }
+  return most;
+}
+
+std::string words_of(const std::string& key) {
+  if (key.starts_with("hic_d")) return "HIC(d)";
+  if (key.starts_with("hic")) return "HIC";
+  if (key.ends_with("_3ms")) return "the clip";
+  return key == "severity_index" ? "the severity index" : "the peak";
+}
+
+/// "HIC may be 1 % lower to 1.9 % higher"
+std::string words_of(const Effect& effect) {
+  const auto percent = [](double share) { return fmt::format("{:.2g} %", 100 * share); };
+  const std::string what = words_of(effect.key) + " may be ";
+  if (!std::isfinite(effect.up)) return what + "without limit";
+  if (effect.down < worth_saying / 10) return what + percent(effect.up) + " higher";
+  if (effect.up < worth_saying / 10) return what + percent(effect.down) + " lower";
+  return what + percent(effect.down) + " lower to " + percent(effect.up) + " higher";
+}
+
+/// Nothing for what moves no decisive figure.
+std::optional<Flag> extrapolation_flag(const Summary& summary, const Extrapolation& of,
+                                       const std::vector<std::string>& decisive) {
+  const std::string name = name_of(of.beyond);
+  const Source source = of.beyond == Beyond::strain ? Source::continuation : Source::rate;
+  const Flag plain{name, name + ": " + of.text};
+  const auto& intervals = summary.intervals;
+  if (of.beyond == Beyond::other || !intervals || intervals->figures.empty() || !intervals->find(source))
+    return plain;
+  const Effect effect = effect_of(source, *intervals, decisive);
+  if (effect.largest() <= worth_saying) return std::nullopt;
+  return Flag{name, plain.text + "; " + words_of(effect) +
+                        (of.beyond == Beyond::strain ? " by how it goes on there, which is a guess"
+                                                     : " if the stress follows the rate otherwise there")};
 }
 
 }  // namespace
@@ -116,7 +155,12 @@ bool gained_energy(const Summary& summary) {
   return energy_gained(summary) > summary.errors.energy_absorbed + of_ledger + rounding;
 }
 
-std::vector<Flag> flags(const Summary& summary) {
+const std::vector<std::string>& usual_figures() {
+  static const std::vector<std::string> keys{"peak_acceleration", "hic15", "hic_unlimited"};
+  return keys;
+}
+
+std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& decisive) {
   std::vector<Flag> all;
   if (summary.status == Status::not_run)
     all.push_back({"NOT RUN", "NOT RUN: nothing was computed"});
@@ -141,12 +185,10 @@ std::vector<Flag> flags(const Summary& summary) {
   if (const std::string text = striking_through(summary); !text.empty())
     all.push_back({"STRUCK THROUGH", text});
   if (!summary.softening_rates.empty()) all.push_back({"SOFTENING", softening(summary)});
-  // How far the peak may be off says more than why.
-  if (summary.continuation) all.push_back({"EXTRAPOLATED", continuation(*summary.continuation)});
-  for (const std::string& reason : summary.extrapolations)
-    all.push_back({"EXTRAPOLATED", "EXTRAPOLATED: " + reason});
-  if (summary.extrapolated && summary.extrapolations.empty())
-    all.push_back({"EXTRAPOLATED", "EXTRAPOLATED: outside the range in which the material was fitted"});
+  for (const Extrapolation& of : summary.extrapolations)
+    if (std::optional<Flag> flag = extrapolation_flag(summary, of, decisive)) all.push_back(*std::move(flag));
+  if (summary.intervals && !summary.intervals->warning.empty())
+    all.push_back({"SMALL NOSE", summary.intervals->warning});
   return all;
 }
 

@@ -53,21 +53,21 @@ std::vector<LayerSummary> layer_summaries(const Pad& pad, const History& history
   return all;
 }
 
-std::vector<std::string> layer_extrapolations(const Pad& pad, const std::vector<LayerSummary>& layers) {
+std::vector<Extrapolation> layer_extrapolations(const Pad& pad, const std::vector<LayerSummary>& layers) {
   std::vector<std::size_t> order(layers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) {
     return layers[i].beyond_tested.value_or(std::numeric_limits<double>::infinity());
   });
-  std::vector<std::string> reasons;
+  std::vector<Extrapolation> reasons;
   for (const std::size_t i : order) {
     const PadLayer& layer = pad.layers[i];
     const std::string which = fmt::format("layer {} ({}): ", i + 1, layer.material.name);
-    std::vector<std::string> of_layer =
+    std::vector<Extrapolation> of_layer =
         extrapolations(layer.material, layers[i].peak_strain, layers[i].peak_strain_rate);
-    for (std::string& reason : extrapolations(layer.condition, layer.material))
+    for (Extrapolation& reason : extrapolations(layer.condition, layer.material))
       of_layer.push_back(std::move(reason));
-    for (const std::string& reason : of_layer) reasons.push_back(which + reason);
+    for (const auto& [beyond, text] : of_layer) reasons.push_back({beyond, which + text});
   }
   return reasons;
 }

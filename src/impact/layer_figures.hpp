@@ -14,6 +14,6 @@ std::vector<LayerSummary> layer_summaries(const Pad& pad, const History& history
 
 /// Why a result is extrapolated, a reason each: layers beyond what they were tested for, that which was
 /// first there first.
-std::vector<std::string> layer_extrapolations(const Pad& pad, const std::vector<LayerSummary>& layers);
+std::vector<Extrapolation> layer_extrapolations(const Pad& pad, const std::vector<LayerSummary>& layers);
 
 }  // namespace dashpad

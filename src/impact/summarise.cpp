@@ -11,11 +11,11 @@
 namespace dashpad {
 namespace {
 
-std::vector<std::string> extrapolations(const ImpactCase& impact, const Summary& summary) {
-  std::vector<std::string> reasons = layer_extrapolations(impact.pad, summary.layers);
+std::vector<Extrapolation> extrapolations(const ImpactCase& impact, const Summary& summary) {
+  std::vector<Extrapolation> reasons = layer_extrapolations(impact.pad, summary.layers);
   if (impact.pad.layers.empty()) {
     reasons = extrapolations(impact.pad.material, summary.peak_strain, summary.peak_strain_rate);
-    for (std::string& reason : extrapolations(impact.pad.condition, impact.pad.material))
+    for (Extrapolation& reason : extrapolations(impact.pad.condition, impact.pad.material))
       reasons.push_back(std::move(reason));
   }
   // A linear support has one point, which only says its slope.
@@ -23,8 +23,9 @@ std::vector<std::string> extrapolations(const ImpactCase& impact, const Summary&
   const std::optional<double> force =
       summary.support ? std::optional(summary.support->peak_transmitted) : summary.peak_force;
   if (points.size() > 1 && force && *force > points.back().force)
-    reasons.push_back(fmt::format("the support's force reaches {:.4g} N; its curve ends at {:.4g} N", *force,
-                                  points.back().force));
+    reasons.push_back(
+        {Beyond::other, fmt::format("the support's force reaches {:.4g} N; its curve ends at {:.4g} N",
+                                    *force, points.back().force)});
   return reasons;
 }
 
@@ -114,7 +115,6 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement, const 
               s.energy.impact;
   s.layers = layer_summaries(impact.pad, finest);
   s.extrapolations = extrapolations(impact, s);
-  s.extrapolated = !s.extrapolations.empty();
   s.softening_rates = softening_rates(impact.pad.material.law);  // layers have no such curve
   s.errors = refinement.errors();
   s.stations = figures.stations;

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/injury/dwell.hpp"
 #include "dashpad/injury/figures.hpp"
@@ -73,8 +75,8 @@ CriterionResult struck_through(const Criterion& criterion) {
 /// A comparison with a number that is not one is false: then nothing is decided.
 Verdict verdict_of(const CriterionResult& result) {
   const Criterion& of = result.criterion;
-  const double lowest = *result.value - result.error;
-  const double highest = *result.value + result.error;
+  const double lowest = (result.interval ? result.interval->low : *result.value) - result.error;
+  const double highest = (result.interval ? result.interval->high : *result.value) + result.error;
   if (of.strict ? lowest >= of.limit : lowest > of.limit) return Verdict::fail;
   const bool within = of.strict ? highest < of.limit : highest <= of.limit;
   if (within && !result.lower_bound) return Verdict::pass;
@@ -87,7 +89,8 @@ std::string reason_of(const CriterionResult& result, const Summary& summary) {
     return peak_is_final(summary)
                ? "PULSE CUT: it ends at its peak, for the foam does not unload; the value can only grow"
                : "PULSE CUT: it ends while the impactor is still on the pad; the value can only grow";
-  return std::isfinite(result.error) ? "the limit lies within the error estimate" : "the error is unknown";
+  if (!std::isfinite(result.error)) return "the error is unknown";
+  return result.interval ? "the limit lies within the interval" : "the limit lies within the error estimate";
 }
 
 CriterionResult judge(const Criterion& criterion, const Solution& solution, const InjuryFigures& figures) {
@@ -97,6 +100,9 @@ CriterionResult judge(const Criterion& criterion, const Solution& solution, cons
   result.criterion = criterion;
   result.value = value.value;
   result.error = value.error;
+  if (const auto& intervals = solution.summary.intervals)
+    if (const FigureInterval* of = intervals->find(quantity_of(criterion.metric).key, criterion.level))
+      result.interval = *of;
   result.lower_bound = is_lower_bound(criterion.metric, solution.summary);
   result.verdict = verdict_of(result);
   if (!result.lower_bound || result.verdict == Verdict::fail) {
@@ -143,9 +149,11 @@ void add_reservations_about(const Material& material, std::vector<Flag>& reserva
 }
 
 void add_reservations_about(const Standard& standard, std::vector<Flag>& reservations) {
-  std::string unverified;
-  const auto add = [&unverified](const std::string& what) {
-    unverified += (unverified.empty() ? "" : ", ") + what;
+  std::string unverified, secondary;
+  const auto add = [&](const Origin& origin, const std::string& what) {
+    if (origin.verified && origin.kind == SourceKind::own_text) return;
+    std::string& names = origin.verified ? secondary : unverified;
+    names += (names.empty() ? "" : ", ") + what;
   };
   const std::pair<const char*, const StandardValue*> values[]{
       {"mass", &standard.mass}, {"radius", &standard.radius}, {"speed", &standard.speed}};
@@ -153,16 +161,45 @@ void add_reservations_about(const Standard& standard, std::vector<Flag>& reserva
     if (value->instead)
       reservations.push_back(
           {"REPLACED", std::string("REPLACED: the ") + name + " is not that of the standard"});
-    if (value->value && !value->origin.verified) add(name);
+    if (value->value && !value->chosen_by_user) add(value->origin, name);
   }
-  for (const Criterion& criterion : standard.criteria)
-    if (!criterion.origin.verified) add(limit_of(criterion));
+  for (const Criterion& criterion : standard.criteria) add(criterion.origin, limit_of(criterion));
   if (!unverified.empty())
     reservations.push_back(
         {"UNVERIFIED", "UNVERIFIED: not read in the standard or a source that repeats it: " + unverified});
+  if (!secondary.empty())
+    reservations.push_back(
+        {"SECONDARY SOURCE", "SECONDARY SOURCE: not read in the standard itself: " + secondary});
+}
+
+/// What gives no interval is no better known for it.
+void add_reservations_about(const Summary& summary, std::vector<Flag>& reservations) {
+  if (!summary.intervals) {
+    reservations.push_back({"NO INTERVALS",
+                            "NO INTERVALS: how sure the figures are was not asked for; the verdict is of the "
+                            "values alone"});
+    return;
+  }
+  for (const OpenSource& of : summary.intervals->sources)
+    if (!of.why_not.empty())
+      reservations.push_back({"NO INTERVAL", fmt::format("NO INTERVAL for {}: {}", of.words, of.why_not)});
+}
+
+/// The keys of what the standard limits, by which flags are judged.
+std::vector<std::string> decisive_figures(const Standard& standard) {
+  std::vector<std::string> keys;
+  for (const Criterion& criterion : standard.criteria) keys.emplace_back(quantity_of(criterion.metric).key);
+  return keys;
 }
 
 }  // namespace
+
+std::vector<double> dwell_levels(const Standard& standard) {
+  std::vector<double> levels;
+  for (const Criterion& criterion : standard.criteria)
+    if (criterion.metric == Metric::dwell_time) levels.push_back(criterion.level);
+  return levels;
+}
 
 std::string to_string(Verdict verdict) {
   switch (verdict) {
@@ -186,7 +223,8 @@ Assessment assess(const Standard& standard, const ImpactCase& impact, const Solu
     assessment.results.push_back(judge(criterion, solution, figures));
   assessment.verdict = overall(assessment.results);
   assessment.figures = key_figures(solution.summary, figures);
-  assessment.reservations = flags(solution.summary);
+  assessment.reservations = flags(solution.summary, decisive_figures(standard));
+  add_reservations_about(solution.summary, assessment.reservations);
   if (impact.pad.layers.empty()) add_reservations_about(impact.pad.material, assessment.reservations);
   for (const PadLayer& layer : impact.pad.layers)
     add_reservations_about(layer.material, assessment.reservations);

@@ -138,9 +138,9 @@ std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run)
   std::vector<Flag> flags;
   double fastest = 0;
   for (const double rate : run.column.rate) fastest = std::max(fastest, std::abs(rate));
-  for (const std::string& reason :
+  for (const Extrapolation& of :
        extrapolations(material, without_rounding(run.column.largest_strain), without_rounding(fastest)))
-    flags.push_back({"EXTRAPOLATED", "EXTRAPOLATED: " + reason});
+    flags.push_back({name_of(of.beyond), name_of(of.beyond) + ": " + of.text});
   if (!has_curves(material.law) && std::ranges::any_of(run.column.events, [](const ColumnEvent& event) {
         return event.kind == ColumnEvent::Kind::contact_taken_up;
       }))

@@ -256,12 +256,19 @@ std::vector<ResultRow> main_rows(const ImpactCase& impact, const Summary& summar
   return all;
 }
 
-std::string laid_out(const ResultRow& row) {
-  std::string line = fmt::format("  {:<21}{:>9} {:<7}", row.label, row.value, row.unit);
-  if (row.error) line += fmt::format("± {:<9} ", shown_error(*row.error));
-  line += row.remark;
-  line.erase(line.find_last_not_of(' ') + 1);
-  return wrapped(line, 40) + "\n";
+std::string laid_out(const std::vector<ResultRow>& rows) {
+  std::size_t width = 0;
+  for (const ResultRow& row : rows) width = std::max(width, width_of(row.interval));
+  std::string text;
+  for (const ResultRow& row : rows) {
+    std::string line = fmt::format("  {:<21}{:>9} {:<7}", row.label, row.value, row.unit);
+    if (width > 0) line += row.interval + std::string(width + 2 - width_of(row.interval), ' ');
+    if (row.error) line += fmt::format("± {:<9} ", shown_error(*row.error));
+    line += row.remark;
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += wrapped(line, 40) + "\n";
+  }
+  return text;
 }
 
 std::string stretch(double begin, double end, const UnitSystem& units, int digits) {

@@ -20,6 +20,7 @@ struct ResultRow {
   std::string unit;
   std::optional<double> error;  ///< estimated, relative
   std::string remark;           ///< may be empty
+  std::string interval = {};    ///< "34.1 to 38.2 g", by what is not known; may be empty
 };
 
 /// How it ended, in one sentence.
@@ -41,8 +42,9 @@ std::vector<ResultRow> pulse_rows(const injury::InjuryFigures& figures, const Un
 std::vector<ResultRow> main_rows(const ImpactCase& impact, const Summary& summary,
                                  const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units);
 
-/// "  Peak force             5757 N      ± 0.2 %  remark", at most 100 columns wide.
-std::string laid_out(const ResultRow& row);
+/// "  Peak force             5757 N      5100 to 6400 N    ± 0.2 %  remark", at most 100 columns wide;
+/// without room for an interval where no row has one.
+std::string laid_out(const std::vector<ResultRow>& rows);
 
 /// The numbers behind the numbers: tolerance, steps, energy residual, version.
 std::string numbers_text(const Summary& summary);

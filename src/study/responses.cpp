@@ -139,7 +139,7 @@ ResponseReader& ResponseReader::operator=(ResponseReader&&) noexcept = default;
 void ResponseReader::operator()(const Solution& solution, Outcome& outcome) {
   const Summary& summary = solution.summary;
   outcome.status = summary.status;
-  outcome.extrapolated = summary.extrapolated;
+  outcome.extrapolated = !summary.extrapolations.empty();
   outcome.bottomed = summary.bottomed.has_value();
   outcome.error = 0;
   outcome.values.assign(kinds_.size(), input::no_value);

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -84,10 +86,29 @@ inline Outcome shell(const std::string& script) {
   return run_program({"/bin/sh", "-c", "DASHPAD='" DASHPAD_COMMAND "'\n" + script});
 }
 
-/// A line of a script that waits until a command of the shell succeeds, for a minute at most: a machine may
-/// be slow.
+/// A line of a script that waits until a command of the shell succeeds, for ten minutes at most: a machine
+/// may be slow, and what hangs has to end.
 inline std::string until(const std::string& condition) {
-  return "for i in $(seq 1200); do " + condition + " && break; sleep 0.05; done\n";
+  return "for i in $(seq 12000); do " + condition + " && break; sleep 0.05; done\n";
+}
+
+/// The same, and meanwhile the command $! is stopped for most of the time: its work takes long on any
+/// machine.
+inline std::string slowed_until(const std::string& condition) {
+  return "for i in $(seq 3000); do kill -STOP $!; " + condition +
+         " && break; sleep 0.2; kill -CONT $!; sleep 0.01; done; kill -CONT $!\n";
+}
+
+/// What a run says that was over in less time, s, as the clock of this test has it. It is repeated until one
+/// was, for a machine may be busy; of one that never is so fast nothing can be said.
+template <class Run>
+auto said_within(double time, Run run) -> std::optional<decltype(run())> {
+  for (int i = 0; i < 100; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    auto said = run();
+    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < time) return said;
+  }
+  return std::nullopt;
 }
 
 inline Outcome dashpad(std::vector<std::string> arguments) {

@@ -52,6 +52,19 @@ class Terminal {
     return testing::AssertionSuccess();
   }
 
+  /// The same of a command that is stopped for most of the time: what it does takes long on any machine.
+  testing::AssertionResult has_shown_when_slowed(const std::string& text) {
+    for (int i = 0; i < 3000 && shown_.find(text) == std::string::npos; ++i) {
+      ::kill(process_, SIGSTOP);
+      ::usleep(200'000);
+      ::kill(process_, SIGCONT);
+      pollfd ready{screen_, POLLIN, 0};
+      while (::poll(&ready, 1, 10) > 0)
+        if (!read_some()) return has_shown(text);
+    }
+    return has_shown(text);
+  }
+
   void type(const std::string& keys) const {
     if (::write(screen_, keys.data(), keys.size()) != static_cast<ssize_t>(keys.size()))
       throw std::runtime_error("the terminal takes no more keys");
@@ -74,7 +87,7 @@ class Terminal {
   /// False at the end, and when the command has been silent for so long that it hangs.
   bool read_some() {
     pollfd ready{screen_, POLLIN, 0};
-    if (::poll(&ready, 1, 60'000) == 0) {
+    if (::poll(&ready, 1, 600'000) == 0) {
       ::kill(process_, SIGKILL);
       return false;
     }

@@ -193,6 +193,45 @@ TEST_F(AssessTest, SaysWhichSourcesAreSecondary) {
   EXPECT_THAT(assess({"fmvss-208-hic36"}).out, HasSubstr("own text (limit of HIC36)."));
 }
 
+/// Of the edition of 2018: 210 g on a tile whose HIC is 920.
+TEST_F(AssessTest, AThinHardTileFailsThePeakOfEn1177) {
+  write_file(case_file(), R"(title = "Thin hard tile"
+[impactor]
+mass = "4.6 kg"
+radius = "80 mm"
+drop_height = "0.5 m"
+[pad]
+thickness = "15 mm"
+law = "foam"
+[pad.parameters]
+unloading_factor = 0.3
+unloading_shape = 2
+[pad.curve]
+form = "hyperfoam"
+rate = "0.01 1/s"
+first_modulus = "2 MPa"
+first_exponent = 2
+second_modulus = "0.1 MPa"
+second_exponent = -2
+highest_strain = 0.8
+[support]
+type = "rigid"
+)");
+  const Outcome outcome = assess({"en-1177", "--drop-height", "0.55 m"});
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(ContainsRegex("Peak acceleration +21[0-9.]* g +200 g .* fail\n"),
+                                 ContainsRegex("HIC of any window +9[0-9.]+ +1000 .* pass\n")));
+}
+
+/// The preset's text was not read, and every figure of it was verified elsewhere.
+TEST_F(AssessTest, APassOfFiguresReadElsewhereHasAReservation) {
+  const Outcome outcome = assess({"fmvss-201-instrument-panel"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("PASS, with reservations: SECONDARY SOURCE\n"),
+                                 HasSubstr("- SECONDARY SOURCE: not read in the standard itself: mass, "
+                                           "radius, speed, limit of 3 ms clip\n")));
+}
+
 TEST_F(AssessTest, UsesTheImpactorOfTheStandard) {
   const Outcome outcome = assess({"fmvss-201-instrument-panel:air-bag", "--units", "engineering-metric"});
   EXPECT_THAT(outcome.exit_code, AnyOf(0, 4)) << outcome.err;

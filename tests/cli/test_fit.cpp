@@ -172,7 +172,6 @@ TEST_F(FitTest, RefusesAPulseWithoutOnsetAndWritesNothing) {
 }
 
 TEST_F(FitTest, StopsAndGoesOn) {
-  // A thousand starts take long enough to be stopped.
   const std::string impacts = with(with(fit_of_a_pulse, "pulse = {file = \"drop.csv\", deviation = \"2 %\"}",
                                         "peak_acceleration = {value = \"30 g\", deviation = \"5 %\"}"),
                                    "starts = 2", "starts = 1000");
@@ -180,7 +179,7 @@ TEST_F(FitTest, StopsAndGoesOn) {
   const std::string command =
       "\"$DASHPAD\" fit '" + file("fit.toml") + "' --state '" + file("fit.state") + "'";
   const Outcome stopped =
-      shell(command + " &\n" + until("[ -e '" + file("fit.state") + "' ]") + "kill -TERM $!; wait $!");
+      shell(command + " &\n" + slowed_until("[ -e '" + file("fit.state") + "' ]") + "kill -TERM $!; wait $!");
   EXPECT_EQ(stopped.exit_code, 128 + SIGTERM) << stopped.err;
   EXPECT_THAT(stopped.err, HasSubstr("Stopped; nothing was written but"));
   EXPECT_EQ(stopped.out, "");

@@ -183,12 +183,12 @@ TEST_F(MaterialTestTest, SaysWhatIsExtrapolated) {
   const Outcome outcome =
       material_test({"ensolite-aac-9", "--strain", "0.97", "--rate", "10,1000", "--units", "us"});
   EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("EXTRAPOLATED (at 10, 1000 per second): strain reaches 0.970"),
-                    HasSubstr("EXTRAPOLATED (at 1000 per second): strain rate reaches 1000 per second"),
+              AllOf(HasSubstr("EXTRAPOLATED STRAIN (at 10, 1000 per second): strain reaches 0.970"),
+                    HasSubstr("EXTRAPOLATED RATE (at 1000 per second): strain rate reaches 1000 per second"),
                     HasSubstr("(psi)"), HasSubstr("(in·lbf/in³)")));
   const json flags = answered({"ensolite-aac-9", "--rate", "100", "--test", "parabolic"})["runs"][0]["flags"];
   ASSERT_FALSE(flags.empty());
-  EXPECT_EQ(flags[0]["name"], "EXTRAPOLATED");
+  EXPECT_EQ(flags[0]["name"], "EXTRAPOLATED STRAIN");
   EXPECT_THAT(flags[0]["text"].get<std::string>(), HasSubstr("rate reaches 200 per second"));
   EXPECT_THAT(material_test({file("spring.toml")}).out, HasSubstr("states no fitted range"));
 }

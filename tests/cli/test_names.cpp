@@ -101,9 +101,10 @@ Found walk(const json& object, const std::set<std::string>& containers, const st
 }
 
 Found walk_result(const json& result) {
-  Found found = walk(result, {"energy", "injury", "errors"},
-                     {"status", "blows", "layers", "extrapolated", "extrapolations", "continuation",
-                      "softening_rates_per_s", "solver", "case", "program"});
+  Found found =
+      walk(result, {"energy", "injury", "errors"},
+           {"status", "blows", "layers", "flags", "extrapolated", "extrapolated_strain", "extrapolated_rate",
+            "extrapolations", "intervals", "softening_rates_per_s", "solver", "case", "program"});
   for (const json& blow : result.value("blows", json::array()))
     for (const std::string& word : walk(blow, {}, {"blow", "status", "earlier_penetration_m"}).foreign)
       found.foreign.push_back("blows." + word);

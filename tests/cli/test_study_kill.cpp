@@ -111,18 +111,25 @@ TEST_F(StudyKill, at_random_moments_costs_no_row_and_doubles_none) {
   ASSERT_EQ(dashpad(study("whole.db")).exit_code, 0);
   const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - begin;
 
+  // On a machine that has become faster the study is over before its kills: then it is checked, and another
+  // one is killed sooner.
   std::mt19937_64 random{std::random_device{}()};
-  std::uniform_real_distribution<double> moment(0, 2 * whole.count() / static_cast<double>(wanted));
+  double longest = 2 * whole.count() / static_cast<double>(wanted);
   std::uint64_t kills = 0, before = 0;
   while (kills < wanted) {
-    const auto time = std::chrono::microseconds(static_cast<std::int64_t>(1e6 * moment(random)));
-    if (!kill_after("killed.db", time)) break;
-    ++kills;
-    const std::uint64_t now = rows_in("killed.db");
-    ASSERT_GE(now, before) << "kill " << kills;
-    before = now;
+    const double moment = std::uniform_real_distribution<double>(0, longest)(random);
+    if (kill_after("killed.db", std::chrono::microseconds(static_cast<std::int64_t>(1e6 * moment)))) {
+      ++kills;
+      const std::uint64_t now = rows_in("killed.db");
+      ASSERT_GE(now, before) << "kill " << kills;
+      before = now;
+    } else {
+      expect_same_stores("killed.db", "whole.db");
+      fs::remove(file("killed.db"));
+      before = 0;
+      longest /= 2;
+    }
   }
-  EXPECT_GE(kills, wanted / 2) << "the study was over too soon";
   RecordProperty("kills", static_cast<int>(kills));
   RecordProperty("rows_before_the_last_run", static_cast<int>(before));
   const Outcome last = dashpad(study("killed.db"));

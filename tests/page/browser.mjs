@@ -48,7 +48,7 @@ export function report(caseFile, ...more) {
 export async function open(file, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1200, height: 900 }, ...options });
   const page = await context.newPage();
-  page.setDefaultTimeout(10_000);
+  page.setDefaultTimeout(300_000);  // a guard against hanging: the machine may be slow
   const seen = { complaints: [], requests: [] };
   page.on("console", (message) => seen.complaints.push(`${message.type()}: ${message.text()}`));
   page.on("pageerror", (error) => seen.complaints.push(String(error)));

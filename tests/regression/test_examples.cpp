@@ -65,7 +65,7 @@ std::string text_of(const Summary& s) {
   line("rebound_speed", number(s.rebound_speed));
   line("restitution", number(s.restitution));
   line("energy_absorbed_fraction", number(s.energy_absorbed_fraction));
-  line("extrapolated", s.extrapolated ? "yes" : "no");
+  line("extrapolated", s.extrapolations.empty() ? "no" : "yes");
   return text;
 }
 

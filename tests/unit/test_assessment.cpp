@@ -50,6 +50,7 @@ Solution half_sine(double error = 1e-4) {
   solution.summary = test::example_summary();
   solution.summary.peak_acceleration = 100 * g;
   solution.summary.errors.peak_force = error;
+  solution.summary.intervals = Intervals{};  // nothing is open
   return solution;
 }
 
@@ -58,14 +59,14 @@ injury::Criterion criterion(Metric metric, double limit) {
   made.metric = metric;
   made.level = 50 * g;
   made.limit = limit;
-  made.origin = {.source = "made up", .kind = injury::SourceKind::secondary, .verified = true, .note = ""};
+  made.origin = {.source = "made up", .kind = injury::SourceKind::own_text, .verified = true, .note = ""};
   return made;
 }
 
 injury::StandardValue verified(double value) {
   injury::StandardValue made;
   made.value = value;
-  made.origin = {.source = "made up", .kind = injury::SourceKind::secondary, .verified = true, .note = ""};
+  made.origin = {.source = "made up", .kind = injury::SourceKind::own_text, .verified = true, .note = ""};
   return made;
 }
 
@@ -192,10 +193,7 @@ TEST(assessment, one_failure_decides_and_one_undecided_criterion_leaves_a_pass_o
 
 TEST(assessment, an_extrapolated_result_is_no_unqualified_pass) {
   Solution solution = half_sine();
-  solution.summary.extrapolated = true;
-  EXPECT_THAT(assess_peak(200 * g, solution).reservations,
-              ElementsAre(says(StartsWith("EXTRAPOLATED: outside"))));
-  solution.summary.extrapolations = {"strain too large", "rate too large"};
+  solution.summary.extrapolations = {{Beyond::strain, "strain too large"}, {Beyond::rate, "rate too large"}};
   const Assessment assessment = assess_peak(200 * g, solution);
   EXPECT_EQ(to_string(assessment), "pass, with reservations");
   EXPECT_THAT(assessment.reservations,
@@ -243,9 +241,25 @@ TEST(assessment, unverified_values_are_no_unqualified_pass) {
                         HasSubstr(": radius, limit of peak acceleration, limit of dwell time above 50 g")))));
 }
 
+TEST(assessment, values_that_were_read_elsewhere_are_no_unqualified_pass) {
+  Standard standard =
+      standard_with({criterion(Metric::peak_acceleration, 200 * g), criterion(Metric::dwell_time, 1)});
+  standard.mass.origin.kind = injury::SourceKind::secondary;
+  standard.criteria[1].origin.kind = injury::SourceKind::secondary;
+  EXPECT_THAT(assess(standard, half_sine()).reservations,
+              ElementsAre(says("SECONDARY SOURCE: not read in the standard itself: mass, limit of dwell time "
+                               "above 50 g")));
+  // What was not even read there is named once.
+  standard.mass.origin.verified = false;
+  EXPECT_THAT(assess(standard, half_sine()).reservations,
+              ElementsAre(says(StartsWith("UNVERIFIED: ")),
+                          says(AllOf(StartsWith("SECONDARY SOURCE: "), Not(HasSubstr("mass"))))));
+}
+
 TEST(assessment, a_value_that_the_case_gives_needs_no_verification) {
   Standard standard = standard_with({criterion(Metric::peak_acceleration, 200 * g)});
   standard.speed = {};
+  standard.speed.origin.kind = injury::SourceKind::secondary;
   EXPECT_TRUE(assess(standard, half_sine()).unqualified());
   standard = injury::with_user_values(standard, {.mass = {}, .radius = {}, .speed = 3, .drop_height = {}});
   EXPECT_TRUE(assess(standard, half_sine()).unqualified());
@@ -416,18 +430,50 @@ TEST(assessment_answer, a_pass_of_a_pad_that_is_struck_through_is_doubtful) {
       StartsWith("Passes: Peak acceleration has 50 g to spare, but the pad is struck through, at a peak of"));
 }
 
-TEST(assessment_answer, a_pass_by_a_guess_beyond_the_tests_is_doubtful) {
-  const Standard standard = standard_with({criterion(Metric::peak_acceleration, 150 * g)});
+/// A half sine whose peak may lie between two values, by how its foam goes on.
+Solution half_sine_between(double low, double high) {
   Solution solution = half_sine();
-  solution.summary.continuation = ContinuationRange{1, 4, 140 * g, 95 * g};
-  EXPECT_EQ(answer_to(standard, solution), "Passes: Peak acceleration has 50 g to spare");
-  solution.summary.continuation->gentlest = 160 * g;
-  EXPECT_EQ(answer_to(standard, solution),
-            "Passes: Peak acceleration has 50 g to spare, but how the foam goes on beyond its tests decides, "
-            "and the "
-            "peak may be 160 g");
-  solution.summary.continuation->gentlest.reset();
-  EXPECT_THAT(answer_to(standard, solution), HasSubstr("the peak may be without limit"));
+  solution.summary.intervals =
+      Intervals{.figures = {{.key = "peak_acceleration",
+                             .nominal = 100 * g,
+                             .low = low * g,
+                             .high = high * g,
+                             .sources = {{Source::continuation, low * g, high * g}}}},
+                .sources = {{Source::continuation, "how the foam goes on beyond a strain of 0.75", ""}}};
+  return solution;
+}
+
+TEST(assessment, is_decided_by_the_interval_as_a_whole) {
+  EXPECT_EQ(assess_peak(150 * g, half_sine_between(95, 140)).verdict, Verdict::pass);
+  EXPECT_EQ(assess_peak(150 * g, half_sine_between(95, 160)).verdict, Verdict::undecided);
+  EXPECT_EQ(assess_peak(99 * g, half_sine_between(98, 120)).verdict, Verdict::undecided);
+  EXPECT_EQ(assess_peak(90 * g, half_sine_between(95, 140)).verdict, Verdict::fail);
+  constexpr double without_limit = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(assess_peak(1e6 * g, half_sine_between(95, without_limit)).verdict, Verdict::undecided);
+}
+
+TEST(assessment, without_intervals_or_with_what_has_none_is_no_unqualified_pass) {
+  Solution solution = half_sine();
+  solution.summary.intervals.reset();
+  EXPECT_THAT(assess_peak(150 * g, solution).reservations, ElementsAre(says(StartsWith("NO INTERVALS: "))));
+  solution.summary.intervals =
+      Intervals{.figures = {}, .sources = {{Source::scatter, "how it scatters", "why"}}};
+  EXPECT_THAT(assess_peak(150 * g, solution).reservations,
+              ElementsAre(says("NO INTERVAL for how it scatters: why")));
+}
+
+TEST(assessment_answer, gives_the_interval_that_leaves_it_undecided) {
+  const Standard standard = standard_with({criterion(Metric::peak_acceleration, 150 * g)});
+  EXPECT_EQ(answer_to(standard, half_sine_between(95, 140)), "Passes: Peak acceleration has 50 g to spare");
+  EXPECT_EQ(answer_to(standard, half_sine_between(95, 160)),
+            "Undecided: Peak acceleration is 95 to 160 g, and at most 150 g is asked for");
+}
+
+TEST(assessment_text, names_what_the_interval_comes_from) {
+  const Standard standard = standard_with({criterion(Metric::peak_acceleration, 150 * g)});
+  EXPECT_THAT(
+      write(standard, half_sine_between(95, 160)).text,
+      HasSubstr("95 to 160 g at 95 %, by how the foam goes on beyond a strain of 0.75: 95 to 160 g alone"));
 }
 
 TEST(assessment_text, says_what_was_replaced_and_how_large_the_margin_is) {
@@ -505,7 +551,7 @@ TEST(assessment_text, only_what_differs_was_replaced) {
 
 TEST(assessment_text, says_what_kind_of_sources_the_figures_have) {
   Standard standard = standard_with({criterion(Metric::peak_acceleration, 125 * g)});
-  standard.criteria[0].origin.kind = injury::SourceKind::own_text;
+  standard.mass.origin.kind = injury::SourceKind::secondary;
   standard.radius.origin = {};
   standard.speed = {};
   const Written written = write(standard, half_sine());
@@ -542,8 +588,8 @@ TEST(assessment_text, fits_100_columns) {
   for (injury::Criterion& of : standard.criteria) of.origin.verified = false;
   for (int word = 0; word < 100; ++word) standard.note += "word ";
   for (Solution solution : {half_sine(), rising_flank(), bottomed_out()}) {
-    solution.summary.extrapolations = {"strain too large", "rate too large"};
-    solution.summary.extrapolated = true;
+    solution.summary.extrapolations = {{Beyond::strain, "strain too large"},
+                                       {Beyond::rate, "rate too large"}};
     std::istringstream text(write(standard, solution).text);
     for (std::string line; std::getline(text, line);) EXPECT_LE(width_of(line), 100U) << line;
   }

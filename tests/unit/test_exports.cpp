@@ -144,17 +144,17 @@ TEST(Exports, FlagWhatIsNotToBeReliedOn) {
   EXPECT_THAT(output::flags_of(test::example_summary()), IsEmpty());
   Summary summary = test::example_summary();
   summary.status = Status::tolerance_not_met;
-  summary.extrapolated = true;
-  EXPECT_THAT(output::flags_of(summary),
-              ElementsAre(StartsWith("TOLERANCE NOT MET: asked for 0.01 %"), StartsWith("EXTRAPOLATED: ")));
+  summary.extrapolations = {{Beyond::strain, "one"}};
+  EXPECT_THAT(output::flags_of(summary), ElementsAre(StartsWith("TOLERANCE NOT MET: asked for 0.01 %"),
+                                                     StartsWith("EXTRAPOLATED STRAIN: ")));
   EXPECT_THAT(output::flags_of(test::bottomed_out_summary()),
               ElementsAre(StartsWith("BOTTOMED at 5.9307 ms")));
   summary = test::example_summary();
   summary.bottomed = Moment{.time = 0.005, .velocity = 1};
-  summary.extrapolations = {"one", "two"};
+  summary.extrapolations = {{Beyond::strain, "one"}, {Beyond::rate, "two"}};
   EXPECT_THAT(output::flags_of(summary),
-              ElementsAre(AllOf(StartsWith("BOTTOMED at 5 ms"), HasSubstr("support")), "EXTRAPOLATED: one",
-                          "EXTRAPOLATED: two"));
+              ElementsAre(AllOf(StartsWith("BOTTOMED at 5 ms"), HasSubstr("support")),
+                          "EXTRAPOLATED STRAIN: one", "EXTRAPOLATED RATE: two"));
   summary = test::example_summary();
   summary.status = Status::time_limit;
   EXPECT_THAT(output::flags_of(summary), ElementsAre(StartsWith("TIME LIMIT: ")));

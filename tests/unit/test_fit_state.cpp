@@ -65,9 +65,20 @@ TEST_F(FitStateTest, RefusesTheStateOfAnotherFitAndWhatIsNone) {
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("fit.state: is the state of another fit"));
   }
-  for (const char* text : {"", "{}", "[1]", "title = \"case\"", R"({"format": "dashpad fit state 1"})"}) {
+  for (const char* text : {"", "{}", "[1]", "title = \"case\"", R"({"format": "dashpad fit state 2"})"}) {
     std::ofstream(folder.path() / "fit.state") << text;
     EXPECT_THROW(check_state(options()), std::runtime_error) << text;
+  }
+}
+
+TEST_F(FitStateTest, RefusesTheStateOfAnEarlierVersion) {
+  std::ofstream(folder.path() / "fit.state")
+      << R"({"format": "dashpad fit state 1", "fit": "a", "pieces": {}})";
+  try {
+    check_state(options());
+    ADD_FAILURE() << "it was taken";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("fit.state: is the state of a fit by an earlier version"));
   }
 }
 

@@ -34,11 +34,10 @@ TEST(Flags, NameWhatIsNotToBeReliedOn) {
   summary = test::example_summary();
   summary.status = Status::tolerance_not_met;
   summary.bottomed = Moment{.time = 0.005, .velocity = 1};
-  summary.extrapolated = true;
-  EXPECT_THAT(names(summary), ElementsAre("TOLERANCE NOT MET", "BOTTOMED", "EXTRAPOLATED"));
-  summary.extrapolations = {"one", "two"};
-  EXPECT_THAT(names(summary), ElementsAre("TOLERANCE NOT MET", "BOTTOMED", "EXTRAPOLATED", "EXTRAPOLATED"));
-  EXPECT_EQ(flags(summary)[3].text, "EXTRAPOLATED: two");
+  summary.extrapolations = {{Beyond::strain, "one"}, {Beyond::rate, "two"}, {Beyond::other, "three"}};
+  EXPECT_THAT(names(summary), ElementsAre("TOLERANCE NOT MET", "BOTTOMED", "EXTRAPOLATED STRAIN",
+                                          "EXTRAPOLATED RATE", "EXTRAPOLATED"));
+  EXPECT_EQ(flags(summary)[3].text, "EXTRAPOLATED RATE: two");
 }
 
 TEST(Flags, SayThatAPadIsStruckThroughUnlessItBottomedOut) {
@@ -51,14 +50,25 @@ TEST(Flags, SayThatAPadIsStruckThroughUnlessItBottomedOut) {
   EXPECT_THAT(names(summary), ElementsAre("BOTTOMED"));
 }
 
-TEST(Flags, SayHowFarThePeakMayBeOffBeforeTheyGiveReasons) {
+TEST(Flags, SayByHowMuchWhatIsBeyondTheTestsMovesADecisiveFigure) {
   Summary summary = test::example_summary();
-  summary.extrapolations = {"strain"};
-  summary.continuation = ContinuationRange{1, 4, {}, 14000 * standard_gravity};
-  const std::vector<Flag> all = flags(summary);
-  ASSERT_EQ(all.size(), 2U);
-  EXPECT_THAT(all[0].text,
-              HasSubstr("the peak is without limit if it goes on gently (exponent 1), 14000 g if"));
+  summary.extrapolations = {{Beyond::strain, "strain"}};
+  const auto text_with = [&](double low, double high) {
+    summary.intervals = Intervals{.figures = {{.key = "peak_acceleration",
+                                               .nominal = 100,
+                                               .sources = {{Source::continuation, low, high}}}},
+                                  .sources = {{Source::continuation, "how it goes on", ""}}};
+    const std::vector<Flag> all = flags(summary, {"peak_acceleration"});
+    return all.empty() ? std::string() : all[0].text;
+  };
+  EXPECT_EQ(text_with(99.5, 100.5), "");
+  EXPECT_EQ(text_with(98, 130),
+            "EXTRAPOLATED STRAIN: strain; the peak may be 2 % lower to 30 % higher by how it goes on there, "
+            "which is "
+            "a guess");
+  EXPECT_THAT(text_with(100, std::numeric_limits<double>::infinity()),
+              HasSubstr("the peak may be without limit"));
+  EXPECT_THAT(flags(summary, {"hic15"}), ElementsAre());
 }
 
 /// A rigid foam on a rigid support: the impactor comes to rest and the force stays up.
@@ -93,7 +103,7 @@ TEST(Flags, TellARigidSupportFromOneThatYields) {
   EXPECT_THAT(flags(summary)[1].text, HasSubstr("no finite value"));
 }
 
-/// Also one without a reason in words, and the end of the time.
+/// Also the end of the time.
 TEST(Flags, ComeWithTheMotionAfterAnImpact) {
   const ImpactCase impact = test::example_case();
   Solution solution;
@@ -104,11 +114,10 @@ TEST(Flags, ComeWithTheMotionAfterAnImpact) {
     return output::post_impact_text({.mass = 4.5, .velocity = 8}, {.mass = 9, .velocity = 0}, impact,
                                     solution, unit_systems().front());
   };
-  solution.summary.extrapolated = true;
-  EXPECT_THAT(text(), HasSubstr("\nEXTRAPOLATED: outside the range"));
-  solution.summary.extrapolations = {"strain\nis large"};
+  solution.summary.extrapolations = {{Beyond::strain, "strain\nis large"}};
   solution.summary.status = Status::time_limit;
-  EXPECT_THAT(text(), AllOf(HasSubstr("\nEXTRAPOLATED: strain is large\n"), HasSubstr("\nTIME LIMIT: ")));
+  EXPECT_THAT(text(),
+              AllOf(HasSubstr("\nEXTRAPOLATED STRAIN: strain is large\n"), HasSubstr("\nTIME LIMIT: ")));
 }
 
 }  // namespace

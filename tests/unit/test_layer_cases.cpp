@@ -227,7 +227,7 @@ TEST(LayerCases, SayWhatEachLayerWentThrough) {
   EXPECT_GT(solution.summary.layers[0].peak_strain_rate, 50);
   const std::string text =
       output::result_text(impact, solution.summary, std::nullopt, unit_system("si"), output::Detail::main);
-  EXPECT_THAT(text, HasSubstr("EXTRAPOLATED: layer 1 (team-wendy-hard-pu): strain reaches"));
+  EXPECT_THAT(text, HasSubstr("EXTRAPOLATED STRAIN: layer 1 (team-wendy-hard-pu): strain reaches"));
   EXPECT_THAT(text, HasSubstr("Strain of layer 2"));
   const std::string csv = output::history_csv(solution.history, unit_system("si"));
   EXPECT_THAT(csv.substr(0, csv.find('\n')), HasSubstr("axis_strain_layer_1,axis_strain_layer_2"));

@@ -111,8 +111,7 @@ TEST(ResultJson, SurvivesTextThatIsNotUtf8) {
 
 TEST(ResultJson, SaysWhyAResultIsExtrapolated) {
   Summary summary = test::example_summary();
-  summary.extrapolated = true;
-  summary.extrapolations = {"strain", "rate"};
+  summary.extrapolations = {{Beyond::strain, "strain"}, {Beyond::rate, "rate"}};
   EXPECT_EQ(written(summary)["extrapolations"], (json{"strain", "rate"}));
   EXPECT_EQ(written(summary)["extrapolated"], true);
 }

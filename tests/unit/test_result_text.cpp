@@ -115,11 +115,11 @@ TEST(SummaryText, DifferentWindowsHaveARowEach) {
 
 TEST(SummaryText, Fits100Columns) {
   Summary summary = test::example_summary();
-  summary.extrapolated = true;
   summary.extrapolations = {
-      std::string(300, 'x') + " " + std::string(30, 'y'),
-      "word word word word word "
-      "word word word word word word word word word word word word word word word word word word"};
+      {Beyond::strain, std::string(300, 'x') + " " + std::string(30, 'y')},
+      {Beyond::rate,
+       "word word word word word "
+       "word word word word word word word word word word word word word word word word word word"}};
   summary.errors.peak_force = summary.errors.rebound_speed = 0.3;
   for (const UnitSystem& units : unit_systems())
     for (const Detail detail : {Detail::main, Detail::all}) {
@@ -176,12 +176,10 @@ TEST(SummaryText, TellsNearlyBottomedFromBottomed) {
 TEST(SummaryText, SaysWhyAResultIsExtrapolated) {
   Summary summary = test::example_summary();
   EXPECT_THAT(shown(summary), Not(HasSubstr("EXTRAPOLATED")));
-  summary.extrapolated = true;
-  summary.extrapolations = {"strain 0.98 is above 0.9", "rate 312 1/s is above 100 1/s"};
-  EXPECT_THAT(shown(summary), AllOf(HasSubstr("EXTRAPOLATED: strain 0.98 is above 0.9\n"),
-                                    HasSubstr("EXTRAPOLATED: rate 312 1/s is above 100 1/s\n")));
-  summary.extrapolations.clear();
-  EXPECT_THAT(shown(summary), HasSubstr("EXTRAPOLATED: "));
+  summary.extrapolations = {{Beyond::strain, "strain 0.98 is above 0.9"},
+                            {Beyond::rate, "rate 312 1/s is above 100 1/s"}};
+  EXPECT_THAT(shown(summary), AllOf(HasSubstr("EXTRAPOLATED STRAIN: strain 0.98 is above 0.9\n"),
+                                    HasSubstr("EXTRAPOLATED RATE: rate 312 1/s is above 100 1/s\n")));
 }
 
 TEST(SummaryText, WarnsOfFiguresThatCannotBeTrusted) {

@@ -32,13 +32,18 @@ bool gained_energy(const Summary& summary);
 
 struct Flag {
   /// NOT RUN, TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, SHEET STRUCK FLAT, ENERGY GAINED, BOTTOMED, SERIES
-  /// CUT, STRUCK THROUGH, SOFTENING or EXTRAPOLATED.
+  /// CUT, STRUCK THROUGH, SOFTENING, EXTRAPOLATED STRAIN (a guess), EXTRAPOLATED RATE (a law) or, for what is
+  /// neither, EXTRAPOLATED, or SMALL NOSE.
   std::string name;
   std::string text;  ///< a line that begins with the name
 };
 
-/// None for a result without reservations. EXTRAPOLATED comes once for each reason. A pad that bottomed out
-/// on a rigid support is BOTTOMED, not PULSE CUT.
-std::vector<Flag> flags(const Summary& summary);
+/// What a person decides by where no standard says it.
+const std::vector<std::string>& usual_figures();
+
+/// None for a result without reservations. EXTRAPOLATED ... comes once for each reason, and where intervals
+/// were found only if what lies beyond the tests moves one of the `decisive` figures by more than 1 %, with
+/// how much. A pad that bottomed out on a rigid support is BOTTOMED, not PULSE CUT.
+std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& decisive = usual_figures());
 
 }  // namespace dashpad

@@ -2,10 +2,14 @@
 /// What is asked of the solver and what it answers. SI throughout; forces, penetration and strains are
 /// positive in compression, velocities positive towards the pad.
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "dashpad/impact/interval.hpp"
+#include "dashpad/model/pad/material.hpp"
 
 namespace dashpad {
 
@@ -86,15 +90,6 @@ struct SupportFigures {
   std::optional<double> body_speed;  ///< of a free body behind, at the end, m/s
 };
 
-/// Peak accelerations, m/s2, with the curve of a foam continued as gently and as steeply as its card admits;
-/// absent where the pad bottomed out on a rigid support.
-struct ContinuationRange {
-  double gentlest_exponent = 0;
-  double steepest_exponent = 0;
-  std::optional<double> gentlest;
-  std::optional<double> steepest;
-};
-
 /// A layer of a pad, on the axis: of the finest run, not extrapolated.
 struct LayerSummary {
   double peak_strain = 0;
@@ -145,10 +140,9 @@ struct Summary {
   EnergyLedger energy;
   /// Lost by a flat tip to a sheet on the pad, at first contact and at once, m/s; 0 without either.
   double speed_to_sheet = 0;
-  bool extrapolated = false;
-  std::vector<std::string> extrapolations;  ///< why, in words
-  /// Of foams whose curve ends below the strain reached; set by explore_continuation().
-  std::optional<ContinuationRange> continuation;
+  std::vector<Extrapolation> extrapolations;
+  /// What is not known of the figures; set by uncertainty::add_intervals().
+  std::optional<Intervals> intervals;
   std::vector<double> softening_rates;  ///< tested rates whose curve falls somewhere, 1/s
   std::vector<LayerSummary> layers;     ///< from the struck face on; none of a pad of one foam
   ErrorEstimates errors;
@@ -159,6 +153,11 @@ struct Summary {
   int runs = 0;  ///< resolutions compared
   double tolerance = 0;
   double wall_time = 0;  ///< s
+
+  /// Whether the law was used beyond what it was tested or fitted for.
+  [[nodiscard]] bool is_beyond(Beyond beyond) const {
+    return std::ranges::find(extrapolations, beyond, &Extrapolation::beyond) != extrapolations.end();
+  }
 
   /// Whether the figures may be relied on to the tolerance asked for.
   [[nodiscard]] bool trustworthy() const {

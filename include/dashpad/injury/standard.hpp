@@ -121,8 +121,10 @@ std::string to_string(Verdict verdict);
 struct CriterionResult {
   Criterion criterion;
   std::optional<double> value;  ///< absent where there is no finite one
-  double error = 0;             ///< estimated, absolute, in the unit of the value
-  bool lower_bound = false;     ///< the pulse was cut: the value can only grow
+  double error = 0;             ///< of the solver, estimated, absolute, in the unit of the value
+  /// By what is not known of foam and model; absent where it was not asked for.
+  std::optional<FigureInterval> interval;
+  bool lower_bound = false;  ///< the pulse was cut: the value can only grow
   /// limit - value, at most that for a lower bound. Absent without a value, and where a lower bound is not
   /// above the limit: what is left of it then is no margin.
   std::optional<double> margin;
@@ -152,8 +154,8 @@ struct Assessment {
   KeyFigures figures;
   Verdict verdict = Verdict::undecided;
   /// Why the verdict is not to be taken as it stands: a flag of the impact, a material of which nobody knows
-  /// whether it was extrapolated, a limit or value that is unverified, a value of the standard that was
-  /// replaced.
+  /// whether it was extrapolated, a limit or value that was not read in the standard itself, a value of the
+  /// standard that was replaced.
   std::vector<Flag> reservations;
 
   [[nodiscard]] bool unqualified() const { return reservations.empty(); }
@@ -162,8 +164,12 @@ struct Assessment {
 /// "pass", "pass, with reservations", "fail", ...
 std::string to_string(const Assessment& assessment);
 
-/// Judges the solution of `impact`, the case with the impactor of the standard. Passes where every value with
-/// its error is within its limit; fails where one without its error is above; otherwise undecided.
+/// The levels of the dwell times that a standard limits, m/s2: uncertainty::add_intervals() is to know them.
+std::vector<double> dwell_levels(const Standard& standard);
+
+/// Judges the solution of `impact`, the case with the impactor of the standard. Passes where every interval,
+/// with the solver's error, is within its limit; fails where one is above as a whole; otherwise undecided.
+/// Without intervals the value and its error are judged, and the assessment says so.
 ///
 /// A pad that bottomed out on a rigid support fails whatever is asked for: the force has no finite
 /// value. A pulse that was cut before contact was lost gives lower bounds, since each of the metrics can only

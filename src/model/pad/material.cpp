@@ -134,6 +134,15 @@ bool is_of_parameters(std::string_view key) {
   return !key.starts_with("curve.") && !key.starts_with("rate.") && !key.starts_with("unloading.");
 }
 
+std::string name_of(Beyond beyond) {
+  switch (beyond) {
+    case Beyond::strain: return "EXTRAPOLATED STRAIN";
+    case Beyond::rate: return "EXTRAPOLATED RATE";
+    case Beyond::other: break;
+  }
+  return "EXTRAPOLATED";
+}
+
 std::optional<FittedRange> range_of(const Material& material) {
   if (material.fitted) return material.fitted;
   return std::visit(
@@ -174,31 +183,34 @@ std::string rates_of(const FittedRange& range) {
 
 }  // namespace
 
-std::vector<std::string> extrapolations(const Material& material, double largest_strain,
-                                        double largest_rate) {
-  std::vector<std::string> reasons;
+std::vector<Extrapolation> extrapolations(const Material& material, double largest_strain,
+                                          double largest_rate) {
+  std::vector<Extrapolation> reasons;
   if (const auto fitted = range_of(material)) {
     const bool by_curves = has_curves(material.law);
     if (largest_strain > fitted->highest_strain)
-      reasons.push_back(fmt::format("strain reaches {:.3f}; the {} up to {:.3g}{}", largest_strain,
-                                    by_curves ? "foam was tested" : "law was fitted", fitted->highest_strain,
-                                    by_curves ? ", beyond which its curve is continued" : ""));
+      reasons.push_back({Beyond::strain,
+                         fmt::format("strain reaches {:.3f}; the {} up to {:.3g}{}", largest_strain,
+                                     by_curves ? "foam was tested" : "law was fitted", fitted->highest_strain,
+                                     by_curves ? ", beyond which its curve is continued" : "")});
     if (largest_rate > fitted->highest_rate || largest_rate < fitted->lowest_rate)
-      reasons.push_back(by_curves ? fmt::format("strain rate reaches {} per second; the foam was tested {}, "
-                                                "and outside it the stress of the "
-                                                "nearest tested rate is taken",
-                                                plain_number(largest_rate), rates_of(*fitted))
-                                  : fmt::format("strain rate reaches {} per second; the law was fitted {}",
-                                                plain_number(largest_rate), rates_of(*fitted)));
+      reasons.push_back(
+          {Beyond::rate, by_curves
+                             ? fmt::format("strain rate reaches {} per second; the foam was tested {}, "
+                                           "and outside it the stress of the nearest tested rate is taken",
+                                           plain_number(largest_rate), rates_of(*fitted))
+                             : fmt::format("strain rate reaches {} per second; the law was fitted {}",
+                                           plain_number(largest_rate), rates_of(*fitted))});
   }
   std::visit(
       [&](const auto& law) {
         if constexpr (requires { law.residual_strain_time; })
           if (law.residual_strain_time * largest_rate >= 1)
             reasons.push_back(
-                fmt::format("strain rate reaches {} per second; the law's residual strain is defined "
-                            "below {} per second",
-                            plain_number(largest_rate), plain_number(1 / law.residual_strain_time)));
+                {Beyond::rate,
+                 fmt::format("strain rate reaches {} per second; the law's residual strain is defined "
+                             "below {} per second",
+                             plain_number(largest_rate), plain_number(1 / law.residual_strain_time))});
       },
       material.law);
   return reasons;

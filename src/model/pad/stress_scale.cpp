@@ -89,14 +89,16 @@ PadLaw scaled(const PadLaw& law, double factor) {
   return result;
 }
 
-std::vector<std::string> extrapolations(const PadCondition& condition, const Material& material) {
+std::vector<Extrapolation> extrapolations(const PadCondition& condition, const Material& material) {
   if (!condition.temperature) return {};
   const std::vector<double>& tested = material.temperature_table.temperature;
   if (*condition.temperature >= tested.front() && *condition.temperature <= tested.back()) return {};
-  return {fmt::format(
-      "the pad is at {:.4g} degC; the foam was tested from {:.4g} to {:.4g} degC, and outside it "
-      "the factor of the nearest tested temperature is taken",
-      *condition.temperature - freezing_K, tested.front() - freezing_K, tested.back() - freezing_K)};
+  return {
+      {Beyond::other,
+       fmt::format(
+           "the pad is at {:.4g} degC; the foam was tested from {:.4g} to {:.4g} degC, and outside it "
+           "the factor of the nearest tested temperature is taken",
+           *condition.temperature - freezing_K, tested.front() - freezing_K, tested.back() - freezing_K)}};
 }
 
 }  // namespace dashpad

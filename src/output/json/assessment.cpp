@@ -3,6 +3,7 @@
 
 #include "dashpad/output/assessment.hpp"
 #include "dashpad/output/json/result.hpp"
+#include "output/json/interval.hpp"
 #include "quantities/json_values.hpp"
 
 namespace dashpad::output {
@@ -48,6 +49,7 @@ Json criterion(const injury::CriterionResult& result) {
   entry["unit"] = unit.unit;
   entry["value"] = result.value ? shown(*result.value) : Json(nullptr);
   entry["error"] = result.value ? shown(result.error) : Json(nullptr);
+  entry["interval"] = result.interval ? interval_json(*result.interval) : Json(nullptr);
   entry["lower_bound"] = result.lower_bound;
   entry["limit"] = shown(of.limit);
   entry["strict"] = of.strict;

@@ -11,7 +11,7 @@ std::string post_impact_json(const Body& first, const Body& second, const Impact
   const Summary& summary = solution.summary;
   const Json result{
       {"status", to_string(summary.status)},
-      {"extrapolated", summary.extrapolated},
+      {"extrapolated", !summary.extrapolations.empty()},
       {"bottomed", summary.bottomed.has_value()},
       {"bodies",
        {{{"mass_kg", number(first.mass)},

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "dashpad/impact/flags.hpp"
 #include "output/json/injury.hpp"
+#include "output/json/interval.hpp"
 #include "output/json/material.hpp"
 #include "quantities/json_values.hpp"
 #include "quantities/summary_values.hpp"
@@ -162,7 +164,36 @@ Json series(const std::vector<BlowResult>& blows) {
   return all;
 }
 
+Json flags_json(const Summary& summary) {
+  Json all = Json::array();
+  for (const Flag& flag : flags(summary)) all.push_back({{"name", flag.name}, {"text", flag.text}});
+  return all;
+}
+
+/// What is not known, then the figures with it; `high` is null where there is no bound.
+Json intervals_json(const Intervals& of) {
+  Json sources = Json::array(), figures = Json::object();
+  for (const OpenSource& source : of.sources)
+    sources.push_back({{"source", to_string(source.source)},
+                       {"words", source.words},
+                       {"why_no_interval", source.why_not.empty() ? Json(nullptr) : Json(source.why_not)}});
+  for (const FigureInterval& figure : of.figures)
+    if (figure.key != "dwell_time")
+      figures[key_with_unit(result_quantity(figure.key))] = interval_json(figure);
+  return {{"sources", sources}, {"figures", figures}, {"impacts", of.impacts}};
+}
+
 }  // namespace
+
+Json interval_json(const FigureInterval& of) {
+  const double scale = scaled_unit(result_quantity(of.key).si_unit, plain_si()).scale;
+  Json sources = Json::array();
+  for (const Contribution& each : of.sources)
+    sources.push_back({{"source", to_string(each.source)},
+                       {"low", number(scale * each.low)},
+                       {"high", number(scale * each.high)}});
+  return {{"low", number(scale * of.low)}, {"high", number(scale * of.high)}, {"sources", sources}};
+}
 
 std::string result_json(const ImpactCase& impact, const Summary& summary,
                         const std::optional<injury::InjuryFigures>& injury,
@@ -172,14 +203,13 @@ std::string result_json(const ImpactCase& impact, const Summary& summary,
   add_figures(result, errors, summary);
   result["blows"] = series(blows);
   result["energy"] = energy(summary.energy);
-  result["extrapolated"] = summary.extrapolated;
-  result["extrapolations"] = summary.extrapolations;
-  result["continuation"] = nullptr;
-  if (const auto& range = summary.continuation)
-    result["continuation"] = {{"gentlest_exponent", number(range->gentlest_exponent)},
-                              {"steepest_exponent", number(range->steepest_exponent)},
-                              {"gentlest_peak_acceleration_m_per_s2", number(range->gentlest)},
-                              {"steepest_peak_acceleration_m_per_s2", number(range->steepest)}};
+  result["flags"] = flags_json(summary);
+  result["extrapolated"] = !summary.extrapolations.empty();
+  result["extrapolated_strain"] = summary.is_beyond(Beyond::strain);
+  result["extrapolated_rate"] = summary.is_beyond(Beyond::rate);
+  result["extrapolations"] = Json::array();
+  for (const Extrapolation& of : summary.extrapolations) result["extrapolations"].push_back(of.text);
+  result["intervals"] = summary.intervals ? intervals_json(*summary.intervals) : Json(nullptr);
   result["softening_rates_per_s"] = numbers(summary.softening_rates);
   result["layers"] = layers(impact.pad, summary);
   result["injury"] = injury ? injury_json(*injury, true) : Json(nullptr);

@@ -23,6 +23,7 @@
 #include "output/text/assessment_words.hpp"
 #include "output/text/case_toml.hpp"
 #include "output/text/foam_words.hpp"
+#include "output/text/interval_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -47,6 +48,11 @@ KeyFigure figure_of(const injury::CriterionResult& result, const UnitSystem& uni
   figure.limit =
       (result.criterion.strict ? "below " : "at most ") + brief_quantity(result.criterion.limit, unit, units);
   if (result.value && result.criterion.limit > 0) figure.share = *result.value / result.criterion.limit;
+  if (const auto& interval = result.interval; interval && !interval->sources.empty()) {
+    figure.limit = interval_words(*interval, units) + " at 95 %, " + figure.limit;
+    if (figure.share)
+      figure.share_range = {interval->low / result.criterion.limit, interval->high / result.criterion.limit};
+  }
   figure.tone = tone_of(result.verdict);
   return figure;
 }
@@ -118,6 +124,12 @@ std::string assessment_page(const AssessmentReport& report, const UnitSystem& un
   basis.push_back(numbers_text(report.solution.summary) + ".");
   basis.push_back(assessment_caveat());
   page.sections.push_back({.heading = "Criteria", .tables = {criteria_table(report, units)}});
+  if (const auto& intervals = report.solution.summary.intervals; intervals && !intervals->figures.empty()) {
+    page.sections.push_back(
+        {.heading = "How sure", .tables = {interval_table(report.solution.summary, units)}});
+    for (const std::string& line : unknown_words(*intervals))
+      page.sections.back().paragraphs.push_back("No interval for " + line + ".");
+  }
   page.sections.push_back({.heading = "What it rests on", .paragraphs = std::move(basis)});
   if (std::optional<Plot> foam = foam_curve_plot(report.assessed.pad, report.solution.summary, units))
     page.sections.back().figures.push_back({.name = {}, .plot = *std::move(foam), .note = {}});

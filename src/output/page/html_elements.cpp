@@ -1,6 +1,7 @@
 #include "output/page/html_elements.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
@@ -78,9 +79,18 @@ std::string bar(const std::string& what, const std::string& inside, double place
 
 std::string bar_of(const KeyFigure& figure) {
   if (!figure.share) return "";
-  const double length = 100 * std::clamp(*figure.share / longest_bar, 0.0, 1.0);
-  return bar(fmt::format("{:.0f} % of the limit", 100 * *figure.share),
-             rect(class_of_tone(figure.tone), 0, length), 100 / longest_bar);
+  const auto place_of = [](double share) { return 100 * std::clamp(share / longest_bar, 0.0, 1.0); };
+  std::string words = fmt::format("{:.0f} % of the limit", 100 * *figure.share);
+  std::string inside = rect(class_of_tone(figure.tone), 0, place_of(*figure.share));
+  if (const auto& range = figure.share_range) {
+    words += std::isfinite(range->second)
+                 ? fmt::format(", {:.0f} to {:.0f} % with what is not known", 100 * range->first,
+                               100 * range->second)
+                 : fmt::format(", {:.0f} % or more with what is not known", 100 * range->first);
+    inside +=
+        rect("interval", place_of(range->first), place_of(range->second) - place_of(range->first), 0.55);
+  }
+  return bar(words, inside, 100 / longest_bar);
 }
 
 /// The interval, which fades where it has no end.

@@ -24,7 +24,10 @@ inline std::vector<KeyFigure> key_figures(const std::vector<ResultRow>& rows) {
   std::vector<KeyFigure> figures;
   for (const ResultRow& row : rows)
     if (figures.size() < most_key_figures)
-      figures.push_back({.label = row.label, .value = shown_value(row), .limit = row.remark});
+      figures.push_back(
+          {.label = row.label,
+           .value = shown_value(row),
+           .limit = row.interval + (row.interval.empty() || row.remark.empty() ? "" : "; ") + row.remark});
   return figures;
 }
 

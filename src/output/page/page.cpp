@@ -23,18 +23,22 @@
 #include "output/text/capitals.hpp"
 #include "output/text/case_toml.hpp"
 #include "output/text/foam_words.hpp"
+#include "output/text/interval_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
 
 namespace {
 
-Table table_of(std::string caption, const std::vector<ResultRow>& rows) {
-  Table table{
-      .caption = std::move(caption), .columns = {"Figure", "Value", "Estimated error", ""}, .rows = {}};
+Table table_of(std::string caption, std::vector<ResultRow> rows, const Summary& summary,
+               const UnitSystem& units) {
+  add_intervals(rows, summary, units);
+  Table table{.caption = std::move(caption),
+              .columns = {"Figure", "Value", "95 % interval", "Numerical error", ""},
+              .rows = {}};
   for (const ResultRow& row : rows)
-    table.rows.push_back(
-        {row.label, shown_value(row), row.error ? "± " + shown_error(*row.error) : "", row.remark});
+    table.rows.push_back({row.label, shown_value(row), row.interval,
+                          row.error ? "± " + shown_error(*row.error) : "", row.remark});
   return table;
 }
 
@@ -65,11 +69,9 @@ std::string answer(const ImpactCase& impact, const Summary& summary,
 
 /// Whether the peak depends on how the foam goes on beyond its tests, by more than a foam is known to.
 bool is_guess(const Summary& summary) {
-  const auto& range = summary.continuation;
-  if (!range) return false;
-  if (!range->gentlest || !range->steepest) return true;
-  const auto [low, high] = std::minmax(*range->gentlest, *range->steepest);
-  return high > (1 + known_beyond_tests) * low;
+  const FigureInterval* const peak =
+      summary.intervals ? summary.intervals->find("peak_acceleration") : nullptr;
+  return peak != nullptr && 2 * peak->share_of(Source::continuation) > known_beyond_tests;
 }
 
 Tone tone_of(const ImpactCase& impact, const Summary& summary) {
@@ -98,6 +100,14 @@ std::vector<KeyFigure> figures_of(const ImpactCase& impact, const Summary& summa
   return figures;
 }
 
+std::vector<ResultRow> rows_with_intervals(const ImpactCase& impact, const Summary& summary,
+                                           const std::optional<injury::InjuryFigures>& injury,
+                                           const UnitSystem& units) {
+  std::vector<ResultRow> rows = main_rows(impact, summary, injury, units);
+  add_intervals(rows, summary, units);
+  return rows;
+}
+
 /// Where the plots belong, among the sections below.
 constexpr std::size_t basis_section = 0, plots_section = 2;
 
@@ -113,25 +123,31 @@ FiguresPage texts_in_units(const ImpactCase& impact, const Options& options, con
   page.title = impact.title;
   page.is_one_impact = true;
   page.warnings = warnings(summary, units);
-  page.lead = Lead{.answer = answer(impact, summary, injury, blows, units),
-                   .tone = tone_of(impact, summary),
-                   .reservation = first_of(page.warnings),
-                   .subject = {one_line(impact.title), outcome(summary)},
-                   .drawing = impact_drawing(last, solution, units),
-                   .figures = figures_of(impact, summary, main_rows(impact, summary, injury, units), units)};
+  page.lead = Lead{
+      .answer = answer(impact, summary, injury, blows, units),
+      .tone = tone_of(impact, summary),
+      .reservation = first_of(page.warnings),
+      .subject = {one_line(impact.title), outcome(summary)},
+      .drawing = impact_drawing(last, solution, units),
+      .figures = figures_of(impact, summary, rows_with_intervals(impact, summary, injury, units), units)};
   PageSection basis{.heading = "What it rests on", .paragraphs = {case_text(untitled, units)}};
   for (std::string& line : foam_basis(impact.pad, units)) basis.paragraphs.push_back(std::move(line));
   PageSection figures{.heading = "Figures"};
+  if (summary.intervals && !summary.intervals->figures.empty()) {
+    basis.tables.push_back(interval_table(summary, units));
+    for (const std::string& line : unknown_words(*summary.intervals))
+      basis.paragraphs.push_back("No interval for " + line + ".");
+  }
   if (!blows.empty()) {
     figures.paragraphs.push_back(growth_text(impact, blows));
     for (std::string& reservation : reservations(blows)) figures.paragraphs.push_back(std::move(reservation));
     figures.tables.push_back(blow_table(impact, blows, units, Detail::main));
   }
   figures.tables.push_back(table_of(blows.empty() ? "The impact" : "The last blow",
-                                    summary_rows(impact, summary, units, Detail::all)));
+                                    summary_rows(impact, summary, units, Detail::all), summary, units));
   if (injury)
     figures.tables.push_back(
-        table_of("Injury figures of this pulse", pulse_rows(*injury, units, Detail::all)));
+        table_of("Injury figures of this pulse", pulse_rows(*injury, units, Detail::all), summary, units));
   PageSection of_case{
       .heading = "The case",
       .paragraphs = {"In SI, as it was computed. Kept as a file, it is a case that dashpad run repeats.",

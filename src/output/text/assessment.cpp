@@ -9,6 +9,7 @@
 #include "dashpad/output/text/case.hpp"
 #include "output/text/assessment_words.hpp"
 #include "output/text/foam_words.hpp"
+#include "output/text/interval_words.hpp"
 #include "output/text/standard_words.hpp"
 #include "quantities/text.hpp"
 
@@ -118,13 +119,33 @@ std::string margin_text(const injury::CriterionResult& result, const UnitSystem&
 
 /// Only where it may decide, or is asked for.
 std::string error_text(const injury::CriterionResult& result, const UnitSystem& units, Detail detail) {
-  if (!result.value || (detail == Detail::main && result.verdict != injury::Verdict::undecided)) return "";
+  const bool is_asked_for =
+      detail == Detail::all || (result.verdict == injury::Verdict::undecided && !result.interval);
+  if (!result.value || !is_asked_for) return "";
   if (!std::isfinite(result.error)) return "± unknown";
   const ScaledUnit unit = shown_as(injury::quantity_of(result.criterion.metric).si_unit, units);
   return fmt::format("± {:.2g} {}", unit.scale * result.error, unit.unit);
 }
 
-std::string row(const injury::CriterionResult& result, const UnitSystem& units, Detail detail) {
+/// The interval with what makes it, the largest first and alone where not all is asked for.
+std::string interval_lines(const injury::CriterionResult& result, const std::optional<Intervals>& intervals,
+                           const UnitSystem& units, Detail detail) {
+  if (!result.interval || !intervals || result.interval->sources.empty()) return "";
+  std::vector<std::string> sources = source_words(*result.interval, *intervals, units);
+  const std::size_t others = sources.size() - 1;
+  if (detail == Detail::main) sources.resize(1);
+  std::string text = wrapped(
+      fmt::format("    {} at 95 %, by {}", interval_words(*result.interval, units), fmt::join(sources, "; ")),
+      6);
+  if (detail == Detail::main && others > 0)
+    text = wrapped(fmt::format("    {} at 95 %, by {}, and by {} more (--all)",
+                               interval_words(*result.interval, units), sources.front(), others),
+                   6);
+  return text + "\n";
+}
+
+std::string row(const injury::CriterionResult& result, const std::optional<Intervals>& intervals,
+                const UnitSystem& units, Detail detail) {
   const int digits = digits_of(detail);
   const std::string unit = injury::quantity_of(result.criterion.metric).si_unit;
   const std::string value = result.value ? brief_quantity(*result.value, unit, units, digits) : "none";
@@ -134,7 +155,7 @@ std::string row(const injury::CriterionResult& result, const UnitSystem& units, 
                   (result.criterion.strict ? "< " : "") + brief_quantity(result.criterion.limit, unit, units),
                   margin_text(result, units, digits), to_string(result.verdict));
   if (!result.reason.empty()) line += wrapped("    " + result.reason, 4) + "\n";
-  return line;
+  return line + interval_lines(result, intervals, units, detail);
 }
 
 /// A line of two figures: "  Peak acceleration        108.7 g     Peak strain             0.8".
@@ -192,6 +213,15 @@ const injury::CriterionResult* closest(const injury::Assessment& assessment) {
   return least;
 }
 
+/// The one that is undecided, of several that which is next to its limit.
+const injury::CriterionResult& undecided_of(const injury::Assessment& assessment,
+                                            const injury::CriterionResult& next) {
+  if (next.verdict == injury::Verdict::undecided) return next;
+  const auto of =
+      std::ranges::find(assessment.results, injury::Verdict::undecided, &injury::CriterionResult::verdict);
+  return of == assessment.results.end() ? next : *of;
+}
+
 }  // namespace
 
 std::string doubt_about_pass(const AssessmentReport& report) {
@@ -205,20 +235,7 @@ std::string doubt_about_pass(const AssessmentReport& report) {
   if (is_struck_through(summary.peak_penetration, report.assessed.pad.thickness))
     return ", but the pad is struck through" +
            (summary.peak_acceleration ? ", at a peak of " + in_g(*summary.peak_acceleration) : "");
-  if (const auto& range = summary.continuation) {
-    const std::string guess = ", but how the foam goes on beyond its tests decides, and the peak may be ";
-    if (!range->gentlest || !range->steepest) return guess + "without limit";
-    const double highest = std::max(*range->gentlest, *range->steepest);
-    const auto is_exceeded = [&](const injury::CriterionResult& of) {
-      return of.criterion.metric == injury::Metric::peak_acceleration && highest > of.criterion.limit;
-    };
-    if (std::ranges::any_of(assessment.results, is_exceeded)) return guess + in_g(highest);
-  }
-  const bool is_extrapolated = std::ranges::find(assessment.reservations, "EXTRAPOLATED", &Flag::name) !=
-                               assessment.reservations.end();
-  if (!is_extrapolated || *next->relative_margin >= known_beyond_tests) return "";
-  return fmt::format(" ({}), less than a foam is known to beyond its tests",
-                     percentage(*next->relative_margin));
+  return "";
 }
 
 std::string assessment_answer(const AssessmentReport& report, const UnitSystem& units) {
@@ -240,20 +257,27 @@ std::string assessment_answer(const AssessmentReport& report, const UnitSystem& 
     case injury::Verdict::fail: return fmt::format("Fails: {} is {} above its limit", name, margin);
     case injury::Verdict::undecided: break;
   }
-  return fmt::format("Undecided: {} is {} from its limit", name, margin);
+  const injury::CriterionResult& open = undecided_of(assessment, *next);
+  if (!open.interval) return fmt::format("Undecided: {} is {} from its limit", name, margin);
+  const std::string limit =
+      brief_quantity(open.criterion.limit, injury::quantity_of(open.criterion.metric).si_unit, units);
+  return fmt::format("Undecided: {} is {}, and {} {} is asked for", injury::title_of(open.criterion),
+                     interval_words(*open.interval, units), open.criterion.strict ? "below" : "at most",
+                     limit);
 }
 
 Table criteria_table(const AssessmentReport& report, const UnitSystem& units) {
-  Table table{.caption = one_line(report.standard.title),
-              .columns = {"Criterion", "Value", "Estimated error", "Limit", "Margin", "Verdict"},
-              .rows = {}};
+  Table table{
+      .caption = one_line(report.standard.title),
+      .columns = {"Criterion", "Value", "95 % interval", "Numerical error", "Limit", "Margin", "Verdict"},
+      .rows = {}};
   const int digits = digits_of(Detail::main);
   for (const injury::CriterionResult& of : report.assessment.results) {
     const std::string unit = injury::quantity_of(of.criterion.metric).si_unit;
     table.rows.push_back(
         {injury::title_of(of.criterion),
          of.value ? (of.lower_bound ? "≥ " : "") + brief_quantity(*of.value, unit, units, digits) : "none",
-         error_text(of, units, Detail::all),
+         of.interval ? interval_words(*of.interval, units) : "", error_text(of, units, Detail::all),
          (of.criterion.strict ? "< " : "") + brief_quantity(of.criterion.limit, unit, units),
          margin_text(of, units, digits),
          to_string(of.verdict) + (of.reason.empty() ? "" : ": " + one_line(of.reason))});
@@ -293,7 +317,8 @@ std::string assessment_text(const AssessmentReport& report, const UnitSystem& un
   text += wrapped(fmt::format("{} ({})", one_line(standard.title), full_name(standard)), 2) + "\n\n";
   text += fmt::format("  {:<24}{:>12} {:<12}{:>10}  {}\n", "Criterion", "value",
                       detail == Detail::all ? "error" : "", "limit", "margin");
-  for (const injury::CriterionResult& result : report.assessment.results) text += row(result, units, detail);
+  for (const injury::CriterionResult& result : report.assessment.results)
+    text += row(result, report.solution.summary.intervals, units, detail);
   text += "\nThe impact:\n" + figures_text(report.assessment.figures, units, digits_of(detail)) + "\n";
   text += reservations_text(report.assessment) + wrapped_lines(case_text(report.assessed, units));
   text += replaced_text(report, units) + wrapped(sources_of(standard), 2) + "\n";

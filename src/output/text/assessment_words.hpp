@@ -12,9 +12,8 @@ namespace dashpad::output {
 /// "Passes: 3 ms clip has 3.66 g to spare", by the criterion next to its limit or farthest beyond it.
 std::string assessment_answer(const AssessmentReport& report, const UnitSystem& units);
 
-/// What makes a pass doubtful, in words to be put behind it as they are: a pad that is struck through, a peak
-/// that may be above its limit by how the foam goes on beyond its tests, or a margin below what such a foam
-/// is known to. Empty where nothing does.
+/// What makes a pass doubtful that its interval does not show, in words to be put behind it as they are: a
+/// pad that is struck through. Empty where nothing does.
 std::string doubt_about_pass(const AssessmentReport& report);
 
 /// A criterion a row: value, estimated error, limit, margin, verdict.

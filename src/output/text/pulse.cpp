@@ -119,7 +119,7 @@ std::string pulse_text(const injury::PulseReport& report, const UnitSystem& unit
   std::string text = fmt::format("{} ({})\n", one_line(report.file), report.measured.format);
   for (const std::string& line : reservations(report)) text += wrapped(line, 2) + "\n";
   text += "\n";
-  for (const ResultRow& row : report_rows(report, units, detail)) text += laid_out(row);
+  text += laid_out(report_rows(report, units, detail));
   text += "\nThe pulse:\n" + wrapped_lines(pulse_source(report, units));
   return text + fmt::format(
                     "HIC and severity index in g^2.5 s; the pulse is linear between its samples "

@@ -10,6 +10,7 @@
 #include "dashpad/output/text/case.hpp"
 #include "output/blow_rows.hpp"
 #include "output/result_rows.hpp"
+#include "output/text/interval_words.hpp"
 #include "output/text/table.hpp"
 #include "quantities/text.hpp"
 
@@ -32,17 +33,24 @@ double take_errors(std::vector<ResultRow>& rows, double tolerance) {
   return largest;
 }
 
+std::string intervals_text(const Summary& summary, const UnitSystem& units, Detail detail) {
+  std::string text;
+  for (const std::string& paragraph : interval_paragraphs(summary, units, detail))
+    text += wrapped(paragraph, 2) + "\n";
+  return text;
+}
+
 std::string main_text(const ImpactCase& impact, const Summary& summary,
                       const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units) {
   std::vector<ResultRow> rows = main_rows(impact, summary, injury, units);
   const double error = take_errors(rows, summary.tolerance);
   const bool some_left =
       std::ranges::any_of(rows, [](const ResultRow& row) { return row.error.has_value(); });
-  std::string text;
-  for (const ResultRow& row : rows) text += laid_out(row);
+  add_intervals(rows, summary, units);
+  std::string text = laid_out(rows);
   ImpactCase untitled = impact;
   untitled.title.clear();
-  text += "\n" + wrapped_lines(case_text(untitled, units));
+  text += "\n" + intervals_text(summary, units, Detail::main) + wrapped_lines(case_text(untitled, units));
   return text +
          wrapped(fmt::format("Estimated numerical error at most {}{}, energy residual {}; "
                              "--all has every figure with its error.",
@@ -54,14 +62,18 @@ std::string main_text(const ImpactCase& impact, const Summary& summary,
 
 std::string full_text(const ImpactCase& impact, const Summary& summary,
                       const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units) {
-  std::string text;
-  for (const ResultRow& row : summary_rows(impact, summary, units, Detail::all)) text += laid_out(row);
-  if (injury) text += "\nThe pulse:\n";
-  if (injury)
-    for (const ResultRow& row : pulse_rows(*injury, units, Detail::all)) text += laid_out(row);
+  std::vector<ResultRow> rows = summary_rows(impact, summary, units, Detail::all);
+  add_intervals(rows, summary, units);
+  std::string text = laid_out(rows);
+  if (injury) {
+    rows = pulse_rows(*injury, units, Detail::all);
+    add_intervals(rows, summary, units);
+    text += "\nThe pulse:\n" + laid_out(rows);
+  }
   ImpactCase untitled = impact;
   untitled.title.clear();
-  return text + "\n" + wrapped_lines(case_text(untitled, units)) + wrapped(numbers_text(summary), 2) + "\n";
+  return text + "\n" + intervals_text(summary, units, Detail::all) +
+         wrapped_lines(case_text(untitled, units)) + wrapped(numbers_text(summary), 2) + "\n";
 }
 
 /// The answer to what a series is asked for, and its table.

@@ -57,8 +57,20 @@ std::vector<Violation> violations(const Material& material);
 /// The same but for the law, where that is known to keep its rules.
 std::vector<Violation> violations_beside_law(const Material& material);
 
+/// Beyond what a law was tested or fitted for: its strain is a guess there, its rate a law.
+enum class Beyond { strain, rate, other };
+/// As flags name it: "EXTRAPOLATED STRAIN", "EXTRAPOLATED RATE", "EXTRAPOLATED".
+std::string name_of(Beyond beyond);
+
+/// Why a result is extrapolated, in words.
+struct Extrapolation {
+  Beyond beyond = Beyond::other;
+  std::string text;
+};
+
 /// Why a result with these largest strain and strain rate (1/s) is extrapolated, a reason each: beyond the
 /// fitted range, or where the law is not defined. Empty if it is not.
-std::vector<std::string> extrapolations(const Material& material, double largest_strain, double largest_rate);
+std::vector<Extrapolation> extrapolations(const Material& material, double largest_strain,
+                                          double largest_rate);
 
 }  // namespace dashpad

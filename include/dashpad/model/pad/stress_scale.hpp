@@ -33,6 +33,6 @@ double stress_factor(const PadCondition& condition, const Material& material);
 PadLaw scaled(const PadLaw& law, double factor);
 
 /// Why a result under this condition is extrapolated, a reason each.
-std::vector<std::string> extrapolations(const PadCondition& condition, const Material& material);
+std::vector<Extrapolation> extrapolations(const PadCondition& condition, const Material& material);
 
 }  // namespace dashpad

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dashpad/output/plot/plot.hpp"
@@ -33,6 +34,8 @@ struct KeyFigure {
   std::string value = {};            ///< with its unit
   std::string limit = {};            ///< in words, "at most 80 g"; empty: it has none
   std::optional<double> share = {};  ///< value over limit, >= 0: a bar
+  /// The ends of its interval over the limit: drawn over the bar; the second may be infinite.
+  std::optional<std::pair<double, double>> share_range = {};
   Tone tone = Tone::plain;
 };
 

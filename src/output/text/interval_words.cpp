@@ -1,0 +1,121 @@
+#include "output/text/interval_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+/// Digits that tell two numbers apart: three, up to five.
+int digits_between(double low, double high) {
+  int digits = 3;
+  while (digits < 5 && rounded_to(low, digits) == rounded_to(high, digits)) ++digits;
+  return digits;
+}
+
+const FigureInterval* first_asked(const Intervals& intervals) {
+  for (const char* key : {"hic15", "peak_acceleration", "peak_penetration"})
+    if (const FigureInterval* of = intervals.find(key)) return of;
+  return nullptr;
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+std::string figure_words(const FigureInterval& of, const Intervals& intervals, const UnitSystem& units) {
+  const ResultQuantity& quantity = result_quantity(of.key);
+  const std::string value = brief_quantity(of.nominal, quantity.si_unit, units, 4);
+  if (of.sources.empty()) return fmt::format("{} {}: nothing that is open moves it.", quantity.title, value);
+  return fmt::format("{} {}, {} at 95 %, by {}.", quantity.title, value, interval_words(of, units),
+                     joined(source_words(of, intervals, units)));
+}
+
+}  // namespace
+
+std::string range_words(double low, double high, const std::string& si_unit, const UnitSystem& units) {
+  const ScaledUnit unit = shown_as(si_unit, units);
+  const std::string name = unit.unit.empty() ? "" : " " + unit.unit;
+  low *= unit.scale;
+  high *= unit.scale;
+  if (!std::isfinite(high)) return brief(rounded_to(low, 3)) + name + " or more";
+  const int digits = digits_between(low, high);
+  return brief(rounded_to(low, digits)) + " to " + brief(rounded_to(high, digits)) + name;
+}
+
+std::string interval_words(const FigureInterval& of, const UnitSystem& units) {
+  return range_words(of.low, of.high, result_quantity(of.key).si_unit, units);
+}
+
+std::vector<std::string> source_words(const FigureInterval& of, const Intervals& intervals,
+                                      const UnitSystem& units) {
+  std::vector<std::string> all;
+  for (const Contribution& each : of.sources) {
+    const OpenSource* const source = intervals.find(each.source);
+    all.push_back(fmt::format("{}: {} alone", source ? one_line(source->words) : to_string(each.source),
+                              range_words(each.low, each.high, result_quantity(of.key).si_unit, units)));
+  }
+  return all;
+}
+
+std::vector<std::string> unknown_words(const Intervals& intervals) {
+  std::vector<std::string> all;
+  for (const OpenSource& of : intervals.sources)
+    if (!of.why_not.empty()) all.push_back(one_line(of.words) + ": " + one_line(of.why_not));
+  return all;
+}
+
+void add_intervals(std::vector<ResultRow>& rows, const Summary& summary, const UnitSystem& units) {
+  if (!summary.intervals) return;
+  for (ResultRow& row : rows)
+    if (const FigureInterval* of = summary.intervals->find(row.key); of && !of->sources.empty())
+      row.interval = interval_words(*of, units);
+}
+
+Table interval_table(const Summary& summary, const UnitSystem& units) {
+  Table table{.caption = "Each alone, and all together", .columns = {"What is not known"}, .rows = {}};
+  const Intervals& intervals = *summary.intervals;
+  std::vector<const FigureInterval*> figures;
+  for (const char* key : {"peak_acceleration", "hic15", "hic36", "hic_unlimited", "hic_d", "clip_3ms",
+                          "severity_index", "peak_penetration", "rebound_speed"})
+    // Windows that are one have one column.
+    if (const FigureInterval* of = intervals.find(key);
+        of && (figures.empty() || of->nominal != figures.back()->nominal))
+      figures.push_back(of);
+  for (const FigureInterval* of : figures) table.columns.push_back(result_quantity(of->key).title);
+  const auto add_row = [&](std::string words, const auto& cell) {
+    std::vector<std::string> row{std::move(words)};
+    for (const FigureInterval* of : figures) row.push_back(cell(*of));
+    table.rows.push_back(std::move(row));
+  };
+  for (const OpenSource& source : intervals.sources)
+    add_row(one_line(source.words), [&](const FigureInterval& of) -> std::string {
+      if (!source.why_not.empty()) return "no interval";
+      for (const Contribution& each : of.sources)
+        if (each.source == source.source)
+          return range_words(each.low, each.high, result_quantity(of.key).si_unit, units);
+      return "-";
+    });
+  add_row("All together", [&](const FigureInterval& of) { return interval_words(of, units); });
+  return table;
+}
+
+std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units, Detail detail) {
+  if (!summary.intervals) return {};
+  const Intervals& intervals = *summary.intervals;
+  std::vector<std::string> all;
+  if (detail == Detail::all)
+    for (const FigureInterval& of : intervals.figures) all.push_back(figure_words(of, intervals, units));
+  else if (const FigureInterval* of = first_asked(intervals))
+    all.push_back(figure_words(*of, intervals, units));
+  if (const std::vector<std::string> unknown = unknown_words(intervals); !unknown.empty())
+    all.push_back(fmt::format("Not in the intervals: {}.", joined(unknown)));
+  return all;
+}
+
+}  // namespace dashpad::output

@@ -1,0 +1,38 @@
+#pragma once
+/// How sure figures are, in words.
+
+#include <string>
+#include <vector>
+
+#include "dashpad/impact/interval.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+#include "output/result_rows.hpp"
+#include "output/text/table.hpp"
+
+namespace dashpad::output {
+
+/// "980 to 1010", "34.1 to 38.2 g"; "231 g or more" where there is no bound. Three digits, and as many as it
+/// takes to tell the ends apart.
+std::string range_words(double low, double high, const std::string& si_unit, const UnitSystem& units);
+/// Of a figure as a whole.
+std::string interval_words(const FigureInterval& of, const UnitSystem& units);
+
+/// "what columns leave out ...: 861 to 1120 alone": what moves a figure, largest first.
+std::vector<std::string> source_words(const FigureInterval& of, const Intervals& intervals,
+                                      const UnitSystem& units);
+
+/// "how the foam scatters from sample to sample: nothing says that it was measured": what gives no interval.
+std::vector<std::string> unknown_words(const Intervals& intervals);
+
+/// Beside each row its interval, where it has one.
+void add_intervals(std::vector<ResultRow>& rows, const Summary& summary, const UnitSystem& units);
+
+/// What is not known, a row each, with what each figure is by it alone; then what has no interval, then all
+/// together.
+Table interval_table(const Summary& summary, const UnitSystem& units);
+
+/// What the intervals of a result are and rest on, a paragraph each: the figure that is asked for first, or
+/// with Detail::all every one. Empty without intervals.
+std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units, Detail detail);
+
+}  // namespace dashpad::output

@@ -1,0 +1,317 @@
+#include "dashpad/uncertainty/intervals.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <tbb/parallel_for.h>
+
+#include "dashpad/impact/flags.hpp"
+#include "dashpad/impact/solve.hpp"
+#include "dashpad/injury/dwell.hpp"
+#include "dashpad/injury/figures.hpp"
+#include "dashpad/injury/hic.hpp"
+#include "uncertainty/figures.hpp"
+#include "uncertainty/line.hpp"
+
+namespace dashpad::uncertainty {
+
+std::vector<Part> parts_of(const Pad& pad, const Summary& summary) {
+  if (pad.layers.empty()) return {{&pad.material, summary.peak_strain, summary.peak_strain_rate}};
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < pad.layers.size(); ++i)
+    parts.push_back({&pad.layers[i].material, i < summary.layers.size() ? summary.layers[i].peak_strain : 0,
+                     i < summary.layers.size() ? summary.layers[i].peak_strain_rate : 0});
+  return parts;
+}
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double tolerance_of_ends = 1e-3;
+/// Of the nominal: what a point between the ends has to add to be worth an impact.
+constexpr double worth_solving = 3e-3;
+/// Of a figure: an impact whose peak is less sure says nothing.
+constexpr double largest_error = 0.05;
+constexpr double two_sided_95 = 1.959964;
+
+/// A solved place of a line, as figures less those of the base.
+struct Place {
+  double at = 0;
+  std::vector<double> change;
+};
+
+/// A line as far as it was solved.
+struct Solved {
+  const Line* line = nullptr;
+  std::vector<Place> places;  ///< by their coordinate; the base among them
+  bool is_mirrored = false;   ///< of a symmetric line one end only was solved
+  bool failed = false;
+};
+
+/// The figures of a case; empty where it could not be solved well enough. A pad that bottoms out has no
+/// finite force.
+std::vector<double> solved_figures(const ImpactCase& impact, const Options& options,
+                                   const std::vector<FigureName>& names) {
+  if (!violations(impact).empty()) return {};
+  const Solution solution = solve(impact, options);
+  const Summary& summary = solution.summary;
+  std::vector<double> values = figures_of(solution, names);
+  if (bottomed_on_rigid_support(summary)) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (std::isnan(values[i])) values[i] = names[i].kind == FigureName::Kind::rebound ? 0 : infinite;
+    return values;
+  }
+  if (summary.status == Status::not_run || is_cut(summary) || !(summary.errors.peak_force < largest_error))
+    return {};
+  return values;
+}
+
+class Search {
+ public:
+  Search(const ImpactCase& impact, const Options& options, const Solution& nominal,
+         const std::vector<FigureName>& names, const std::vector<Line>& lines)
+      : impact_(impact), options_(options), names_(names), nominal_(figures_of(nominal, names)) {
+    options_.tolerance = std::max(options.tolerance, tolerance_of_ends);
+    options_.fixed_runs = 0;
+    for (const Line& line : lines) solved_.push_back({.line = &line, .places = {}});
+    solve_ends();
+    solve_between();
+  }
+
+  [[nodiscard]] const std::vector<Solved>& solved() const { return solved_; }
+  [[nodiscard]] const std::vector<double>& nominal() const { return nominal_; }
+  [[nodiscard]] int impacts() const { return impacts_; }
+
+ private:
+  struct Job {
+    Solved* of;
+    double at;
+    std::vector<double> figures = {};
+  };
+
+  void solve_all(std::vector<Job>& jobs) {
+    tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
+      Job& job = jobs[i];
+      job.figures = solved_figures(job.of ? job.of->line->at(job.at) : impact_, options_, names_);
+    });
+    impacts_ += static_cast<int>(jobs.size());
+  }
+
+  /// Puts what was solved in the order of its places.
+  void take(const std::vector<Job>& jobs) {
+    for (const Job& job : jobs) {
+      if (job.of == nullptr) continue;
+      if (job.figures.empty() || base_.empty()) {
+        job.of->failed = true;
+        continue;
+      }
+      Place place{job.at, job.figures};
+      for (std::size_t i = 0; i < place.change.size(); ++i) place.change[i] -= base_[i];
+      job.of->places.push_back(std::move(place));
+      std::ranges::sort(job.of->places, {}, &Place::at);
+    }
+  }
+
+  void solve_ends() {
+    if (solved_.empty()) return;
+    std::size_t ends = 0;
+    for (const Solved& of : solved_) ends += of.line->ends.size();
+    // Where there are too many, the axes of a posterior are taken to be symmetric.
+    for (Solved& of : solved_)
+      if (ends > most_impacts - 1 && of.line->source == Source::posterior) {
+        of.is_mirrored = true;
+        --ends;
+      }
+    std::vector<Job> jobs{{nullptr, 0}};
+    for (Solved& of : solved_) {
+      if (of.is_mirrored) {
+        jobs.push_back({&of, of.line->ends.back()});
+        continue;
+      }
+      for (const double end : of.line->ends) jobs.push_back({&of, end});
+    }
+    for (Solved& of : solved_)
+      if (of.line->ends.size() == 1 && jobs.size() < most_impacts)
+        jobs.push_back({&of, of.line->ends.front() / 2});
+    solve_all(jobs);
+    base_ = std::move(jobs.front().figures);
+    for (Solved& of : solved_) of.places.push_back({0, std::vector<double>(names_.size(), 0.0)});
+    take(jobs);
+  }
+
+  /// Where the ends, the nominal and what is between them bend by enough, at the place that a parabola says.
+  void solve_between() {
+    std::vector<Job> jobs;
+    for (Solved& of : solved_) {
+      if (of.failed || of.line->is_statistical || impacts_ + static_cast<int>(jobs.size()) >= most_impacts)
+        continue;
+      double most = worth_solving;
+      std::optional<double> best;
+      for (std::size_t figure = 0; figure < names_.size(); ++figure)
+        for (std::size_t i = 0; i + 2 < of.places.size(); ++i)
+          if (const auto turn = turning_point(of, i, figure); turn && turn->second > most) {
+            most = turn->second;
+            best = turn->first;
+          }
+      if (best) jobs.push_back({&of, *best});
+    }
+    if (jobs.empty()) return;
+    solve_all(jobs);
+    take(jobs);
+  }
+
+  /// Of the parabola through three places: where it turns, and by how much of the nominal it leaves their
+  /// hull.
+  [[nodiscard]] std::optional<std::pair<double, double>> turning_point(const Solved& of, std::size_t first,
+                                                                       std::size_t figure) const {
+    const Place *a = &of.places[first], *b = a + 1, *c = a + 2;
+    const double fa = a->change[figure], fb = b->change[figure], fc = c->change[figure];
+    if (!std::isfinite(fa) || !std::isfinite(fb) || !std::isfinite(fc)) return std::nullopt;
+    const double slope_1 = (fb - fa) / (b->at - a->at), slope_2 = (fc - fb) / (c->at - b->at);
+    const double bend = (slope_2 - slope_1) / (c->at - a->at);
+    if (bend == 0) return std::nullopt;
+    const double turn = (a->at + b->at) / 2 - slope_1 / (2 * bend);
+    const double margin = 0.02 * (c->at - a->at);
+    if (turn < a->at + margin || turn > c->at - margin || std::abs(turn - b->at) < margin)
+      return std::nullopt;
+    const double value = fa + (turn - a->at) * (slope_1 + bend * (turn - b->at));
+    const auto [low, high] = std::minmax({fa, fb, fc});
+    const double beyond = std::max(value - high, low - value);
+    return std::pair{turn, beyond / std::max(std::abs(nominal_[figure]), 1e-300)};
+  }
+
+  const ImpactCase& impact_;
+  Options options_;
+  const std::vector<FigureName>& names_;
+  std::vector<double> nominal_, base_;
+  std::vector<Solved> solved_;
+  int impacts_ = 0;
+};
+
+/// How far a figure may lie below and above its nominal.
+struct Deviation {
+  double down = 0, up = 0;
+
+  void add(const Deviation& other) {
+    down += other.down;
+    up += other.up;
+  }
+  void add_in_quadrature(const Deviation& other) {
+    down = std::hypot(down, other.down);
+    up = std::hypot(up, other.up);
+  }
+};
+
+/// That of a line: of a range the hull of its places, of a statistical one 1.96 standard deviations.
+Deviation deviation_of(const Solved& of, std::size_t figure) {
+  Deviation deviation;
+  for (const Place& place : of.places) {
+    const double change = place.change[figure];
+    if (std::isnan(change)) continue;
+    deviation.down = std::max(deviation.down, -change);
+    deviation.up = std::max(deviation.up, change);
+  }
+  if (of.is_mirrored) deviation.down = deviation.up = std::max(deviation.down, deviation.up);
+  if (of.line->is_statistical) {
+    const double factor = two_sided_95 / of.line->deviations;
+    deviation.down *= factor;
+    deviation.up *= factor;
+  }
+  return deviation;
+}
+
+/// 95 % of what is given as a share.
+Deviation deviation_of(const Shares& shares, const FigureName& name, double nominal,
+                       const Solution& solution) {
+  using Kind = FigureName::Kind;
+  const auto even = [](double value) { return Deviation{two_sided_95 * value, two_sided_95 * value}; };
+  switch (name.kind) {
+    case Kind::acceleration: return even(shares.acceleration * nominal);
+    case Kind::hic: return even(shares.hic * nominal);
+    case Kind::hic_d: return even(shares.hic * (nominal - injury::hic_d(0)));
+    case Kind::rebound: return even(shares.rebound * nominal);
+    case Kind::penetration: {
+      Deviation deviation = even(shares.penetration * nominal);
+      const double scale = name.key == "peak_strain" ? solution.summary.peak_strain : nominal;
+      const double of_figure =
+          solution.summary.peak_penetration > 0 ? scale / solution.summary.peak_penetration : 0;
+      deviation.down = std::hypot(deviation.down, shares.shallower * of_figure);
+      return deviation;
+    }
+    case Kind::dwell: {
+      // A pulse that is higher by a share lies above a level as long as it did above a lower one.
+      const Pulse pulse = injury::pulse_of(solution.history);
+      const double share = two_sided_95 * shares.acceleration;
+      return {nominal - injury::cumulative_dwell(pulse, name.level * (1 + share)),
+              injury::cumulative_dwell(pulse, name.level * std::max(1 - share, 0.0)) - nominal};
+    }
+  }
+  return {};
+}
+
+bool is_statistical(Source source) {
+  return source == Source::scatter || source == Source::posterior || source == Source::misfit ||
+         source == Source::neighbours;
+}
+
+constexpr std::array all_sources{Source::continuation, Source::rate,   Source::way_back,  Source::scatter,
+                                 Source::posterior,    Source::misfit, Source::neighbours};
+
+/// Eq. 77.
+FigureInterval interval_of(const FigureName& name, std::size_t figure, double nominal, const Search& search,
+                           const Open& open, const Solution& solution) {
+  FigureInterval interval{.key = name.key, .level = name.level, .nominal = nominal};
+  Deviation ranges, statistics;
+  for (const Source source : all_sources) {
+    Deviation alone;
+    const auto add = [&](const Deviation& more) {
+      is_statistical(source) ? alone.add_in_quadrature(more) : alone.add(more);
+    };
+    for (const Solved& of : search.solved())
+      if (of.line->source == source && !of.failed) add(deviation_of(of, figure));
+    for (const Shares& shares : open.shares)
+      if (shares.source == source) add(deviation_of(shares, name, nominal, solution));
+    if (alone.down <= 0 && alone.up <= 0) continue;
+    interval.sources.push_back({source, std::max(nominal - alone.down, 0.0), nominal + alone.up});
+    is_statistical(source) ? statistics.add_in_quadrature(alone) : ranges.add(alone);
+  }
+  interval.low = std::max(nominal - ranges.down - statistics.down, 0.0);
+  interval.high = nominal + ranges.up + statistics.up;
+  std::ranges::stable_sort(interval.sources, std::greater<>(),
+                           [](const Contribution& of) { return of.high - of.low; });
+  return interval;
+}
+
+}  // namespace
+
+void add_intervals(const ImpactCase& impact, const Options& options, Solution& solution,
+                   std::span<const double> dwell_levels) {
+  const Summary& summary = solution.summary;
+  if (summary.status == Status::not_run) return;
+  Open open;
+  add_continuation(impact, summary, open);
+  add_rate(impact, summary, open);
+  add_way_back(impact, summary, open);
+  add_statistics(impact, summary, open);
+  add_neighbours(impact, open);
+  Intervals intervals{.figures = {}, .sources = std::move(open.sources), .warning = warning_of_model(impact)};
+  if (!bottomed_on_rigid_support(summary) && !is_cut(summary)) {
+    const std::vector<FigureName> names = figure_names(dwell_levels);
+    const Search search(impact, options, solution, names, open.lines);
+    intervals.impacts = search.impacts();
+    for (const Solved& of : search.solved())
+      if (of.failed)
+        for (OpenSource& source : intervals.sources)
+          if (source.source == of.line->source && source.why_not.empty())
+            source.why_not = "an impact at one of its ends could not be solved";
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (std::isfinite(search.nominal()[i]))
+        intervals.figures.push_back(interval_of(names[i], i, search.nominal()[i], search, open, solution));
+  }
+  solution.summary.intervals = std::move(intervals);
+}
+
+}  // namespace dashpad::uncertainty

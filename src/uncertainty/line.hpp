@@ -1,0 +1,69 @@
+#pragma once
+/// A way in which a case may be otherwise: one number that goes from 0, the case as it is, to its ends.
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
+
+namespace dashpad::uncertainty {
+
+struct Line {
+  Source source = Source::continuation;
+  std::vector<double> ends;              ///< one or two, none of them 0
+  std::function<ImpactCase(double)> at;  ///< the case there
+  bool is_statistical = false;   ///< ends are standard deviations of a normal distribution, +-`deviations`
+  double deviations = 1.959964;  ///< at which the ends lie
+};
+
+/// The share of a figure, one standard deviation, that a source leaves open without a further impact.
+struct Shares {
+  Source source = Source::misfit;
+  double acceleration = 0;  ///< of peaks, forces and clips
+  double hic = 0;           ///< of every window, and of the severity index
+  double rebound = 0;
+  double penetration = 0;
+  /// Metres by which a penetration may be less, at 95 %: columns go too deep.
+  double shallower = 0;
+};
+
+/// All that is open.
+struct Open {
+  std::vector<Line> lines;
+  std::vector<Shares> shares;
+  std::vector<OpenSource> sources;
+};
+
+/// What the pad is made of: one entry, or one a layer, with how far the impact went there.
+struct Part {
+  const Material* material = nullptr;
+  double strain = 0;  ///< largest
+  double rate = 0;    ///< 1/s, largest
+};
+std::vector<Part> parts_of(const Pad& pad, const Summary& summary);
+
+/// The case with `change(material, condition, index)` done to its pad or to each of its layers.
+template <class Change>
+ImpactCase with_parts(ImpactCase impact, const Change& change) {
+  if (impact.pad.layers.empty()) {
+    change(impact.pad.material, impact.pad.condition, 0);
+    return impact;
+  }
+  for (std::size_t i = 0; i < impact.pad.layers.size(); ++i)
+    change(impact.pad.layers[i].material, impact.pad.layers[i].condition, i);
+  return impact;
+}
+
+// A file each:
+void add_continuation(const ImpactCase& impact, const Summary& summary, Open& open);
+void add_rate(const ImpactCase& impact, const Summary& summary, Open& open);
+void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open);
+void add_statistics(const ImpactCase& impact, const Summary& summary, Open& open);
+void add_neighbours(const ImpactCase& impact, Open& open);
+
+/// "SMALL NOSE: ...", with the size of the error; empty where the nose is not small against the pad.
+std::string warning_of_model(const ImpactCase& impact);
+
+}  // namespace dashpad::uncertainty

@@ -1,0 +1,146 @@
+// What the stress does beyond the tested rates: it stays, as the law of a foam has it, or goes on to grow by
+// a power.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "model/pad/foam/overstress.hpp"
+#include "model/plain_number.hpp"
+#include "uncertainty/line.hpp"
+
+namespace dashpad::uncertainty {
+namespace {
+
+/// Of foams that were tested at one rate alone. Measured exponents, from the slowest test to the fastest:
+/// 0.02 to 0.05 for EPS, 0.03 to 0.11 for VN600 at strains from 0.25 to 0.5, 0.11 to 0.21 for the hard
+/// polyurethane.
+constexpr double usual_exponent = 0.1, usual_exponent_of_crushable = 0.05;
+
+/// That of the last stretch between two tested rates, at a strain of a third; nothing where one rate was
+/// tested.
+std::optional<double> last_exponent(const FoamCurves& curves, double highest_rate) {
+  if (std::holds_alternative<NoRateEffect>(curves.rate_effect)) return std::nullopt;
+  const FoamCurve base(curves.base, 2);
+  const Overstress over(curves, base, 0, 1, curves.slowest_rate / 1000);
+  const double strain = std::min(1.0 / 3, 0.9 * base.last_strain());
+  const Overstress::Value at =
+      over.of(over.at((1 - 1e-6) * highest_rate), strain, base.cells().place(std::sqrt(strain)));
+  return std::max(at.rise / (1 + at.stress), 0.0);
+}
+
+/// The rates up to which a foam's curves go on to grow by the power `exponent`.
+void grow_beyond(FoamCurves& curves, double tested, double reached, double exponent) {
+  std::visit(
+      [&]<class Effect>(Effect& effect) {
+        const double factor = std::pow(reached / tested, exponent);
+        if constexpr (std::is_same_v<Effect, PowerRateEffect>) {
+          // The card's own power, up to the rate at which it has grown by that factor.
+          const double own = std::max(effect.exponent + effect.exponent_slope / 3, 1e-6);
+          effect.highest_rate = tested * std::pow(reached / tested, std::min(exponent / own, 1.0));
+        } else if constexpr (std::is_same_v<Effect, FactorRateEffect>) {
+          effect.rate.push_back(reached);
+          effect.factor.push_back(factor * effect.factor.back());
+        } else if constexpr (std::is_same_v<Effect, CurvesRateEffect>) {
+          CurvesRateEffect::AtRate next{reached, effect.curves.back().curve};
+          for (double& stress : next.curve.stress) stress *= factor;
+          effect.curves.push_back(std::move(next));
+        }
+      },
+      curves.rate_effect);
+  if (std::holds_alternative<NoRateEffect>(curves.rate_effect))
+    curves.rate_effect = PowerRateEffect{.exponent = exponent, .exponent_slope = 0, .highest_rate = reached};
+}
+
+/// What a part may do beyond its rates.
+struct Growth {
+  double tested = 0;    ///< 1/s, the highest or, for an impact that is slower than all tests, the lowest
+  double reached = 0;   ///< 1/s
+  double exponent = 0;  ///< the largest
+};
+
+double highest_tested(const FoamCurves& curves) {
+  return std::visit(
+      [&]<class Effect>(const Effect& effect) {
+        if constexpr (std::is_same_v<Effect, PowerRateEffect>)
+          return effect.highest_rate;
+        else if constexpr (std::is_same_v<Effect, FactorRateEffect>)
+          return effect.rate.back();
+        else if constexpr (std::is_same_v<Effect, CurvesRateEffect>)
+          return effect.curves.back().rate;
+        else
+          return curves.slowest_rate;
+      },
+      curves.rate_effect);
+}
+
+void grow(Material& material, PadCondition& condition, const Growth& by, double place) {
+  if (by.reached < by.tested) {
+    condition.scale *= std::pow(by.reached / by.tested, place * by.exponent);
+    return;
+  }
+  std::visit(
+      [&]<class Law>(Law& law) {
+        if constexpr (SharesSlip<Law>)
+          grow_beyond(law.curves, highest_tested(law.curves), by.reached, place * by.exponent);
+        // The power of laws 4 and 5 goes on by itself; the other end is that it stops.
+        if constexpr (std::is_same_v<Law, NineParameter>)
+          law.rate_modulus *= std::pow(by.tested / by.reached, place * by.exponent);
+        if constexpr (std::is_same_v<Law, TwentyOneParameter>)
+          law.rate_stress *= std::pow(by.tested / by.reached, place * by.exponent);
+      },
+      material.law);
+}
+
+/// 0 where nothing is known of the rate beyond the tests; nothing for a law without a rate.
+std::optional<double> exponent_of(const Material& material) {
+  if (const auto& stated = material.uncertainty.rate_exponent) return stated->high;
+  return std::visit(
+      []<class Law>(const Law& law) -> std::optional<double> {
+        if constexpr (SharesSlip<Law>) {
+          if (const auto last = last_exponent(law.curves, highest_tested(law.curves))) return last;
+          return std::is_same_v<Law, CrushableFoam> ? usual_exponent_of_crushable : usual_exponent;
+        } else if constexpr (std::is_same_v<Law, NineParameter> || std::is_same_v<Law, TwentyOneParameter>) {
+          return law.rate_exponent;
+        } else {
+          return std::nullopt;
+        }
+      },
+      material.law);
+}
+
+}  // namespace
+
+void add_rate(const ImpactCase& impact, const Summary& summary, Open& open) {
+  std::vector<std::optional<Growth>> growths;
+  std::string words;
+  for (const Part& part : parts_of(impact.pad, summary)) {
+    growths.emplace_back();
+    const std::optional<FittedRange> range = range_of(*part.material);
+    if (!range || (part.rate <= range->highest_rate && part.rate >= range->lowest_rate)) continue;
+    const double tested = part.rate > range->highest_rate ? range->highest_rate : range->lowest_rate;
+    const std::string what = fmt::format(
+        "what the foam does at {} per second, {} {}", plain_number(part.rate),
+        range->highest_rate > 10 * range->lowest_rate ? "tested up to" : "tested at", plain_number(tested));
+    const std::optional<double> exponent = exponent_of(*part.material);
+    if (!exponent) {
+      open.sources.push_back(
+          {Source::rate, what,
+           fmt::format("the law {} has no power of the rate", name_of(part.material->law))});
+      continue;
+    }
+    growths.back() = Growth{tested, part.rate, *exponent};
+    if (words.empty()) words = fmt::format("{} (a power of the rate from 0 to {:.2g})", what, *exponent);
+  }
+  if (words.empty()) return;
+  open.sources.push_back({Source::rate, words, ""});
+  open.lines.push_back({.source = Source::rate, .ends = {1}, .at = [impact, growths](double place) {
+                          return with_parts(impact,
+                                            [&](Material& material, PadCondition& condition, std::size_t i) {
+                                              if (growths[i]) grow(material, condition, *growths[i], place);
+                                            });
+                        }});
+}
+
+}  // namespace dashpad::uncertainty

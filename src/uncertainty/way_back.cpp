@@ -1,0 +1,106 @@
+// What the foam gives back: recoil, the unloading, and the strain over which the rate's stress turns round.
+
+#include <algorithm>
+#include <cmath>
+
+#include "uncertainty/line.hpp"
+
+namespace dashpad::uncertainty {
+namespace {
+
+/// Of recoil, of the unloading factor where no loss was stated, and of the lag strain, where a card does not
+/// give them: all that is admitted, and for the lag, which no test in hand measures, a factor of 2.5 to 4
+/// about the standard half per cent.
+constexpr ValueRange any_share{0, 1}, usual_lag{0.002, 0.02};
+
+/// Nothing was stated of the way back.
+bool is_unstated(const Foam& foam) {
+  return foam.friction == 0 && foam.unloading_factor == 1 && !foam.unloading_curve;
+}
+
+ValueRange around(double value, const ValueRange& range) {
+  return {std::min(value, range.low), std::max(value, range.high)};
+}
+
+/// From the value to the end of its range that the place points to.
+double towards(double value, const ValueRange& range, double place) {
+  return place < 0 ? value - place * (range.low - value) : value + place * (range.high - value);
+}
+
+struct WayBack {
+  ValueRange recoil, unloading_factor;
+};
+
+/// What is open of a foam; both ranges are points where all of it is known or does not matter.
+WayBack open_of(const Foam& foam, const Uncertainty& uncertainty, bool has_rate) {
+  WayBack open{{foam.recoil, foam.recoil}, {foam.unloading_factor, foam.unloading_factor}};
+  if (has_rate) open.recoil = around(foam.recoil, uncertainty.recoil.value_or(any_share));
+  if (uncertainty.unloading_factor)
+    open.unloading_factor = *uncertainty.unloading_factor;
+  else if (is_unstated(foam))
+    open.unloading_factor = around(foam.unloading_factor, any_share);
+  return open;
+}
+
+bool is_open(const ValueRange& range) { return range.high > range.low; }
+
+}  // namespace
+
+void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open) {
+  std::vector<std::optional<WayBack>> of_part;
+  bool recoil = false, unloading = false, lag = false;
+  for (const Part& part : parts_of(impact.pad, summary)) {
+    of_part.emplace_back();
+    const auto* const foam = std::get_if<Foam>(&part.material->law);
+    if (foam == nullptr) {
+      const std::string law = name_of(part.material->law);
+      const bool crushes = std::holds_alternative<CrushableFoam>(part.material->law);
+      if (crushes || !part.material->fitted)
+        open.sources.push_back(
+            {Source::way_back, "what the foam gives back",
+             crushes ? "by its law it stays crushed; a real one comes back more"
+                     : "the way back is that of the law " + law + ", and nothing says that it was tested"});
+      continue;
+    }
+    const bool has_rate = !std::holds_alternative<NoRateEffect>(foam->curves.rate_effect);
+    const WayBack way = open_of(*foam, part.material->uncertainty, has_rate);
+    recoil = recoil || is_open(way.recoil);
+    unloading = unloading || is_open(way.unloading_factor);
+    lag = lag || has_rate;
+    if (is_open(way.recoil) || is_open(way.unloading_factor)) of_part.back() = way;
+  }
+  if (recoil || unloading) {
+    open.sources.push_back({Source::way_back,
+                            recoil && unloading
+                                ? "what the foam gives back, slowly and at the rate of the impact"
+                            : recoil ? "what the foam gives back at the rate of the impact"
+                                     : "what the foam gives back",
+                            ""});
+    // 1: the most loss of all; -1: the least.
+    open.lines.push_back({.source = Source::way_back, .ends = {-1, 1}, .at = [impact, of_part](double place) {
+                            return with_parts(impact, [&](Material& material, PadCondition&, std::size_t i) {
+                              if (!of_part[i]) return;
+                              Foam& foam = std::get<Foam>(material.law);
+                              foam.recoil = towards(foam.recoil, of_part[i]->recoil, place);
+                              foam.unloading_factor =
+                                  towards(foam.unloading_factor, of_part[i]->unloading_factor, -place);
+                            });
+                          }});
+  }
+  if (!lag) return;
+  if (!recoil && !unloading)
+    open.sources.push_back({Source::way_back, "how soon the stress turns round with the rate", ""});
+  open.lines.push_back({.source = Source::way_back, .ends = {-1, 1}, .at = [impact](double place) {
+                          return with_parts(impact, [&](Material& material, PadCondition&, std::size_t) {
+                            auto* const foam = std::get_if<Foam>(&material.law);
+                            if (foam == nullptr) return;
+                            const ValueRange range =
+                                around(foam->lag_strain, material.uncertainty.lag_strain.value_or(usual_lag));
+                            foam->lag_strain =
+                                std::exp(towards(std::log(foam->lag_strain),
+                                                 {std::log(range.low), std::log(range.high)}, place));
+                          });
+                        }});
+}
+
+}  // namespace dashpad::uncertainty

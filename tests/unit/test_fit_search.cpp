@@ -1,0 +1,117 @@
+/// The search of fits in narrow valleys and beside walls, pulses whose clock is found on the way, and what is
+/// said of impacts that were not fitted.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+#include "fit/discrepancy.hpp"
+#include "fit/search.hpp"
+#include "fit/solve.hpp"
+#include "shared/synthetic_fits.hpp"
+
+namespace dashpad::fit {
+namespace {
+
+/// Rosenbrock's valley over [-2, 2]^2, with its minimum at (1, 1): coordinates of 0.75.
+LeastSquares valley() {
+  return {2, 2, 1e-6, [](std::span<const double> x, std::span<double> r) {
+            const double a = 4 * x[0] - 2, b = 4 * x[1] - 2;
+            r[0] = 1 - a;
+            r[1] = 10 * (b - a * a);
+            return true;
+          }};
+}
+
+TEST(Minimise, FollowsACurvedValley) {
+  const Minimum minimum = minimise(valley(), {0.2, 0.75});
+  ASSERT_TRUE(minimum.converged) << minimum.why_not;
+  EXPECT_NEAR(minimum.x[0], 0.75, 1e-6);
+  EXPECT_NEAR(minimum.x[1], 0.75, 1e-6);
+}
+
+TEST(Minimise, FollowsItWithFewDerivativesWhereImpactsAreDear) {
+  std::atomic<int> evaluations = 0;
+  LeastSquares problem = valley();
+  problem.takes_impacts = true;
+  problem.evaluate = [&, exact = problem.evaluate](std::span<const double> x, std::span<double> r) {
+    ++evaluations;
+    return exact(x, r);
+  };
+  const Minimum minimum = minimise(problem, {0.2, 0.75});
+  ASSERT_TRUE(minimum.converged) << minimum.why_not;
+  EXPECT_NEAR(minimum.x[0], 0.75, 1e-3);
+  EXPECT_LT(evaluations, 120);
+}
+
+TEST(Minimise, StopsBesideAWallAndSaysWhenItRanOutOfSteps) {
+  LeastSquares problem = valley();
+  problem.evaluate = [exact = problem.evaluate](std::span<const double> x, std::span<double> r) {
+    return x[0] < 0.6 && exact(x, r);
+  };
+  const Minimum beside = minimise(problem, {0.2, 0.75});
+  ASSERT_TRUE(beside.is_sound);
+  EXPECT_NEAR(beside.x[0], 0.6, 1e-3);
+  const Minimum cut = minimise(valley(), {0.2, 0.75}, fine, {}, 2);
+  EXPECT_FALSE(cut.converged);
+  EXPECT_TRUE(cut.is_sound);
+  EXPECT_NE(cut.why_not.find("2 steps"), std::string::npos);
+}
+
+/// No other shift is better than the one that is taken.
+TEST(Fits, FindTheShiftsOfPulsesThatPutThemBest) {
+  const test::SyntheticFit made = test::nine_parameter_pulses(5);
+  const Problem problem = problem_of(made.fit, 3);
+  std::vector<double> x;
+  for (const Coordinate& of : problem.coordinates) x.push_back(of.place(of.start));
+  const std::vector<bool> shifts = problem.shifts();
+  std::vector<double> r(problem.residuals());
+  std::vector<bool> free(x.size(), false);
+  ASSERT_TRUE(problem.settle(x, free, r));
+  const auto misfit = [&](const std::vector<double>& at) {
+    EXPECT_TRUE(problem.evaluate(at, r));
+    double sum = 0;
+    for (const double each : r) sum += each * each;
+    return sum;
+  };
+  const double best = misfit(x);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (shifts[i])
+      for (int k = 0; k <= 200; ++k) {
+        std::vector<double> other = x;
+        other[i] = k / 200.0;
+        EXPECT_GE(misfit(other), best * (1 - 1e-9)) << problem.coordinates[i].key << " at " << other[i];
+      }
+}
+
+ImpactComparison compared_by(ImpactFigure figure, double share, std::optional<double> deviation = {}) {
+  return {"drop.toml", figure, true, !deviation, 100, 100 * (1 + share), deviation};
+}
+
+TEST(MisfitOf, IsStudentsOfWhatWasMissedAndOfHowSureALawIsAtBest) {
+  const std::vector<ImpactComparison> predicted{
+      compared_by(ImpactFigure::hic_unlimited, 0.08), compared_by(ImpactFigure::hic_unlimited, -0.06),
+      compared_by(ImpactFigure::hic_unlimited, 0.10), compared_by(ImpactFigure::rebound_speed, 0.05, 3)};
+  const Misfit of = misfit_of(predicted, {}).value();
+  const double t5 = 2.570582, t3 = 3.182446, t2 = 4.302653, normal = 1.959964;
+  EXPECT_NEAR(of.hic, std::sqrt((2 * 0.0025 + 0.0064 + 0.0036 + 0.01) / 5) * t5 / normal, 1e-6);
+  // Of what was missed the noise of the measurement, 3 %, is no part.
+  EXPECT_NEAR(of.rebound_speed, std::sqrt((2 * 0.0004 + 0.0025 - 0.0009) / 3) * t3 / normal, 1e-6);
+  EXPECT_NEAR(of.peak_acceleration, 0.02 * t2 / normal, 1e-6);
+  EXPECT_EQ(of.penetration, of.peak_acceleration);
+  EXPECT_EQ(of.impacts, 3);
+  EXPECT_TRUE(of.is_held_out);
+}
+
+TEST(MisfitOf, TakesWhatWasFittedForNoBetterThanTheBest) {
+  const std::vector<ImpactComparison> fitted{compared_by(ImpactFigure::hic_unlimited, 0.001)};
+  const Misfit of = misfit_of({}, fitted).value();
+  EXPECT_NEAR(of.hic, 0.05 * 4.302653 / 1.959964, 1e-6);
+  EXPECT_FALSE(of.is_held_out);
+  EXPECT_FALSE(misfit_of({}, {}));
+}
+
+}  // namespace
+}  // namespace dashpad::fit

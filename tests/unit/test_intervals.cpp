@@ -1,0 +1,263 @@
+/// How sure figures are: each source against impacts that are solved by hand, and the rule that adds them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dashpad/impact/flags.hpp"
+#include "dashpad/impact/solve.hpp"
+#include "dashpad/injury/figures.hpp"
+#include "dashpad/uncertainty/intervals.hpp"
+
+namespace dashpad::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Foam foam() {
+  Foam of;
+  of.unloading_factor = 0;
+  of.unloading_shape = 1.5;
+  of.curves = {.base = AvalleCurve{.plateau_stress = 222e3,
+                                   .modulus = 6.3e6,
+                                   .plateau_exponent = 1,
+                                   .densification_stress = 108e3,
+                                   .densification_exponent = 1.31,
+                                   .highest_strain = 0.75},
+               .slowest_rate = 0.01,
+               .rate_effect = PowerRateEffect{.exponent = 0.04, .exponent_slope = 0, .highest_rate = 100}};
+  return of;
+}
+
+/// A head on a trim of 25 mm: beyond a strain of 0.75 and a rate of 100 per second.
+ImpactCase head_on_pillar() {
+  ImpactCase impact;
+  impact.impactor = {.mass = 4.54, .nose = Sphere{0.08}, .speed = 6.7056};
+  impact.pad.thickness = 0.025;
+  impact.pad.material.name = "made up";
+  impact.pad.material.law = foam();
+  impact.support = Support::linear(300e3);
+  return impact;
+}
+
+Solution with_intervals(const ImpactCase& impact) {
+  Solution solution = solve(impact, {});
+  uncertainty::add_intervals(impact, {}, solution);
+  return solution;
+}
+
+const FigureInterval& interval(const Solution& solution, const char* key) {
+  return *solution.summary.intervals->find(key);
+}
+
+const Contribution* part(const FigureInterval& of, Source source) {
+  const auto found = std::ranges::find(of.sources, source, &Contribution::source);
+  return found == of.sources.end() ? nullptr : &*found;
+}
+
+double hic15(const ImpactCase& impact) { return injury::whole_pulse_figures(solve(impact, {}))->hic15.value; }
+
+Foam& foam_of(ImpactCase& impact) { return std::get<Foam>(impact.pad.material.law); }
+
+TEST(Intervals, HoldTheNominalAndAddUp) {
+  const Solution solution = with_intervals(head_on_pillar());
+  EXPECT_LE(solution.summary.intervals->impacts, uncertainty::most_impacts);
+  for (const FigureInterval& of : solution.summary.intervals->figures) {
+    double down = 0, up = 0, variance_down = 0, variance_up = 0;
+    for (const Contribution& each : of.sources) {
+      EXPECT_LE(each.low, of.nominal) << of.key;
+      EXPECT_GE(each.high, of.nominal) << of.key;
+      const bool is_range = each.source == Source::continuation || each.source == Source::rate ||
+                            each.source == Source::way_back;
+      (is_range ? down : variance_down) +=
+          is_range ? of.nominal - each.low : std::pow(of.nominal - each.low, 2);
+      (is_range ? up : variance_up) +=
+          is_range ? each.high - of.nominal : std::pow(each.high - of.nominal, 2);
+    }
+    EXPECT_NEAR(of.low, std::max(of.nominal - down - std::sqrt(variance_down), 0.0), 1e-9 * of.nominal)
+        << of.key;
+    EXPECT_NEAR(of.high, of.nominal + up + std::sqrt(variance_up), 1e-9 * of.nominal) << of.key;
+  }
+}
+
+/// Against impacts at the two ends of the exponent, solved one by one.
+TEST(Intervals, ContinuationIsTheHullOfItsEnds) {
+  ImpactCase impact = head_on_pillar();
+  const Solution solution = with_intervals(impact);
+  const Contribution* const of = part(interval(solution, "hic15"), Source::continuation);
+  ASSERT_NE(of, nullptr);
+  const double nominal = hic15(impact);
+  foam_of(impact).continuation_exponent = 1;
+  const double gentle = hic15(impact);
+  foam_of(impact).continuation_exponent = 4;
+  const double steep = hic15(impact);
+  EXPECT_NEAR(of->low, std::min({gentle, steep, nominal}), 2e-3 * nominal);
+  EXPECT_NEAR(of->high, std::max({gentle, steep, nominal}), 2e-3 * nominal);
+}
+
+/// A card whose formula goes on to 0.95 though the tests ended at 0.6 is no surer for it.
+TEST(Intervals, ContinuationBeginsWhereTheTestsEnd) {
+  ImpactCase impact = head_on_pillar();
+  std::get<AvalleCurve>(foam_of(impact).curves.base).highest_strain = 0.95;
+  EXPECT_EQ(part(interval(with_intervals(impact), "peak_acceleration"), Source::continuation), nullptr);
+  impact.pad.material.fitted = FittedRange{0.6, 0.01, 100};
+  EXPECT_NE(part(interval(with_intervals(impact), "peak_acceleration"), Source::continuation), nullptr);
+}
+
+/// HIC(d) over the foam's stiffness has its least value inside: neither end nor the nominal shows it.
+TEST(Intervals, ARangeInWhichAFigureTurnsGivesItsLeastValue) {
+  ImpactCase impact = head_on_pillar();
+  // A foam tested slowly alone, whose stress may grow by a factor of three with the rate.
+  foam_of(impact).curves.rate_effect = NoRateEffect{};
+  impact.pad.material.uncertainty.rate_exponent = ValueRange{0, 0.1};
+  const Solution solution = with_intervals(impact);
+  const Contribution* const of = part(interval(solution, "hic_d"), Source::rate);
+  ASSERT_NE(of, nullptr);
+  double least = 1e300, most = 0;
+  for (int i = 0; i <= 20; ++i) {
+    ImpactCase other = impact;
+    if (i > 0)
+      foam_of(other).curves.rate_effect = PowerRateEffect{
+          .exponent = 0.005 * i, .exponent_slope = 0, .highest_rate = solution.summary.peak_strain_rate};
+    const double value = injury::whole_pulse_figures(solve(other, {}))->hic_d;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  const double nominal = interval(solution, "hic_d").nominal;
+  EXPECT_NEAR(of->low, least, 6e-3 * nominal);
+  EXPECT_NEAR(of->high, most, 6e-3 * nominal);
+}
+
+TEST(Intervals, AFoamTestedFarEnoughHasNoContinuationAndNoRate) {
+  ImpactCase impact = head_on_pillar();
+  std::get<AvalleCurve>(foam_of(impact).curves.base).highest_strain = 0.95;
+  std::get<PowerRateEffect>(foam_of(impact).curves.rate_effect).highest_rate = 1000;
+  const Solution solution = with_intervals(impact);
+  EXPECT_EQ(part(interval(solution, "hic15"), Source::continuation), nullptr);
+  EXPECT_EQ(part(interval(solution, "hic15"), Source::rate), nullptr);
+  EXPECT_NE(part(interval(solution, "hic15"), Source::way_back), nullptr);
+}
+
+TEST(Intervals, WhatACardStatesOfTheWayBackIsTaken) {
+  ImpactCase impact = head_on_pillar();
+  impact.pad.material.uncertainty.recoil = ValueRange{1, 1};
+  impact.pad.material.uncertainty.lag_strain = ValueRange{0.005, 0.005};
+  EXPECT_EQ(part(interval(with_intervals(impact), "rebound_speed"), Source::way_back), nullptr);
+  impact.pad.material.uncertainty.recoil.reset();
+  const Solution open = with_intervals(impact);
+  const Contribution* const of = part(interval(open, "rebound_speed"), Source::way_back);
+  ASSERT_NE(of, nullptr);
+  foam_of(impact).recoil = 0;
+  EXPECT_NEAR(of->high, *solve(impact, {}).summary.rebound_speed, 0.01 * of->high);
+}
+
+TEST(Intervals, StatisticsAreTakenAt95PerCent) {
+  ImpactCase impact = head_on_pillar();
+  impact.pad.material.uncertainty.misfit =
+      Misfit{.peak_acceleration = 0.03, .hic = 0.05, .rebound_speed = 0.1, .penetration = 0.02, .impacts = 3};
+  impact.pad.material.uncertainty.scatter = 0.02;
+  const Solution solution = with_intervals(impact);
+  const FigureInterval& hic = interval(solution, "hic15");
+  EXPECT_NEAR(part(hic, Source::misfit)->high, (1 + 1.96 * 0.05) * hic.nominal, 1e-4 * hic.nominal);
+  impact.pad.condition.scale = 1 - 1.96 * 0.02;
+  const double softer = hic15(impact);
+  impact.pad.condition.scale = 1 + 1.96 * 0.02;
+  const double stiffer = hic15(impact);
+  EXPECT_NEAR(part(hic, Source::scatter)->high, std::max({softer, stiffer, hic.nominal}), 2e-3 * hic.nominal);
+  EXPECT_NEAR(part(hic, Source::scatter)->low, std::min({softer, stiffer, hic.nominal}), 2e-3 * hic.nominal);
+}
+
+TEST(Intervals, ThePosteriorIsItsAxesInQuadrature) {
+  ImpactCase impact = head_on_pillar();
+  impact.pad.material.uncertainty.posterior = {.keys = {"curve.plateau_stress", "curve.densification_stress"},
+                                               .minus = {{212e3, 108e3}, {222e3, 100e3}},
+                                               .plus = {{232e3, 108e3}, {222e3, 116e3}}};
+  const Solution solution = with_intervals(impact);
+  const FigureInterval& hic = interval(solution, "hic15");
+  double up = 0;
+  for (int axis = 0; axis < 2; ++axis) {
+    double most = 0;
+    for (const double sign : {-1.0, 1.0}) {
+      ImpactCase other = impact;
+      AvalleCurve& curve = std::get<AvalleCurve>(foam_of(other).curves.base);
+      (axis == 0 ? curve.plateau_stress : curve.densification_stress) += sign * (axis == 0 ? 10e3 : 8e3);
+      most = std::max(most, hic15(other) - hic.nominal);
+    }
+    up = std::hypot(up, 1.96 * most);
+  }
+  EXPECT_NEAR(part(hic, Source::posterior)->high, hic.nominal + up, 4e-3 * hic.nominal);
+}
+
+TEST(Intervals, WhatHasNoIntervalSaysWhy) {
+  const auto reasons = [](const ImpactCase& impact) {
+    std::string all;
+    for (const OpenSource& of : with_intervals(impact).summary.intervals->sources)
+      if (!of.why_not.empty()) all += of.words + ": " + of.why_not + "\n";
+    return all;
+  };
+  ImpactCase impact = head_on_pillar();
+  EXPECT_THAT(reasons(impact), HasSubstr("how the foam scatters from sample to sample: nothing says"));
+  impact.pad.material.uncertainty.scatter = 0.05;
+  EXPECT_THAT(reasons(impact), IsEmpty());
+  impact.impactor.nose = Cone{.radius = 0.08, .half_angle = 1.2};
+  EXPECT_THAT(reasons(impact), HasSubstr("it was not computed for a cone"));
+  impact = head_on_pillar();
+  impact.pad.material.law = Elastic{2e6};
+  impact.pad.material.fitted = FittedRange{0.2, 0.01, 1000};
+  EXPECT_THAT(reasons(impact), HasSubstr("the law elastic has no number of its own for what comes beyond"));
+}
+
+TEST(Intervals, ColumnsAreOffByTheNoseOverThePad) {
+  ImpactCase impact = head_on_pillar();
+  const FigureInterval wide = interval(with_intervals(impact), "peak_acceleration");
+  EXPECT_NEAR(part(wide, Source::neighbours)->high / wide.nominal, 1 + 1.96 * 0.06 * 3.3 / 3.2, 0.005);
+  EXPECT_EQ(with_intervals(impact).summary.intervals->warning, "");
+  impact.impactor.nose = Sphere{0.0125};
+  EXPECT_THAT(with_intervals(impact).summary.intervals->warning,
+              HasSubstr("SMALL NOSE: the radius is 0.5 times"));
+  impact.impactor.nose = FlatDisc{0.04};
+  EXPECT_THAT(with_intervals(impact).summary.intervals->warning,
+              HasSubstr("SMALL NOSE: the flat face has a radius of 1.6"));
+  impact.pad.area = 0.001;
+  EXPECT_EQ(with_intervals(impact).summary.intervals->warning, "");
+  EXPECT_EQ(part(interval(with_intervals(impact), "peak_acceleration"), Source::neighbours), nullptr);
+}
+
+/// Each layer is varied, all at once.
+TEST(Intervals, LayersHaveSourcesOfTheirOwn) {
+  ImpactCase impact = head_on_pillar();
+  impact.impactor.nose = FlatDisc{0.03};
+  const Material material = impact.pad.material;
+  set_layers(impact.pad, {{0.010, material}, {0.015, material}});
+  const Solution solution = with_intervals(impact);
+  EXPECT_NE(part(interval(solution, "hic15"), Source::continuation), nullptr);
+  EXPECT_NE(part(interval(solution, "hic15"), Source::rate), nullptr);
+}
+
+/// A foam beyond its tests that does not matter is no reservation, and one that does says by how much.
+TEST(Intervals, ExtrapolationIsAFlagWhereItMatters) {
+  ImpactCase impact = head_on_pillar();
+  const Solution solution = with_intervals(impact);
+  std::string all;
+  for (const Flag& flag : flags(solution.summary)) all += flag.text + "\n";
+  EXPECT_THAT(all, HasSubstr("EXTRAPOLATED STRAIN: strain reaches"));
+  EXPECT_THAT(all, HasSubstr("% higher by how it goes on there, which is a guess"));
+  foam_of(impact).gentlest_continuation = foam_of(impact).steepest_continuation = 2;
+  for (const Flag& flag : flags(with_intervals(impact).summary)) EXPECT_NE(flag.name, "EXTRAPOLATED STRAIN");
+}
+
+TEST(Intervals, AnImpactThatBottomsOutNamesItsSourcesOnly) {
+  ImpactCase impact = head_on_pillar();
+  impact.pad.material.law = Elastic{1e4};
+  impact.support = Support::rigid();
+  const Solution solution = with_intervals(impact);
+  ASSERT_TRUE(solution.summary.intervals);
+  EXPECT_THAT(solution.summary.intervals->figures, IsEmpty());
+  EXPECT_EQ(solution.summary.intervals->impacts, 0);
+}
+
+}  // namespace
+}  // namespace dashpad::test
