@@ -149,8 +149,8 @@ struct FitReport {
   bool converged = false;
   std::string why_not;  ///< if it did not converge
   Material material;    ///< the card, where it converged
-  /// The case of the fit, else the first impact, with what was found beside the card; absent where a card
-  /// holds all that was sought. Its foam is `material`, which is not repeated in it.
+  /// The case of the fit, else the first impact, with the card and what was found beside it; absent where a
+  /// card holds all that was sought.
   std::optional<FittedCase> fitted_case;
   std::vector<FittedUnknown> unknowns;
   /// Ends of intervals that are rough, since the refits for each are bounded: "pad.curve.modulus, above".

@@ -41,9 +41,7 @@ std::string fit_text(const fit::FitReport& report, const UnitSystem& units) {
 }
 
 std::string fitted_case_toml(const fit::FitReport& report) {
-  fit::FittedCase fitted = report.fitted_case.value();
-  fitted.impact.pad.material = report.material;
-  return case_toml(fitted.impact, fitted.options);
+  return case_toml(report.fitted_case.value().impact, report.fitted_case->options);
 }
 
 std::string posterior_csv(const fit::FitReport& report) {
