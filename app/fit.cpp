@@ -63,6 +63,9 @@ A fit file names the law with its starting values, the unknowns with their bound
 
 docs/fits.md has every key, and what the numbers mean.
 
+The recoil of a foam is sought, too, where nobody stated it and impacts show it: give it in [pad.parameters] to keep
+it. The card says in [fitted] what was tested, in its reservations and in [uncertainty] what is not known.
+
 An interval that is open says that the data do not determine the unknown: leave it fixed, give it a prior, or test more.
 
 Files: - as FILE is standard output. An existing file is kept unless --force is given. A file is written whole or not

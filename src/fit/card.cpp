@@ -192,8 +192,7 @@ Material card_of(const Fit& fit, std::span<const double> values, const FitReport
   return material;
 }
 
-std::optional<FittedCase> fitted_case_of(const Fit& fit, std::span<const double> values,
-                                         const Material& card) {
+std::optional<FittedCase> fitted_case_of(const Fit& fit, std::span<const double> values) {
   if (!finds_more_than_a_card(fit)) return std::nullopt;
   FittedCase found{fit.base, fit.options};
   if (!fit.has_case) {
@@ -206,7 +205,7 @@ std::optional<FittedCase> fitted_case_of(const Fit& fit, std::span<const double>
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
     if (!is_of_card(fit.unknowns[i].key))
       std::ranges::find(quantities, fit.unknowns[i].key, &CaseQuantity::key)->set(found.impact, written[i]);
-  found.impact.pad.material = card;
+  found.impact.pad.material = {};
   if (std::ranges::count(fit.unknowns, "pad.scale", &Unknown::key) > 0) found.impact.pad.condition.scale = 1;
   return found;
 }

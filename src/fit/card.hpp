@@ -16,9 +16,9 @@ inline constexpr int card_digits = 6;
 /// of the pad that was fitted is in all its stresses.
 Material card_of(const Fit& fit, std::span<const double> values, const FitReport& report);
 
-/// The case with what was found of it, and the card; nothing where only numbers of a card were sought.
-std::optional<FittedCase> fitted_case_of(const Fit& fit, std::span<const double> values,
-                                         const Material& card);
+/// The case with what was found of it, but for its foam, which is that of the finished card; nothing where
+/// only numbers of a card were sought.
+std::optional<FittedCase> fitted_case_of(const Fit& fit, std::span<const double> values);
 
 /// Whether a material comes from a card, or says itself where it was tested.
 bool is_stated(const Material& material);

@@ -105,7 +105,7 @@ void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitR
   const std::vector<double> values = problem.values(solved.minimum.x);
   report.material = card_of(fit, values, report);
   report.material.uncertainty = uncertainty_of(fit, problem, solved, report, report.material);
-  report.fitted_case = fitted_case_of(fit, values, report.material);
+  report.fitted_case = fitted_case_of(fit, values);
 }
 
 }  // namespace dashpad::fit

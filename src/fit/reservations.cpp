@@ -10,6 +10,7 @@
 #include "fit/card.hpp"
 #include "fit/met.hpp"
 #include "fit/recoil.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::fit {
 
@@ -18,7 +19,7 @@ namespace {
 using Sentences = std::vector<std::string>;
 
 std::string value_words(const FittedUnknown& of, double value) {
-  return fmt::format("{:.4g}{}", value, of.unit == "1" ? "" : " " + of.unit);
+  return brief_quantity(value, of.unit, plain_si(), 4);
 }
 
 void add_open_unknowns(const FitReport& report, Sentences& all) {
@@ -60,8 +61,9 @@ void add_misses(const FitReport& report, Sentences& all) {
           (!worst || std::abs(*of.share()) > std::abs(*worst->share())))
         worst = &of;
     if (worst && std::abs(*worst->share()) > worth_saying)
-      all.push_back(fmt::format("Of {} the {} by the model is {:.2g} % {} what was measured.", worst->file,
-                                title_in_sentence(result_quantity(name.key)), 100 * std::abs(*worst->share()),
+      all.push_back(fmt::format("Of {} the {} by the model is {} % {} what was measured.", worst->file,
+                                title_in_sentence(result_quantity(name.key)),
+                                brief(100 * std::abs(*worst->share()), 2),
                                 *worst->share() < 0 ? "below" : "above"));
   }
 }

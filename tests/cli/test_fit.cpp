@@ -236,7 +236,12 @@ TEST_F(FitTest, RefusesACaseOfWhichNothingWasSought) {
 }
 
 TEST_F(FitTest, SaysInAPipeHowFarItIs) {
-  write_file(file("fit.toml"), with(fit_of_a_support, "starts = 2", "starts = 1000"));
+  // Foam with memory, two unknowns and a thousand starts: many seconds.
+  std::string long_fit = with(with(fit_of_a_support, "case.toml", nine), "case.toml", nine);
+  long_fit =
+      with(long_fit, "[[impacts]]", "\"impactor.radius\" = {bounds = [\"2 in\", \"5 in\"]}\n[[impacts]]");
+  long_fit = with(long_fit, "[fit]", "contact_time = {value = \"12 ms\", deviation = \"5 %\"}\n[fit]");
+  write_file(file("fit.toml"), with(long_fit, "starts = 2", "starts = 1000"));
   const Outcome outcome = shell("\"$DASHPAD\" fit '" + file("fit.toml") + "' 2> '" + file("said") + "' &\n" +
                                 until("[ -s '" + file("said") + "' ]") + "kill -TERM $!; wait $!; cat '" +
                                 file("said") + "' >&2");

@@ -168,6 +168,9 @@ std::vector<std::string> notes_on_noise(const fit::FitReport& report) {
     all.emplace_back(
         "Noise: not stated for all data; where it is not, it is taken from what the fit leaves, one share of "
         "the largest stress of each test.");
+  else if (report.degrees_of_freedom <= 0)
+    all.emplace_back(
+        "Noise: there are as many unknowns as data, so that the misfit says nothing about the model.");
   else if (report.variance_scale > 1)
     all.push_back(
         fmt::format("Noise: chi-squared is {:.3g} per degree of freedom with the stated noise, so that the "
