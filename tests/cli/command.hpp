@@ -99,6 +99,11 @@ inline std::string slowed_until(const std::string& condition) {
          " && break; sleep 0.2; kill -CONT $!; sleep 0.01; done; kill -CONT $!\n";
 }
 
+/// A command of the shell that succeeds once a study has written rows: soon, however many there are to come.
+inline std::string has_rows(const std::string& store) {
+  return "$DASHPAD study export " + store + " --csv - 2> /dev/null | head -n 2 | tail -n +2 | grep -q .";
+}
+
 /// What a run says that was over in less time, s, as the clock of this test has it. It is repeated until one
 /// was, for a machine may be busy; of one that never is so fast nothing can be said.
 template <class Run>
