@@ -27,10 +27,15 @@ constexpr const char* assess_footer = R"(Examples:
   dashpad assess examples/dashboard-20mph.toml --standard en-1177 --drop-height "1.5 m"
   dashpad assess examples/head-on-door-panel.toml --standard fmvss-201-instrument-panel --report ./my-verdict.html
   dashpad assess examples/dashboard-20mph.toml --standard fmvss-218:hemispherical:small --json -
+  dashpad assess examples/helmet-pad-10fps.toml --standard en-1078 --standard cpsc-1203
+  dashpad assess examples/helmet-struck-by-a-ram.toml --standard fmvss-201u --keep-nose --keep-speed
 
 The impactor (mass, radius, speed) is that of the standard, or yours where you give one; pad, support and
 solver are those of the case. What was replaced is said. A standard that leaves a value open takes the case's.
+--keep-nose and --keep-speed keep the nose and the speed of the case. Where the other choice would turn the
+verdict into a pass or a fail, the reservation OTHER NOSE or OTHER SPEED says so.
 Several variants may follow the name, each after a colon. dashpad standards lists names and variants.
+Several standards are assessed one after the other; --json writes an array then.
 
 Every figure has an interval, 95 %, by what is not known of the foam and of the model; docs/theory.md, section 6, says
 what goes into it. Verdicts: pass where every interval is within its limit, fail where one is above its limit as a
@@ -38,23 +43,27 @@ whole, undecided where a limit lies within one. A pad that bottomed out on a rig
 support fails. A pulse that ends before contact is lost (PULSE CUT: a foam that does not unload, on a rigid
 support, or the time limit) gives lower bounds: they fail above a limit and are undecided below. Only the
 peak is judged in full, once the impactor has come to rest. A pass is "with reservations" where the result has a
-flag (EXTRAPOLATED STRAIN, BOTTOMED, PULSE CUT, ...), where the material has an UNKNOWN RANGE, where a value of the
-standard is UNVERIFIED, or where you REPLACED one. It is a computation with one rigid sphere on a flat pad:
+flag (EXTRAPOLATED STRAIN, BOTTOMED, PULSE CUT, ...), where something has NO INTERVAL, where the material has an
+UNKNOWN RANGE, where a value of the standard is UNVERIFIED or from a SECONDARY SOURCE, or where you REPLACED one. It is
+a computation with one rigid sphere on a flat pad:
 no test to the standard, no certification.
 
-Exit codes: 0 pass, also with reservations; 4 fail; 3 no verdict (undecided), or not reliable (the result
-misses the tolerance); 1 a result could not be written; 2 input or command line refused and nothing was run.)";
+Exit codes: 0 pass, also with reservations; 4 fail, also where the tolerance is missed;
+3 no verdict (undecided), or not reliable (the result misses the tolerance); 1 a result could not be written;
+2 input or command line refused and nothing was run. Of several standards 4 if one fails, else 3 if one is
+undecided.)";
 
 struct AssessRequest {
   std::string case_file;
-  std::string standard;
+  std::vector<std::string> standards;
   std::optional<std::string> mass, radius, speed, drop_height;
+  injury::Kept kept;
   std::optional<std::string> json;
   std::optional<std::string> report;
   std::string units;
   output::Detail detail = output::Detail::main;
   std::optional<std::string> tolerance;
-  std::string standards;
+  std::string standard_folder;
   std::string materials;
   bool no_intervals = false;
   bool force = false;
@@ -65,10 +74,19 @@ struct AssessFolders {
   fs::path standards;
 };
 
+/// One of the standards, with the case that has its impactor.
+struct Assessed {
+  injury::Standard own;       ///< with its own nose and speed, where the case has others
+  injury::Standard standard;  ///< with those of the case, where they are kept
+  ImpactCase impact;
+  Solution solution = {};
+  injury::Assessment assessment = {};
+  std::vector<injury::OtherChoice> others = {};
+};
+
 struct AssessInput {
   input::CaseFile given;
-  injury::Standard standard;
-  ImpactCase assessed;
+  std::vector<Assessed> all;
 };
 
 std::vector<Target> targets(const AssessRequest& request) {
@@ -91,6 +109,13 @@ std::optional<double> read_option(const char* option, const std::optional<std::s
 injury::UserValues read_user_values(const AssessRequest& request, Complaints& wrong) {
   if (request.speed && request.drop_height)
     wrong.emplace_back("--drop-height: give --speed or --drop-height, not both");
+  if (request.kept.nose && request.radius)
+    wrong.emplace_back("--keep-nose: give --keep-nose or --radius, not both");
+  if (request.kept.speed && (request.speed || request.drop_height))
+    wrong.push_back(fmt::format("--keep-speed: give --keep-speed or {}, not both",
+                                request.speed ? "--speed" : "--drop-height"));
+  if (request.report && request.standards.size() > 1)
+    wrong.emplace_back("--report: the page is of one standard; give one --standard, or a command for each");
   return {.mass = read_option("--mass", request.mass, "kg", wrong),
           .radius = read_option("--radius", request.radius, "m", wrong),
           .speed = read_option("--speed", request.speed, "m/s", wrong),
@@ -115,12 +140,16 @@ AssessInput read_and_check(const AssessRequest& request, const AssessFolders& fo
   const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
   AssessInput input;
   std::vector<input::InputFile> files;
-  noting_faults(wrong, [&] {
-    const injury::StandardChoice choice = injury::standard_choice(request.standard);
-    files.push_back({"the standard", injury::find_standard(choice.name, folders.standards)});
-    const injury::Standard standard = injury::read_standard(files.back().file);
-    input.standard = injury::with_user_values(injury::with_variants(standard, choice.variants), values);
-  });
+  for (const std::string& name : request.standards)
+    noting_faults(wrong, [&] {
+      const injury::StandardChoice choice = injury::standard_choice(name);
+      files.push_back({"the standard", injury::find_standard(choice.name, folders.standards)});
+      const injury::Standard standard = injury::read_standard(files.back().file);
+      input.all.push_back(
+          {.own = injury::with_user_values(injury::with_variants(standard, choice.variants), values),
+           .standard = {},
+           .impact = {}});
+    });
   std::optional<input::CaseFile> given = read_case(request.case_file, folders.materials, wrong);
   std::ranges::move(files_of(request.case_file, given), std::back_inserter(files));
   judge_targets(targets(request), files, request.force, wrong);
@@ -128,33 +157,61 @@ AssessInput read_and_check(const AssessRequest& request, const AssessFolders& fo
 
   input.given = *std::move(given);
   if (tolerance) input.given.options.tolerance = *tolerance;
-  input.assessed = injury::with_impactor_of(input.standard, input.given.impact);
-  for (const Violation& violation : violations(input.assessed))
-    wrong.push_back(fmt::format("{}, with the impactor of {}: {} = {}: {}", request.case_file,
-                                input.standard.name, violation.key, violation.value, violation.rule));
+  for (Assessed& of : input.all) {
+    of.standard = injury::with_kept(of.own, input.given.impact.impactor, request.kept);
+    of.impact = injury::with_impactor_of(of.standard, input.given.impact);
+    for (const Violation& violation : violations(of.impact))
+      wrong.push_back(fmt::format("{}, with the impactor of {}: {} = {}: {}", request.case_file,
+                                  of.standard.name, violation.key, violation.value, violation.rule));
+  }
   if (!wrong.empty()) throw Refused(std::move(wrong));
   return input;
 }
 
+/// The verdict, and what another choice of nose or speed would have made of it.
+void judge(Assessed& of, const input::CaseFile& given, const AssessRequest& request) {
+  const auto solved = [&](const injury::Standard& standard, const ImpactCase& impact,
+                          const Options& options) {
+    Solution solution = solve_with_progress(impact, options);
+    if (!request.no_intervals)
+      add_intervals_with_progress(impact, options, solution, injury::dwell_levels(standard));
+    return solution;
+  };
+  of.solution = solved(of.standard, of.impact, given.options);
+  of.assessment = injury::assess(of.standard, of.impact, of.solution);
+  Options coarse = given.options;
+  coarse.tolerance = 1e-3;
+  of.others =
+      injury::turning_choices(of.own, given.impact, request.kept, of.assessment.verdict,
+                              [&](const injury::Standard& standard, const ImpactCase& impact) {
+                                return injury::assess(standard, impact, solved(standard, impact, coarse));
+                              });
+  for (const injury::OtherChoice& choice : of.others)
+    of.assessment.reservations.push_back(
+        output::other_choice(choice, of.own, given.impact, unit_system(request.units)));
+}
+
 int run_assessment(const AssessRequest& request, const AssessFolders& folders) {
-  const AssessInput input = read_and_check(request, folders);
-  Solution solution = solve_with_progress(input.assessed, input.given.options);
-  if (!request.no_intervals)
-    add_intervals_with_progress(input.assessed, input.given.options, solution,
-                                injury::dwell_levels(input.standard));
-  const injury::Assessment assessment = injury::assess(input.standard, input.assessed, solution);
-  const output::AssessmentReport report{input.standard, input.given.impact, input.assessed, solution,
-                                        assessment};
+  AssessInput input = read_and_check(request, folders);
+  const UnitSystem& units = unit_system(request.units);
+  int code = exit_done;
+  std::string text;
+  std::vector<output::AssessmentReport> reports;
+  for (Assessed& of : input.all) {
+    judge(of, input.given, request);
+    code = std::max<int>(code, exit_code(of.assessment.verdict, of.solution.summary));
+    reports.push_back({of.standard, input.given.impact, of.impact, of.solution, of.assessment, of.others});
+    text += (text.empty() ? "" : "\n\n") + output::assessment_text(reports.back(), units, request.detail);
+  }
   publish(
       targets(request), request.force,
       [&](const Target& target) {
-        return target.option == "--report" ? output::assessment_page(report, unit_system(request.units))
-                                           : output::assessment_json(report);
+        if (target.option == "--report") return output::assessment_page(reports.front(), units);
+        return reports.size() > 1 ? output::assessments_json(reports)
+                                  : output::assessment_json(reports.front());
       },
-      output::assessment_text(report, unit_system(request.units), request.detail));
-  if (!solution.summary.trustworthy() || assessment.verdict == injury::Verdict::undecided)
-    return exit_not_trusted;
-  return assessment.verdict == injury::Verdict::pass ? int{exit_done} : exit_not_passed;
+      text);
+  return code;
 }
 
 }  // namespace
@@ -163,15 +220,21 @@ void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::App* sub = app.add_subcommand("assess", "Compare a case with the limits of a test standard");
   const auto request = std::make_shared<AssessRequest>();
   sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
-  sub->add_option("--standard", request->standard,
-                  "Preset, with variants if any (dashpad standards lists them)")
+  sub->add_option("--standard", request->standards,
+                  "Preset, with variants if any (dashpad standards lists them); may be given again")
       ->required()
+      ->take_all()
+      ->allow_extra_args(false)
       ->type_name("NAME[:VARIANT]");
   sub->add_option("--speed", request->speed, "Impact speed, such as \"15 mph\"")->type_name("V");
   sub->add_option("--drop-height", request->drop_height, "Height of a free fall that gives the speed")
       ->type_name("H");
   sub->add_option("--mass", request->mass, "Mass of the impactor, such as \"6.8 kg\"")->type_name("M");
   sub->add_option("--radius", request->radius, "Radius of the sphere, such as \"82.5 mm\"")->type_name("R");
+  sub->add_flag("--keep-nose", request->kept.nose, "The nose of the case, whatever the standard has")
+      ->disable_flag_override();
+  sub->add_flag("--keep-speed", request->kept.speed, "The speed of the case, whatever the standard has")
+      ->disable_flag_override();
   sub->add_option("--json", request->json, "Write the assessment as JSON, SI and g (- for standard output)")
       ->type_name("FILE");
   add_report(*sub, request->report);
@@ -180,13 +243,13 @@ void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
   add_tolerance(*sub, request->tolerance);
   add_no_intervals(*sub, request->no_intervals);
   add_force(*sub, request->force);
-  add_standard_folder(*sub, request->standards);
+  add_standard_folder(*sub, request->standard_folder);
   add_material_folder(*sub, request->materials);
   sub->footer(assess_footer);
   sub->callback([request, &action, executable] {
     action = [request, executable] {
       return run_assessment(*request, {chosen_folder(request->materials, executable),
-                                       chosen_standards(request->standards, executable)});
+                                       chosen_standards(request->standard_folder, executable)});
     };
   });
 }

@@ -58,6 +58,19 @@ CLI::Option* add_report(CLI::App& app, std::optional<std::string>& file) {
       ->type_name("FILE");
 }
 
+ExitCode exit_code(const Summary& summary) {
+  return summary.trustworthy() || bottomed_on_rigid_support(summary) ? exit_done : exit_not_trusted;
+}
+
+ExitCode exit_code(injury::Verdict verdict, const Summary& summary) {
+  switch (verdict) {
+    case injury::Verdict::fail: return exit_not_passed;
+    case injury::Verdict::undecided: return exit_not_trusted;
+    case injury::Verdict::pass: break;
+  }
+  return exit_code(summary);
+}
+
 void judge_picture(const std::optional<std::string>& file, std::vector<std::string>& wrong) {
   if (file && !output::picture_format(*file))
     wrong.push_back(fmt::format("--picture {}: must end in .svg, .png or .pdf", *file));

@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "dashpad/impact/blows.hpp"
+#include "dashpad/injury/standard.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/input/fault.hpp"
 #include "dashpad/output/text/result.hpp"
@@ -25,6 +26,13 @@ enum ExitCode {
   exit_not_trusted = 3,  ///< no verdict, or not reliable: results are there, but miss the tolerance
   exit_not_passed = 4,   ///< a standard's limit is exceeded, or a rule of the validation is missed
 };
+
+/// Of an impact that was solved. A pad that bottomed out on a rigid support is a result, also where the
+/// tolerance is missed before it.
+ExitCode exit_code(const Summary& summary);
+/// Of a verdict about it: a limit that is exceeded outweighs whatever is missed elsewhere. Of several
+/// verdicts the greatest counts.
+ExitCode exit_code(injury::Verdict verdict, const Summary& summary);
 
 /// What a subcommand does once the command line is read; returns the exit code.
 using Action = std::function<int()>;

@@ -145,7 +145,7 @@ int export_curves(const ExportRequest& request, const std::filesystem::path& mat
   publish(
       {{"--out", request.out}}, request.force, [&](const Target&) { return format_of(request).text(file); },
       account(request, file));
-  return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
+  return exit_code(solution.summary);
 }
 
 void add_options(CLI::App& sub, ExportRequest& request) {

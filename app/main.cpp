@@ -41,7 +41,7 @@ Exit codes:
   1  a result could not be written (full disk, ...), or the program failed
   2  input or command line refused; nothing was run, nothing was written
   3  no verdict, or not reliable: results are there but miss the tolerance, or assess cannot decide
-  4  assess: a limit of the standard is exceeded; validate --strict: a rule is missed)";
+  4  assess: a limit of a standard is exceeded, whatever else is missed; validate --strict: a rule is missed)";
 
 struct Command {
   const char* group;  ///< of the help

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -38,7 +39,7 @@ is kept unless --force is given. A file is written whole or not at all.
 
 Exit codes: 0 done (also when the pad bottomed out or the time limit was reached), 1 a result could not be written,
 2 input or command line refused and nothing was run, 3 not reliable: results are there but miss the
-tolerance.)";
+tolerance, of a pad that did not bottom out.)";
 
 struct RunRequest {
   std::string case_file;
@@ -57,9 +58,8 @@ int run(const RunRequest& request, const std::filesystem::path& materials) {
   if (!request.no_intervals) add_intervals_with_progress(blows.back().impact, input.options, solution);
   publish(request.files, {input.impact, input.options, solution,
                           input.impact.blows ? std::span(blows) : std::span<const Blow>{}});
-  const bool all_trusted =
-      std::ranges::all_of(blows, [](const Blow& blow) { return blow.solution.summary.trustworthy(); });
-  return all_trusted ? exit_done : exit_not_trusted;
+  return std::ranges::max(
+      blows | std::views::transform([](const Blow& blow) { return exit_code(blow.solution.summary); }));
 }
 
 }  // namespace

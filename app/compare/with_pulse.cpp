@@ -68,7 +68,7 @@ int compare_with_pulse(const CompareRequest& request, const std::filesystem::pat
                            *output::picture_format(target.file));
   };
   publish(targets(request), request.force, text_of, output::pulse_comparison_text(report, units));
-  return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
+  return exit_code(solution.summary);
 }
 
 void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time_step) {

@@ -115,7 +115,7 @@ int run_replay(const StudyReplayRequest& request) {
   const std::vector<std::string> different = differences(result, store);
   publish(request.files, {result.impact, result.options, result.solution, result.blows},
           heading(result, store, unit_system(request.files.units)), verdict(different, store));
-  return different.empty() && result.solution.summary.trustworthy() ? exit_done : exit_not_trusted;
+  return different.empty() ? exit_code(result.solution.summary) : exit_not_trusted;
 }
 
 }  // namespace

@@ -158,9 +158,10 @@ void add_reservations_about(const Standard& standard, std::vector<Flag>& reserva
   const std::pair<const char*, const StandardValue*> values[]{
       {"mass", &standard.mass}, {"radius", &standard.radius}, {"speed", &standard.speed}};
   for (const auto& [name, value] : values) {
+    const bool is_other_nose = value == &standard.radius && !value->value;
     if (value->instead)
-      reservations.push_back(
-          {"REPLACED", std::string("REPLACED: the ") + name + " is not that of the standard"});
+      reservations.push_back({"REPLACED", std::string("REPLACED: the ") + (is_other_nose ? "nose" : name) +
+                                              " is not that of the standard"});
     if (value->value && !value->chosen_by_user) add(value->origin, name);
   }
   for (const Criterion& criterion : standard.criteria) add(criterion.origin, limit_of(criterion));

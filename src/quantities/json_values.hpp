@@ -37,4 +37,16 @@ inline std::string json_text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+/// The layout of all results that the command writes as JSON: a greater number where a key has gone, or means
+/// something else.
+constexpr int result_format = 2;
+
+/// A result, with its format before everything else.
+inline Json result_with_format(const Json& result) {
+  Json whole{{"format", result_format}};
+  whole.update(result);
+  return whole;
+}
+inline std::string result_json_text(const Json& result) { return json_text(result_with_format(result)); }
+
 }  // namespace dashpad

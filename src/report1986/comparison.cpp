@@ -219,7 +219,7 @@ std::string comparison_json(const Comparison& comparison) {
                     {"time_step_of_1984_s", comparison.time_step},
                     {"dimension_of_1984", comparison.dimension},
                     {"program", program_json()}};
-  return json_text(result);
+  return result_json_text(result);
 }
 
 output::Plot comparison_plot(const Comparison& comparison, const ImpactCase& impact,

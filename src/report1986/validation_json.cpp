@@ -230,7 +230,7 @@ std::string validation_json(const Study& study) {
                     {"predictions_of_the_tests", array(study.at_tests, prediction_json)},
                     {"predictions_over_speed", array(study.on_curves, prediction_json)},
                     {"program", program_json()}};
-  return json_text(result);
+  return result_json_text(result);
 }
 
 }  // namespace dashpad::report1986

@@ -67,7 +67,7 @@ std::string run_json(const Deck& deck, const Settings& settings, const Run& run)
                       {"precision_tolerance", settings.precision_tolerance}}},
                     {"deck", deck_json(deck)},
                     {"dashpad", {{"version", version()}, {"commit", build_facts().git_commit}}}};
-  return json_text(result);
+  return result_json_text(result);
 }
 
 std::string run_csv(const Run& run) {

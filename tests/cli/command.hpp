@@ -83,7 +83,9 @@ inline Outcome run_program(std::vector<std::string> arguments) {
 
 /// A shell script in which $DASHPAD is the command.
 inline Outcome shell(const std::string& script) {
-  return run_program({"/bin/sh", "-c", "DASHPAD='" DASHPAD_COMMAND "'\n" + script});
+  // Also where the tests themselves were started in the background, with signals ignored for good.
+  return run_program({"/usr/bin/env", "--default-signal=HUP,INT,TERM", "/bin/sh", "-c",
+                      "DASHPAD='" DASHPAD_COMMAND "'\n" + script});
 }
 
 /// A line of a script that waits until a command of the shell succeeds, for ten minutes at most: a machine
@@ -97,6 +99,11 @@ inline std::string until(const std::string& condition) {
 inline std::string slowed_until(const std::string& condition) {
   return "for i in $(seq 3000); do kill -STOP $!; " + condition +
          " && break; sleep 0.2; kill -CONT $!; sleep 0.01; done; kill -CONT $!\n";
+}
+
+/// A command of the shell that succeeds once a study has written rows: soon, however many there are to come.
+inline std::string has_rows(const std::string& store) {
+  return "$DASHPAD study export " + store + " --csv - 2> /dev/null | head -n 2 | tail -n +2 | grep -q .";
 }
 
 /// What a run says that was over in less time, s, as the clock of this test has it. It is repeated until one

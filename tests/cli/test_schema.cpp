@@ -43,6 +43,40 @@ TEST(Schema, DescribesEveryKeyAndItsUnit) {
 
 class SchemaTest : public CommandTest {};
 
+/// Whatever command wrote it.
+TEST_F(SchemaTest, EveryResultBeginsWithItsFormat) {
+  write_file(file("study.toml"),
+             "case = \"case.toml\"\nresponses = [\"peak_force\"]\n"
+             "[factors.\"impactor.speed\"]\nvalues = [\"2 m/s\", \"3 m/s\"]\n");
+  ASSERT_EQ(dashpad({"study", file("study.toml"), "--out", file("study.db"), "--quiet"}).exit_code, 0);
+  write_file(file("pulse.csv"), "time_s,acceleration_g\n0,0\n0.002,20\n0.004,40\n0.006,20\n0.008,0\n");
+  const std::string fits = examples + "fits/vn600.toml";
+  const std::vector<std::vector<std::string>> commands{
+      {"run", case_file()},
+      {"assess", case_file(), "--standard", "fmvss-208-hic15"},
+      {"assess", case_file(), "--standard", "fmvss-208-hic15", "--standard", "en-1078"},
+      {"pulse", file("pulse.csv")},
+      {"compare", case_file()},
+      {"compare", case_file(), "--pulse", file("pulse.csv")},
+      {"post-impact", case_file(), "--other-mass", "100 kg"},
+      {"spit1984", case_file()},
+      {"material-test", "ensolite-aac-9", "--test", "constant-rate", "--rate", "10"},
+      {"fit", fits},
+      {"study", "summary", file("study.db")},
+      {"study", "replay", file("study.db"), "1"},
+      {"validate"},
+  };
+  for (std::vector<std::string> command : commands) {
+    SCOPED_TRACE(testing::PrintToString(command));
+    command.insert(command.end(), {"--json", "-"});
+    const Outcome outcome = dashpad(command);
+    ASSERT_TRUE(json::accept(outcome.out)) << outcome.out << outcome.err;
+    const json result = json::parse(outcome.out);
+    for (const json& one : result.is_array() ? result : json::array({result})) EXPECT_EQ(one["format"], 2);
+    EXPECT_THAT(outcome.out, testing::ContainsRegex("^(\\[\n  )?\\{\n +\"format\": 2,\n"));
+  }
+}
+
 TEST_F(SchemaTest, DescribesEveryNoseAndTheFaceOfThePad) {
   for (const std::string nose :
        {"nose = \"cone\"\nradius = \"3 in\"\nhalf_angle = \"60 deg\"",

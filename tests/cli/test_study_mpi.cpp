@@ -46,10 +46,6 @@ class StudyMpiTest : public CommandTest {
   std::string command(const std::string& store) {
     return "$DASHPAD study " + file("study.toml") + " --out " + file(store) + " --quiet";
   }
-  /// A command that succeeds once the store has rows.
-  std::string has_rows(const std::string& store) {
-    return "$DASHPAD study summary " + file(store) + " > /dev/null 2> /dev/null";
-  }
   /// Runs a script in which $RANKS starts that many ranks. Open MPI keeps memory until the end, from plugins
   /// that are gone by then: a build with AddressSanitizer is not to report it.
   static Outcome with_ranks(int ranks, const std::string& script) {
@@ -87,7 +83,7 @@ TEST_F(StudyMpiTest, TwoAndThreeRanksGiveTheRowsOfOneProcess) {
 /// A rank that ends in the middle of its batch: the job ends with it, the store stays good.
 TEST_F(StudyMpiTest, GoesOnAfterARankWasKilled) {
   const std::string kill_one = "$RANKS sh -c 'if [ \"$OMPI_COMM_WORLD_RANK\" = 1 ]; then (" +
-                               until(with(has_rows("killed.db"), "$DASHPAD", "\"$0\"")) +
+                               until(with(has_rows(file("killed.db")), "$DASHPAD", "\"$0\"")) +
                                "kill -9 $$) & fi; exec " + with(command("killed.db"), "$DASHPAD", "\"$0\"") +
                                "' \"$DASHPAD\"";
   const std::string rows = interrupt(3, kill_one, "killed.db");
@@ -100,10 +96,10 @@ TEST_F(StudyMpiTest, GoesOnAfterARankWasKilled) {
 }
 
 TEST_F(StudyMpiTest, ATerminatedJobGoesOn) {
-  const std::string rows = interrupt(
-      2,
-      "$RANKS " + command("stopped.db") + " &\n" + until(has_rows("stopped.db")) + "kill -TERM $!; wait $!",
-      "stopped.db");
+  const std::string rows = interrupt(2,
+                                     "$RANKS " + command("stopped.db") + " &\n" +
+                                         until(has_rows(file("stopped.db"))) + "kill -TERM $!; wait $!",
+                                     "stopped.db");
   const Outcome whole = with_ranks(2, "$RANKS " + command("stopped.db"));
   EXPECT_EQ(whole.exit_code, 0) << whole.err;
   EXPECT_THAT(whole.out,

@@ -2,9 +2,11 @@
 /// Standards and assessments for people and for programs.
 
 #include <string>
+#include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/injury/other_choice.hpp"
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/output/text/result.hpp"
 #include "dashpad/quantities/unit_system.hpp"
@@ -28,7 +30,13 @@ struct AssessmentReport {
   const ImpactCase& assessed;
   const Solution& solution;
   const injury::Assessment& assessment;
+  std::vector<injury::OtherChoice> others = {};  ///< that turn the verdict; each has its reservation, too
 };
+
+/// The reservation for another choice of nose or speed: "OTHER SPEED: with the case's own speed, 6.7 m/s, the
+/// verdict is fail (HIC(d) 1005): --keep-speed". `standard` has its own nose and speed.
+Flag other_choice(const injury::OtherChoice& choice, const injury::Standard& standard,
+                  const ImpactCase& given, const UnitSystem& units);
 
 /// The verdict, a row a criterion with its margin, the reservations, what was replaced and what was kept.
 /// Errors stand beside values where they leave a criterion undecided, or with Detail::all.
@@ -39,5 +47,7 @@ std::string assessment_page(const AssessmentReport& report, const UnitSystem& un
 
 /// The same in SI, with the summary of the impact as `dashpad run --json` writes it under "result".
 std::string assessment_json(const AssessmentReport& report);
+/// An array of them.
+std::string assessments_json(const std::vector<AssessmentReport>& reports);
 
 }  // namespace dashpad::output

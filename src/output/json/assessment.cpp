@@ -11,8 +11,8 @@ namespace dashpad::output {
 namespace {
 
 std::string taken_from(const injury::StandardValue& value) {
-  if (value.chosen_by_user) return "user";
-  return value.value ? "standard" : "case";
+  if (!value.value) return "case";
+  return value.chosen_by_user ? "user" : "standard";
 }
 
 Json input(const injury::StandardValue& value, double used, double of_case) {
@@ -89,9 +89,25 @@ Json texts(const std::vector<Flag>& reservations) {
   return array;
 }
 
-}  // namespace
+/// What another choice of nose or speed would have said.
+Json other_choices(const std::vector<injury::OtherChoice>& others) {
+  const auto choice = [](bool is_other, bool is_kept) {
+    return is_other ? Json(is_kept ? "case" : "standard") : Json(nullptr);
+  };
+  Json array = Json::array();
+  for (const injury::OtherChoice& other : others) {
+    Json criteria = Json::array();
+    for (const injury::CriterionResult& result : other.assessment.results)
+      criteria.push_back(criterion(result));
+    array.push_back({{"nose", choice(other.other.nose, other.kept.nose)},
+                     {"speed", choice(other.other.speed, other.kept.speed)},
+                     {"verdict", to_string(other.assessment.verdict)},
+                     {"criteria", std::move(criteria)}});
+  }
+  return array;
+}
 
-std::string assessment_json(const AssessmentReport& report) {
+Json assessment(const AssessmentReport& report) {
   const injury::Standard& standard = report.standard;
   Json criteria = Json::array();
   for (const injury::CriterionResult& result : report.assessment.results)
@@ -109,11 +125,22 @@ std::string assessment_json(const AssessmentReport& report) {
                       {"source_kind", to_string(standard.source_kind)},
                       {"note", standard.note}};
   json["impactor"] = impactor(report);
+  json["other_choices"] = other_choices(report.others);
   json["criteria"] = criteria;
   json["figures"] = key_figures(report.assessment.figures);
   json["result"] = Json::parse(
       result_json(report.assessed, report.solution.summary, injury::whole_pulse_figures(report.solution)));
-  return json_text(json);
+  return json;
+}
+
+}  // namespace
+
+std::string assessment_json(const AssessmentReport& report) { return result_json_text(assessment(report)); }
+
+std::string assessments_json(const std::vector<AssessmentReport>& reports) {
+  Json array = Json::array();
+  for (const AssessmentReport& report : reports) array.push_back(result_with_format(assessment(report)));
+  return json_text(array);
 }
 
 }  // namespace dashpad::output

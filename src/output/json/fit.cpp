@@ -125,7 +125,7 @@ std::string fit_json(const fit::FitReport& report) {
   for (const fit::MetFigure& of : report.figures) figures.push_back(met_figure_json(of));
   for (const fit::MetPulse& of : report.pulses) pulses.push_back(met_pulse_json(of));
   for (const fit::ImpactComparison& of : report.comparison) comparison.push_back(comparison_json(of));
-  return json_text(
+  return result_json_text(
       {{"title", report.title},
        {"converged", report.converged},
        {"why_not", report.why_not},

@@ -141,10 +141,10 @@ Json run_json(const laboratory::MaterialTestReport& report, const laboratory::Ma
 std::string material_test_json(const laboratory::MaterialTestReport& report) {
   Json runs = Json::array();
   for (const laboratory::MaterialTestRun& run : report.runs) runs.push_back(run_json(report, run));
-  return json_text({{"test", request_json(report.test)},
-                    {"material", material_json(report.material)},
-                    {"runs", runs},
-                    {"program", program_json()}});
+  return result_json_text({{"test", request_json(report.test)},
+                           {"material", material_json(report.material)},
+                           {"runs", runs},
+                           {"program", program_json()}});
 }
 
 }  // namespace dashpad::output

@@ -38,7 +38,7 @@ std::string post_impact_json(const Body& first, const Body& second, const Impact
       {"solved_as",
        {{"mass_kg", number(impact.impactor.mass)}, {"speed_m_per_s", number(impact.impactor.speed)}}},
       {"program", program_json()}};
-  return json_text(result);
+  return result_json_text(result);
 }
 
 }  // namespace dashpad::output

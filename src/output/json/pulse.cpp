@@ -109,7 +109,7 @@ std::string pulse_json(const injury::PulseReport& report) {
       {"filter", filter(report)},
       {"samples", report.pulse.time.size()}};
   result["program"] = program_json();
-  return json_text(result);
+  return result_json_text(result);
 }
 
 std::string pulse_csv(const injury::PulseReport& report, const UnitSystem& units) {

@@ -71,7 +71,7 @@ std::string pulse_comparison_json(const PulseComparisonReport& report) {
                     {"flags", flags_json(flags(summary))}};
   result["pulse"] = pulse_json_of(report);
   result["program"] = program_json();
-  return json_text(result);
+  return result_json_text(result);
 }
 
 }  // namespace dashpad::output

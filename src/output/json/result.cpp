@@ -217,7 +217,7 @@ std::string result_json(const ImpactCase& impact, const Summary& summary,
   result["solver"] = solver(summary);
   result["case"] = echo(impact);
   result["program"] = program_json();
-  return json_text(result);
+  return result_json_text(result);
 }
 
 }  // namespace dashpad::output

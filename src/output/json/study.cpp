@@ -123,7 +123,7 @@ std::string study_json(const study::StudyAnswers& answers) {
                {"interval", 0.95},
                {"groups", groups}};
   if (answers.cushion_curves) json["cushion_curves"] = cushion_json(*answers.cushion_curves);
-  return json_text(json);
+  return result_json_text(json);
 }
 
 }  // namespace dashpad::output
