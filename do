@@ -24,6 +24,8 @@ Usage: ./do TASK [arguments]
   coverage                 run the tests and report the lines they reach
   fuzz [TARGET] [SECONDS]  feed made-up bytes to the readers of files, each for SECONDS (default: 300), or to one of
                            them (tests/fuzz/fuzz_TARGET.cpp); what breaks them goes to build/fuzz/findings
+  nightly                  what takes longer than the tests: fits to 60 made-up mats of known truth (some ten minutes),
+                           answers against finer ones over 2,000 random cases
   clean                    remove build/
   install-packages [GROUP...]
                            install the Debian packages of packages.txt (default: all groups)
@@ -276,6 +278,15 @@ task_fuzz() {
   done
 }
 
+task_nightly() {
+  need_packages run test
+  say "Building ..."
+  configure release -DDASHPAD_BUILD_TESTS=ON
+  build release compare_answers mats_of_known_truth
+  "$root/build/release/tests/mats_of_known_truth" --least 54
+  "$root/build/release/tests/compare_answers" --cases 2000 --kind plausible --finer 20
+}
+
 task_clean() { rm -rf "$root/build"; }
 
 task_install_packages() { need_packages "$@"; }
@@ -283,7 +294,7 @@ task_install_packages() { need_packages "$@"; }
 task="${1:-help}"
 [[ $# -eq 0 ]] || shift
 case "$task" in
-  run | test | bench | pictures | format | lint | coverage | fuzz | clean | install-packages) "task_${task//-/_}" "$@" ;;
+  run | test | bench | pictures | format | lint | coverage | fuzz | nightly | clean | install-packages) "task_${task//-/_}" "$@" ;;
   help | -h | --help) help ;;
   *)
     help >&2

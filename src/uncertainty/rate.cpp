@@ -60,21 +60,6 @@ struct Growth {
   double exponent = 0;  ///< the largest
 };
 
-double highest_tested(const FoamCurves& curves) {
-  return std::visit(
-      [&]<class Effect>(const Effect& effect) {
-        if constexpr (std::is_same_v<Effect, PowerRateEffect>)
-          return effect.highest_rate;
-        else if constexpr (std::is_same_v<Effect, FactorRateEffect>)
-          return effect.rate.back();
-        else if constexpr (std::is_same_v<Effect, CurvesRateEffect>)
-          return effect.curves.back().rate;
-        else
-          return curves.slowest_rate;
-      },
-      curves.rate_effect);
-}
-
 void grow(Material& material, PadCondition& condition, const Growth& by, double place) {
   if (by.reached < by.tested) {
     condition.scale *= std::pow(by.reached / by.tested, place * by.exponent);
@@ -83,7 +68,7 @@ void grow(Material& material, PadCondition& condition, const Growth& by, double 
   std::visit(
       [&]<class Law>(Law& law) {
         if constexpr (SharesSlip<Law>)
-          grow_beyond(law.curves, highest_tested(law.curves), by.reached, place * by.exponent);
+          grow_beyond(law.curves, tested_range(law.curves).highest_rate, by.reached, place * by.exponent);
         // The power of laws 4 and 5 goes on by itself; the other end is that it stops.
         if constexpr (std::is_same_v<Law, NineParameter>)
           law.rate_modulus *= std::pow(by.tested / by.reached, place * by.exponent);
@@ -99,7 +84,7 @@ std::optional<double> exponent_of(const Material& material) {
   return std::visit(
       []<class Law>(const Law& law) -> std::optional<double> {
         if constexpr (SharesSlip<Law>) {
-          if (const auto last = last_exponent(law.curves, highest_tested(law.curves))) return last;
+          if (const auto last = last_exponent(law.curves, tested_range(law.curves).highest_rate)) return last;
           return std::is_same_v<Law, CrushableFoam> ? usual_exponent_of_crushable : usual_exponent;
         } else if constexpr (std::is_same_v<Law, NineParameter> || std::is_same_v<Law, TwentyOneParameter>) {
           return law.rate_exponent;

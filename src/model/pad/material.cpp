@@ -111,7 +111,12 @@ void check_uncertainty(const Material& material, std::vector<Violation>& broken)
                           fmt::format("must have {} numbers a row, one for each of keys", axes.keys.size())});
 }
 
-/// Where the curves of a foam were tested.
+}  // namespace
+
+bool is_of_parameters(std::string_view key) {
+  return !key.starts_with("curve.") && !key.starts_with("rate.") && !key.starts_with("unloading.");
+}
+
 FittedRange tested_range(const FoamCurves& curves) {
   const auto highest_rate = [&]<class Effect>(const Effect& effect) {
     if constexpr (std::is_same_v<Effect, PowerRateEffect>)
@@ -126,12 +131,6 @@ FittedRange tested_range(const FoamCurves& curves) {
   return {.highest_strain = last_strain_of(curves.base),
           .lowest_rate = curves.slowest_rate,
           .highest_rate = std::visit(highest_rate, curves.rate_effect)};
-}
-
-}  // namespace
-
-bool is_of_parameters(std::string_view key) {
-  return !key.starts_with("curve.") && !key.starts_with("rate.") && !key.starts_with("unloading.");
 }
 
 std::string name_of(Beyond beyond) {

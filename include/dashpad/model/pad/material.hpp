@@ -45,6 +45,9 @@ struct Material {
   std::vector<std::pair<std::string, std::string>> also_published = {};
 };
 
+/// Where the curves of a foam were tested.
+FittedRange tested_range(const FoamCurves& curves);
+
 /// Where the law was fitted or its curves were tested; nothing where that is not stated.
 std::optional<FittedRange> range_of(const Material& material);
 
