@@ -101,7 +101,8 @@ CriterionResult judge(const Criterion& criterion, const Solution& solution, cons
   result.value = value.value;
   result.error = value.error;
   if (const auto& intervals = solution.summary.intervals)
-    if (const FigureInterval* of = intervals->find(quantity_of(criterion.metric).key, criterion.level))
+    if (const FigureInterval* of = intervals->find(
+            quantity_of(criterion.metric).key, criterion.metric == Metric::dwell_time ? criterion.level : 0))
       result.interval = *of;
   result.lower_bound = is_lower_bound(criterion.metric, solution.summary);
   result.verdict = verdict_of(result);

@@ -188,7 +188,7 @@ TEST_F(MaterialTestTest, SaysWhatIsExtrapolated) {
                     HasSubstr("(psi)"), HasSubstr("(in·lbf/in³)")));
   const json flags = answered({"ensolite-aac-9", "--rate", "100", "--test", "parabolic"})["runs"][0]["flags"];
   ASSERT_FALSE(flags.empty());
-  EXPECT_EQ(flags[0]["name"], "EXTRAPOLATED STRAIN");
+  EXPECT_EQ(flags[0]["name"], "EXTRAPOLATED RATE");
   EXPECT_THAT(flags[0]["text"].get<std::string>(), HasSubstr("rate reaches 200 per second"));
   EXPECT_THAT(material_test({file("spring.toml")}).out, HasSubstr("states no fitted range"));
 }

@@ -84,7 +84,7 @@ Found walk(const json& object, const std::set<std::string>& containers, const st
            bool of_errors = false) {
   Found found;
   for (const auto& [key, value] : object.items()) {
-    if (passed.contains(key)) continue;
+    if (passed.contains(key) || key == "format") continue;
     if (containers.contains(key)) {
       const Found inside = walk(value, containers, passed, key == "errors");
       found.known.insert(found.known.end(), inside.known.begin(), inside.known.end());

@@ -12,7 +12,11 @@ const quiet = { complaints: [], requests: [] };
 const cards = ["--materials", join(source, "materials")];
 
 function dashpad(...words) {
-  execFileSync(command, words, { stdio: "pipe" });
+  try {
+    execFileSync(command, words, { stdio: "pipe" });
+  } catch (error) {
+    if (words[0] !== "assess" || ![3, 4].includes(error.status)) throw error;  // a verdict
+  }
 }
 
 function written(name, ...words) {

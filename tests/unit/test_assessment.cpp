@@ -196,8 +196,8 @@ TEST(assessment, an_extrapolated_result_is_no_unqualified_pass) {
   solution.summary.extrapolations = {{Beyond::strain, "strain too large"}, {Beyond::rate, "rate too large"}};
   const Assessment assessment = assess_peak(200 * g, solution);
   EXPECT_EQ(to_string(assessment), "pass, with reservations");
-  EXPECT_THAT(assessment.reservations,
-              ElementsAre(says("EXTRAPOLATED: strain too large"), says("EXTRAPOLATED: rate too large")));
+  EXPECT_THAT(assessment.reservations, ElementsAre(says("EXTRAPOLATED STRAIN: strain too large"),
+                                                   says("EXTRAPOLATED RATE: rate too large")));
 }
 
 TEST(assessment, an_unknown_range_is_no_unqualified_pass) {
@@ -280,6 +280,7 @@ Solution bottomed_out() {
   solution.history.acceleration.resize(301);
   solution.summary = test::bottomed_out_summary();
   solution.summary.errors = {};
+  solution.summary.intervals = Intervals{};
   return solution;
 }
 

@@ -125,10 +125,8 @@ std::string assessment_page(const AssessmentReport& report, const UnitSystem& un
   basis.push_back(assessment_caveat());
   page.sections.push_back({.heading = "Criteria", .tables = {criteria_table(report, units)}});
   if (const auto& intervals = report.solution.summary.intervals; intervals && !intervals->figures.empty()) {
-    page.sections.push_back(
-        {.heading = "How sure", .tables = {interval_table(report.solution.summary, units)}});
-    for (const std::string& line : unknown_words(*intervals))
-      page.sections.back().paragraphs.push_back("No interval for " + line + ".");
+    page.sections.back().tables.push_back(interval_table(report.solution.summary, units));
+    page.sections.back().paragraphs.push_back(source_paragraph(*intervals));
   }
   page.sections.push_back({.heading = "What it rests on", .paragraphs = std::move(basis)});
   if (std::optional<Plot> foam = foam_curve_plot(report.assessed.pad, report.solution.summary, units))

@@ -135,8 +135,7 @@ FiguresPage texts_in_units(const ImpactCase& impact, const Options& options, con
   PageSection figures{.heading = "Figures"};
   if (summary.intervals && !summary.intervals->figures.empty()) {
     basis.tables.push_back(interval_table(summary, units));
-    for (const std::string& line : unknown_words(*summary.intervals))
-      basis.paragraphs.push_back("No interval for " + line + ".");
+    basis.paragraphs.push_back(source_paragraph(*summary.intervals));
   }
   if (!blows.empty()) {
     figures.paragraphs.push_back(growth_text(impact, blows));

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "output/text/capitals.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -78,31 +79,37 @@ void add_intervals(std::vector<ResultRow>& rows, const Summary& summary, const U
 }
 
 Table interval_table(const Summary& summary, const UnitSystem& units) {
-  Table table{.caption = "Each alone, and all together", .columns = {"What is not known"}, .rows = {}};
   const Intervals& intervals = *summary.intervals;
-  std::vector<const FigureInterval*> figures;
+  Table table{
+      .caption = "By what each figure may be otherwise", .columns = {"Figure", "All together"}, .rows = {}};
+  std::vector<Source> open;
+  for (const OpenSource& of : intervals.sources)
+    if (of.why_not.empty() && std::ranges::find(open, of.source) == open.end()) open.push_back(of.source);
+  for (const Source source : open) table.columns.push_back(capitalised(to_string(source)));
+  double before = 0;
   for (const char* key : {"peak_acceleration", "hic15", "hic36", "hic_unlimited", "hic_d", "clip_3ms",
-                          "severity_index", "peak_penetration", "rebound_speed"})
-    // Windows that are one have one column.
-    if (const FigureInterval* of = intervals.find(key);
-        of && (figures.empty() || of->nominal != figures.back()->nominal))
-      figures.push_back(of);
-  for (const FigureInterval* of : figures) table.columns.push_back(result_quantity(of->key).title);
-  const auto add_row = [&](std::string words, const auto& cell) {
-    std::vector<std::string> row{std::move(words)};
-    for (const FigureInterval* of : figures) row.push_back(cell(*of));
-    table.rows.push_back(std::move(row));
-  };
-  for (const OpenSource& source : intervals.sources)
-    add_row(one_line(source.words), [&](const FigureInterval& of) -> std::string {
-      if (!source.why_not.empty()) return "no interval";
-      for (const Contribution& each : of.sources)
-        if (each.source == source.source)
-          return range_words(each.low, each.high, result_quantity(of.key).si_unit, units);
-      return "-";
-    });
-  add_row("All together", [&](const FigureInterval& of) { return interval_words(of, units); });
+                          "severity_index", "peak_penetration", "rebound_speed"}) {
+    const FigureInterval* const figure = intervals.find(key);
+    // Windows that are one have one row.
+    if (figure == nullptr || figure->nominal == before) continue;
+    before = figure->nominal;
+    const ResultQuantity& quantity = result_quantity(key);
+    table.rows.push_back({quantity.title, interval_words(*figure, units)});
+    for (const Source source : open) {
+      const auto of = std::ranges::find(figure->sources, source, &Contribution::source);
+      table.rows.back().push_back(
+          of == figure->sources.end() ? "-" : range_words(of->low, of->high, quantity.si_unit, units));
+    }
+  }
   return table;
+}
+
+std::string source_paragraph(const Intervals& intervals) {
+  std::vector<std::string> all;
+  for (const OpenSource& of : intervals.sources)
+    all.push_back(fmt::format("{}: {}{}", to_string(of.source), one_line(of.words),
+                              of.why_not.empty() ? "" : "; no interval, for " + one_line(of.why_not)));
+  return all.empty() ? "" : capitalised(joined(all)) + ".";
 }
 
 std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units, Detail detail) {

@@ -27,9 +27,10 @@ std::vector<std::string> unknown_words(const Intervals& intervals);
 /// Beside each row its interval, where it has one.
 void add_intervals(std::vector<ResultRow>& rows, const Summary& summary, const UnitSystem& units);
 
-/// What is not known, a row each, with what each figure is by it alone; then what has no interval, then all
-/// together.
+/// A figure a row: with all that is not known together, then with each source alone.
 Table interval_table(const Summary& summary, const UnitSystem& units);
+/// The sources in words, and why one gives no interval.
+std::string source_paragraph(const Intervals& intervals);
 
 /// What the intervals of a result are and rest on, a paragraph each: the figure that is asked for first, or
 /// with Detail::all every one. Empty without intervals.
