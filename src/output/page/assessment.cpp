@@ -125,7 +125,10 @@ std::string assessment_page(const AssessmentReport& report, const UnitSystem& un
   basis.push_back(assessment_caveat());
   page.sections.push_back({.heading = "Criteria", .tables = {criteria_table(report, units)}});
   if (const auto& intervals = report.solution.summary.intervals; intervals && !intervals->figures.empty()) {
-    page.sections.back().tables.push_back(interval_table(report.solution.summary, units));
+    std::vector<std::string> limited;
+    for (const injury::CriterionResult& of : assessment.results)
+      limited.emplace_back(injury::quantity_of(of.criterion.metric).key);
+    page.sections.back().tables.push_back(interval_table(report.solution.summary, units, limited));
     page.sections.back().paragraphs.push_back(source_paragraph(*intervals));
   }
   page.sections.push_back({.heading = "What it rests on", .paragraphs = std::move(basis)});

@@ -78,7 +78,7 @@ void add_intervals(std::vector<ResultRow>& rows, const Summary& summary, const U
       row.interval = interval_words(*of, units);
 }
 
-Table interval_table(const Summary& summary, const UnitSystem& units) {
+Table interval_table(const Summary& summary, const UnitSystem& units, std::vector<std::string> asked) {
   const Intervals& intervals = *summary.intervals;
   Table table{
       .caption = "By what each figure may be otherwise", .columns = {"Figure", "All together"}, .rows = {}};
@@ -86,13 +86,11 @@ Table interval_table(const Summary& summary, const UnitSystem& units) {
   for (const OpenSource& of : intervals.sources)
     if (of.why_not.empty() && std::ranges::find(open, of.source) == open.end()) open.push_back(of.source);
   for (const Source source : open) table.columns.push_back(capitalised(to_string(source)));
-  double before = 0;
-  for (const char* key : {"peak_acceleration", "hic15", "hic36", "hic_unlimited", "hic_d", "clip_3ms",
-                          "severity_index", "peak_penetration", "rebound_speed"}) {
+  for (const char* key : {"peak_acceleration", "hic15", "clip_3ms", "peak_penetration", "rebound_speed"})
+    if (std::ranges::find(asked, key) == asked.end()) asked.emplace_back(key);
+  for (const std::string& key : asked) {
     const FigureInterval* const figure = intervals.find(key);
-    // Windows that are one have one row.
-    if (figure == nullptr || figure->nominal == before) continue;
-    before = figure->nominal;
+    if (figure == nullptr) continue;
     const ResultQuantity& quantity = result_quantity(key);
     table.rows.push_back({quantity.title, interval_words(*figure, units)});
     for (const Source source : open) {

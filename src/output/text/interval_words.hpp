@@ -27,8 +27,9 @@ std::vector<std::string> unknown_words(const Intervals& intervals);
 /// Beside each row its interval, where it has one.
 void add_intervals(std::vector<ResultRow>& rows, const Summary& summary, const UnitSystem& units);
 
-/// A figure a row: with all that is not known together, then with each source alone.
-Table interval_table(const Summary& summary, const UnitSystem& units);
+/// A figure a row, those that are asked for first: with all that is not known together, then with each source
+/// alone.
+Table interval_table(const Summary& summary, const UnitSystem& units, std::vector<std::string> asked = {});
 /// The sources in words, and why one gives no interval.
 std::string source_paragraph(const Intervals& intervals);
 
