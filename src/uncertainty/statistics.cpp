@@ -83,11 +83,11 @@ void add_misfit(const std::vector<Part>& parts, Open& open) {
     }
   if (worst == nullptr) return;
   open.shares.push_back(shares);
-  open.sources.push_back({Source::misfit,
-                          fmt::format("by what {} {} impact{} differ{} from the fitted law", worst->impacts,
-                                      worst->is_held_out ? "held-out" : "fitted",
-                                      worst->impacts == 1 ? "" : "s", worst->impacts == 1 ? "s" : ""),
-                          ""});
+  open.sources.push_back(
+      {Source::misfit,
+       fmt::format("what the fitted law misses of {} {} impact{}", worst->impacts,
+                   worst->is_held_out ? "predicted" : "fitted", worst->impacts == 1 ? "" : "s"),
+       ""});
 }
 
 }  // namespace

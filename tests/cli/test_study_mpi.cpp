@@ -35,7 +35,7 @@ class StudyMpiTest : public CommandTest {
   /// Runs a script that ends a study by force, of as many rows as it takes for that to come before their end.
   /// How many that were.
   std::string interrupt(int ranks, const std::string& script, const std::string& store) {
-    for (int samples = 60'000; samples < 100'000'000; samples *= 8) {
+    for (int samples = 60'000; samples < 4'000'000; samples *= 8) {
       write_study(std::to_string(samples));
       if (with_ranks(ranks, script).exit_code != 0) return std::to_string(samples);
       fs::remove(file(store));
