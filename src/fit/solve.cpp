@@ -130,7 +130,9 @@ class Search {
   void iterate() {
     if (!is_fresh_ && !is_updated_ && !differentiate())
       return stop("a step beside the place makes no material");
-    for (;;) {
+    // Each try is damped more; after these nothing is left of a step, as where the search was stopped.
+    constexpr int most_tries = 30;
+    for (int tries = 0; tries < most_tries; ++tries) {
       const Vector step = step_from_here();
       if (step.lpNorm<Eigen::Infinity>() < least_change_) return refresh_or_converge();
       const Vector expected = residuals_ + jacobian_ * step;
@@ -159,6 +161,7 @@ class Search {
       if (minimum_.misfit - expected.squaredNorm() <= tolerance_ * minimum_.misfit && is_sound)
         return refresh_or_converge();
     }
+    stop("no step from the best place makes a material that can be tested");
   }
 
   void take(std::vector<double> x, const Vector& step, Vector residuals, const Vector& expected,
