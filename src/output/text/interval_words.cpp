@@ -29,6 +29,14 @@ std::string joined(const std::vector<std::string>& parts) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
+/// What gives no interval, and why.
+std::vector<std::string> unknown_words(const Intervals& intervals) {
+  std::vector<std::string> all;
+  for (const OpenSource& of : intervals.sources)
+    if (!of.why_not.empty()) all.push_back(one_line(of.words) + ": " + one_line(of.why_not));
+  return all;
+}
+
 std::string figure_words(const FigureInterval& of, const Intervals& intervals, const UnitSystem& units) {
   const ResultQuantity& quantity = result_quantity(of.key);
   const std::string value = brief_quantity(of.nominal, quantity.si_unit, units, 4);
@@ -61,13 +69,6 @@ std::vector<std::string> source_words(const FigureInterval& of, const Intervals&
     all.push_back(fmt::format("{}: {} alone", source ? one_line(source->words) : to_string(each.source),
                               range_words(each.low, each.high, result_quantity(of.key).si_unit, units)));
   }
-  return all;
-}
-
-std::vector<std::string> unknown_words(const Intervals& intervals) {
-  std::vector<std::string> all;
-  for (const OpenSource& of : intervals.sources)
-    if (!of.why_not.empty()) all.push_back(one_line(of.words) + ": " + one_line(of.why_not));
   return all;
 }
 

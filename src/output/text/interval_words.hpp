@@ -21,9 +21,6 @@ std::string interval_words(const FigureInterval& of, const UnitSystem& units);
 std::vector<std::string> source_words(const FigureInterval& of, const Intervals& intervals,
                                       const UnitSystem& units);
 
-/// "how the foam scatters from sample to sample: nothing says that it was measured": what gives no interval.
-std::vector<std::string> unknown_words(const Intervals& intervals);
-
 /// Beside each row its interval, where it has one.
 void add_intervals(std::vector<ResultRow>& rows, const Summary& summary, const UnitSystem& units);
 
