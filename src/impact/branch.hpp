@@ -33,6 +33,7 @@ inline Phase phase_after(Event event, Phase now, double drive, BranchConditions 
     case Event::support_turning:
     case Event::corner:
     case Event::joining:
+    case Event::rate_corner:
     case Event::none: break;
   }
   return now;

@@ -279,10 +279,13 @@ class Equilibrium {
         return is_rounding(left, scale) ||
                (std::abs(left) < numerics.solved_small_advance * allowed &&
                 std::abs(missing) < numerics.most_take_up * std::abs(trial.pad.advance));
-      const double force = end.force;
-      if (force > 0)
-        of_.motion_.residual(end.penetration, std::max(force + trial.pad_stiffness * missing, force / 2),
-                             trial.step, end);
+      if (end.force <= 0) return true;
+      // In a very short step the rate, and with it the force, would be what the residual makes of it.
+      const double taken_up = trial.pad_stiffness * missing;
+      const double most =
+          numerics.most_force_taken_up * of_.resolution_ * std::max(end.force, of_.now().force);
+      if (std::abs(taken_up) > most) return is_rounding(left, scale);
+      of_.motion_.residual(end.penetration, end.force + taken_up, trial.step, end);
       return true;
     }
 

@@ -24,6 +24,8 @@ struct Sight {
   double corner = 0;        ///< of the support: a force, N, or a deflection, m
   double joint = 0;         ///< penetration at which a pad that was struck before is loaded anew, m; 0: none
   bool is_pressed = false;  ///< a column is under pressure at the end, in flight
+  /// By how much the pad's rate is above the next corner of its force at the end, in shares of that rate.
+  double over_rate_corner = 1;
 
   /// What passes the corners.
   [[nodiscard]] double at_corner(const State& state) const {
@@ -91,6 +93,7 @@ inline double support_goes_on(const Sight& s) {
 inline bool is_crushing(const Sight& s) { return s.foundation.is_crushing(s.now.back, s.now.force); }
 inline double is_apart(const Sight& s) { return s.is_pressed ? -1 : 1; }
 
+inline double over_rate_corner(const Sight& s) { return s.over_rate_corner; }
 inline double penetration_to_joint(const Sight& s) { return s.joint - s.trial.end.penetration; }
 inline bool is_before_joint(const Sight& s) {
   return s.joint > 0 && s.joint - s.now.penetration > numerics.at_joint * s.joint;
@@ -99,7 +102,7 @@ inline bool is_before_joint(const Sight& s) {
 }  // namespace event_rules
 
 /// In the order in which they count when they coincide. From loading, unloading, held, flight.
-inline constexpr std::array<EventKind, 10> event_table{{
+inline constexpr std::array<EventKind, 11> event_table{{
     {Event::release, false, true, true, false, event_rules::force, event_rules::always, true},
     {Event::touch, false, false, false, true, event_rules::is_apart, event_rules::always, true},
     {Event::unlock, false, false, true, false, event_rules::force_over_held_pad, event_rules::pad_recovers,
@@ -115,6 +118,7 @@ inline constexpr std::array<EventKind, 10> event_table{{
     {Event::corner, true, true, true, true, event_rules::way_to_corner, event_rules::is_off_corner, true},
     {Event::joining, true, false, false, false, event_rules::penetration_to_joint,
      event_rules::is_before_joint, true},
+    {Event::rate_corner, true, false, false, false, event_rules::over_rate_corner, event_rules::always, true},
 }};
 
 /// The first event of a trial, in the order of the table.

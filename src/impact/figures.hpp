@@ -24,6 +24,7 @@ struct Figures {
   std::optional<Moment> release;
   std::optional<Moment> bottomed;
   std::optional<Moment> rest;
+  double left_to_sink = 0;  ///< m, of an impactor at rest on a pad that creeps
   double final_velocity = 0;
   double support_energy = 0;    ///< J, stored at the end
   double support_loss = 0;      ///< J, crushed and damped
@@ -39,7 +40,8 @@ struct Figures {
   double speed_to_sheet = 0;    ///< m/s, lost to it by a flat tip at first contact
   int reloadings = 0;
   std::size_t stations = 0;
-  std::size_t updates = 0;  ///< of columns, in all trials
+  std::size_t steps = 0;
+  double work = 0;  ///< of the run, s of a processor, roughly
 };
 
 /// Peak force and motion between the entries of a track: parabolas and cubics within each smooth stretch.

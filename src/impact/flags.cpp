@@ -179,6 +179,12 @@ std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& 
          fmt::format("SHEET STRUCK FLAT: the flat nose loses {:.2g} m/s to the sheet at first contact, in "
                      "a blow that no force or acceleration here shows",
                      summary.speed_to_sheet)});
+  if (summary.still_sinking)
+    all.push_back(
+        {"STILL SINKING",
+         fmt::format("STILL SINKING: the pad creeps on; the impactor counts as at rest at {:.2g} mm/s, and "
+                     "its penetration and displacement are those so far",
+                     1e3 * summary.rest->velocity)});
   if (gained_energy(summary)) all.push_back({"ENERGY GAINED", gain(summary)});
   if (summary.bottomed) all.push_back({"BOTTOMED", bottoming(summary)});
   if (is_series_cut(summary)) all.push_back({"SERIES CUT", series_cut(summary)});

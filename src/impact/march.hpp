@@ -50,10 +50,15 @@ class March {
   March(const March&) = delete;
   March& operator=(const March&) = delete;
 
-  /// Runs the impact with steps of about `resolution` radians of the momentary oscillation. `expected` is the
-  /// peak penetration, m, as far as it is known.
-  Figures run(double resolution, Track& track, double expected = std::numeric_limits<double>::infinity()) {
-    double step = begin(resolution, expected, track);
+  struct Bounds {
+    double expected =
+        std::numeric_limits<double>::infinity();  ///< peak penetration, m, as far as it is known
+    double most_work = std::numeric_limits<double>::infinity();  ///< after which the run is given up, s
+  };
+  /// Runs the impact with steps of about `resolution` radians of the momentary oscillation.
+  Figures run(double resolution, Track& track, Bounds bounds = {}) {
+    double step = begin(resolution, bounds.expected, track);
+    most_work_ = bounds.most_work;
     while (phase_ != Phase::over && !limit_is_reached(track)) {
       const double before = now_.time;
       const Phase phase_before = phase_;
@@ -116,8 +121,14 @@ class March {
       figures_.ending = Ending::time_limit;
       return true;
     }
-    return track.size() > options_.most_steps || contact_.updates() > numerics.most_updates ||
+    return track.size() > options_.most_steps || work(track) > most_work_ ||
            idle_ > numerics.most_idle_events;
+  }
+
+  /// Of the run so far, s.
+  [[nodiscard]] double work(const Track& track) const {
+    const double of_column = HasLayers<Contact> ? numerics.work_of_layered_column : numerics.work_of_column;
+    return numerics.work_of_step * double(track.size()) + of_column * double(contact_.updates());
   }
 
   // ------------------------------------------------------------------ a step
@@ -135,7 +146,14 @@ class March {
     const bool is_pressed =
         phase_ == Phase::flight &&
         (contact_.recovers() ? contact_.largest_stress(trial.pad) > 0 : trial.end.penetration > left_at_);
-    return {phase_, now_, trial, foundation_, contact_.recovers(), corner, joint_, is_pressed};
+    Sight sight{phase_, now_, trial, foundation_, contact_.recovers(), corner, joint_, is_pressed};
+    if constexpr (HasRateCorners<Contact>) {
+      // The force may have its peak there; where it does not, a step passes the corner without loss of order.
+      if (phase_ == Phase::loading && motion_.force_rate() > 0)
+        if (const double at = contact_.rate_corner(); at > 0)
+          sight.over_rate_corner = contact_.slip_rate(trial.pad) / at - 1;
+    }
+    return sight;
   }
 
   Stretch next_stretch(double step) {
@@ -256,8 +274,10 @@ class March {
     foundation_.accept(now_.back, end.back, end.force, step, smooth);
     const double before = now_.velocity;
     motion_.accept(end, step, smooth);
-    if (impactor_.gravity > 0 && phase_ != Phase::flight && swing_.comes_to_rest(before, now_, impactor_)) {
+    if (impactor_.gravity == 0 || phase_ == Phase::flight) return;
+    if (const std::optional<double> left = swing_.rest(before, now_, step, impactor_)) {
       figures_.rest = Moment{now_.time, now_.velocity};
+      figures_.left_to_sink = *left;
       enter(Phase::over, Ending::at_rest);
     }
   }
@@ -358,7 +378,8 @@ class March {
 
   Figures read_figures(const Track& track) {
     figures_.stations = contact_.stations();
-    figures_.updates = contact_.updates();
+    figures_.work = work(track);
+    figures_.steps = track.size();
     figures_.final_velocity = now_.velocity;
     const Foundation::Energy energy = foundation_.energy(now_.back, now_.force);
     figures_.support_energy = energy.stored;
@@ -368,6 +389,8 @@ class March {
     figures_.set = foundation_.set();
     figures_.crushing_force = foundation_.crushing_force();
     figures_.body_velocity = now_.back.body_velocity;
+    // What came back to the pad after a release, and stayed, has not left it.
+    if (figures_.ending != Ending::released) figures_.release.reset();
     read_peaks(track, figures_);
     read_weight(track, impactor_, figures_);
     read_contact_end(track, impactor_, figures_);
@@ -399,6 +422,7 @@ class March {
   Predictor predictor_;
   StepControl control_;
   double resolution_ = 0;
+  double most_work_ = 0;
   Phase phase_ = Phase::loading;
   int idle_ = 0;             ///< turns of the loop since time last went on
   double turning_time_ = 0;  ///< the last, s

@@ -19,7 +19,6 @@ void for_each_number(Visit&& visit, Run&... runs) {
   visit(runs.time_of_peak_force...);
   visit(runs.peak_motion...);
   visit(runs.peak_penetration...);
-  visit(runs.peak_pad_rate...);
   visit(runs.final_velocity...);
   visit(runs.support_energy...);
   visit(runs.support_loss...);
@@ -55,11 +54,14 @@ std::array<double*, 10> all(ErrorEstimates& e) {
           &e.contact_end, &e.force_below_weight, &e.bottomed,    &e.energy_absorbed,  &e.support};
 }
 
+/// Went through the impact, to figures that are numbers.
+bool is_sound(const Figures& run) { return run.ending != Ending::too_many_steps && is_finite(run); }
+
 /// Ended alike and passed the same events.
 bool same_kind(const Figures& a, const Figures& b) {
   return a.ending == b.ending && a.force_below_weight.has_value() == b.force_below_weight.has_value() &&
          a.contact_end.has_value() == b.contact_end.has_value() &&
-         a.bottomed.has_value() == b.bottomed.has_value() &&
+         a.bottomed.has_value() == b.bottomed.has_value() && a.release.has_value() == b.release.has_value() &&
          (a.reloadings == b.reloadings || a.ending == Ending::at_rest);
 }
 
@@ -79,14 +81,23 @@ Refinement::Refinement(const Impactor& impactor, double tolerance)
   for (double* of : all(errors_)) *of = unknown;
 }
 
-void Refinement::add(const Figures& run) {
+bool Refinement::add(const Figures& run) {
   ++runs_;
+  settled_ = false;
+  if (!is_sound(run)) {
+    if (!has_sound_run_) reported_ = run;
+    return !has_sound_run_;
+  }
   const Figures before = extrapolated_;
-  const bool comparable = runs_ > 1 && same_kind(run, last_run_);
+  const bool comparable = has_sound_run_ && same_kind(run, last_run_);
   extrapolated_ = comparable ? extrapolate(run, last_run_) : run;
   last_run_ = run;
-  settled_ = false;
-  if (comparable && same_kind(run, before)) judge(run, before);
+  has_sound_run_ = true;
+  if (comparable) judge(run, before);
+  if (!comparable && compared_) return false;
+  compared_ = comparable;
+  reported_ = extrapolated_;
+  return true;
 }
 
 void Refinement::judge(const Figures& run, const Figures& before) {
@@ -112,7 +123,11 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   }
   errors_.peak_motion = relative(now.peak_motion, before.peak_motion, run.peak_motion);
   errors_.peak_penetration = relative(now.peak_penetration, before.peak_penetration, run.peak_penetration);
-  double worst = std::max({errors_.peak_force, errors_.peak_motion, errors_.peak_penetration});
+  double worst = errors_.peak_force;
+  if (is_still_sinking(now.left_to_sink, now.peak_penetration, tolerance_))
+    errors_.peak_motion = errors_.peak_penetration = unknown;
+  else
+    worst = std::max({worst, errors_.peak_motion, errors_.peak_penetration});
   const auto of_speed = [&](const Moment& m, const Moment& m_before, const Moment& m_run) {
     return error(m.velocity, m_before.velocity, m_run.velocity,
                  std::max(std::abs(m.velocity), numerics.least_speed * speed_));
@@ -157,9 +172,9 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   const double allowed = runs_ > 2 ? tolerance_ : tolerance_ / 2;
   const bool enough = runs_ > 2 || tolerance_ >= numerics.least_tolerance_of_two_runs;
   // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.
-  settled_ = enough && worst <= allowed && residual <= allowed && is_finite(now) &&
+  settled_ = enough && worst <= allowed && residual <= allowed &&
              errors_.time_of_peak_force <= numerics.loosest_time_of_peak;
-  for (double* of : all(errors_)) *of = std::max(*of, std::min(numerics.safety_factor * *of, tolerance_));
+  for (double* of : all(errors_)) *of *= numerics.safety_factor;
 }
 
 }  // namespace dashpad

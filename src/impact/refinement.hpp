@@ -7,8 +7,9 @@
 ///
 /// with the first run's figures as they are for x_1*; two runs will do only for coarse tolerances, where they
 /// agree to half of it. The second term, the last correction itself, keeps a chance agreement of two
-/// extrapolations from passing for accuracy. What is below the tolerance is then taken three times, but for
-/// no more than the tolerance. It is an estimate, on the safe side where the order is 2, and no bound.
+/// extrapolations from passing for accuracy. That is held to the tolerance, and said three times as large.
+/// It is an estimate, on the safe side where the order is 2, and no bound. A run that was given up, or came
+/// to figures that are no numbers, changes nothing of what the runs before it agreed on.
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
@@ -20,14 +21,17 @@ class Refinement {
  public:
   Refinement(const Impactor& impactor, double tolerance);
 
-  void add(const Figures& run);
+  /// Whether the run is the last of those whose figures are reported.
+  bool add(const Figures& run);
   [[nodiscard]] int runs() const { return runs_; }
   /// Whether the error estimates and the energy residual are within the tolerance. Not held to it but to
   /// 1 %: the time of the peak force; and the absorbed share is held to ten times the tolerance, relative to
   /// itself.
   [[nodiscard]] bool settled() const { return settled_; }
+  /// Whether the figures come from two runs that ended alike.
+  [[nodiscard]] bool runs_compared() const { return compared_; }
   /// The extrapolated figures.
-  [[nodiscard]] const Figures& figures() const { return extrapolated_; }
+  [[nodiscard]] const Figures& figures() const { return reported_; }
   [[nodiscard]] const ErrorEstimates& errors() const { return errors_; }
 
  private:
@@ -38,8 +42,11 @@ class Refinement {
   double tolerance_;
   int runs_ = 0;
   bool settled_ = false;
-  Figures last_run_;
-  Figures extrapolated_;
+  bool compared_ = false;
+  bool has_sound_run_ = false;
+  Figures last_run_;      ///< that was sound
+  Figures extrapolated_;  ///< to it
+  Figures reported_;
   ErrorEstimates errors_;
   double rebound_error_ = 0;  ///< of the last comparison alone
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -20,13 +21,13 @@
 namespace dashpad {
 namespace {
 
-void check(const ImpactCase& impact, bool law_is_sound, const Options& options) {
+void refuse_unsound(const ImpactCase& impact, bool law_is_sound, const Options& options) {
   auto broken = law_is_sound ? violations_beside_law(impact) : violations(impact);
   if (!(options.tolerance >= 1e-8 && options.tolerance <= 1e-2))
     broken.push_back({"tolerance", options.tolerance, "must be from 1e-8 to 1e-2"});
   if (!(options.time_limit > 0 && std::isfinite(options.time_limit)))
     broken.push_back({"time_limit", options.time_limit, "must be greater than 0"});
-  if (options.fixed_runs < 0 || options.fixed_runs > numerics.most_runs)
+  if (options.fixed_runs < 0 || options.fixed_runs > numerics.most_fixed_runs)
     broken.push_back({"fixed_runs", double(options.fixed_runs), "must be from 0 to 10"});
   if (broken.empty()) return;
   std::string message = "invalid impact case";
@@ -38,23 +39,42 @@ void check(const ImpactCase& impact, bool law_is_sound, const Options& options) 
 /// than the 128 KiB that the heap hands back to the system, and has to ask for anew, with every Solver.
 constexpr std::size_t usual_entries = 700;
 
-/// Runs the impact at finer and finer resolution until the figures settle.
+/// What the runs of an impact leave behind.
+struct Runs {
+  Track now;      ///< of the run that goes on, or failed
+  Track finest;   ///< of the last of those whose figures are reported
+  Pulse coarser;  ///< of the one before it
+};
+
+/// Runs the impact at finer and finer resolution until the figures settle or the work is spent.
 template <class Contact>
-Refinement refine(const ImpactCase& impact, Contact& contact, const Options& options, Track& track) {
+Refinement refine(const ImpactCase& impact, Contact& contact, const Options& options, Runs& runs) {
   Refinement refinement(impact.impactor, options.tolerance);
   March<Contact> march(impact, contact, options);
   double expected = impact.pad.thickness;
-  const auto done = [&] {
-    if (options.fixed_runs > 0) return refinement.runs() >= options.fixed_runs;
-    return refinement.settled() || refinement.runs() >= numerics.most_runs;
-  };
-  for (double resolution = numerics.first_resolution; !done(); resolution /= 2) {
-    const Figures run = march.run(resolution, track, expected);
-    refinement.add(run);
+  double left =
+      numerics.most_work * std::clamp(std::sqrt(1e-3 / options.tolerance), 1.0, numerics.most_patience);
+  double before = 0;  // work of the run before
+  runs.finest.clear();
+  runs.coarser = {};
+  for (double resolution = numerics.first_resolution;; resolution /= 2) {
+    const Figures run = march.run(resolution, runs.now, {.expected = expected, .most_work = left});
+    if (refinement.add(run)) {
+      if (refinement.runs_compared()) {
+        runs.coarser.time = runs.finest.history.time;
+        runs.coarser.acceleration = runs.finest.history.acceleration;
+      }
+      std::swap(runs.now, runs.finest);
+    }
     if (run.peak_penetration > 0) expected = run.peak_penetration;
-    // The next run would cost four times as much. A run that gave up early may do better with finer steps.
-    const bool too_long = track.size() > options.most_steps;
-    if (too_long || run.updates > numerics.most_updates_before_last) break;
+    if (options.fixed_runs > 0 ? refinement.runs() >= options.fixed_runs : refinement.settled()) break;
+    if (options.after_run) options.after_run(refinement.runs());
+    if (options.fixed_runs > 0) continue;
+    // What the next run will cost: twice the steps, and of columns up to twice as many each.
+    left -= run.work;
+    const double next = run.work * (before > 0 ? std::clamp(run.work / before, 2.0, 4.0) : 2.0);
+    if (next > left || 2 * run.steps > options.most_steps) break;
+    before = run.work;
   }
   return refinement;
 }
@@ -62,33 +82,36 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
 }  // namespace
 
 struct Solver::Memory {
-  Track track;
+  Runs runs;
   Contacts contacts;
   Solution solution;
 
   Refinement refine_law(const ImpactCase& impact, const Options& options) {
     return contacts.visit(impact, options.plain ? ColumnMath::plain : ColumnMath::vector,
-                          [&](auto& contact) { return refine(impact, contact, options, track); });
+                          [&](auto& contact) { return refine(impact, contact, options, runs); });
   }
 
   /// One blow.
   void solve(const ImpactCase& impact, const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     const Refinement refinement = refine_law(impact, options);
-    solution.summary = summarise(impact, refinement, track.history);
-    solution.summary.tolerance = options.tolerance;
-    solution.summary.steps = track.size() - 1;
-    std::swap(solution.history, track.history);
+    solution.summary = summarise(impact, refinement, runs.finest.history, options.tolerance);
+    solution.summary.steps = runs.finest.size() - 1;
+    std::swap(solution.history, runs.finest.history);
+    std::swap(solution.coarser, runs.coarser);
     solution.summary.wall_time =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
   void check(const ImpactCase& impact, const Options& options) {
-    dashpad::check(impact, impact.pad.layers.empty() && contacts.know(impact.pad.material.law), options);
+    refuse_unsound(impact, impact.pad.layers.empty() && contacts.know(impact.pad.material.law), options);
   }
 };
 
-Solver::Solver() : memory_(std::make_unique<Memory>()) { memory_->track.reserve(usual_entries); }
+Solver::Solver() : memory_(std::make_unique<Memory>()) {
+  memory_->runs.now.reserve(usual_entries);
+  memory_->runs.finest.reserve(usual_entries);
+}
 Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;

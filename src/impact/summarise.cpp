@@ -80,7 +80,8 @@ std::string to_string(Status status) {
   return "not run";
 }
 
-Summary summarise(const ImpactCase& impact, const Refinement& refinement, const History& finest) {
+Summary summarise(const ImpactCase& impact, const Refinement& refinement, const History& finest,
+                  double tolerance) {
   const Figures& figures = refinement.figures();
   const Impactor& impactor = impact.impactor;
   Summary s;
@@ -107,6 +108,8 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement, const 
                                                  : *s.rebound_speed / impactor.speed;
   }
   s.rest = figures.rest;
+  s.still_sinking =
+      figures.rest && is_still_sinking(figures.left_to_sink, figures.peak_penetration, tolerance);
   if (impact.backing != Backing{}) s.support = support_figures(impact.backing, figures);
   s.energy = ledger_of(impactor, figures);
   s.speed_to_sheet = figures.speed_to_sheet;
@@ -117,6 +120,7 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement, const 
   s.extrapolations = extrapolations(impact, s);
   s.softening_rates = softening_rates(impact.pad.material.law);  // layers have no such curve
   s.errors = refinement.errors();
+  s.tolerance = tolerance;
   s.stations = figures.stations;
   s.runs = refinement.runs();
   return s;

@@ -7,7 +7,8 @@
 
 namespace dashpad {
 
-/// All but steps, tolerance and wall time. `finest`: the history of the finest run.
-Summary summarise(const ImpactCase& impact, const Refinement& refinement, const History& finest);
+/// All but steps and wall time. `finest`: the history of the finest run; `tolerance` that was asked for.
+Summary summarise(const ImpactCase& impact, const Refinement& refinement, const History& finest,
+                  double tolerance);
 
 }  // namespace dashpad

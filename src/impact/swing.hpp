@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "dashpad/impact/impact_case.hpp"
 #include "impact/numerics.hpp"
@@ -13,18 +15,23 @@ namespace dashpad {
 /// Follows the speed from one turn of the impactor to the next.
 class Swing {
  public:
-  /// `before`: velocity of the impactor at the state before `now`, m/s.
-  bool comes_to_rest(double before, const State& now, const Impactor& impactor) {
+  /// Whether it has come to rest, and how far it would still sink if it went on to slow down as it does, m;
+  /// none if it has not. `before`: velocity of the impactor at the state before `now`, m/s, `step` s ago.
+  std::optional<double> rest(double before, const State& now, double step, const Impactor& impactor) {
     const double slow = numerics.speed_at_rest * impactor.speed;
     const bool turns = (before > 0) != (now.velocity > 0);
     const bool had_little_left = turns_ > 0 && fastest_ < slow;
     fastest_ = turns ? std::abs(now.velocity) : std::max(fastest_, std::abs(now.velocity));
     if (turns) ++turns_;
-    if (std::abs(now.back.velocity()) > slow || turns_ == 0) return false;
+    if (std::abs(now.back.velocity()) > slow || turns_ == 0) return std::nullopt;
+    if (turns && had_little_left) return 0;
     const double weight = impactor.mass * impactor.gravity;
     const bool creeps = std::abs(now.velocity) < numerics.creep_at_rest * impactor.speed &&
                         std::abs(now.force - weight) < numerics.creep_at_rest * weight;
-    return (turns && had_little_left) || creeps;
+    if (!creeps) return std::nullopt;
+    const double slows = (before - now.velocity) / step;
+    if (now.velocity <= 0) return 0;
+    return slows > 0 ? now.velocity * now.velocity / slows : std::numeric_limits<double>::infinity();
   }
 
  private:

@@ -29,7 +29,8 @@ enum class Event {
   lock,
   support_turning,
   corner,
-  joining
+  joining,
+  rate_corner
 };
 
 /// A step tried from the state now. Nothing has happened until it is accepted.

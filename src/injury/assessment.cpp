@@ -9,7 +9,7 @@
 #include "dashpad/injury/dwell.hpp"
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/injury/standard.hpp"
-#include "injury/thinned.hpp"
+#include "injury/coarser_run.hpp"
 #include "input/special_numbers.hpp"
 
 namespace dashpad::injury {
@@ -27,12 +27,12 @@ struct Estimate {
 Estimate dwell(const Solution& solution, const InjuryFigures& figures, double level) {
   const Pulse pulse = pulse_of(solution.history);
   const double time = cumulative_dwell(pulse, level);
-  if (pulse.time.size() < fewest_to_compare || !std::isfinite(figures.errors.peak))
+  if (!has_coarser_run(solution) || !std::isfinite(figures.errors.peak))
     return {time, input::infinite};
   const double shift = figures.errors.peak * level;
   const double shorter = cumulative_dwell(pulse, level + shift);
   const double longer = cumulative_dwell(pulse, std::max(level - shift, 0.0));
-  const double of_steps = std::abs(cumulative_dwell(thinned(pulse), level) - time);
+  const double of_steps = std::abs(cumulative_dwell(solution.coarser, level) - time);
   const double of_time = solution.summary.errors.contact_end * time;
   return {time, std::max(time - shorter, longer - time) + of_steps + of_time};
 }

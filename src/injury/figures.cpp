@@ -6,7 +6,7 @@
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/injury/severity_index.hpp"
-#include "injury/thinned.hpp"
+#include "injury/coarser_run.hpp"
 
 namespace dashpad::injury {
 
@@ -57,8 +57,9 @@ std::array<InjuryValue, 9> injury_values(const InjuryFigures& of) {
 
 Pulse pulse_of(const History& history) { return {history.time, history.acceleration}; }
 
-/// What the chords leave and, to the power that it has in the figure, the solver's own error of the force. A
-/// history too short for a comparison leaves the errors unknown, but for the peak, which is the solver's.
+/// What the steps leave and, to the power that it has in the figure, the solver's own error of the force;
+/// of the velocity change that of the rebound. Without a coarser run the errors are unknown, but for the
+/// peak, which is the solver's.
 InjuryFigures injury_figures(const Solution& solution) {
   const Pulse pulse = pulse_of(solution.history);
   InjuryFigures figures = injury_figures(pulse);
@@ -67,14 +68,14 @@ InjuryFigures injury_figures(const Solution& solution) {
   if (summary.peak_acceleration && summary.time_of_peak_force)
     figures.peak = {*summary.peak_acceleration, *summary.time_of_peak_force};
   const double force = summary.errors.peak_force;
-  if (pulse.time.size() < fewest_to_compare) {
+  if (!has_coarser_run(solution)) {
     figures.errors = all_unknown();
     figures.errors.peak = force;
     return figures;
   }
-  const InjuryFigures coarser = injury_figures(thinned(pulse));
+  const InjuryFigures coarser = injury_figures(solution.coarser);
   const auto error = [force](double value, double coarse, double power) {
-    return chord_error(value, coarse) + power * force;
+    return step_error(value, coarse) + power * force;
   };
   figures.errors.peak = force;
   figures.errors.hic15 = error(figures.hic15.value, coarser.hic15.value, 2.5);

@@ -12,7 +12,7 @@
 #include "dashpad/injury/dwell.hpp"
 #include "dashpad/injury/figures.hpp"
 #include "injury/magnitude.hpp"
-#include "injury/thinned.hpp"
+#include "injury/coarser_run.hpp"
 
 namespace dashpad::injury {
 
@@ -107,12 +107,12 @@ double error_of_solver(std::string_view key, double value, const Summary& summar
   return errors.peak_force;
 }
 
-/// Adds to that what the steps of the history leave, from every second of them.
+/// Adds to that what the steps of the history leave, by the coarser run.
 void estimate_errors(std::array<ComparedFigure, 6>& figures, const std::array<ComparedFigure, 6>& coarser,
                      const Summary& summary) {
   for (std::size_t i = 0; i < figures.size(); ++i)
     if (const std::optional<double> value = figures[i].computed)
-      figures[i].error = chord_error(*value, coarser[i].computed.value_or(0)) +
+      figures[i].error = step_error(*value, coarser[i].computed.value_or(0)) +
                          error_of_solver(figures[i].quantity->key, *value, summary);
 }
 
@@ -213,7 +213,7 @@ PulseComparison compare_pulses(const PulseReport& report, const Solution& soluti
     return filtered_like(report.filter, interval_of(report.pulse), with_peak(pulse, solution.summary));
   };
   const bool is_whole = pulse_is_whole(solution.summary) && history.time.size() == solution.history.size() &&
-                        history.time.size() >= fewest_to_compare;
+                        has_coarser_run(solution);
   if (is_whole) {
     comparison.computed_pulse = processed(history);
     comparison.computed = shape_of(comparison.computed_pulse);
@@ -221,7 +221,7 @@ PulseComparison compare_pulses(const PulseReport& report, const Solution& soluti
   comparison.figures = compared_figures(comparison.measured, comparison.computed, alignment);
   if (is_whole)
     estimate_errors(comparison.figures,
-                    compared_figures(comparison.measured, shape_of(processed(thinned(history))), alignment),
+                    compared_figures(comparison.measured, shape_of(processed(solution.coarser)), alignment),
                     solution.summary);
   comparison.shift = shift_of(comparison.measured, comparison.computed, alignment);
   return comparison;

@@ -8,7 +8,7 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/injury/peak.hpp"
 #include "dashpad/injury/severity_index.hpp"
-#include "injury/thinned.hpp"
+#include "injury/coarser_run.hpp"
 
 namespace dashpad::study {
 namespace {
@@ -33,9 +33,10 @@ void PulseFigures::take(const Solution& solution) {
   fine_.pulse.acceleration = history.acceleration;
   check(fine_.pulse);
   fine_.prepare();
-  has_coarse_ = history.size() >= injury::fewest_to_compare;
+  has_coarse_ = injury::has_coarser_run(solution);
   if (!has_coarse_) return;
-  injury::thin(fine_.pulse, coarse_.pulse);
+  coarse_.pulse.time = solution.coarser.time;
+  coarse_.pulse.acceleration = solution.coarser.acceleration;
   coarse_.prepare();
 }
 
@@ -53,14 +54,14 @@ double PulseFigures::Sampled::hic(double longest_window) {
   return injury::hic_of(*hump, curve, *scale, longest_window).value;
 }
 
-/// What the chords leave, and the error of the force to the power that it has in the
+/// What the steps leave, and the error of the force to the power that it has in the
 /// figure.
 template <class Figure>
 EstimatedValue PulseFigures::with_error(Figure figure, double power) {
   const double value = figure(fine_);
   if (!has_coarse_) return {value, std::numeric_limits<double>::infinity()};
   const double coarse = figure(coarse_);
-  return {value, injury::chord_error(value, coarse) + power * force_error_};
+  return {value, injury::step_error(value, coarse) + power * force_error_};
 }
 
 /// A window longer than the pulse is none: HIC15 of a short pulse is its HIC36, and computed once.

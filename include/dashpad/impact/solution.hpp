@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "dashpad/impact/interval.hpp"
+#include "dashpad/impact/pulse.hpp"
 #include "dashpad/model/pad/material.hpp"
 
 namespace dashpad {
@@ -19,7 +21,7 @@ inline constexpr double standard_gravity = 9.80665;
 struct Options {
   double tolerance = 1e-4;           ///< relative error asked for, in [1e-8, 1e-2]
   double time_limit = 10;            ///< s after first contact at which an impact is given up, > 0
-  std::size_t most_steps = 100'000;  ///< of one run; more means that the tolerance cannot be met
+  std::size_t most_steps = 400'000;  ///< of one run; more means that the tolerance cannot be met
   /// Computes column by column, without vectors and short cuts: many times slower, to check the fast path
   /// against.
   bool plain = false;
@@ -28,6 +30,8 @@ struct Options {
   /// to some 5e-5 with three runs, which fits need (the rebound of a foam with a rate effect on a rigid
   /// support to 1e-3); the status then says whether the tolerance is met, and decides nothing.
   int fixed_runs = 0;
+  /// Called after each run that another is to follow, with the number of runs so far: for what takes long.
+  std::function<void(int)> after_run = {};
 };
 
 /// Contact ends where the force falls below this share of its peak (theory.md, Eq. 28).
@@ -106,6 +110,11 @@ inline bool is_struck_through(double penetration, double thickness) {
   return thickness - penetration < struck_through_gap * thickness;
 }
 
+/// Whether an impactor at rest on a pad that creeps has a way left to go, m, that the tolerance would show.
+inline bool is_still_sinking(double left, double penetration, double tolerance) {
+  return left > tolerance * penetration;
+}
+
 struct Summary {
   Status status = Status::not_run;
   int blow = 1;   ///< of a series, which of its blows this is
@@ -131,6 +140,7 @@ struct Summary {
   std::optional<Moment> bottomed;
   /// Of an impactor that its weight presses on the pad.
   std::optional<Moment> rest;
+  bool still_sinking = false;  ///< then, on a pad that creeps: motion and penetration are those so far
   std::optional<double> rebound_speed;  ///< at release, m/s; 0 if the impactor then still goes on
   /// Speed of separation over impact speed; from a body behind the support, if it is free.
   std::optional<double> restitution;
@@ -194,6 +204,9 @@ struct History {
 struct Solution {
   Summary summary;
   History history;
+  /// Of the run before the finest, with twice its step: what the steps leave in a figure shows in the
+  /// difference. None if there was one run only.
+  Pulse coarser = {};
 };
 
 }  // namespace dashpad

@@ -75,6 +75,15 @@ concept FollowsRate = IsContact<C> && requires(C contact, const PadTrial& trial)
   { contact.lasting_stiffness(trial) } -> std::same_as<double>;
 };
 
+/// The force has a corner where the rate that it follows comes down to a tested one.
+template <class C>
+concept HasRateCorners = IsContact<C> && requires(C contact, const PadTrial& trial) {
+  /// The next below the rate now, 1/s; 0: none.
+  { contact.rate_corner() } -> std::same_as<double>;
+  /// At the end of a trial, 1/s.
+  { contact.slip_rate(trial) } -> std::same_as<double>;
+};
+
 /// The pad has layers, each with a strain of its own.
 template <class C>
 concept HasLayers = IsContact<C> && requires(const C contact, std::size_t layer) {

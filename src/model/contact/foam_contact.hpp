@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -121,6 +122,15 @@ class FoamContact {
     }
     return std::max(factor_ * stiffness * ratio(inner).stress, last_.force / thickness_);
   }
+  /// The highest tested rate below the slip rate now, 1/s: where the rate comes down to it, the force has a
+  /// corner. 0: none.
+  [[nodiscard]] double rate_corner() const {
+    return stress_.overstress().corner_below(stress_.slip().slip_rate(slip_));
+  }
+  [[nodiscard]] double slip_rate(const PadTrial& trial) {
+    recall(trial);
+    return stress_.slip().slip_rate(trial_slip_);
+  }
   [[nodiscard]] double largest_stress(const PadTrial& trial) {
     recall(trial);
     return trial_penetration_ > 0 ? most_pressed_ : -std::numeric_limits<double>::min();
@@ -207,6 +217,7 @@ class FoamContact {
   /// the resolution.
   static constexpr double thin = 0.1;
   static constexpr std::size_t looks = 12;  ///< for rings, where the axis does not press
+  static constexpr int ring_bits = 12;      ///< of the place where the last ring presses longest
 
   static FoamStress made_of(const Law& law) {
     return std::visit([](const auto& of) { return FoamStress(of); }, law);
@@ -243,6 +254,7 @@ class FoamContact {
     if (end <= 0) return force;
     const double edge = (Y - end) / thickness_;
     if (ahead_ <= 0 && slip_rate_ >= 0) return force + integral(edge, edge, top, top);
+    if (stress_.stays_crushed() && ahead_ > 0) return force + integral_of_crushed(edge, top);
 
     const auto at = [&](double root) { return sign_at(root * root, top); };
     const double low = std::sqrt(edge);
@@ -256,24 +268,98 @@ class FoamContact {
       return force + integral(edge, root * root, top, top);
     }
     // The axis has let go. A ring around it may go on pressing, or several.
-    std::array<double, looks + 1> places;
-    for (std::size_t i = 0; i < looks; ++i) places[i] = low + (high - low) * double(i + 1) / looks;
-    places[looks] = std::max(std::sqrt(std::clamp(most_pressing(top), edge, top)), first);
-    std::sort(places.begin(), places.end());
-    double before = first;
-    double f_before = f_first;
+    const double width = (high - low) / looks;
+    std::array<double, looks + 1> places{first};
+    std::array<double, looks + 1> found{f_first};
+    std::size_t most = 0;
+    for (std::size_t i = 1; i <= looks; ++i) {
+      places[i] = low + width * double(i);
+      found[i] = i < looks ? at(places[i]) : f_high;
+      if (found[i] > found[most]) most = i;
+    }
+    if (found[most] <= 0) {
+      // The last one is narrow, and may stand between two looks: without it contact ends too early.
+      const std::size_t below = most > 0 ? most - 1 : 0;
+      const std::size_t above = std::min(most + 1, looks);
+      const auto [place, less] = boost::math::tools::brent_find_minima(
+          [&](double x) { return -at(x); }, places[below], places[above], ring_bits);
+      if (less >= 0) return force;
+      const double from = crossing(at, places[below], found[below], place, -less);
+      const double to = crossing(at, place, -less, places[above], found[above]);
+      return force + integral(edge, from * from, to * to, top);
+    }
     double from = low;
-    for (const double place : places) {
-      const double f = at(place);
-      if (f > 0 && f_before <= 0) from = crossing(at, before, f_before, place, f);
-      if (f <= 0 && f_before > 0) {
-        const double to = crossing(at, before, f_before, place, f);
-        force += integral(edge, from * from, to * to, top);
-      }
-      before = place;
-      f_before = f;
+    for (std::size_t i = 1; i <= looks; ++i) {
+      if (found[i] > 0 && found[i - 1] <= 0)
+        from = crossing(at, places[i - 1], found[i - 1], places[i], found[i]);
+      if (found[i] > 0 || found[i - 1] <= 0) continue;
+      const double to = crossing(at, places[i - 1], found[i - 1], places[i], found[i]);
+      force += integral(edge, from * from, to * to, top);
     }
     return force;
+  }
+
+  /// The same of a crushed foam that comes back. Its line of unloading is integrated in closed form, over the
+  /// only stretch of columns that still press by it: the stress s(e*) - max(E, s'(e*)) ahead has one maximum.
+  /// What the rate adds acts on each column by its own strain (theory.md, Eq. 38).
+  double integral_of_crushed(double edge, double top) {
+    double force = 0;
+    const auto at = [&](double root) {
+      ++points_;
+      const FoamStress::Place place = stress_.at(leading(root * root, top));
+      return place.base.stress - stress_.slope_back(place.strain) * ahead_;
+    };
+    const double low = std::sqrt(edge);
+    const double high = std::sqrt(top);
+    const double middle = std::sqrt(std::clamp(stress_.longest_pressed(ahead_) - ahead_, edge, top));
+    const double most = at(middle);
+    most_pressed_ = std::max(most_pressed_, most);
+    if (most > 0) {
+      const double f_low = at(low);
+      const double f_high = at(high);
+      const double from = f_low < 0 ? crossing(at, low, f_low, middle, most) : low;
+      const double to = f_high < 0 ? crossing(at, middle, most, high, f_high) : high;
+      press_from(from * from);
+      if (in_crater_ && slip_rate_ > 0) return integral(edge, from * from, to * to, top);
+      force = crushed_force(from * from, to * to, top);
+    }
+    stations_ = std::max(stations_, points_);
+    if (in_crater_ || slip_rate_ <= 0 || (at_rate_.even && at_rate_.at_all_strains.stress == 0)) return force;
+    // As on the way in, but for the base curve's own stress.
+    const auto [ahead, lead] = std::pair(std::exchange(ahead_, 0), std::exchange(lead_, 0));
+    left_out_ = 1;
+    press_from(edge);
+    force += integral(edge, edge, top, top);
+    ahead_ = ahead, lead_ = lead, left_out_ = 0;
+    return force;
+  }
+  /// Of the line of unloading, over columns that all press by it.
+  double crushed_force(double from, double to, double top) {
+    const auto of_piece = [&](double outer, double inner) {
+      return crushed_force_of_piece(outer, inner, top);
+    };
+    if (!nose_.shape) return of_piece(from, to);
+    const auto stress = [&](double depth) {
+      const FoamStress::Place place = stress_.at(leading((trial_penetration_ - depth) / thickness_, top));
+      return place.base.stress - stress_.slope_back(place.strain) * ahead_;
+    };
+    const auto of_thin = [&](const ThinStretch& of) {
+      return of.inner_area * stress(of.inner) + of.outer_area * stress(of.outer);
+    };
+    return over_pieces(from, to, of_thin, of_piece);
+  }
+  double crushed_force_of_piece(double from, double to, double top) const {
+    const FoamStress::Place outer = stress_.at(leading(from, top));
+    const FoamStress::Place inner = stress_.at(leading(to, top));
+    const double at_zero = piece_.width - piece_.taper * depth_of(0);
+    return 2 * std::numbers::pi * thickness_ *
+           (base_force(outer, inner) -
+            ahead_ * stress_.moment_of_slope_back(outer, inner, at_zero, piece_.taper * thickness_));
+  }
+  /// The columns from this strain on press, if none farther out does.
+  void press_from(double strain) {
+    const double depth = trial_penetration_ - strain * thickness_;
+    trial_pressing_ = std::max(trial_pressing_, depth);
   }
 
   /// On the flat tip, Pa.
@@ -289,13 +375,20 @@ class FoamContact {
   /// Of the stress between two strains of the contact, which ends at the strains `edge` and `top`.
   double integral(double edge, double from, double to, double top) {
     if (to <= from) return 0;
-    if (trial_pressing_ <= 0) trial_pressing_ = trial_penetration_ - from * thickness_;
+    press_from(from);
     return nose_.shape ? integral_below_shape(edge, from, to, top)
                        : integral_below_piece(edge, from, to, top);
   }
-  /// Where a' has no bound at the tip, a first stretch in which it counts by its area and its volume alone;
-  /// beyond it piece by piece.
-  double integral_below_shape(double edge, double from, double to, double top) {
+  /// A stretch between two depths over which the stress is a line: it counts by its area and its volume
+  /// alone.
+  struct ThinStretch {
+    double inner = 0, outer = 0;            ///< depths, m
+    double inner_area = 0, outer_area = 0;  ///< by which the stresses there count, m2
+  };
+  /// The sum over the pieces of a shape between two strains: where a' has no bound at the tip of a thin
+  /// stretch there, then of piece by piece, from the outer strain of each to its inner one.
+  template <class OfThin, class OfPiece>
+  double over_pieces(double from, double to, OfThin&& of_thin, OfPiece&& of_piece) {
     const double Y = trial_penetration_;
     auto piece = pieces_.begin();
     double force = 0;
@@ -305,7 +398,11 @@ class FoamContact {
       while (piece + 1 != pieces_.end() && (piece + 1)->to <= end) ++piece;
       const double outer = std::min(piece->to, Y - from * thickness_);
       if (outer > inner) {
-        force += thin_force(inner, outer, top);
+        const double height = outer - inner;
+        const double area = nose_.area(outer) - nose_.area(inner);
+        // int (s - inner) a' ds / height
+        const double outer_area = nose_.area(outer) - (nose_.volume(outer) - nose_.volume(inner)) / height;
+        force += of_thin(ThinStretch{inner, outer, area - outer_area, outer_area});
         inner = outer;
         to = (Y - outer) / thickness_;
       }
@@ -315,24 +412,27 @@ class FoamContact {
       if (piece->to <= inner) continue;
       piece_ = *piece;
       const double end = std::max((Y - piece->to) / thickness_, from);
-      force += integral_below_piece(edge, end, to, top);
+      force += of_piece(end, to);
       to = end;
     }
     return force;
   }
-  /// Of a stress that is a line between two depths: its mean, and how much the inner end counts more.
-  double thin_force(double inner, double outer, double top) {
-    const double height = outer - inner;
-    const double area = nose_.area(outer) - nose_.area(inner);
-    // int (s - inner) a' ds / height
-    const double outer_share = nose_.area(outer) - (nose_.volume(outer) - nose_.volume(inner)) / height;
+  double integral_below_shape(double edge, double from, double to, double top) {
+    const auto of_thin = [&](const ThinStretch& of) { return thin_force(of, top); };
+    const auto of_piece = [&](double outer, double inner) {
+      return integral_below_piece(edge, outer, inner, top);
+    };
+    return over_pieces(from, to, of_thin, of_piece);
+  }
+  double thin_force(const ThinStretch& of, double top) {
     double force = 0;
-    for (const auto& [depth, share] : {std::pair{inner, area - outer_share}, std::pair{outer, outer_share}}) {
+    for (const auto& [depth, area] :
+         {std::pair{of.inner, of.inner_area}, std::pair{of.outer, of.outer_area}}) {
       const FoamStress::Place place = stress_.at(leading((trial_penetration_ - depth) / thickness_, top));
-      const FoamStress::Ratio of = ratio(place);
-      press(place, of);
-      force += share * place.base.stress * of.stress;
-      relaxing_ += share * place.base.stress * of.relaxing;
+      const FoamStress::Ratio ratio_here = ratio(place);
+      press(place, ratio_here);
+      force += area * place.base.stress * (ratio_here.stress - left_out_);
+      relaxing_ += area * place.base.stress * ratio_here.relaxing;
     }
     return force;
   }
@@ -344,7 +444,7 @@ class FoamContact {
     const FoamStress::Ratio common = ratio(inner);
     const double thickness = 2 * std::numbers::pi * thickness_;
     const double base = thickness * base_force(outer, inner);
-    double force = base * common.stress;
+    double force = base * (common.stress - left_out_);
     relaxing_ += base * common.relaxing;
     press(inner, common);
     if (stress_.is_even(ahead_, at_rate_)) return force;
@@ -361,7 +461,7 @@ class FoamContact {
   WorkIntegral integral_beside(const FoamStress::Ratio& common, const WorkStretch& over) {
     const double last = stress_.curve().last_strain();
     const auto put = [&](const FoamStress::Place& place, NodeValues& values, std::size_t i) {
-      const FoamStress::Ratio of = stress_.ratio(place, ahead_, at_rate_, slip_rate_, 0, in_crater_);
+      const FoamStress::Ratio of = stress_.ratio(place, ahead_, at_rate_, slip_rate_, in_crater_);
       const double rate = rate_at(place);
       values.work[i] = place.base.work;
       values.stress[i] = rate * (of.stress - common.stress);
@@ -413,10 +513,10 @@ class FoamContact {
   [[nodiscard]] Strain leading(double strain, double top) const {
     return {strain + lead_, (gap_ - lead_) + (top - strain)};
   }
-  FoamStress::Ratio ratio(const FoamStress::Place& leading, double least = 0) {
+  FoamStress::Ratio ratio(const FoamStress::Place& leading) {
     ++points_;
     stations_ = std::max(stations_, points_);
-    return stress_.ratio(leading, ahead_, at_rate_, slip_rate_, least, in_crater_);
+    return stress_.ratio(leading, ahead_, at_rate_, slip_rate_, in_crater_);
   }
   /// Whose sign is that of the stress: the ratio, which is smooth to the edge; of a crushed foam the stress,
   /// which without its floor changes its sign at the gap.
@@ -426,14 +526,8 @@ class FoamContact {
     return value;
   }
   double sign_at(double strain, double top) {
-    const double least = slip_rate_ <= 0 || in_crater_ ? -std::numeric_limits<double>::infinity() : 0;
     const FoamStress::Place place = stress_.at(leading(strain, top));
-    return press(place, ratio(place, least));
-  }
-  /// The strain at which a crushed foam presses longest: beyond, its unloading is as steep as its crush
-  /// curve.
-  [[nodiscard]] double most_pressing(double top) const {
-    return stress_.stays_crushed() ? stress_.longest_pressed(ahead_) - ahead_ : top;
+    return press(place, ratio(place));
   }
   /// A root of f between two places, of which one has a value above 0, by the rule of Illinois, from the
   /// place of the last root on. The stress is nothing there: an error of the root counts by its square.
@@ -501,9 +595,10 @@ class FoamContact {
   SlipScale::State trial_slip_;
   double trial_rate_ = 0;
   double trial_pressing_ = -1;
-  double ahead_ = 0;  ///< of the largest strain, over the strain
-  double lead_ = 0;   ///< of the strain that leads a column, over its own
-  double gap_ = 0;    ///< above the axis, of the thickness
+  double ahead_ = 0;     ///< of the largest strain, over the strain
+  double left_out_ = 0;  ///< of the ratio of stresses, where only what the rate adds is asked for
+  double lead_ = 0;      ///< of the strain that leads a column, over its own
+  double gap_ = 0;       ///< above the axis, of the thickness
   bool in_crater_ = false;
   double edge_ = 0;  ///< root of the strain where the last ring of columns began to press
   double edge_slope_ = 1;
@@ -517,6 +612,6 @@ class FoamContact {
   std::size_t updates_ = 0;
 };
 
-static_assert(FollowsRate<FoamContact> && RemembersBlows<FoamContact>);
+static_assert(HasRateCorners<FoamContact> && FollowsRate<FoamContact> && RemembersBlows<FoamContact>);
 
 }  // namespace dashpad

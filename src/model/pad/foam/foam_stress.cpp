@@ -63,12 +63,30 @@ double FoamStress::strain_of_crater(double largest, double least) const {
   if (!stays_crushed()) return 0;
   const auto sprung_back = [this](double strain) {
     const Strain at_strain = dashpad::strain_of(strain);
-    return curve_.at(at_strain).stress / std::max(modulus_, curve_.slope_beyond(at_strain));
+    return curve_.at(at_strain).stress / slope_back(at_strain);
   };
   // It grows with the strain until the curve is steeper than the unloading, and falls from there on.
   const double steep = curve_.strain_where_steep(modulus_, std::numeric_limits<double>::infinity());
   const double most = std::max(sprung_back(largest), sprung_back(std::clamp(steep, least, largest)));
   return std::max(largest - most, 0.0);
+}
+
+double FoamStress::moment_of_slope_back(const Place& from, const Place& to, double at_zero,
+                                        double rise) const {
+  const auto constant = [&](double begin, double end) {
+    return modulus_ * (end - begin) * (at_zero + rise * (begin + end) / 2);
+  };
+  // Of the crush curve's own slope, by parts.
+  const auto curved = [&](const Place& begin, const Place& end) {
+    const auto at = [&](const Place& place) {
+      return place.base.stress * (at_zero + rise * place.strain.value);
+    };
+    return at(end) - at(begin) - rise * (end.base.work - begin.base.work);
+  };
+  const double steep = curve_.strain_where_steep(modulus_, std::numeric_limits<double>::infinity());
+  if (to.strain.value <= steep) return constant(from.strain.value, to.strain.value);
+  if (from.strain.value >= steep) return curved(from, to);
+  return constant(from.strain.value, steep) + curved(at(dashpad::strain_of(steep)), to);
 }
 
 FoamStress::FoamStress(const CrushableFoam& law)

@@ -59,19 +59,17 @@ class FoamStress {
     double stress = 0;
     double relaxing = 0;  ///< its change with time while the strain is held, 1/s
   };
-  /// A crushed foam that has come back leaves a gap: `least` 0, or the line of its unloading goes on.
-  /// `in_crater`: the rate multiplies the stress that is left, nothing across the gap (theory.md, Eq. 64).
+  /// A crushed foam that has come back leaves a gap. `in_crater`: the rate multiplies the stress that is
+  /// left, nothing across the gap (theory.md, Eq. 64).
   [[nodiscard]] Ratio ratio(const Place& leading, double ahead, const Overstress::AtRate& at,
-                            double slip_rate, double least = 0, bool in_crater = false) const {
+                            double slip_rate, bool in_crater = false) const {
     const double relaxation = this->relaxation(slip_rate);
     if (is_of_one_place(ahead)) {
       const Overstress::Value q = overstress_.of(at, leading.strain.value, leading.cell);
       return {(1 - friction_) * remaining(leading, ahead) + q.stress, relaxation * q.rise};
     }
-    // Where the crush curve is steeper than the unloading, the foam comes back as steeply as it went.
-    const double slope = std::max(modulus_, curve_.slope_beyond(leading.strain));
-    const double line = 1 - slope * ahead / leading.base.stress;
-    const double lasting = std::max(line, least);
+    const double line = 1 - slope_back(leading.strain) * ahead / leading.base.stress;
+    const double lasting = std::max(line, 0.0);
     if (slip_rate <= 0 || (in_crater && line <= 0)) return {lasting, 0};
     const Place own = this->at({leading.strain.value - ahead, leading.strain.complement + ahead});
     const Overstress::Value q = overstress_.of(at, own.strain.value, own.cell);
@@ -108,7 +106,7 @@ class FoamStress {
   [[nodiscard]] Ratio response(Strain strain, double ahead, double slip_rate, bool in_crater = false) const {
     const double beyond = lead(ahead);
     const Place leading = at({strain.value + beyond, strain.complement - beyond});
-    const Ratio of = ratio(leading, ahead, overstress_.at(slip_rate), slip_rate, 0, in_crater);
+    const Ratio of = ratio(leading, ahead, overstress_.at(slip_rate), slip_rate, in_crater);
     return {leading.base.stress * of.stress, leading.base.stress * of.relaxing};
   }
   /// The strain of the axis at which a nose meets again the foam that it strained to `largest` there, and to
@@ -123,6 +121,15 @@ class FoamStress {
   [[nodiscard]] const FoamCurve& curve() const { return curve_; }
   [[nodiscard]] const Overstress& overstress() const { return overstress_; }
   [[nodiscard]] const SlipScale& slip() const { return slip_; }
+  /// With which a crushed foam comes back from a largest strain, Pa: where the crush curve is steeper than
+  /// the unloading, as steeply as it went.
+  [[nodiscard]] double slope_back(Strain largest) const {
+    return std::max(modulus_, curve_.slope_beyond(largest));
+  }
+  /// Integral of that slope times a line `at_zero` + `rise` e over the largest strains from one place to
+  /// another.
+  [[nodiscard]] double moment_of_slope_back(const Place& from, const Place& to, double at_zero,
+                                            double rise) const;
   /// The largest strain of the column of a crushed foam whose stress is largest where all strains have come
   /// back by `ahead`: s(e*) - max(E, s'(e*)) ahead has its maximum there.
   [[nodiscard]] double longest_pressed(double ahead) const {

@@ -62,6 +62,13 @@ Overstress::AtRate Overstress::at(double slip_rate) const {
   return result;
 }
 
+double Overstress::corner_below(double slip_rate) const {
+  if (kind_ == Kind::none) return 0;
+  constexpr double at_corner = 1e-6;
+  const auto next = std::lower_bound(rates_.begin(), rates_.end(), slip_rate * (1 - at_corner));
+  return next == rates_.begin() ? 0 : next[-1];
+}
+
 Overstress::AtRate Overstress::rates_at(double slip_rate) const {
   const double u = std::abs(slip_rate);
   AtRate result;

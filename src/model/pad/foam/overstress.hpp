@@ -38,6 +38,8 @@ class Overstress {
     Value at_all_strains;
   };
   [[nodiscard]] AtRate at(double slip_rate) const;
+  /// The highest tested rate below a slip rate, 1/s, at which q has a corner; 0: none.
+  [[nodiscard]] double corner_below(double slip_rate) const;
   [[nodiscard]] Value of(const AtRate& rate, double strain, CellPlace place) const {
     return rate.even ? rate.at_all_strains : at_strain(rate, strain, place);
   }
