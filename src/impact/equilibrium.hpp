@@ -185,6 +185,16 @@ class Equilibrium {
         trial.lasting_stiffness =
             std::max(trial.lasting_stiffness, (trial.pad.force - now().force) / trial.pad.advance);
     }
+    if constexpr (MayForget<Contact>) {
+      if (contact_.forgets(trial.pad) && trial.pad.advance != 0) {
+        // By a little more of the same rate.
+        const double more = numerics.more_of_the_same;
+        const PadTrial& pad = trial.pad;
+        const double beyond = contact_.trial((1 + more) * pad.advance, pad.from, (1 + more) * pad.step).force;
+        trial.lasting_stiffness =
+            std::max((beyond - pad.force) / (more * pad.advance), pad.force / thickness_);
+      }
+    }
     return trial;
   }
 

@@ -41,6 +41,9 @@ struct Numerics {
   /// Below this, relative to its upper end, the fourth root of an advance is rounding.
   double fourth_root_resolution = 1e-14;
 
+  /// Share of an advance by which it is made longer to learn the stiffness at an unchanged rate.
+  double more_of_the_same = 1e-3;
+
   // --- The guess of the next step ---
 
   /// Change of the pad's stiffness from one step to the next that a guess may assume.

@@ -46,7 +46,7 @@ void for_each_number(Visit&& visit, Run&... runs) {
 bool is_finite(const Figures& run) {
   bool finite = true;
   for_each_number([&finite](double x) { finite = finite && std::isfinite(x); }, run);
-  return finite;
+  return finite && std::isfinite(run.peak_pad_rate);
 }
 
 std::array<double*, 10> all(ErrorEstimates& e) {

@@ -39,7 +39,7 @@ Figures figures_with(double error) {
 /// Adds runs, coarse to fine, until they settle; error(k) is that of run k. The number of runs, 0 if it never
 /// does.
 int settles(Refinement& refinement, const std::function<double(int)>& error) {
-  for (int k = 0; k < numerics.most_runs; ++k) {
+  for (int k = 0; k < numerics.most_fixed_runs; ++k) {
     refinement.add(figures_with(error(k)));
     if (refinement.settled()) return k + 1;
   }
@@ -136,7 +136,7 @@ TEST(refinement, does_not_take_a_chance_agreement_for_accuracy) {
 
 TEST(refinement, does_not_compare_runs_that_end_differently) {
   Refinement refinement(impactor, 1e-2);
-  for (int k = 0; k < numerics.most_runs; ++k) {
+  for (int k = 0; k < numerics.most_fixed_runs; ++k) {
     Figures run = figures_with(0);
     if (k % 2 == 0) {
       run.bottomed = Moment{0.01, 1};
@@ -190,7 +190,7 @@ TEST(refinement, holds_the_end_of_contact_to_the_tolerance_but_not_the_time_of_r
 
 TEST(refinement, does_not_settle_while_energy_is_missing) {
   Refinement refinement(impactor, 1e-3);
-  for (int k = 0; k < numerics.most_runs; ++k) {
+  for (int k = 0; k < numerics.most_fixed_runs; ++k) {
     Figures run = figures_with(0);
     run.pad_work -= 0.01 * impact_energy;
     refinement.add(run);

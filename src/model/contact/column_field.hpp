@@ -136,6 +136,12 @@ class ColumnField {
     return correction_ * (tip_rate_when_held(trial.end()) + 2 * std::numbers::pi * thickness_ * sum);
   }
 
+  /// A step so long that the force depends on its rate alone, not on what was before.
+  [[nodiscard]] bool forgets(const PadTrial& trial) const {
+    constexpr double relaxation_times = 20;
+    return trial.step * law_.relaxation_rate(trial.from) > relaxation_times;
+  }
+
   /// Of any column, tension negative: contact is lost where it crosses zero.
   [[nodiscard]] double largest_stress(const PadTrial& trial) {
     recall(trial);

@@ -75,6 +75,12 @@ concept FollowsRate = IsContact<C> && requires(C contact, const PadTrial& trial)
   { contact.lasting_stiffness(trial) } -> std::same_as<double>;
 };
 
+/// The same of a pad with a memory that is shorter than the step.
+template <class C>
+concept MayForget = IsContact<C> && requires(const C contact, const PadTrial& trial) {
+  { contact.forgets(trial) } -> std::same_as<bool>;
+};
+
 /// The force has a corner where the rate that it follows comes down to a tested one.
 template <class C>
 concept HasRateCorners = IsContact<C> && requires(C contact, const PadTrial& trial) {

@@ -438,6 +438,8 @@ class FoamContact {
   }
   double integral_below_piece(double edge, double from, double to, double top) {
     if (to <= from) return 0;
+    if (const double corner = stress_.overstress().strain_of_corner(); from < corner && corner < to)
+      return integral_below_piece(edge, from, corner, top) + integral_below_piece(edge, corner, to, top);
     const FoamStress::Place outer = stress_.at(leading(from, top));
     const FoamStress::Place inner = stress_.at(leading(to, top));
     // What all columns have in common is known in closed form; the rest is smaller, and often nothing.

@@ -76,6 +76,7 @@ class NineParameterContact {
     last_ = {};
   }
 
+  [[nodiscard]] bool forgets(const PadTrial& trial) const { return field_.forgets(trial); }
   [[nodiscard]] double contact_radius() const {
     if (was_unloaded_) return field_.contact_radius();
     return nose_.radius(penetration_);

@@ -33,9 +33,13 @@ void step_columns(const Law& law, const PowerShape& power, const typename Law::R
       stress = formulas.carry(part_before, part, share);
     } else {
       const N stress_before = R::load(now.stress + j);
-      const N remainder = stress_before - formulas.envelope(part_before, before, largest);
       const N envelope = formulas.envelope(part, strain, largest);
-      stress = remainder * formulas.decay(before, strain, share) + envelope;
+      if constexpr (steps_itself<Law, N>) {
+        stress = formulas.step(stress_before, part_before, part, share);
+      } else {
+        const N remainder = stress_before - formulas.envelope(part_before, before, largest);
+        stress = remainder * formulas.decay(before, strain, share) + envelope;
+      }
       // A column in tension does not press again while its envelope is in tension (theory.md, Eq. 7).
       const N zero(0.0);
       stress = select(both(stress_before <= zero, envelope < zero), min(stress, zero), stress);

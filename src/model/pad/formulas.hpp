@@ -108,6 +108,12 @@ DASHPAD_FORMULA N relaxation_of(const Formulas<Law>& formulas, N strain) {
     return N(1.0);
 }
 
+/// A law whose step is not that of Eq. 9 with its envelope as one number (step).
+template <class Law, class N>
+inline constexpr bool steps_itself = requires(const Formulas<Law>& formulas, N* part, N share) {
+  formulas.step(share, part, part, share);
+};
+
 /// A law that keeps the stresses of its branches for each column, and steps them itself (carry, relaxing).
 template <class Law, class N>
 inline constexpr bool carries_branches = requires(const Formulas<Law>& formulas, N* part, N share) {

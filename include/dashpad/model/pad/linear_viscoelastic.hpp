@@ -85,6 +85,16 @@ struct Formulas<LinearViscoelastic> {
   DASHPAD_FORMULA N decay(N, N, N share) const {
     return exp(-time.duration * share);
   }
+  /// The stress at the end of a step (theory.md, Eq. 9). G outgrows all stresses with the relaxation time, and
+  /// does not stand alone: of (E_0 - E_inf) tau de/dt (1 - exp(-x)) only the product with x = dt / tau is formed.
+  template <class N>
+  DASHPAD_FORMULA N step(N stress, const N* before, const N* after, N share) const {
+    const N x = time.duration * share;
+    const N decay = this->decay(x, x, share);
+    const N series = 1.0 - x * (0.5 - x * (1.0 / 6 - x * (1.0 / 24)));
+    const N grown = select(x <= N(2e-3), x * series, 1.0 - decay);
+    return (stress - before[0]) * decay + after[0] + rate.viscous_stress * grown;
+  }
 };
 
 #endif

@@ -38,6 +38,10 @@ class Overstress {
     Value at_all_strains;
   };
   [[nodiscard]] AtRate at(double slip_rate) const;
+  /// Where a rate effect that shrinks with the strain has come to nothing, and has a corner; 0: nowhere.
+  [[nodiscard]] double strain_of_corner() const {
+    return kind_ == Kind::power && exponent_slope_ < 0 ? -exponent_ / exponent_slope_ : 0;
+  }
   /// The highest tested rate below a slip rate, 1/s, at which q has a corner; 0: none.
   [[nodiscard]] double corner_below(double slip_rate) const;
   [[nodiscard]] Value of(const AtRate& rate, double strain, CellPlace place) const {
