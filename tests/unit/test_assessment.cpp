@@ -14,6 +14,7 @@
 
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/output/assessment.hpp"
+#include "coarser_run.hpp"
 #include "example_result.hpp"
 #include "output/text/assessment_words.hpp"
 #include "quantities/text.hpp"
@@ -47,6 +48,7 @@ Solution half_sine(double error = 1e-4) {
     solution.history.time.push_back(duration * i / steps);
     solution.history.acceleration.push_back(-100 * g * std::sin(std::numbers::pi * i / steps));
   }
+  test::add_coarser_run(solution);
   solution.summary = test::example_summary();
   solution.summary.peak_acceleration = 100 * g;
   solution.summary.errors.peak_force = error;
@@ -143,6 +145,7 @@ TEST(assessment, a_history_too_short_for_an_error_decides_nothing_but_the_peak) 
   Solution solution = half_sine();
   solution.history.time = {0, duration / 2, duration};
   solution.history.acceleration = {0, -100 * g, 0};
+  solution.coarser = {};
   for (const Metric metric : injury::metrics()) {
     const Assessment assessment = assess(standard_with({criterion(metric, 1e30)}), solution);
     const bool known = metric == Metric::peak_acceleration;
@@ -278,6 +281,7 @@ Solution bottomed_out() {
   Solution solution = half_sine();
   solution.history.time.resize(301);
   solution.history.acceleration.resize(301);
+  test::add_coarser_run(solution);
   solution.summary = test::bottomed_out_summary();
   solution.summary.errors = {};
   solution.summary.intervals = Intervals{};
@@ -319,6 +323,7 @@ Solution rising_flank() {
   Solution solution = half_sine();
   solution.history.time.resize(501);
   solution.history.acceleration.resize(501);
+  test::add_coarser_run(solution);
   solution.summary.force_below_weight.reset();
   solution.summary.contact_end.reset();
   solution.summary.rebound_speed = 0;
@@ -606,8 +611,7 @@ TEST(assessment_text, a_strict_limit_is_marked) {
 
 TEST(assessment_text, an_error_that_nobody_knows_is_called_unknown) {
   Solution solution = half_sine();
-  solution.history.time = {0, duration / 2, duration};
-  solution.history.acceleration = {0, -100 * g, 0};
+  solution.coarser = {};
   const Written written = write(standard_with({criterion(Metric::hic36, 1000)}), solution);
   EXPECT_THAT(written.text, HasSubstr("± unknown"));
   EXPECT_EQ(nlohmann::json::parse(written.json)["criteria"][0]["error"], nullptr);

@@ -50,7 +50,7 @@ TEST_F(Simulations, FiguresAreThoseOfTheSolver) {
   EXPECT_NEAR(*prediction.rebound_mph, -summary.force_below_weight->velocity / 0.44704, 1e-12);
   EXPECT_NEAR(*prediction.time_to_peak_ms, 1e3 * *summary.time_of_peak_force, 1e-12);
   EXPECT_EQ(*prediction.peak_strain, summary.peak_strain);
-  EXPECT_LE(prediction.error, 1e-4);
+  EXPECT_LE(prediction.error, 3e-4);  // three times what is held to the tolerance
   EXPECT_EQ(prediction.remark, "");
 }
 
