@@ -66,8 +66,10 @@ std::vector<AnswerFigure> figures_of(const ImpactCase& impact, const Solution& s
   figures.add_to("absorbed energy", absorbed, 1, e.energy_absorbed, 10 * std::max(absorbed, 0.05));
   if (s.support) {
     figures.add("transmitted force", s.support->peak_transmitted, e.support);
-    figures.add("deflection", s.support->peak_deflection, e.support);
-    if (s.support->set) figures.add_to("set", *s.support->set, s.support->peak_deflection, e.support);
+    // A support that was never reached has rounding for a deflection.
+    const double deflection = std::max(s.support->peak_deflection, 1e-6 * s.peak_motion);
+    figures.add_to("deflection", s.support->peak_deflection, deflection, e.support);
+    if (s.support->set) figures.add_to("set", *s.support->set, deflection, e.support);
     if (s.support->body_speed)
       figures.add_to("body speed", *s.support->body_speed, impact.impactor.speed, e.support);
   }

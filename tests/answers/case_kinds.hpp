@@ -1,6 +1,8 @@
 #pragma once
 /// The random cases by the names that the programs of this folder have for them.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -30,6 +32,22 @@ inline std::vector<std::string> names_of_case_kinds() {
 /// `kind` is one of the names.
 inline ImpactCase draw_case(const std::string& kind, std::uint64_t seed) {
   return std::ranges::find(case_kinds, kind, &CaseKind::name)->draw(seed);
+}
+
+/// In a line: "crushable-foam, sphere, linear + damping, gravity".
+inline std::string words_of(const ImpactCase& impact) {
+  const Pad& pad = impact.pad;
+  std::string text =
+      pad.layers.empty() ? name_of(pad.material.law) : fmt::format("{} layers", pad.layers.size());
+  text += ", " + name_of(impact.impactor.nose);
+  const std::size_t points = impact.support.points().size();
+  text += points == 0 ? ", rigid" : points == 1 ? ", linear" : ", curve";
+  for (const Parameter<Backing>& part : Backing::parameters)
+    if (impact.backing.*part.member > 0) text += fmt::format(" + {}", part.key);
+  if (pad.sheet > 0) text += ", sheet";
+  if (impact.impactor.gravity > 0) text += ", gravity";
+  if (impact.blows) text += fmt::format(", {} blows", impact.blows->count);
+  return text;
 }
 
 }  // namespace dashpad::test

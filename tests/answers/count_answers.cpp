@@ -11,8 +11,6 @@
 /// repeats one case, and writes it as a case file. Exit code 1 where the counts are above the goals below.
 
 #include <fmt/format.h>
-#include <time.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
@@ -29,6 +27,7 @@
 
 #include "answers/answer_figures.hpp"
 #include "answers/case_kinds.hpp"
+#include "answers/processor_time.hpp"
 #include "dashpad/impact/blows.hpp"
 #include "output/text/case_toml.hpp"
 
@@ -51,12 +50,6 @@ struct Settings {
   std::string kind = "practice", write;
   bool all = false;
 };
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Answer {
   std::vector<Blow> blows;
@@ -113,21 +106,6 @@ const char* const no_ledger = "ledger not closed";
 const char* const too_slow = "slow";
 const char* const thrown = "exception";
 
-std::string kind_of(const ImpactCase& impact) {
-  const Pad& pad = impact.pad;
-  std::string text =
-      pad.layers.empty() ? name_of(pad.material.law) : fmt::format("{} layers", pad.layers.size());
-  text += ", " + name_of(impact.impactor.nose);
-  const std::size_t points = impact.support.points().size();
-  text += points == 0 ? ", rigid" : points == 1 ? ", linear" : ", curve";
-  for (const Parameter<Backing>& part : Backing::parameters)
-    if (impact.backing.*part.member > 0) text += fmt::format(" + {}", part.key);
-  if (pad.sheet > 0) text += ", sheet";
-  if (impact.impactor.gravity > 0) text += ", gravity";
-  if (impact.blows) text += fmt::format(", {} blows", impact.blows->count);
-  return text;
-}
-
 /// Why an answer missed the tolerance: its largest estimates.
 std::string reasons(const ImpactCase& impact, const Solution& solution, double tolerance) {
   const EnergyLedger& energy = solution.summary.energy;
@@ -159,7 +137,7 @@ class Examination {
     if (faults_.empty() && settings_.all) note("none", "");
     for (const Fault& fault : faults_) {
       std::string& text = findings_.faults[fault.kind][seed_];
-      text += (text.empty() ? kind_of(impact_) + ": " : "; ") + fault.text;
+      text += (text.empty() ? words_of(impact_) + ": " : "; ") + fault.text;
     }
     if (!faults_.empty() && !settings_.write.empty()) write();
   }
