@@ -1,13 +1,8 @@
-/// Two answers of the solver over many random cases (property/answer_comparison.hpp): its fast path against
-/// the plain one, or its answer against one to a fraction of the tolerance.
+/// The solver's fast path against the plain one over many random cases (property/answer_comparison.hpp).
 ///
 ///   compare_answers --cases 100000 --threads 2
 ///
-/// takes the ordinary cases of the seeds 1 to 100000 by both paths;
-///
-///   compare_answers --finer 20 --kind plausible --tolerance 1e-4
-///
-/// gives true errors beside the estimates, and how many cases are unsolved;
+/// takes the ordinary cases of the seeds 1 to 100000;
 ///
 ///   compare_answers --kind extreme --from 1234 --cases 1 --all
 ///
@@ -25,9 +20,9 @@
 #include <thread>
 #include <vector>
 
+#include "answers/case_kinds.hpp"
 #include "dashpad/model/pad/law.hpp"
 #include "property/answer_comparison.hpp"
-#include "property/random_case.hpp"
 
 namespace dashpad::test {
 namespace {
@@ -37,12 +32,11 @@ struct Settings {
   std::uint64_t from = 1;
   unsigned threads = 1;
   double tolerance = 1e-3;
-  double finer = 0;  ///< 0: the plain path
   std::string kind = "ordinary";
   bool all = false;
 
-  /// Of a figure: two answers may both be in error by the tolerance.
-  [[nodiscard]] double allowed() const { return finer > 0 ? tolerance : 2 * tolerance; }
+  /// Of a figure: both answers may be in error by the tolerance.
+  [[nodiscard]] double allowed() const { return 2 * tolerance; }
 };
 
 struct Row {
@@ -106,19 +100,6 @@ struct Findings {
   }
 };
 
-ImpactCase drawn_case(const std::string& kind, std::uint64_t seed) {
-  if (kind == "extreme") return random_case(seed);
-  if (kind == "nose") return nose_case(seed);
-  return kind == "plausible" ? plausible_case(seed) : ordinary_case(seed);
-}
-
-AnswerComparison compare(Solver& solver, const ImpactCase& impact, const Settings& settings) {
-  if (settings.finer == 0) return compare_paths(solver, impact, settings.tolerance);
-  // The finer answer may take what it needs; the other is that of every user.
-  return compare_answers(solver, impact, {.tolerance = settings.tolerance},
-                         {.tolerance = std::max(settings.tolerance / settings.finer, 1e-8)});
-}
-
 Findings compare_all(const Settings& settings) {
   std::vector<Findings> found(settings.threads);
   std::atomic<std::uint64_t> next = 0;
@@ -126,8 +107,8 @@ Findings compare_all(const Settings& settings) {
     Solver solver;
     for (std::uint64_t i = next++; i < settings.cases; i = next++) {
       const std::uint64_t seed = settings.from + i;
-      const ImpactCase impact = drawn_case(settings.kind, seed);
-      mine.add({seed, kind_of(impact), compare(solver, impact, settings)}, settings);
+      const ImpactCase impact = draw_case(settings.kind, seed);
+      mine.add({seed, kind_of(impact), compare_paths(solver, impact, settings.tolerance)}, settings);
     }
   };
   std::vector<std::thread> threads;
@@ -143,10 +124,8 @@ void print(const Settings& settings, const Findings& found) {
   for (const Row& row : found.listed)
     fmt::print("{} ({}): {}\n", row.seed, row.case_kind, row.answers.text());
   fmt::print(
-      "{} {} cases from seed {}, tolerance {:.0e}, against {}; CPU time {:.1f} s and {:.1f} s\n",
-      settings.cases, settings.kind, settings.from, settings.tolerance,
-      settings.finer > 0 ? fmt::format("a tolerance {:g} times finer", settings.finer) : "the plain path",
-      found.time, found.reference_time);
+      "{} {} cases from seed {}, tolerance {:.0e}, against the plain path; CPU time {:.1f} s and {:.1f} s\n",
+      settings.cases, settings.kind, settings.from, settings.tolerance, found.time, found.reference_time);
   fmt::print("compared {}; {} differ by more than {:.0e}; {} differ in status\n", found.compared,
              found.different, settings.allowed(), found.other_status);
   for (const auto& [name, count] : found.status) fmt::print("  {:40} {:8}\n", name, count);
@@ -160,20 +139,16 @@ void print(const Settings& settings, const Findings& found) {
 
 int run(int count, char** arguments) {
   Settings settings;
-  CLI::App app{"Two answers of the solver over random cases; exit code 1 if they differ"};
+  CLI::App app{"Both paths of the solver over random cases; exit code 1 if they differ"};
   app.add_option("--cases", settings.cases, "Number of cases")->capture_default_str();
   app.add_option("--from", settings.from, "First seed")->capture_default_str();
   app.add_option("--kind", settings.kind, "Which cases are drawn")
-      ->check(CLI::IsMember({"ordinary", "plausible", "extreme"}))
+      ->check(CLI::IsMember(names_of_case_kinds()))
       ->capture_default_str();
   app.add_option("--threads", settings.threads, "Threads")->check(CLI::Range(1, 256))->capture_default_str();
   app.add_option("--tolerance", settings.tolerance, "Of the answers")
       ->check(CLI::Range(1e-8, 1e-2))
       ->capture_default_str();
-  app.add_option(
-         "--finer", settings.finer,
-         "Compare with the answer to this fraction of the tolerance, such as 20, not with the plain path")
-      ->check(CLI::Range(2., 1e6));
   app.add_flag("--all", settings.all, "Print every case, not only those that differ");
   CLI11_PARSE(app, count, arguments);
   const Findings found = compare_all(settings);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "oracle/gauss.hpp"
+#include "oracle/outline.hpp"
 
 namespace dashpad::oracle {
 
@@ -17,47 +18,6 @@ namespace {
 
 constexpr int looks = 96;   ///< where the sign of the stress is asked
 constexpr int panels = 16;  ///< of the whole contact
-
-/// A nose by its sections: a flat tip, then a side up to a depth.
-struct Outline {
-  double tip = 0;                               ///< area of the flat tip, m2
-  double end = 0;                               ///< depth up to which the nose grows wider, m
-  std::function<double(double)> widening = {};  ///< growth of the area over the depth, m, at a depth
-  std::vector<double> corners = {};             ///< depths at which that jumps
-  bool is_steep_at_tip = false;                 ///< it has no bound there
-};
-
-Outline outline_of(const Nose& nose) {
-  constexpr double pi = std::numbers::pi;
-  if (const auto* sphere = std::get_if<Sphere>(&nose))
-    return {.end = sphere->radius, .widening = [r = sphere->radius](double s) { return 2 * pi * (r - s); }};
-  if (const auto* disc = std::get_if<FlatDisc>(&nose)) return {.tip = pi * disc->radius * disc->radius};
-  if (const auto* cone = std::get_if<Cone>(&nose)) {
-    const double low = cone->tip_radius, slope = std::tan(cone->half_angle);
-    return {.tip = pi * low * low, .end = (cone->radius - low) / slope, .widening = [=](double s) {
-              return 2 * pi * (low + slope * s) * slope;
-            }};
-  }
-  if (const auto* cylinder = std::get_if<Cylinder>(&nose)) {
-    const double r = cylinder->radius, length = cylinder->length;
-    return {.end = r,
-            .widening = [=](double s) { return 2 * length * (r - s) / std::sqrt(s * (2 * r - s)); },
-            .is_steep_at_tip = true};
-  }
-  if (const auto* profile = std::get_if<Profile>(&nose); profile && profile->of == Profile::Of::radius) {
-    const auto points = profile->points;
-    Outline outline{.tip = pi * points.front().size * points.front().size, .end = points.back().depth};
-    for (const auto& point : points) outline.corners.push_back(point.depth);
-    outline.widening = [points](double s) {
-      std::size_t i = 1;
-      while (i + 1 < points.size() && points[i].depth < s) ++i;
-      const double slope = (points[i].size - points[i - 1].size) / (points[i].depth - points[i - 1].depth);
-      return 2 * pi * (points[i - 1].size + slope * (s - points[i - 1].depth)) * slope;
-    };
-    return outline;
-  }
-  throw std::invalid_argument("CVODE oracle: below foams a sphere, a disc, a cone, a cylinder or a profile");
-}
 
 class FoamImpact final : public OdeSystem {
  public:

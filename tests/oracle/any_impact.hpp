@@ -1,0 +1,34 @@
+#pragma once
+/// The general oracle: a second solver of whole impacts over nearly everything that a case may hold, written
+/// from theory.md alone (Eqs. 1 to 6, 41 to 43, 61 to 64, 71, 76), on CVODE. Clear rather than fast.
+///
+///   (M + m) dV/dt = M g - F - D,  F = F(Y, what the pad remembers)
+///   massless support:  Y is the root of F(Y) = Fs(X - Y - xb)
+///   with a damper:     c dx/dt = F - Fs(x),          Y = X - x - xb
+///   with a panel:      m d2(x + xb)/dt2 = F - T,     T = Fs(x) + c dx/dt,  Mb d2xb/dt2 = T
+///
+/// All noses, areas of the pad, laws but 4 and 5, layers below a flat face, earlier blows, sheets, gravity.
+/// Not covered: laws 4 and 5 (cvode_impact.hpp has them below a sphere), layers below a nose with a side, a
+/// panel under preload on a free body, what comes after a pad is fully compressed.
+
+#include <optional>
+
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
+
+namespace dashpad::oracle {
+
+/// SI; forces are those on the impactor.
+struct AnyImpact {
+  enum class Ending { released, bottomed_out, failed } ending = Ending::failed;
+  double peak_force = 0, peak_motion = 0, peak_penetration = 0;
+  double peak_transmitted = 0, peak_deflection = 0, set = 0, body_speed = 0;
+  double rebound_speed = 0;
+  std::optional<Moment> force_below_weight, contact_end, bottomed;
+  long steps = 0;
+};
+
+/// One blow. Throws std::invalid_argument for what is not covered.
+AnyImpact solve_any(const ImpactCase& impact);
+
+}  // namespace dashpad::oracle

@@ -1,0 +1,88 @@
+#pragma once
+/// The support of the general oracle, written anew from theory.md, Eqs. 4, 41 and 43.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "dashpad/impact/impact_case.hpp"
+
+namespace dashpad::oracle {
+
+class Footing {
+ public:
+  Footing(const Support& support, const Backing& backing, double impactor_mass) : backing_(backing) {
+    points_.push_back({});
+    for (const Support::Point& point : support.points()) points_.push_back(point);
+    if (is_rigid()) return;
+    damping_ = backing.damping;
+    if (backing.loss_factor > 0)
+      damping_ = backing.loss_factor * std::sqrt(slope_at(0) * (impactor_mass + backing.mass));
+    offset_ = -backing.gap;
+    if (backing.preload > 0) offset_ = yield_ = deflection(backing.preload);
+    if (backing.earlier_force > 0) {
+      yield_ = deflection(backing.earlier_force);
+      offset_ = yield_ - backing.earlier_force / backing.unloading_stiffness;
+    }
+  }
+  [[nodiscard]] bool is_rigid() const { return points_.size() == 1; }
+  [[nodiscard]] double damping() const { return damping_; }
+  [[nodiscard]] bool crushes() const { return backing_.unloading_stiffness > 0; }
+
+  /// Fs, N, and its slope, N/m, at the deflection x.
+  [[nodiscard]] double force(double x) const {
+    const double z = x + offset_;
+    if (z >= yield_ || !crushes()) return curve(z);
+    return std::fmax(curve(yield_) - backing_.unloading_stiffness * (yield_ - z), 0);
+  }
+  [[nodiscard]] double slope(double x) const {
+    const double z = x + offset_;
+    return z >= yield_ || !crushes() ? slope_at(z) : backing_.unloading_stiffness;
+  }
+  /// The end of a step, and where the support turns.
+  void reached(double x) { yield_ = std::fmax(yield_, x + offset_); }
+  /// By how much x is beyond all before, m.
+  [[nodiscard]] double beyond(double x) const { return x + offset_ - yield_; }
+  /// What stays, m, from where a preload holds it.
+  [[nodiscard]] double set() const {
+    const double rest = backing_.preload > 0 ? offset_ : 0;
+    return crushes() ? std::fmax(yield_ - curve(yield_) / backing_.unloading_stiffness - rest, 0) : 0;
+  }
+  /// What a spring at x still gives, as a speed of the mass that it drives: J.
+  [[nodiscard]] double energy_left(double x) const {
+    const double z = x + offset_;
+    if (crushes()) return force(x) * force(x) / (2 * backing_.unloading_stiffness);
+    double sum = 0;
+    for (int i = 0; i < 200; ++i) sum += curve(z * (i + 0.5) / 200) * z / 200;
+    return std::fmax(sum, 0);
+  }
+
+ private:
+  [[nodiscard]] std::size_t segment(double z) const {
+    std::size_t i = 0;
+    while (i + 2 < points_.size() && points_[i + 1].deflection <= z) ++i;
+    return i;
+  }
+  [[nodiscard]] double slope_at(double z) const {
+    const std::size_t i = segment(z);
+    return (points_[i + 1].force - points_[i].force) / (points_[i + 1].deflection - points_[i].deflection);
+  }
+  [[nodiscard]] double curve(double z) const {
+    if (z <= 0) return 0;
+    const std::size_t i = segment(z);
+    return points_[i].force + slope_at(z) * (z - points_[i].deflection);
+  }
+  [[nodiscard]] double deflection(double force) const {
+    std::size_t i = 0;
+    while (i + 2 < points_.size() && points_[i + 1].force <= force) ++i;
+    return points_[i].deflection + (force - points_[i].force) / slope_at(points_[i].deflection);
+  }
+
+  Backing backing_;
+  std::vector<Support::Point> points_;
+  double damping_ = 0;
+  double offset_ = 0;  ///< deflection of the curve where x is 0, m
+  double yield_ = 0;   ///< largest deflection of the curve so far, m
+};
+
+}  // namespace dashpad::oracle

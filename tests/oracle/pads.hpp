@@ -1,0 +1,66 @@
+#pragma once
+/// The pads of the general oracle (any_impact.hpp), written anew from theory.md: only the parameters are the
+/// library's. Each is a force over the penetration y, with numbers that it remembers and a rate for each.
+
+#include <cstddef>
+#include <memory>
+
+#include "dashpad/impact/impact_case.hpp"
+#include "oracle/pressed.hpp"
+
+namespace dashpad::oracle {
+
+class PadModel {
+ public:
+  PadModel(Outline nose, double thickness) : nose_(std::move(nose)), thickness_(thickness) {}
+  PadModel(const PadModel&) = delete;
+  PadModel& operator=(const PadModel&) = delete;
+  virtual ~PadModel() = default;
+
+  [[nodiscard]] virtual std::size_t unknowns() const { return 0; }
+  [[nodiscard]] virtual Pressed pressed(double y, const double* memory, bool with_area) const = 0;
+  virtual void rates(double /*y*/, const double* /*memory*/, double* /*slope*/) const {}
+  /// Error that each may have a step, at a relative one.
+  virtual void allowances(double /*relative*/, double* /*allowance*/) const {}
+  /// Where the nose meets it, and what is remembered then.
+  [[nodiscard]] virtual double begin(double* /*memory*/) { return 0; }
+  /// Whether it stays as deep as it was pressed, and gives nothing back.
+  [[nodiscard]] virtual bool holds() const { return false; }
+  /// A change of the penetration that is small against what the force depends on, m.
+  [[nodiscard]] virtual double little() const { return 1e-7 * thickness_; }
+
+  /// The end of a step, and where the pad turns.
+  void reached(double y, const double* memory) {
+    largest_ = std::max(largest_, y);
+    remember(y, memory);
+  }
+  void set_loading(bool loading) { loading_ = loading; }
+  [[nodiscard]] bool is_loading() const { return loading_; }
+  [[nodiscard]] double largest() const { return largest_; }
+  [[nodiscard]] const Outline& nose() const { return nose_; }
+  [[nodiscard]] double thickness() const { return thickness_; }
+
+ protected:
+  /// By how much the largest penetration is above that of now, in thicknesses.
+  [[nodiscard]] double ahead(double y) const {
+    return loading_ ? 0 : std::fmax(largest_ - y, 0) / thickness_;
+  }
+  /// A pad that was struck before, as deep as that.
+  void begin_struck(double earlier) {
+    largest_ = earlier;
+    loading_ = earlier == 0;
+  }
+  virtual void remember(double /*y*/, const double* /*memory*/) {}
+
+ private:
+  Outline nose_;
+  double thickness_;
+  bool loading_ = true;
+  double largest_ = 0;
+};
+
+/// `deepest`: a penetration that is not exceeded, m, for pads of columns at fixed depths. Throws
+/// std::invalid_argument for laws 4 and 5, and for layers below anything but a flat face.
+std::unique_ptr<PadModel> pad_model(const ImpactCase& impact, double deepest);
+
+}  // namespace dashpad::oracle
