@@ -67,7 +67,10 @@ inline double strength_left(const Sight& s) { return s.trial.pad.force - s.trial
 /// crushed, until a panel or a damper does. (A support at once never pushes harder than it has.)
 inline bool is_below_strength(const Sight& s) {
   const bool may_push_harder = s.now.penetration == 0 || s.foundation.kind() != Foundation::Kind::at_once;
-  return !s.recovers && may_push_harder && s.now.force < s.trial.pad.force;
+  const double strength = s.trial.pad.force;
+  // Just after the turning the force is that of the pad, and may rise from there.
+  return !s.recovers && may_push_harder &&
+         (s.now.force < strength || s.trial.end.force > (1 + numerics.at_corner) * strength);
 }
 inline bool pad_recovers(const Sight& s) { return s.recovers; }
 /// Eq. 26; without a solution of Eq. 25 it is passed.

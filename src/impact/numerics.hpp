@@ -141,6 +141,9 @@ struct Numerics {
 
   // --- Limits of a run ---
 
+  /// Mass of a panel, over that of the impactor and the tolerance, below which it is none.
+  double lightest_panel = 0.05;
+
   /// Work of all runs of an impact together after which it is given up, s; for tolerances below 1e-3 more, by
   /// the root of it, but no more than `most_patience` times as much. A run that would exceed it is not begun.
   double most_work = 2;

@@ -57,12 +57,11 @@ std::array<double*, 10> all(ErrorEstimates& e) {
 /// Went through the impact, to figures that are numbers.
 bool is_sound(const Figures& run) { return run.ending != Ending::too_many_steps && is_finite(run); }
 
-/// Ended alike and passed the same events.
+/// Ended alike.
 bool same_kind(const Figures& a, const Figures& b) {
   return a.ending == b.ending && a.force_below_weight.has_value() == b.force_below_weight.has_value() &&
          a.contact_end.has_value() == b.contact_end.has_value() &&
-         a.bottomed.has_value() == b.bottomed.has_value() && a.release.has_value() == b.release.has_value() &&
-         (a.reloadings == b.reloadings || a.ending == Ending::at_rest);
+         a.bottomed.has_value() == b.bottomed.has_value() && a.release.has_value() == b.release.has_value();
 }
 
 Figures extrapolate(const Figures& fine, const Figures& coarse) {
@@ -90,6 +89,7 @@ bool Refinement::add(const Figures& run) {
   }
   const Figures before = extrapolated_;
   const bool comparable = has_sound_run_ && same_kind(run, last_run_);
+  reloads_alike_ = run.reloadings == last_run_.reloadings || run.ending == Ending::at_rest;
   extrapolated_ = comparable ? extrapolate(run, last_run_) : run;
   last_run_ = run;
   has_sound_run_ = true;
@@ -170,7 +170,9 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   // itself, down to a twentieth of the impact energy.
   worst = std::max(worst, errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)));
   const double allowed = runs_ > 2 ? tolerance_ : tolerance_ / 2;
-  const bool enough = runs_ > 2 || tolerance_ >= numerics.least_tolerance_of_two_runs;
+  // A reloading that one run has and the other steps over may be much or nothing: one more run tells.
+  const bool enough =
+      reloads_alike_ ? runs_ > 2 || tolerance_ >= numerics.least_tolerance_of_two_runs : runs_ > 3;
   // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.
   settled_ = enough && worst <= allowed && residual <= allowed &&
              errors_.time_of_peak_force <= numerics.loosest_time_of_peak;

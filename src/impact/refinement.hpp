@@ -44,6 +44,7 @@ class Refinement {
   bool settled_ = false;
   bool compared_ = false;
   bool has_sound_run_ = false;
+  bool reloads_alike_ = false;  ///< the last two runs
   Figures last_run_;      ///< that was sound
   Figures extrapolated_;  ///< to it
   Figures reported_;
