@@ -153,7 +153,7 @@ class ColumnField {
     recall(trial);
     penetration_ = trial_;
     largest_penetration_ = std::max(largest_penetration_, penetration_);
-    for (std::size_t j = trial_live_; j < columns_.size(); ++j) set_at_rest(columns_.next_state, j);
+    for (std::size_t j = trial_live_; j < columns_.size(); ++j) let_go(j);
     std::swap(columns_.now, columns_.next_state);
     live_ = trial_live_;
     last_ = {};
@@ -193,6 +193,26 @@ class ColumnField {
   }
   void set_at_rest(const Columns& columns, std::size_t j) const {
     for (double* array : columns.all()) array[j] = 0;
+  }
+  /// A column that the nose is not at: its strain is nothing, but what its branches have left relaxes on, and
+  /// is met when the nose comes again.
+  void let_go(std::size_t j) const {
+    set_at_rest(columns_.next_state, j);
+    if constexpr (scalar::carries_branches<Law, double>) {
+      const Columns& now = columns_.now;
+      std::array<double, Formulas::parts> left;
+      for (std::size_t k = 0; k < left.size(); ++k) left[k] = now.part[k][j];
+      if (left[1] == 0 && left[2] == 0) return;
+      const Formulas formulas{law_, power_, rate_part_, time_part_};
+      // By the strain that came to nothing within the step, in a share of it.
+      const std::array<double, Formulas::parts> strained{left[0]};
+      const double share = left[0] > 0 ? (penetration_ - columns_.depth()[j]) / (penetration_ - trial_) : 1;
+      std::array<double, Formulas::parts> fallen{};
+      static_cast<void>(formulas.carry(strained.data(), fallen.data(), share));
+      formulas.relax(fallen.data(), 1 - share);
+      formulas.relax(left.data(), 1.0);
+      for (std::size_t k = 1; k < left.size(); ++k) columns_.next_state.part[k][j] = left[k] + fallen[k];
+    }
   }
   /// Force of the flat tip, below which the strain is that of the axis.
   [[nodiscard]] double on_tip(double stress) const {
@@ -260,6 +280,8 @@ class ColumnField {
       edge = std::min(edge, 0.0);
       sum += bounded(positive_part(last, edge, width), columns, live - 1, live - 1, to_edge, penetration);
     } else {
+      // Columns that are met again in tension do not press at the edge either.
+      if (last < 0) edge = 0;
       sum = sweeps_->sum_of_cells(columns, weights, live - 1) +
             positive_part(last, edge * to_edge.outer, width);
     }

@@ -48,7 +48,8 @@ void step_columns(const Law& law, const PowerShape& power, const typename Law::R
     for (std::size_t k = 0; k < parts; ++k) R::store(part[k], next.part[k] + j);
     R::store(at.shape, next.shape + j);
     R::store(measure_of(formulas, e, at), next.measure + j);
-    R::store(stress / at.shape, next.ratio + j);
+    // A column in tension that has just been met again has no bound of its own.
+    R::store(max(stress / at.shape, N(-1e100)), next.ratio + j);
   }
 }
 

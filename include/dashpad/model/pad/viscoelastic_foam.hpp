@@ -34,10 +34,12 @@ struct ViscoelasticFoam {
   friend bool operator==(const ViscoelasticFoam&, const ViscoelasticFoam&) = default;
 
   struct RatePart {};
-  /// Lengths of a step in relaxation times.
+  /// Lengths of a step in relaxation times, and what is left of a stress after it.
   struct TimePart {
     double first = 0;
     double second = 0;
+    double first_left = 1;
+    double second_left = 1;
   };
 
   /// p is steep like e at first contact, and like 1 / (1 - e) or more at full compression.
@@ -47,7 +49,9 @@ struct ViscoelasticFoam {
   }
   [[nodiscard]] RatePart rate_part(double) const { return {}; }
   [[nodiscard]] TimePart time_part(double from, double to) const {
-    return {(to - from) / first_time, (to - from) / second_time};
+    const double first = (to - from) / first_time;
+    const double second = (to - from) / second_time;
+    return {first, second, std::exp(-first), std::exp(-second)};
   }
   /// Of the faster branch.
   [[nodiscard]] double relaxation_rate(double) const { return 1 / std::min(first_time, second_time); }
@@ -109,13 +113,20 @@ struct Formulas<ViscoelasticFoam> {
   DASHPAD_FORMULA N envelope(const N* part, N, N) const {
     return part[0];
   }
-  /// The branches after a step of which a column is in contact for a share; the stress.
+  /// The branches after a step of which a column is in contact for a share; the stress. What a column had
+  /// before it was touched relaxed before, too.
   template <class N>
   DASHPAD_FORMULA N carry(const N* before, N* part, N share) const {
     const N rise = part[0] - before[0];
-    part[1] = branch(law.first_share, time.first * share, before[1], rise);
-    part[2] = branch(law.second_share, time.second * share, before[2], rise);
+    part[1] = before[1] * time.first_left + risen(law.first_share, time.first * share, rise);
+    part[2] = before[2] * time.second_left + risen(law.second_share, time.second * share, rise);
     return part[0] + part[1] + part[2];
+  }
+  /// What is left of them where no strain is, after a share of a step.
+  template <class N>
+  DASHPAD_FORMULA void relax(N* part, N share) const {
+    part[1] = part[1] * exp(-time.first * share);
+    part[2] = part[2] * exp(-time.second * share);
   }
   /// Change of the stress with time while the strain is held.
   template <class N>
@@ -125,12 +136,11 @@ struct Formulas<ViscoelasticFoam> {
 
  private:
   template <class N>
-  DASHPAD_FORMULA N branch(double share, N steps, N before, N rise) const {
+  DASHPAD_FORMULA N risen(double stiffness, N steps, N rise) const {
     const N least(1e-8);
-    const N kept = exp(N(0.0) - steps);
     // (1 - exp(-H)) / H, by its series where H is nothing.
-    const N mean = select(steps < least, 1.0 - 0.5 * steps, (1.0 - kept) / max(steps, least));
-    return before * kept + share * (rise * mean);
+    const N mean = select(steps < least, 1.0 - 0.5 * steps, (1.0 - exp(N(0.0) - steps)) / max(steps, least));
+    return stiffness * (rise * mean);
   }
 };
 
