@@ -23,7 +23,8 @@ std::optional<ImpactCase> next_blow(const ImpactCase& series, const ImpactCase& 
   if (blow_memory(blow.pad.material.law) != BlowMemory::none)
     next.pad.earlier_penetration =
         (1 - series.blows->recovery) * std::max(blow.pad.earlier_penetration, summary.peak_penetration);
-  if (summary.support && blow.backing.unloading_stiffness > 0)
+  // Below its preload a support stays where it is.
+  if (summary.support && summary.support->crushing_force > blow.backing.preload)
     next.backing.earlier_force = std::max(blow.backing.earlier_force, summary.support->crushing_force);
   return next;
 }

@@ -111,7 +111,7 @@ class Equilibrium {
     // Below zero the support's line goes on: the release is located by the sign.
     const auto residual = [&](double force) {
       const double extended =
-          force >= 0 ? 0 : force * foundation_.static_compliance(now().back, foundation_.backing().preload);
+          force >= 0 ? 0 : force * foundation_.static_compliance(now().back, foundation_.holding());
       return motion_.residual(now().penetration, force, step, trial.end) + extended;
     };
     find_root(

@@ -85,10 +85,13 @@ inline double has_unloading_step(const Sight& s) {
 }
 inline double has_step_below_lock(const Sight& s) { return s.trial.obstacle == Event::lock ? -1 : 1; }
 inline double way_to_corner(const Sight& s) {
-  return (s.at_corner(s.trial.end) - s.corner) * (s.at_corner(s.now) < s.corner ? -1 : 1);
+  const double now = s.at_corner(s.now) - s.corner, then = s.at_corner(s.trial.end) - s.corner;
+  // A panel that has struck its stop stays there: how far it would have gone is not known.
+  if (then == 0) return -std::abs(now);
+  return now < 0 ? -then : then;
 }
 inline bool is_off_corner(const Sight& s) {
-  return std::abs(s.at_corner(s.now) - s.corner) > numerics.at_corner * s.corner;
+  return std::abs(s.at_corner(s.now) - s.corner) > numerics.at_corner * std::abs(s.corner);
 }
 inline double support_goes_on(const Sight& s) {
   return s.foundation.kind() == Foundation::Kind::at_once ? s.trial.force_rate : s.trial.end.back.rate;

@@ -177,8 +177,6 @@ void check_backing(std::vector<Violation>& broken, const Support& support, const
   if (of.earlier_force > 0 && !(of.unloading_stiffness > 0))
     broken.push_back({"support.earlier_force", of.earlier_force,
                       "needs an unloading_stiffness: what an elastic support has carried leaves nothing"});
-  if (of.earlier_force > 0 && of.preload > 0)
-    broken.push_back({"support.earlier_force", of.earlier_force, "a support with a preload has none"});
   double steepest = 0;
   for (double force : {0.0, support.points().back().force})
     steepest = std::max(steepest, 1 / support.compliance(force));

@@ -518,6 +518,58 @@ ImpactCase moving_case(std::uint64_t seed) {
   return impact;
 }
 
+ImpactCase support_case(std::uint64_t seed) {
+  // Numbers of its own: the rest of the case is that of the other kind.
+  Draw draw(seed + 0x73757070);
+  const int kind = draw.choice(8);
+  ImpactCase impact = kind < 3 ? foam_case(seed) : kind < 6 ? ordinary_case(seed) : nose_case(seed);
+  impact.title = "support case " + std::to_string(seed);
+  Impactor& impactor = impact.impactor;
+  if (kind == 0) {
+    const double modulus = draw.decades(3e4, 1e6);
+    impact.pad.material.law = ViscoelasticFoam{.first_modulus = modulus,
+                                               .first_exponent = draw.uniform(2, 12),
+                                               .first_share = draw.decades(0.1, 10),
+                                               .first_time = draw.decades(1e-4, 1)};
+  }
+  if (draw.choice(4) == 0 && kind < 6) impactor.nose = FlatDisc{draw.decades(0.03, 0.2)};
+  Backing& backing = impact.backing;
+  if (impact.support.is_rigid() && draw.choice(2) == 0) {
+    backing.body_mass = impactor.mass * draw.decades(0.1, 300);
+  } else {
+    if (impact.support.is_rigid()) impact.support = Support::linear(draw.decades(1e4, 1e7));
+    double steepest = 0;
+    Support::Point from;
+    for (const Support::Point& to : impact.support.points()) {
+      steepest = std::max(steepest, (to.force - from.force) / (to.deflection - from.deflection));
+      from = to;
+    }
+    const double critical = 2 * std::sqrt(steepest * impactor.mass);
+    if (draw.choice(2) == 0) backing.unloading_stiffness = steepest * draw.decades(1, 10);
+    if (draw.choice(2) == 0) backing.mass = impactor.mass * draw.decades(0.03, 10);
+    if (draw.choice(3) == 0)
+      backing.damping = critical * draw.decades(0.01, 2);
+    else if (draw.choice(4) == 0)
+      backing.loss_factor = draw.decades(0.01, 1);
+    if (draw.choice(3) == 0) backing.body_mass = impactor.mass * draw.decades(0.3, 30);
+    const double usual = impactor.speed * std::sqrt(steepest * impactor.mass);
+    if (draw.choice(3) == 0)
+      backing.preload = usual * draw.decades(0.01, 2);
+    else if (backing.mass > 0 && draw.choice(2) == 0)
+      backing.gap = impact.pad.thickness * draw.decades(0.01, 1);
+    if (backing.unloading_stiffness > 0 && draw.choice(4) == 0)
+      backing.earlier_force = usual * draw.decades(0.01, 2);
+  }
+  if (backing.body_mass == 0 && draw.choice(3) == 0) impactor.gravity = 9.81;
+  if (draw.choice(4) == 0) {
+    const bool recovers = blow_memory(impact.pad.material.law) != BlowMemory::crater;
+    impact.blows = Blows{2 + draw.choice(3), recovers ? draw.uniform(0, 1) : 0};
+  } else if (draw.choice(4) == 0 && !std::holds_alternative<Cylinder>(impactor.nose)) {
+    impact.pad.sheet = draw.decades(0.1, 20);
+  }
+  return impact;
+}
+
 ImpactCase random_case(std::uint64_t seed) {
   Draw draw(seed);
   ImpactCase impact;

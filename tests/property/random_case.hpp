@@ -40,4 +40,8 @@ ImpactCase nose_case(std::uint64_t seed);
 /// behind it, in all combinations, one in three under gravity.
 ImpactCase moving_case(std::uint64_t seed);
 
+/// A case of any law and nose on a support with any of all that a support may have: also preloads and gaps,
+/// what earlier blows have left, a rigid one on a free body; some with a sheet, some struck again.
+ImpactCase support_case(std::uint64_t seed);
+
 }  // namespace dashpad::test

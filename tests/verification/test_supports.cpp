@@ -241,6 +241,33 @@ TEST(CrushedSupport, CarriesItsSetToTheNextBlow) {
               4e-6 * second.energy.impact);
 }
 
+/// The set is what stays of the support's own deflection: no part of the gap before it.
+TEST(CrushedSupport, HasNoSetByItsGap) {
+  ImpactCase impact = disc_on_spring();
+  const double ks = 3e5, ku = 1e6;
+  impact.backing = {.unloading_stiffness = ku, .mass = 20, .gap = 0.2};
+  const Summary never = solve(impact, {.tolerance = 1e-5}).summary;
+  ASSERT_EQ(never.status, Status::released);
+  EXPECT_EQ(*never.support->set, 0);
+  EXPECT_EQ(never.energy.support_loss, 0);
+  impact.backing.mass = 2;
+  impact.backing.gap = 0.002;
+  impact.blows = Blows{2, 0};
+  const std::vector<Blow> blows = solve_blows(impact, {.tolerance = 1e-5});
+  ASSERT_EQ(blows.size(), 2U);
+  double before = 0;
+  for (const Blow& blow : blows) {
+    const Summary& s = blow.solution.summary;
+    ASSERT_EQ(s.status, Status::released);
+    const double force = s.support->crushing_force;
+    expect_relative(*s.support->set, force / ks - force / ku, 2e-5, "set");
+    // The support meets the panel behind the same gap, shorter by what the blow before has left.
+    expect_relative(s.support->peak_deflection, impact.backing.gap + force / ks - before, 2e-5, "deflection");
+    EXPECT_NEAR(s.energy.residual, 0, 1e-5 * s.energy.impact);
+    before = *s.support->set;
+  }
+}
+
 // --- A free body behind
 
 TEST(FreeBody, SharesTheMomentum) {
@@ -325,6 +352,82 @@ TEST(Preload, HoldsAPanelAgainstItsStop) {
   ASSERT_EQ(gives.status, Status::released);
   EXPECT_LT(*gives.peak_force, on_rigid);
   EXPECT_NEAR(gives.energy.residual, 0, 1e-3 * gives.energy.impact);
+}
+
+TEST(Preload, StaysWhereNoBlowReachesIt) {
+  for (const bool is_curve : {false, true})
+    for (const double mass : {0.0, 2.0})
+      for (const double damping : {0.0, 100.0}) {
+        ImpactCase impact = disc_on_spring();
+        impact.backing = {.unloading_stiffness = 1e6, .damping = damping, .mass = mass};
+        impact.backing.preload = 1.2 * 3 * std::sqrt(5 * pad_stiffness(impact));
+        if (is_curve) impact.support = Support::through({{0.002, 500}, {0.01, 1000}, {0.03, 9000}});
+        impact.blows = Blows{3, 0};
+        ASSERT_TRUE(violations(impact).empty());
+        const std::vector<Blow> blows = solve_blows(impact, {.tolerance = 1e-4});
+        ASSERT_EQ(blows.size(), 3U);
+        for (const Blow& blow : blows) {
+          const Summary& s = blow.solution.summary;
+          EXPECT_EQ(blow.impact.backing, impact.backing);
+          EXPECT_EQ(*s.peak_force, *blows[0].solution.summary.peak_force);
+          EXPECT_EQ(*s.support->set, 0);
+          EXPECT_EQ(s.support->peak_deflection, 0);
+          EXPECT_EQ(s.energy.support_loss, 0);
+        }
+      }
+}
+
+/// What a blow leaves of the preload, or of the support once nothing is left of it (theory.md, Eq. 44).
+TEST(Preload, IsUsedUpByCrushing) {
+  const double ks = 3e5, ku = 1e6, energy = 5 * 9 / 2.0;
+  for (const double share : {0.1, 0.3, 0.6, 0.85}) {
+    SCOPED_TRACE(share);
+    ImpactCase impact = disc_on_spring();
+    const double kp = pad_stiffness(impact);
+    const double preload = share * 3 * std::sqrt(5 * kp);
+    impact.backing = {.unloading_stiffness = ku, .preload = preload};
+    impact.blows = Blows{2, 0};
+    const std::vector<Blow> blows = solve_blows(impact, {.tolerance = 1e-6});
+    ASSERT_EQ(blows.size(), 2U);
+    const Summary& first = blows[0].solution.summary;
+    const Summary& second = blows[1].solution.summary;
+    const double force = std::sqrt((2 * energy + preload * preload / ks) / (1 / kp + 1 / ks));
+    const double way = (force - preload) / ks;
+    const double left = std::max(force - ku * way, 0.0);
+    expect_relative(*first.peak_force, force, 2e-6, "first peak");
+    EXPECT_NEAR(*first.support->set, std::max(way - force / ku, 0.0), 4e-6 * way);
+    const double returned = force * force / 2 / kp + (force * force - left * left) / 2 / ku;
+    expect_relative(*first.rebound_speed, std::sqrt(2 * returned / 5), 4e-6, "first rebound");
+    // Up to the yield along the line of unloading, from what is left; beyond it on the curve.
+    const double peak =
+        std::sqrt((2 * energy + left * left / ku + force * force * (1 / ks - 1 / ku)) / (1 / kp + 1 / ks));
+    ASSERT_GT(peak, force);
+    expect_relative(*second.peak_force, peak, 4e-6, "second peak");
+    const double all = (peak - preload) / ks;
+    EXPECT_NEAR(*second.support->set, std::max(all - peak / ku, 0.0), 8e-6 * all);
+    const double still_left = std::max(peak - ku * all, 0.0);
+    const double loss = (peak * peak - force * force) / 2 * (1 / ks - 1 / ku) +
+                        (still_left * still_left - left * left) / 2 / ku;
+    EXPECT_NEAR(second.energy.support_loss, loss, 4e-6 * energy);
+    EXPECT_NEAR(first.energy.residual, 0, 1e-6 * energy);
+    EXPECT_NEAR(second.energy.residual, 0, 1e-6 * energy);
+  }
+}
+
+/// A panel that strikes its stop goes on with the body behind: momentum stays, energy is lost.
+TEST(Preload, LetsThePanelLandOnItsStopPlastically) {
+  for (const double body : {0.0, 12.0})
+    for (const double unloading : {0.0, 1e6}) {
+      SCOPED_TRACE(fmt::format("body {}, unloading stiffness {}", body, unloading));
+      ImpactCase impact = disc_on_spring();
+      impact.backing = {.unloading_stiffness = unloading, .mass = 2, .body_mass = body};
+      impact.backing.preload = 0.3 * 3 * std::sqrt(5 * pad_stiffness(impact));
+      const Summary s = solve(impact, {.tolerance = 1e-5}).summary;
+      ASSERT_EQ(s.status, Status::released);
+      EXPECT_GT(s.support->peak_deflection, 0);
+      EXPECT_NEAR(s.energy.residual, 0, 1e-5 * s.energy.impact);
+      EXPECT_GT(s.energy.support_loss, 1e-3 * s.energy.impact);
+    }
 }
 
 // --- Gravity and rest

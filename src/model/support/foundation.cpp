@@ -5,8 +5,8 @@
 namespace dashpad {
 namespace {
 
-/// Corners that crushing moves: where it goes on, and where the force is used up.
-constexpr std::size_t moving_corners = 2;
+/// Corners beside those of the curve: the stop, where the force is used up, and where crushing goes on.
+constexpr std::size_t other_corners = 3;
 /// Corners that are closer, relative, are one.
 constexpr double same_corner = 1e-6;
 
@@ -32,33 +32,47 @@ Foundation::Foundation(const Support& support, const Backing& backing, double im
   if (backing.loss_factor > 0)
     damping_ = backing.loss_factor * std::sqrt((impactor_mass + backing.mass) / support.compliance(0));
   offset_ = support.deflection(backing.preload);
-  if (backing.earlier_force > 0) {
-    const double stored = backing.earlier_force * backing.earlier_force / (2 * backing.unloading_stiffness);
-    offset_ = support.deflection(backing.earlier_force) - backing.earlier_force / backing.unloading_stiffness;
-    crushed_before_ = support.energy(backing.earlier_force) - support.energy(support.force(offset_)) - stored;
+  if (crushes_ && backing.earlier_force > backing.preload) {
+    const double back = backing.earlier_force / backing.unloading_stiffness;
+    yielded_before_ = support.deflection(backing.earlier_force) - offset_;
+    set_before_ = std::max(yielded_before_ - back, 0.0);
+    // A preload that is not used up holds the panel on its stop still; else it stands where the set has
+    // left it.
+    if (set_before_ > 0) yielded_before_ = back;
+    offset_ += set_before_;
   }
-  lay_corners();
-}
-
-void Foundation::lay_corners() {
-  const bool at_once = kind_ == Kind::at_once;
-  if (at_once && backing_.preload > 0) of_curve_.push_back(backing_.preload);
-  if (!at_once) of_curve_.push_back(backing_.gap);
+  if (backing.preload > 0) stop_ = 0 - set_before_;
   for (const double force : support_.corners())
     if (force > std::max(backing_.preload, backing_.earlier_force))
-      of_curve_.push_back(at_once ? force : curve_deflection(force));
-  corners_.reserve(of_curve_.size() + moving_corners);
+      of_curve_.push_back(kind_ == Kind::at_once ? force : curve_deflection(force));
+  corners_.reserve(of_curve_.size() + other_corners);
 }
 
 void Foundation::start() {
-  const double earlier = backing_.earlier_force;
-  yield_ = backing_.gap + (earlier > 0 ? earlier / backing_.unloading_stiffness : 0);
-  yield_force_ = std::max(backing_.preload, earlier);
+  yield_ = backing_.gap + yielded_before_;
+  yield_force_ = std::max(backing_.preload, backing_.earlier_force);
+  crushed_before_ = crushed();
   damped_ = 0;
   turned_ = false;
   last_step_ = 0;
-  corners_ = of_curve_;
-  if (backing_.earlier_force > 0) corners_.push_back(kind_ == Kind::at_once ? yield_force_ : yield_);
+  find_corners();
+}
+
+void Foundation::find_corners() {
+  const bool at_once = kind_ == Kind::at_once;
+  const bool is_crushed = crushes_ && yield_ > backing_.gap;
+  const double front = at_once ? yield_force_ : yield_;
+  corners_.clear();
+  if (at_once) {
+    if (holding() > 0) corners_.push_back(holding());
+  } else {
+    if (std::isfinite(stop_)) corners_.push_back(stop_);
+    if (!(holding() > 0)) corners_.push_back(free_way());
+  }
+  if (is_crushed) corners_.push_back(front);
+  // The curve behind is passed on the way back along the line of unloading.
+  for (const double corner : of_curve_)
+    if (!is_crushed || corner > (1 + same_corner) * front) corners_.push_back(corner);
 }
 
 // ---------------------------------------------------------------- the curve
@@ -66,9 +80,8 @@ void Foundation::start() {
 double Foundation::curve_force(double x) const { return support_.force(offset_ + (x - backing_.gap)); }
 
 double Foundation::curve_deflection(double force) const {
-  return force <= std::max(backing_.preload, curve_force(backing_.gap))
-             ? backing_.gap
-             : backing_.gap + (support_.deflection(force) - offset_);
+  return force <= curve_force(backing_.gap) ? backing_.gap
+                                            : backing_.gap + (support_.deflection(force) - offset_);
 }
 
 double Foundation::energy_of_curve(double x) const {
@@ -87,22 +100,38 @@ double Foundation::stiffness(double x) const {
   return x < backing_.gap ? 0 : 1 / support_.compliance(curve_force(x));
 }
 
+double Foundation::holding() const {
+  if (!(backing_.preload > 0)) return 0;
+  return crushes_ ? std::max(yield_force_ - backing_.unloading_stiffness * (yield_ - stop_), 0.0)
+                  : backing_.preload;
+}
+
+double Foundation::free_way() const {
+  return crushes_ ? yield_ - yield_force_ / backing_.unloading_stiffness : backing_.gap;
+}
+
 double Foundation::set() const {
-  const double before = backing_.earlier_force > 0 ? offset_ : 0;
-  return crushes_ ? before + std::max(yield_ - yield_force_ / backing_.unloading_stiffness, 0.0) : 0;
+  return crushes_ ? set_before_ + std::max(free_way() - backing_.gap, 0.0) : 0;
+}
+
+double Foundation::crushed() const {
+  if (!crushes_) return 0;
+  const double held = holding();
+  return energy_of_curve(yield_) -
+         (yield_force_ * yield_force_ - held * held) / (2 * backing_.unloading_stiffness);
 }
 
 double Foundation::balanced(double slope, double force) const {
   const double gap = backing_.gap;
   if (crushes_ && force < yield_force_ + slope * yield_) {
-    const double set = yield_ - yield_force_ / backing_.unloading_stiffness;
-    const double x = force <= slope * set ? force / slope
-                                          : (force - yield_force_ + backing_.unloading_stiffness * yield_) /
-                                                (slope + backing_.unloading_stiffness);
-    return backing_.preload > 0 ? std::max(x, 0.0) : x;
+    const double x = force <= slope * free_way()
+                         ? force / slope
+                         : (force - yield_force_ + backing_.unloading_stiffness * yield_) /
+                               (slope + backing_.unloading_stiffness);
+    return std::max(x, stop_);
   }
-  const double at_rest = backing_.preload + slope * gap;
-  if (force <= at_rest) return backing_.preload > 0 ? 0 : std::min(force / slope, gap);
+  const double at_rest = holding() + slope * gap;
+  if (force <= at_rest) return std::max(std::min(force / slope, gap), stop_);
   return gap + (support_.balanced(slope, force - slope * gap + slope * offset_) - offset_);
 }
 
@@ -160,7 +189,7 @@ BackState Foundation::stuck(const BackState& now, double velocity) const {
 
 double Foundation::force_when_stuck(const BackState& now, double force, double impactor_mass,
                                     double weight) const {
-  if (kind_ == Kind::at_once) return std::max(force, backing_.preload);
+  if (kind_ == Kind::at_once) return std::max(force, holding());
   return (weight * backing_.mass + impactor_mass * now.transmitted) / (impactor_mass + backing_.mass);
 }
 
@@ -170,7 +199,7 @@ BackState Foundation::after_swing(const BackState& now, const StepForce& force, 
   const double inverse_mass = 1 / mass;
   if (rests_on_stop(now)) {
     // Body and panel are one until the stop is left.
-    const double leaving = backing_.preload * (1 + mass * inverse_body_);
+    const double leaving = holding() * (1 + mass * inverse_body_);
     if (force.end <= leaving) {
       const double share = inverse_body_ / (1 + mass * inverse_body_);
       BackState end = now;
@@ -192,17 +221,18 @@ BackState Foundation::after_swing(const BackState& now, const StepForce& force, 
   const double give = dt * dt * inverse / 4 * slowed;  // of the way, by the force of the spring
   BackState end;
   end.deflection = balanced(1 / give, free_way / give);
-  if (backing_.preload > 0 && end.deflection <= 0) {
-    end.deflection = 0;  // it has landed
-    end.transmitted = backing_.preload;
-  } else {
-    const double pushed = spring(end.deflection);
-    end.rate = free_rate - slowed * dt * inverse / 2 * pushed;
-    end.transmitted = pushed + damping_ * end.rate;
-  }
+  const double pushed = spring(end.deflection);
+  end.rate = free_rate - slowed * dt * inverse / 2 * pushed;
+  end.transmitted = pushed + damping_ * end.rate;
   const double sum = now.transmitted + end.transmitted;
   end.body_motion = now.body_motion + dt * (now.body_velocity + dt * inverse_body_ * sum / 4);
   end.body_velocity = now.body_velocity + dt * inverse_body_ * sum / 2;
+  if (end.deflection <= stop_) {
+    // It has landed, and goes on with the body.
+    end.body_velocity += landing_rate(now, end, dt) * inverse_body_ / inverse;
+    end.rate = 0;
+    end.transmitted = pushed;
+  }
   return end;
 }
 
@@ -223,9 +253,10 @@ double Foundation::static_compliance(const BackState& now, double force) const {
     const double slope = stiffness(now.deflection);
     return slope > 0 ? 1 / slope : std::numeric_limits<double>::infinity();
   }
+  if (force < holding()) return 0;
   if (crushes_ && (force < yield_force_ || (turned_ && force <= yield_force_)))
     return 1 / backing_.unloading_stiffness;
-  return force < backing_.preload ? 0 : support_.compliance(force);
+  return support_.compliance(force);
 }
 
 double Foundation::moving_compliance(const BackState& now, double force, double step, double share) const {
@@ -262,7 +293,7 @@ double Foundation::moving_retreat(const BackState& end, double force, double of_
     case Kind::at_once: return end.body_velocity + static_compliance(end, force) * force_rate;
     case Kind::damper: {
       const double rate = (of_pad - spring(end.deflection)) / damping_;
-      return end.body_velocity + (backing_.preload > 0 && end.deflection <= 0 ? std::max(rate, 0.0) : rate);
+      return end.body_velocity + (end.deflection <= stop_ ? std::max(rate, 0.0) : rate);
     }
     case Kind::panel: break;
   }
@@ -273,8 +304,10 @@ void Foundation::accept(const BackState& now, const BackState& end, double force
   if (bare_) return;
   if (kind_ != Kind::at_once) {
     damped_ += damping_ * step * (now.rate * now.rate + now.rate * end.rate + end.rate * end.rate) / 3;
-    if (kind_ == Kind::panel && backing_.preload > 0 && end.deflection <= 0 && now.deflection > 0)
-      damped_ += now.rate * now.rate / (1 / backing_.mass + inverse_body_) / 2;
+    if (kind_ == Kind::panel && end.deflection <= stop_ && now.deflection > stop_) {
+      const double rate = landing_rate(now, end, step);
+      damped_ += rate * rate / (1 / backing_.mass + inverse_body_) / 2;
+    }
     last_deflection_ = now.deflection;
     last_step_ = smooth ? step : 0;
   }
@@ -283,13 +316,12 @@ void Foundation::accept(const BackState& now, const BackState& end, double force
   yield_ = end.deflection;
   yield_force_ = at_once ? force : curve_force(yield_);
   turned_ = false;
-  // The curve behind is passed on the way back along the line of unloading.
-  const double front = at_once ? yield_force_ : yield_;
-  corners_.clear();
-  corners_.push_back(front);
-  if (!at_once) corners_.push_back(yield_ - yield_force_ / backing_.unloading_stiffness);
-  for (const double corner : of_curve_)
-    if (corner > (1 + same_corner) * front) corners_.push_back(corner);
+  find_corners();
+}
+
+/// By average acceleration: the step ends where the stop is met.
+double Foundation::landing_rate(const BackState& now, const BackState& end, double step) {
+  return std::min(2 * (end.deflection - now.deflection) / step - now.rate, 0.0);
 }
 
 // ---------------------------------------------------------------- energy
@@ -301,13 +333,9 @@ Foundation::Energy Foundation::energy(const BackState& now, double force) const 
   const double x = kind_ == Kind::at_once ? deflection(force) : now.deflection;
   if (crushes_) {
     const double left = x < yield_ ? spring(x) : yield_force_;
-    energy.stored = left * left / (2 * backing_.unloading_stiffness);
-    energy.crushed =
-        energy_of_curve(yield_) - yield_force_ * yield_force_ / (2 * backing_.unloading_stiffness);
-    // What the preload had stored is not given back.
-    const double before = backing_.preload * backing_.preload / (2 * backing_.unloading_stiffness);
-    energy.crushed += before - crushed_before_;
-    energy.stored -= before;
+    const double held = holding();
+    energy.stored = (left * left - held * held) / (2 * backing_.unloading_stiffness);
+    energy.crushed = crushed() - crushed_before_;
   } else {
     energy.stored = support_.is_rigid() ? 0 : bare_ ? support_.energy(force) : energy_of_curve(x);
   }

@@ -47,7 +47,7 @@ class Foundation {
   Foundation(const Foundation&) = delete;
   Foundation& operator=(const Foundation&) = delete;
 
-  /// Back to rest, uncrushed.
+  /// Back to rest, as earlier blows have left it.
   void start();
 
   /// An elastic support on the ground: the deflection is support().deflection(force), and no state is kept.
@@ -61,7 +61,7 @@ class Foundation {
   }
   /// Whether the back does not give way at all.
   [[nodiscard]] bool stands_still(const BackState& now, double force) const {
-    return support_.is_rigid() || (kind_ != Kind::panel && force < backing_.preload && now.deflection <= 0);
+    return support_.is_rigid() || (kind_ != Kind::panel && force < holding() && now.deflection <= stop_);
   }
   /// Whether a force without limit would be needed to stop a pad that is fully compressed.
   [[nodiscard]] bool stops_hard() const { return support_.is_rigid() || kind_ == Kind::panel; }
@@ -73,7 +73,7 @@ class Foundation {
 
   /// Force that meets a pad which strikes with `speed` before it has any way to go, N.
   [[nodiscard]] double force_at_once(double speed) const {
-    return kind_ == Kind::damper ? backing_.preload + damping_ * speed : backing_.preload;
+    return kind_ == Kind::damper ? holding() + damping_ * speed : holding();
   }
 
   /// m, of a support at once.
@@ -116,7 +116,8 @@ class Foundation {
   /// Whether the support is being crushed further in this state; not after turn() until it is again.
   [[nodiscard]] bool is_crushing(const BackState& now, double force) const {
     return crushes_ && !turned_ &&
-           (kind_ == Kind::at_once ? force >= yield_force_ : now.deflection >= yield_);
+           (kind_ == Kind::at_once ? force >= yield_force_
+                                   : now.deflection >= yield_ && now.deflection > stop_);
   }
   /// It comes back from here.
   void turn() { turned_ = true; }
@@ -135,6 +136,8 @@ class Foundation {
   [[nodiscard]] double elastic_energy(double force) const {
     return bare_ ? support_.energy(force) : energy_of_curve(curve_deflection(force));
   }
+  /// Force with which the panel is held on its stop, N: the preload, or what crushing has left of it.
+  [[nodiscard]] double holding() const;
   /// Deflection that stays, from the support as it was when new, m.
   [[nodiscard]] double set() const;
   /// Largest force that the support has carried, N; 0 where that leaves nothing.
@@ -160,7 +163,7 @@ class Foundation {
   [[nodiscard]] BackState after_creep(const BackState& now, const StepForce& force) const;
   [[nodiscard]] BackState after_swing(const BackState& now, const StepForce& force, double mass) const;
   [[nodiscard]] bool rests_on_stop(const BackState& of) const {
-    return backing_.preload > 0 && of.deflection <= 0 && of.rate <= 0;
+    return of.deflection <= stop_ && of.rate <= 0;
   }
   /// Of the damper's rate, by the deflection at the end of a step: rate = slope x - rest.
   struct Backward {
@@ -169,7 +172,13 @@ class Foundation {
   [[nodiscard]] Backward backward(const BackState& now, double step) const;
   [[nodiscard]] BackState left_stop(const BackState& now, const StepForce& force, double leaving,
                                     double mass) const;
-  void lay_corners();
+  /// With which the panel strikes its stop at the end of a step, m/s.
+  [[nodiscard]] static double landing_rate(const BackState& now, const BackState& end, double step);
+  /// Way of the panel behind which the support carries it, if no preload is left, m.
+  [[nodiscard]] double free_way() const;
+  /// Lost for good up to now, J: the rest comes back on the way to the stop.
+  [[nodiscard]] double crushed() const;
+  void find_corners();
 
   const Support& support_;
   Backing backing_;
@@ -178,8 +187,11 @@ class Foundation {
   bool bare_ = true;   ///< the curve alone
   bool plain_ = true;  ///< and no body behind
   double damping_ = 0;
-  double inverse_body_ = 0;    ///< 1/Mb
+  double inverse_body_ = 0;                                 ///< 1/Mb
+  double stop_ = -std::numeric_limits<double>::infinity();  ///< x at which a stop holds the panel, m
   double offset_ = 0;          ///< deflection of the curve at rest, by the preload or an earlier force, m
+  double set_before_ = 0;      ///< by an earlier force, m
+  double yielded_before_ = 0;  ///< x behind the gap up to which that has crushed it, m
   double crushed_before_ = 0;  ///< J
   double yield_ = 0;           ///< x up to which it has been crushed, m
   double yield_force_ = 0;
