@@ -48,7 +48,11 @@ int compare_with_pulse(const CompareRequest& request, const std::filesystem::pat
   judge_picture(request.picture, wrong);
   const std::optional<input::CaseFile> input = read_case(request.case_file, materials, wrong);
   PulseRequest asked = request.pulse;
-  if (input) asked.case_speed = input->impact.impactor.speed;
+  injury::MeasuredImpact impact;
+  if (input) {
+    impact = {.speed = input->impact.impactor.speed, .gravity = input->impact.impactor.gravity};
+    asked.case_impact = impact;
+  }
   const injury::PulseReport pulse = pulse_report(asked, std::move(wrong), [&](auto files, auto& faults) {
     std::ranges::move(files_of(request.case_file, input), std::back_inserter(files));
     judge_targets(targets(request), files, request.force, faults);
@@ -57,8 +61,7 @@ int compare_with_pulse(const CompareRequest& request, const std::filesystem::pat
   judge_pulse(pulse, alignment);
   Solution solution = solve_with_progress(input->impact, input->options);
   add_intervals_with_progress(input->impact, input->options, solution);
-  const injury::PulseComparison comparison =
-      injury::compare_pulses(pulse, solution, input->impact.impactor.speed, alignment);
+  const injury::PulseComparison comparison = injury::compare_pulses(pulse, solution, impact, alignment);
   const output::PulseComparisonReport report{request.case_file, input->impact, solution, pulse, comparison};
   const UnitSystem& units = unit_system(request.units);
   const auto text_of = [&](const Target& target) {

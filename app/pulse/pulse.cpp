@@ -44,11 +44,12 @@ takes it off, each direction by itself and before any filter: "--zero auto" the 
 
 Checks: PULSE CUT says that the pulse starts or ends above 1 % of its peak; its HIC and clips are lower bounds
 then. With --speed or --drop-height the velocity change must lie between v and 2v, IMPOSSIBLE VELOCITY CHANGE
-says otherwise; the restitution is (velocity change - v) / v.
+says otherwise; the restitution is (velocity change - v) / v. With --drop-height what gravity adds during contact
+is taken off before.
 
 Figures: the peak; HIC15, HIC36, HIC with any window, and those of --window; HIC(d); the 3 ms clip, in one
 stretch and in all; Gadd's severity index; the time above 80, 150 and 200 g, or the levels of --dwell; the
-change of velocity. They are of the pulse as it is, or as --filter makes it. The directions of a resultant are
+change of velocity over contact. They are of the pulse as it is, or as --filter makes it. The directions of a resultant are
 each filtered, then combined. A filter needs even samples:
 --resample "0.1 ms" makes them so, by straight lines.
 

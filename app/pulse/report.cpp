@@ -35,8 +35,9 @@ input::MeasuredPulse read(const PulseRequest& request, const PulseSettings& sett
 }
 
 /// Resampled and filtered as asked for; `wrong` is told where that cannot be.
-Pulse processed(const input::MeasuredPulse& measured, const PulseSettings& settings,
-                const std::optional<injury::PulseFilter>& filter, std::vector<std::string>& wrong) {
+injury::ProcessedPulse processed(const input::MeasuredPulse& measured, const PulseSettings& settings,
+                                 const std::optional<injury::PulseFilter>& filter,
+                                 std::vector<std::string>& wrong) {
   try {
     return injury::processed_pulse(measured, settings.interval, filter);
   } catch (const std::invalid_argument& error) {
@@ -48,25 +49,27 @@ Pulse processed(const input::MeasuredPulse& measured, const PulseSettings& setti
 }
 
 /// The offset in the interval of --zero, else in the quiet part before the impact; `wrong` is told where
-/// --zero wants one and there is none.
+/// --zero wants one and there is none. Leaves out what shows another level than the quiet part.
 std::optional<input::SensorOffset> offset_of(const PulseRequest& request, const PulseSettings& settings,
-                                             const input::MeasuredPulse& measured,
+                                             input::MeasuredPulse& measured,
                                              std::vector<std::string>& wrong) {
+  std::optional<input::SensorOffset> offset = input::offset_before_impact(measured);
+  const std::optional<double> begin = offset && offset->rest ? std::optional{offset->begin} : std::nullopt;
   if (!settings.zero_interval) {
-    std::optional<input::SensorOffset> offset = input::offset_before_impact(measured);
     if (request.zero && !offset)
       wrong.emplace_back(
           "--zero auto: there is no quiet part before the impact; give its interval, --zero BEGIN,END");
-    return offset;
+  } else {
+    try {
+      offset = input::offset_between(measured, settings.zero_interval->first, settings.zero_interval->second);
+    } catch (const std::invalid_argument& error) {
+      const std::vector<double>& time = measured.pulse.time;
+      wrong.push_back(fmt::format("--zero {}: {}; the samples are from {:.6g} to {:.6g} ms", *request.zero,
+                                  error.what(), 1e3 * time.front(), 1e3 * time.back()));
+    }
   }
-  try {
-    return input::offset_between(measured, settings.zero_interval->first, settings.zero_interval->second);
-  } catch (const std::invalid_argument& error) {
-    const std::vector<double>& time = measured.pulse.time;
-    wrong.push_back(fmt::format("--zero {}: {}; the samples are from {:.6g} to {:.6g} ms", *request.zero,
-                                error.what(), 1e3 * time.front(), 1e3 * time.back()));
-    return std::nullopt;
-  }
+  if (begin) input::leave_out_before(measured, *begin);
+  return offset;
 }
 
 /// How long it takes to read a file and to compute its figures, s.
@@ -101,6 +104,7 @@ injury::PulseReport pulse_report(
                              .filter = filter_of(request),
                              .offset = {},
                              .pulse = {},
+                             .contact = {},
                              .figures = {},
                              .impact = settings.impact,
                              .windows = {},
@@ -117,15 +121,18 @@ injury::PulseReport pulse_report(
   judge(report.measured.files, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
   waiting.now(fmt::format("Computing figures of {} samples", report.measured.pulse.time.size()));
-  report.pulse = processed(report.measured, settings, report.filter, wrong);
   const std::optional<input::SensorOffset> offset = offset_of(request, settings, report.measured, wrong);
+  injury::ProcessedPulse pulse = processed(report.measured, settings, report.filter, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
-  Pulse zero = offset ? processed(input::zeroed(report.measured, *offset), settings, report.filter, wrong)
-                      : report.pulse;
-  Pulse& other = request.zero ? report.pulse : zero;
-  const double hic15_of_other = offset ? injury::hic(other, injury::hic15_window).value : 0;
-  if (request.zero) std::swap(report.pulse, zero);
+  injury::ProcessedPulse zero =
+      offset ? processed(input::zeroed(report.measured, *offset), settings, report.filter, wrong) : pulse;
+  if (request.zero) std::swap(pulse, zero);
+  const double hic15_of_other = offset ? injury::hic(zero.pulse, injury::hic15_window).value : 0;
+  report.contact = injury::contact_of(
+      pulse.along(), offset ? std::optional{injury::Stretch{offset->begin, offset->end}} : std::nullopt);
+  report.pulse = std::move(pulse.pulse);
   report.figures = injury::injury_figures(report.pulse);
+  report.figures.velocity_change = report.contact.velocity_change;
   if (offset) {
     report.offset = {*offset, settings.zero_interval.has_value(), request.zero.has_value(),
                      report.figures.hic15.value, hic15_of_other};
@@ -137,7 +144,7 @@ injury::PulseReport pulse_report(
     report.dwells.push_back(
         {level, injury::cumulative_dwell(report.pulse, level), injury::longest_dwell(report.pulse, level)});
   remark_on(report);
-  report.flags = injury::flags(report, request.zero ? report.pulse : zero);
+  report.flags = injury::flags(report, request.zero ? report.pulse : zero.pulse);
   return report;
 }
 

@@ -56,8 +56,7 @@ std::optional<injury::MeasuredImpact> impact_of(const PulseRequest& request,
   if (request.speed && request.drop_height)
     wrong.emplace_back("--drop-height: is for a speed that is not known; give --speed or --drop-height");
   if (height && *height > 0) return injury::after_fall(*height);
-  if (!request.speed && !request.drop_height && request.case_speed)
-    return injury::MeasuredImpact{.speed = *request.case_speed};
+  if (!request.speed && !request.drop_height && request.case_impact) return request.case_impact;
   return speed ? std::optional{injury::MeasuredImpact{.speed = *speed}} : std::nullopt;
 }
 

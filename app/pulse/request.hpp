@@ -29,8 +29,8 @@ struct PulseRequest {
   std::vector<std::string> sensitivities;
   std::optional<std::string> speed;
   std::optional<std::string> drop_height;
-  /// m/s, of a case beside which the pulse is laid: where neither --speed nor --drop-height is given.
-  std::optional<double> case_speed = {};
+  /// Of a case beside which the pulse is laid: where neither --speed nor --drop-height is given.
+  std::optional<injury::MeasuredImpact> case_impact = {};
   std::vector<double> windows_ms;
   std::vector<std::string> dwells;
   std::optional<std::string> json;

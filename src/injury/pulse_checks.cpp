@@ -51,25 +51,32 @@ std::string cut(const std::string& where, double acceleration, double peak, cons
 }  // namespace
 
 MeasuredImpact after_fall(double drop_height) {
-  return {.speed = std::sqrt(2 * standard_gravity * drop_height), .drop_height = drop_height};
+  return {.speed = std::sqrt(2 * standard_gravity * drop_height),
+          .drop_height = drop_height,
+          .gravity = standard_gravity};
+}
+
+double change_of_motion(const Contact& contact, const MeasuredImpact& impact) {
+  return contact.velocity_change - impact.gravity * (contact.end - contact.begin);
 }
 
 std::optional<double> restitution(const PulseReport& report) {
   if (!report.impact) return std::nullopt;
-  return std::abs(report.figures.velocity_change) / report.impact->speed - 1;
+  return change_of_motion(report.contact, *report.impact) / report.impact->speed - 1;
 }
 
 std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse) {
   std::vector<Flag> all;
   const double peak = injury::peak(pulse).magnitude;
   const double limit = std::max(lowest_cut * peak, cut_in_noise * scatter(report, pulse, peak));
-  const bool begins_quietly = report.offset && !report.offset->given;
+  const bool begins_quietly =
+      report.offset && (!report.offset->given || report.offset->offset.end <= report.contact.begin);
   if (!begins_quietly && std::abs(pulse.acceleration.front()) > limit)
     all.push_back({"PULSE CUT", cut("starts", pulse.acceleration.front(), peak, "its beginning is missing")});
   if (std::abs(pulse.acceleration.back()) > limit)
     all.push_back({"PULSE CUT", cut("ends", pulse.acceleration.back(), peak, "its end is missing")});
   if (!report.impact) return all;
-  const double change = std::abs(report.figures.velocity_change), speed = report.impact->speed;
+  const double change = change_of_motion(report.contact, *report.impact), speed = report.impact->speed;
   if (change < (1 - rounding_of_velocity) * speed)
     all.push_back(
         {"IMPOSSIBLE VELOCITY CHANGE",

@@ -31,27 +31,6 @@ void find_onset(const Pulse& pulse, double level, PulseShape& shape) {
   });
 }
 
-/// The samples around the one at `peak` with the sign of that one, and the zeros at both ends.
-Pulse contact_of(const Pulse& pulse, std::size_t peak, double side) {
-  const std::vector<double>&time = pulse.time, &a = pulse.acceleration;
-  std::size_t first = peak, last = peak;
-  while (first > 0 && side * a[first - 1] > 0) --first;
-  while (last + 1 < a.size() && side * a[last + 1] > 0) ++last;
-  const auto zero = [&](std::size_t outside, std::size_t inside) {
-    return std::lerp(time[outside], time[inside], a[outside] / (a[outside] - a[inside]));
-  };
-  Pulse contact;
-  const auto add = [&contact](double when, double value) {
-    if (!contact.time.empty() && when <= contact.time.back()) return;  // a zero that rounds onto a sample
-    contact.time.push_back(when);
-    contact.acceleration.push_back(value);
-  };
-  if (first > 0) add(zero(first - 1, first), 0);
-  for (std::size_t i = first; i <= last; ++i) add(time[i], a[i]);
-  if (last + 1 < a.size()) add(zero(last + 1, last), 0);
-  return contact;
-}
-
 /// The computed pulse with its peak, which the solver knows to lie between two samples.
 Pulse with_peak(Pulse pulse, const Summary& summary) {
   if (!summary.peak_acceleration || !summary.time_of_peak_force) return pulse;
@@ -139,7 +118,8 @@ Pulse filtered_like(const std::optional<PulseFilter>& filter, double interval, c
                       filter->ends);
 }
 
-PulseShape pulse_shape(const Pulse& pulse, std::optional<double> impact_speed) {
+PulseShape pulse_shape(const Pulse& pulse, const std::optional<MeasuredImpact>& impact,
+                       const std::optional<Contact>& contact) {
   PulseShape shape;
   shape.peak = peak(pulse);
   if (!(shape.peak.magnitude > 0)) throw std::invalid_argument("its acceleration is 0 throughout");
@@ -148,13 +128,10 @@ PulseShape pulse_shape(const Pulse& pulse, std::optional<double> impact_speed) {
   shape.side = pulse.acceleration[index] < 0 ? -1 : 1;
   find_onset(pulse, onset_share * shape.peak.magnitude, shape);
   shape.width = cumulative_dwell(pulse, shape.peak.magnitude / 2);
-  const Pulse contact = contact_of(pulse, index, shape.side);
-  shape.contact_begin = contact.time.front();
-  shape.contact_end = contact.time.back();
-  shape.velocity_change = contact.time.size() < 2 ? 0 : velocity_change(contact);
+  shape.contact = contact ? *contact : contact_of(pulse);
   shape.hic15 = hic(pulse, hic15_window).value;
-  if (impact_speed) {
-    const double restitution = shape.velocity_change / *impact_speed - 1;
+  if (impact) {
+    const double restitution = change_of_motion(shape.contact, *impact) / impact->speed - 1;
     if (restitution >= -rounding_of_restitution && restitution <= 1 + 2 * rounding_of_restitution)
       shape.restitution = restitution;
   }
@@ -190,22 +167,21 @@ std::array<ComparedFigure, 6> compared_figures(const PulseShape& measured,
   return {figure("peak_acceleration", [](const PulseShape& of) -> Value { return of.peak.magnitude; }),
           figure("time_to_peak", [&](const PulseShape& of) { return time_to_peak(of, alignment); }),
           figure("half_peak_width", [](const PulseShape& of) -> Value { return of.width; }),
-          figure("velocity_change", [](const PulseShape& of) -> Value { return of.velocity_change; }),
+          figure("velocity_change", [](const PulseShape& of) -> Value { return of.contact.velocity_change; }),
           figure("hic15", [](const PulseShape& of) -> Value { return of.hic15; }),
           figure("restitution", [](const PulseShape& of) { return of.restitution; })};
 }
 
-PulseComparison compare_pulses(const PulseReport& report, const Solution& solution, double impact_speed,
-                               Alignment alignment) {
+PulseComparison compare_pulses(const PulseReport& report, const Solution& solution,
+                               const MeasuredImpact& impact, Alignment alignment) {
   PulseComparison comparison;
   comparison.alignment = alignment;
-  comparison.measured =
-      pulse_shape(report.pulse, report.impact ? report.impact->speed : std::optional<double>{});
+  comparison.measured = pulse_shape(report.pulse, report.impact, report.contact);
   check_alignment(comparison.measured, alignment);
   const Pulse history = finite_pulse(solution.history);
   comparison.computed_pulse = history;
   const auto shape_of = [&](const Pulse& pulse) {
-    PulseShape shape = pulse_shape(pulse, impact_speed);
+    PulseShape shape = pulse_shape(pulse, impact);
     if (!shape.onset) shape.onset = pulse.time.front();  // a foam that answers at first contact
     return shape;
   };

@@ -1,6 +1,7 @@
 // What is done to a measured pulse before its figures.
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,9 +20,9 @@ Pulse processed(const Pulse& pulse, std::optional<double> interval,
 
 }  // namespace
 
-Pulse processed_pulse(const input::MeasuredPulse& measured, std::optional<double> interval,
-                      const std::optional<PulseFilter>& filter) {
-  if (measured.components.empty()) return processed(measured.pulse, interval, filter);
+ProcessedPulse processed_pulse(const input::MeasuredPulse& measured, std::optional<double> interval,
+                               const std::optional<PulseFilter>& filter) {
+  if (measured.components.empty()) return {processed(measured.pulse, interval, filter), {}};
   Pulse result;
   std::vector<std::vector<double>> components;
   for (const std::vector<double>& component : measured.components) {
@@ -30,7 +31,15 @@ Pulse processed_pulse(const input::MeasuredPulse& measured, std::optional<double
     components.push_back(std::move(direction.acceleration));
   }
   result.acceleration = input::resultant_of(components);
-  return result;
+  const auto top = std::ranges::max_element(result.acceleration) - result.acceleration.begin();
+  std::vector<double> along(result.time.size());
+  for (const std::vector<double>& component : components) {
+    const auto at = static_cast<std::size_t>(top);
+    const double share = result.acceleration[at] > 0 ? component[at] / result.acceleration[at] : 0;
+    for (std::size_t i = 0; i < along.size(); ++i) along[i] += share * component[i];
+  }
+  Pulse axis{result.time, std::move(along)};
+  return {std::move(result), std::move(axis)};
 }
 
 std::optional<std::string> sampled_too_slowly(const input::MeasuredPulse& measured,

@@ -225,9 +225,9 @@ TEST_F(NamesTest, OfAPulseAreThoseOfTheTable) {
   const Outcome pulse = dashpad({"pulse", file("run.csv"), "--json", "-", "--csv", file("again.csv"),
                                  "--speed", "20 mph", "--window", "22", "--dwell", "80"});
   ASSERT_EQ(pulse.exit_code, 0) << pulse.err;
-  const Found found =
-      walk(json::parse(pulse.out), {"figures", "impact"},
-           {"flags", "source", "offset", "processing", "program", "speed_m_per_s", "drop_height_m"});
+  const Found found = walk(json::parse(pulse.out), {"figures", "impact"},
+                           {"flags", "source", "offset", "processing", "program", "speed_m_per_s",
+                            "drop_height_m", "gravity_m_per_s2"});
   expect_table_only(found, all_of_pulse, "JSON");
   EXPECT_THAT(found.known, IsSupersetOf({"restitution", "dwell_time"}));
   expect_table_only(rows_of(pulse.err, "\n\n"), of_pulse, "text");

@@ -184,10 +184,9 @@ TEST_F(PulseOffsetTest, ASpeedGivesRestitutionAndChecksTheVelocityChange) {
   EXPECT_NEAR(impact.at("restitution").get<double>(), 0.6, 1e-5);
   EXPECT_NEAR(impact.at("speed_m_per_s").get<double>(), speed, 1e-6);
   EXPECT_TRUE(impact.at("drop_height_m").is_null());
-  const json drop_height =
-      result({drop, "--drop-height", std::to_string(1e3 * speed * speed / 2 / g) + " mm"});
-  EXPECT_NEAR(drop_height.at("impact").at("speed_m_per_s").get<double>(), speed, 1e-6);
-  EXPECT_NEAR(drop_height.at("impact").at("drop_height_m").get<double>(), speed * speed / 2 / g, 1e-8);
+  const json of_drop = result({drop, "--drop-height", std::to_string(1e3 * speed * speed / 2 / g) + " mm"});
+  EXPECT_NEAR(of_drop.at("impact").at("speed_m_per_s").get<double>(), speed, 1e-6);
+  EXPECT_NEAR(of_drop.at("impact").at("drop_height_m").get<double>(), speed * speed / 2 / g, 1e-8);
   EXPECT_THAT(pulse({drop, "--speed", at_speed}).out,
               AllOf(HasSubstr("  Restitution             0.6000        of an impact at 3.9019 m/s\n"),
                     Not(HasSubstr("IMPOSSIBLE"))));

@@ -49,6 +49,17 @@ TEST(DecelerationOf, GoesFromTheOnsetToTheEndWithThePeakUp) {
     EXPECT_NEAR(of.deceleration[i], 500 * std::sin(pi * (of.time[i] + after) / 0.01), 2e-5) << i;
 }
 
+/// A resultant of noise never changes its sign: with its quiet part known the tail does not count.
+TEST(DecelerationOf, EndsAtTheLevelOfTheQuietPart) {
+  Pulse pulse = half_sine();
+  for (std::size_t i = 0; i < pulse.time.size(); ++i)
+    pulse.acceleration[i] = std::hypot(pulse.acceleration[i], 1 + static_cast<double>(i % 7) / 4);
+  const MeasuredDeceleration of = deceleration_of(pulse, injury::Stretch{0, 0.018});
+  EXPECT_NEAR(static_cast<double>(of.samples), 984, 12);
+  EXPECT_NEAR(of.velocity_change, 2 / pi * 500 * 0.01, 0.01);
+  EXPECT_GT(deceleration_of(pulse).samples, 2900U);  // nothing tells the noise from the pulse
+}
+
 TEST(DecelerationOf, KeepsAllSamplesOfAShortPulse) {
   Pulse pulse;
   for (int i = 0; i <= 20; ++i) {
@@ -155,6 +166,18 @@ TEST_F(FitPulseTest, TakesColumnsUnitsAndAFilter) {
   EXPECT_EQ(pulse.filter.value().channel_frequency_class, 600);
   EXPECT_NEAR(pulse.peak, 500, 5);
   EXPECT_EQ(of.files.back().file.filename(), "drop.csv");
+}
+
+/// The file's own quiet part is found, and samples of rest before a fall are left out.
+TEST_F(FitPulseTest, TakesTheContactAlone) {
+  Pulse pulse = half_sine();
+  for (std::size_t i = 0; i < pulse.time.size(); ++i)
+    pulse.acceleration[i] =
+        std::hypot(pulse.acceleration[i], 1 + static_cast<double>(i / 5 % 7) / 4) + (i < 500 ? 10 : 0);
+  write("drop.csv", csv(pulse));
+  const MeasuredDeceleration of = read(pulse_fit).fit.impacts.at(0).pulse.value();
+  EXPECT_NEAR(static_cast<double>(of.samples), 984.0 / 5, 5);
+  EXPECT_NEAR(of.velocity_change, 2 / pi * 500 * 0.01, 0.02);
 }
 
 TEST_F(FitPulseTest, NamesOneFaultForEach) {

@@ -36,6 +36,7 @@ Pulse triangle(double factor = 1, double later = 0) {
 PulseReport report_of(Pulse pulse) {
   PulseReport report;
   report.measured.pulse = pulse;
+  report.contact = injury::contact_of(pulse);
   report.pulse = std::move(pulse);
   return report;
 }
@@ -48,7 +49,8 @@ const Solution& solved() {
   static const Solution solution = solve(case_of("dashboard-20mph.toml"), {});
   return solution;
 }
-double speed() { return case_of("dashboard-20mph.toml").impactor.speed; }
+injury::MeasuredImpact at(double speed) { return {.speed = speed}; }
+injury::MeasuredImpact impact() { return at(case_of("dashboard-20mph.toml").impactor.speed); }
 
 /// The history, as a sensor that is mounted the other way round and triggered 13 ms earlier sees it.
 Pulse measured_alike() {
@@ -71,9 +73,9 @@ TEST(PulseShape, OfATriangle) {
     EXPECT_EQ(shape.side, factor);
     EXPECT_NEAR(*shape.onset, 50e-3 + 0.05 * 4e-3, 1e-15);
     EXPECT_NEAR(shape.width, 5e-3, 1e-15);
-    EXPECT_NEAR(shape.contact_begin, 50e-3, 1e-15);
-    EXPECT_NEAR(shape.contact_end, 60e-3, 1e-15);
-    EXPECT_NEAR(shape.velocity_change, height * 10e-3 / 2, 1e-12);
+    EXPECT_NEAR(shape.contact.begin, 50e-3, 1e-15);
+    EXPECT_NEAR(shape.contact.end, 60e-3, 1e-15);
+    EXPECT_NEAR(shape.contact.velocity_change, height * 10e-3 / 2, 1e-12);
     EXPECT_FALSE(shape.restitution);
   }
 }
@@ -89,20 +91,20 @@ TEST(PulseShape, NoiseBeforeTheImpactIsNotItsLastOnset) {
 TEST(PulseShape, ContactKeepsTheSignOfThePeak) {
   const Pulse pulse{{0, 1e-3, 2e-3, 4e-3, 6e-3, 8e-3, 9e-3}, {-100, -100, 300, 400, -400, 100, 0}};
   const PulseShape shape = pulse_shape(pulse, {});
-  EXPECT_NEAR(shape.contact_begin, 1.25e-3, 1e-15);
-  EXPECT_NEAR(shape.contact_end, 5e-3, 1e-15);
-  EXPECT_NEAR(shape.velocity_change, 300 * 0.75e-3 / 2 + 350 * 2e-3 + 400 * 1e-3 / 2, 1e-12);
+  EXPECT_NEAR(shape.contact.begin, 1.25e-3, 1e-15);
+  EXPECT_NEAR(shape.contact.end, 5e-3, 1e-15);
+  EXPECT_NEAR(shape.contact.velocity_change, 300 * 0.75e-3 / 2 + 350 * 2e-3 + 400 * 1e-3 / 2, 1e-12);
   const PulseShape all = pulse_shape({{0, 1e-3}, {100, 300}}, {});
-  EXPECT_EQ(all.contact_begin, 0);
-  EXPECT_EQ(all.contact_end, 1e-3);
+  EXPECT_EQ(all.contact.begin, 0);
+  EXPECT_EQ(all.contact.end, 1e-3);
 }
 
 TEST(PulseShape, RestitutionIsThatOfTheVelocityChange) {
   const double change = height * 10e-3 / 2;
-  EXPECT_NEAR(*pulse_shape(triangle(), change / 1.4).restitution, 0.4, 1e-12);
-  EXPECT_TRUE(pulse_shape(triangle(), change / 1.999).restitution);
+  EXPECT_NEAR(*pulse_shape(triangle(), at(change / 1.4)).restitution, 0.4, 1e-12);
+  EXPECT_TRUE(pulse_shape(triangle(), at(change / 1.999)).restitution);
   for (const double factor : {2.01, 0.99})
-    EXPECT_FALSE(pulse_shape(triangle(), change / factor).restitution) << factor;
+    EXPECT_FALSE(pulse_shape(triangle(), at(change / factor)).restitution) << factor;
 }
 
 TEST(PulseShape, RefusesAPulseWithoutAcceleration) {
@@ -127,7 +129,7 @@ TEST(PulseShape, WithoutAnOnsetCanBeAlignedOtherwise) {
 }
 
 TEST(PulseComparison, OfAPulseWithItselfIsZero) {
-  const PulseShape shape = pulse_shape(triangle(), 1.5);
+  const PulseShape shape = pulse_shape(triangle(), at(1.5));
   for (const Alignment alignment : injury::all_alignments)
     for (const ComparedFigure& each : compared_figures(shape, shape, alignment)) {
       EXPECT_EQ(each.difference(), 0.0) << each.quantity->key;
@@ -155,7 +157,7 @@ TEST(PulseComparison, AlignsAMeasuredPulseWithTheComputedOne) {
   constexpr double half_a_step = 5e-5;
   for (const auto& [alignment, shift] :
        {std::pair{Alignment::onset, -13e-3}, {Alignment::peak, -13e-3}, {Alignment::none, 0.0}}) {
-    const PulseComparison of = compare_pulses(report_of(measured_alike()), solved(), speed(), alignment);
+    const PulseComparison of = compare_pulses(report_of(measured_alike()), solved(), impact(), alignment);
     EXPECT_NEAR(of.shift, shift, alignment == Alignment::peak ? half_a_step : 1e-7)
         << injury::to_string(alignment);
     EXPECT_NEAR(*figure(of, "time_to_peak").difference(), alignment == Alignment::none ? -13e-3 : 0,
@@ -172,7 +174,7 @@ TEST(PulseComparison, ComputedFiguresAreWithinTheirErrors) {
   Options options;
   const auto at = [&](double tolerance) {
     options.tolerance = tolerance;
-    return compare_pulses(report_of(triangle()), solve(case_of("dashboard-20mph.toml"), options), speed(),
+    return compare_pulses(report_of(triangle()), solve(case_of("dashboard-20mph.toml"), options), impact(),
                           Alignment::onset);
   };
   const PulseComparison exact = at(1e-6);
@@ -197,8 +199,9 @@ TEST(PulseComparison, FiltersBothPulsesAlike) {
   flight.acceleration.insert(flight.acceleration.end(), {0, 0});
   PulseReport report = report_of(flight);
   report.filter = injury::PulseFilter{.channel_frequency_class = 60};
-  report.pulse = injury::processed_pulse(report.measured, 1e-5, report.filter);
-  const PulseComparison of = compare_pulses(report, solved(), speed(), Alignment::onset);
+  report.pulse = injury::processed_pulse(report.measured, 1e-5, report.filter).pulse;
+  report.contact = injury::contact_of(report.pulse);
+  const PulseComparison of = compare_pulses(report, solved(), impact(), Alignment::onset);
   for (const ComparedFigure& each : of.figures)
     EXPECT_NEAR(each.share().value_or(0), 0, 1e-3) << each.quantity->key;
   EXPECT_LT(*figure(of, "peak_acceleration").computed, 0.999 * *solved().summary.peak_acceleration);
@@ -206,9 +209,9 @@ TEST(PulseComparison, FiltersBothPulsesAlike) {
 }
 
 TEST(PulseComparison, WithoutAWholeComputedPulseComparesNothing) {
-  const ImpactCase impact = case_of("rigid-floor-bottoming.toml");
-  const PulseComparison of = compare_pulses(report_of(triangle(1, 7e-3)), solve(impact, {}),
-                                            impact.impactor.speed, Alignment::onset);
+  const ImpactCase bottoming = case_of("rigid-floor-bottoming.toml");
+  const PulseComparison of = compare_pulses(report_of(triangle(1, 7e-3)), solve(bottoming, {}),
+                                            at(bottoming.impactor.speed), Alignment::onset);
   EXPECT_FALSE(of.computed);
   EXPECT_NEAR(of.shift, -7.2e-3, 1e-12);  // the onset is where the computed times begin
   EXPECT_GT(of.computed_pulse.time.size(), 2U);

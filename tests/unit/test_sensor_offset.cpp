@@ -57,6 +57,37 @@ TEST(sensor_offset, is_the_mean_of_the_quiet_part) {
   }
 }
 
+/// 1 g at rest for 250 ms, then 0 g in a fall of 300 ms; with noise of 0.6 g, too.
+TEST(sensor_offset, is_that_of_the_fall_and_not_of_the_rest_before) {
+  for (const double noise : {0.0, 0.6}) {
+    SCOPED_TRACE(noise);
+    MeasuredPulse measured = pulse_of(half_sine, -550e-3, 0.2, noise);
+    for (std::size_t i = 0; i < 2500; ++i) measured.pulse.acceleration[i] += g;
+    const auto found = offset_before_impact(measured);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->mean.at(0), 0.2 * g, 4 * noise * g / std::sqrt(2900) + 1e-9);
+    EXPECT_NEAR(found->begin, -300e-3, noise > 0 ? 20 * step : 1e-9);
+    ASSERT_TRUE(found->rest);
+    EXPECT_NEAR(found->rest->mean.at(0), 1.2 * g, 4 * noise * g / std::sqrt(2400) + 1e-9);
+    const std::size_t before = measured.pulse.time.size();
+    input::leave_out_before(measured, found->begin);
+    EXPECT_EQ(measured.pulse.time.front(), found->begin);
+    EXPECT_EQ(measured.pulse.time.size(), measured.pulse.acceleration.size());
+    EXPECT_NEAR(static_cast<double>(before - measured.pulse.time.size()), 2500, noise > 0 ? 20 : 0);
+    EXPECT_EQ(measured.remarks.size(), 1U);
+  }
+}
+
+/// Noise, also where neighbours are alike, and a weak hum are one level.
+TEST(sensor_offset, has_no_earlier_level_without_a_step) {
+  EXPECT_FALSE(offset_before_impact(pulse_of(half_sine, -550e-3, 0.2, 0.6))->rest);
+  EXPECT_FALSE(offset_before_impact(pulse_of(half_sine, -550e-3, 1.2))->rest);
+  MeasuredPulse humming = pulse_of(half_sine, -550e-3, 0.2, 0.2);
+  for (std::size_t i = 0; i < humming.pulse.time.size(); ++i)
+    humming.pulse.acceleration[i] += g * std::sin(2 * std::numbers::pi * 50 * humming.pulse.time[i]);
+  EXPECT_FALSE(offset_before_impact(humming)->rest);
+}
+
 TEST(sensor_offset, is_found_in_noise_with_its_scatter) {
   const auto found = offset_before_impact(pulse_of(half_sine, -50e-3, 1.2, 0.8));
   ASSERT_TRUE(found);

@@ -74,7 +74,7 @@ struct MeasuredFigure {
 };
 
 /// A whole measured pulse of an impact, between its onset (injury::onset_share of its peak) and its end
-/// (where the deceleration has gone back to 0), turned so that its peak is positive.
+/// (that of injury::contact_of()), turned so that its peak is positive.
 struct MeasuredDeceleration {
   std::string file;
   std::vector<double> time;                   ///< s since the onset, increasing
@@ -87,16 +87,16 @@ struct MeasuredDeceleration {
   std::optional<injury::PulseFilter> filter;  ///< that it went through; the computed pulse gets it, too
   double interval = 0;                        ///< s between two samples of the file
   double hic = 0;              ///< of any window, of all samples between onset and end, g^2.5 s
-  double velocity_change = 0;  ///< m/s, over the stretch around the peak in which it keeps its sign
+  double velocity_change = 0;  ///< m/s, over contact
 };
 
 /// Samples of a pulse that are fitted, at most; neighbours tell little that is new.
 inline constexpr std::size_t most_pulse_points = 200;
 
-/// Between onset and end, thinned evenly to most_pulse_points. `measured` has been filtered. Throws
-/// std::invalid_argument, in words that go after the name of the file, for a pulse without onset or with too
-/// few samples after it.
-MeasuredDeceleration deceleration_of(const Pulse& measured);
+/// Between onset and end, thinned evenly to most_pulse_points. `measured` has been filtered; `quiet`: where
+/// nothing happens in it, if that is known. Throws std::invalid_argument, in words that go after the name of
+/// the file, for a pulse without onset or with too few samples after it.
+MeasuredDeceleration deceleration_of(const Pulse& measured, const std::optional<injury::Stretch>& quiet = {});
 
 /// An impact and what was measured of it. The material of its pad is that of the fit.
 struct ImpactMeasurement {

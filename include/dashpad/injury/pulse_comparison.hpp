@@ -38,18 +38,17 @@ struct PulseShape {
   /// reaches that level before the impact.
   std::optional<double> last_onset;
   double width = 0;  ///< s, all time with |a| above half the peak
-  /// s, the stretch around the peak in which the acceleration keeps its sign.
-  double contact_begin = 0, contact_end = 0;
-  double velocity_change = 0;  ///< m/s, over that stretch, magnitude
-  double hic15 = 0;            ///< g^2.5 s, over the whole pulse
-  /// (velocity change - v) / v for an impact speed v; absent without v, and where the velocity change is not
-  /// between v and 2 v, to 0.1 %: then the pulse does not show it.
+  Contact contact;
+  double hic15 = 0;  ///< g^2.5 s, over the whole pulse
+  /// (change of motion - v) / v for an impact speed v; absent without v, and where that change is not between
+  /// v and 2 v, to 0.1 %: then the pulse does not show it.
   std::optional<double> restitution;
 };
 
-/// `impact_speed` in m/s, more than 0. Throws std::invalid_argument for what check() refuses, and for a pulse
-/// without any acceleration.
-PulseShape pulse_shape(const Pulse& pulse, std::optional<double> impact_speed);
+/// `contact`: where it is known; else contact_of(pulse). Throws std::invalid_argument for what check()
+/// refuses, and for a pulse without any acceleration.
+PulseShape pulse_shape(const Pulse& pulse, const std::optional<MeasuredImpact>& impact,
+                       const std::optional<Contact>& contact = {});
 
 /// Throws std::invalid_argument where the pulse has no onset to align.
 void check_alignment(const PulseShape& measured, Alignment alignment);
@@ -85,10 +84,10 @@ struct PulseComparison {
 /// as cfc_filtered() does.
 Pulse filtered_like(const std::optional<PulseFilter>& filter, double interval, const Pulse& pulse);
 
-/// The pulse of `report` beside that of `solution`, the impact of a speed in m/s. The computed pulse gets the
+/// The pulse of `report` beside that of `solution`, which is of `impact`. The computed pulse gets the
 /// filter of the measured one, at the same interval of samples, with free flight before and after it. Throws
 /// as pulse_shape(), check_alignment() and cfc_filtered() do.
-PulseComparison compare_pulses(const PulseReport& report, const Solution& solution, double impact_speed,
-                               Alignment alignment);
+PulseComparison compare_pulses(const PulseReport& report, const Solution& solution,
+                               const MeasuredImpact& impact, Alignment alignment);
 
 }  // namespace dashpad::injury

@@ -7,6 +7,7 @@
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/injury/cfc_filter.hpp"
+#include "dashpad/injury/contact.hpp"
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/input/measurement/measured_pulse.hpp"
 #include "dashpad/input/measurement/sensor_offset.hpp"
@@ -45,9 +46,13 @@ struct OffsetEffect {
 struct MeasuredImpact {
   double speed = 0;                        ///< m/s, v, more than 0
   std::optional<double> drop_height = {};  ///< m, where v came from it
+  /// m/s2, along the motion. It acts during contact too, and a sensor does not show it: the velocity changes
+  /// by that much less a second than the integral of what the sensor shows.
+  double gravity = 0;
 };
 
-/// v = sqrt(2 g h), of a free fall from `drop_height`, m, more than 0; g is standard gravity.
+/// v = sqrt(2 g h), of a free fall from `drop_height`, m, more than 0; g is standard gravity, also in
+/// contact.
 MeasuredImpact after_fall(double drop_height);
 
 /// A measured pulse, what was done to it, and what came of it.
@@ -56,26 +61,40 @@ struct PulseReport {
   input::MeasuredPulse measured;
   std::optional<double> resampled_to;  ///< s
   std::optional<PulseFilter> filter;
-  std::optional<OffsetEffect> offset;  ///< absent where there is no quiet part, and no interval was given
-  Pulse pulse;                         ///< that of the figures
-  InjuryFigures figures;
+  std::optional<OffsetEffect> offset;    ///< absent where there is no quiet part, and no interval was given
+  Pulse pulse;                           ///< that of the figures
+  Contact contact;                       ///< in it; of a resultant along its main axis
+  InjuryFigures figures;                 ///< the velocity change is that over contact
   std::optional<MeasuredImpact> impact;  ///< where the speed is known
   std::vector<WindowedHic> windows;
   std::vector<DwellTime> dwells;
   std::vector<Flag> flags;
 };
 
+struct ProcessedPulse {
+  Pulse pulse;
+  /// Of a resultant, along its main axis, which is its direction at the peak: a length never changes its
+  /// sign.
+  std::optional<Pulse> along_axis = {};
+
+  [[nodiscard]] const Pulse& along() const { return along_axis ? *along_axis : pulse; }
+};
+
 /// Resampled and filtered as asked for; the directions of a resultant each by itself, then combined. Throws
 /// std::invalid_argument as resampled() and cfc_filtered() do.
-Pulse processed_pulse(const input::MeasuredPulse& measured, std::optional<double> interval,
-                      const std::optional<PulseFilter>& filter);
+ProcessedPulse processed_pulse(const input::MeasuredPulse& measured, std::optional<double> interval,
+                               const std::optional<PulseFilter>& filter);
 
-/// (|velocity change| - v) / v; absent without an impact speed.
+/// m/s, of the velocity after and before: that over contact less what gravity gives meanwhile.
+double change_of_motion(const Contact& contact, const MeasuredImpact& impact);
+
+/// (change of motion - v) / v; absent without an impact speed.
 std::optional<double> restitution(const PulseReport& report);
 
 /// PULSE CUT: it starts or ends above 1 % of its peak and above four times the scatter of `quiet`, if there
 /// is such an interval; HIC, clips and velocity change are lower bounds then. `pulse` is the processed one
-/// without the sensor's offset. IMPOSSIBLE VELOCITY CHANGE: it is not between v and 2 v, to 0.1 %.
+/// without the sensor's offset. IMPOSSIBLE VELOCITY CHANGE: that of the motion is not between v and 2 v, to
+/// 0.1 %.
 std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse);
 
 /// Remarks if the offset changes HIC15 by more than 0.1 % and was not taken off, and if the interval that was

@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "dashpad/impact/solution.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::input {
 
@@ -14,6 +20,10 @@ constexpr double surely_impact = 0.1;     // of the largest deviation
 constexpr double least_departure = 5e-3;  // the same
 constexpr double departure = 5;           // of the scatter
 constexpr double margin = 0.25;           // of the time from the beginning of the impact to its peak
+constexpr double near_gravity = 0.1;      // of it: the step from rest to fall
+constexpr double clear_split = 1.5;       // of the scatter in both; of a sine and its mean it is 1.41
+constexpr double surely_split = 5;        // of the standard error of the step
+constexpr double least_slope = 0.25;      // of the step: between the halves of what is no level but a rise
 
 using Directions = std::span<const std::vector<double>>;
 
@@ -44,6 +54,50 @@ SensorOffset offset_of(const MeasuredPulse& measured, std::size_t first, std::si
     offset.scatter.push_back(std::sqrt(squares / (count - 1)));
   }
   return offset;
+}
+
+/// The length of the difference of two levels.
+double step_between(const SensorOffset& from, const SensorOffset& to) {
+  double step = 0;
+  for (std::size_t i = 0; i < to.mean.size(); ++i) step = std::hypot(step, to.mean[i] - from.mean[i]);
+  return step;
+}
+
+/// The sample before which [0, last) is best split into two levels: there the squares about their means are
+/// least.
+std::size_t split_of(Directions all, std::size_t last) {
+  std::vector<double> taken_away(last);
+  for (const std::vector<double>& direction : all) {
+    double whole = 0, before = 0;  // from the first sample on
+    for (std::size_t i = 0; i < last; ++i) whole += direction[i] - direction[0];
+    for (std::size_t i = 0; i < last; ++i) {
+      const auto n = static_cast<double>(i), m = static_cast<double>(last - i);
+      if (i >= fewest_samples && last - i >= fewest_samples)
+        taken_away[i] += n * m / (n + m) * std::pow((whole - before) / m - before / n, 2);
+      before += direction[i] - direction[0];
+    }
+  }
+  return static_cast<std::size_t>(std::ranges::max_element(taken_away) - taken_away.begin());
+}
+
+/// Of the samples [0, last) or, where they show a rest and a fall, of the fall.
+SensorOffset offset_of_quiet_part(const MeasuredPulse& measured, std::size_t last) {
+  const std::size_t split = split_of(directions(measured), last);
+  if (split < fewest_samples) return offset_of(measured, 0, last);
+  const SensorOffset rest = offset_of(measured, 0, split);
+  SensorOffset fall = offset_of(measured, split, last);
+  const std::size_t middle = split + fall.samples / 2;
+  const double scatter = std::hypot(length(rest.scatter), length(fall.scatter)) / std::numbers::sqrt2;
+  const double step = step_between(rest, fall);
+  const double surely =
+      surely_split * scatter *
+      std::sqrt(1.0 / static_cast<double>(rest.samples) + 1.0 / static_cast<double>(fall.samples));
+  const double slope = step_between(offset_of(measured, split, middle), offset_of(measured, middle, last));
+  if (std::abs(step - standard_gravity) > near_gravity * standard_gravity || step < clear_split * scatter ||
+      step < surely || slope > least_slope * step)
+    return offset_of(measured, 0, last);
+  fall.rest = {rest.end, rest.mean};
+  return fall;
 }
 
 double deviation(Directions all, const std::vector<double>& from, std::size_t sample) {
@@ -91,7 +145,7 @@ std::optional<SensorOffset> offset_before_impact(const MeasuredPulse& measured) 
     const double end = time[impact] - margin * (time[peak] - time[impact]);
     const auto count = static_cast<std::size_t>(std::ranges::lower_bound(time, end) - time.begin());
     if (count < fewest_samples) return std::nullopt;
-    SensorOffset offset = offset_of(measured, 0, count);
+    SensorOffset offset = offset_of_quiet_part(measured, count);
     const double noise = departure * length(offset.scatter);
     if (noise > surely_impact * largest) return std::nullopt;
     const std::size_t before = impact;
@@ -99,6 +153,21 @@ std::optional<SensorOffset> offset_before_impact(const MeasuredPulse& measured) 
       --impact;
     if (impact == before) return offset;
   }
+}
+
+void leave_out_before(MeasuredPulse& measured, double begin) {
+  std::vector<double>& time = measured.pulse.time;
+  const auto count = std::ranges::lower_bound(time, begin) - time.begin();
+  measured.remarks.push_back(
+      fmt::format("the first {} samples, up to {} ms, show 1 g more or less than the fall before the impact, "
+                  "as at rest; they were left out",
+                  count, brief(1e3 * time[static_cast<std::size_t>(count - 1)])));
+  const auto leave_out = [count](std::vector<double>& values) {
+    values.erase(values.begin(), values.begin() + count);
+  };
+  leave_out(time);
+  leave_out(measured.pulse.acceleration);
+  for (std::vector<double>& component : measured.components) leave_out(component);
 }
 
 MeasuredPulse zeroed(MeasuredPulse measured, const SensorOffset& offset) {

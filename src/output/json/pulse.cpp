@@ -18,6 +18,9 @@ Json in_g(double acceleration) { return number(acceleration / standard_gravity);
 
 Json figures(const injury::PulseReport& report) {
   Json all = injury_json(report.figures, false);
+  Json& change = all[result_quantity("velocity_change").key];
+  change["begin_s"] = number(report.contact.begin);
+  change["end_s"] = number(report.contact.end);
   all["hic_windows"] = Json::array();
   for (const injury::WindowedHic& of : report.windows)
     all["hic_windows"].push_back({{"value", number(of.hic.value)},
@@ -71,6 +74,7 @@ Json impact(const injury::PulseReport& report) {
   if (!report.impact) return nullptr;
   return {{"speed_m_per_s", number(report.impact->speed)},
           {"drop_height_m", number(report.impact->drop_height)},
+          {"gravity_m_per_s2", number(report.impact->gravity)},
           {"restitution", number(injury::restitution(report))}};
 }
 

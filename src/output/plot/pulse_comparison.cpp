@@ -40,10 +40,10 @@ Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem
       deceleration("computed", of.computed_pulse, of.computed ? of.computed->side : -1, 0, units);
   computed.style = SeriesStyle::solid_line;
   computed.turn = turn_of_computed;
-  double begin = of.measured.contact_begin + of.shift, end = of.measured.contact_end + of.shift;
+  double begin = of.measured.contact.begin + of.shift, end = of.measured.contact.end + of.shift;
   if (!of.computed_pulse.time.empty()) {
-    begin = std::min(begin, of.computed ? of.computed->contact_begin : of.computed_pulse.time.front());
-    end = std::max(end, of.computed ? of.computed->contact_end : of.computed_pulse.time.back());
+    begin = std::min(begin, of.computed ? of.computed->contact.begin : of.computed_pulse.time.front());
+    end = std::max(end, of.computed ? of.computed->contact.end : of.computed_pulse.time.back());
   }
   Panel panel{.title = {}, .x = axis_of("time", units), .y = axis_of("deceleration", units), .series = {}};
   if (of.computed)

@@ -53,9 +53,13 @@ std::vector<ResultRow> further_rows(const injury::PulseReport& report, const Uni
     const ScaledUnit unit = shown_as(result_quantity(key).si_unit, units);
     rows.push_back({key, label, significant(unit.scale * value, digits), unit.unit, {}, remark});
   };
-  if (report.impact)
+  if (report.impact) {
+    const injury::MeasuredImpact& impact = *report.impact;
+    const double given = impact.gravity * (report.contact.end - report.contact.begin);
     add("restitution", result_quantity("restitution").title, *injury::restitution(report),
-        "of an impact at " + brief_quantity(report.impact->speed, "m/s", units));
+        "of an impact at " + brief_quantity(impact.speed, "m/s", units) +
+            (given > 0 ? ", without gravity's " + brief_quantity(given, "m/s", units, 3) : ""));
+  }
   for (const injury::WindowedHic& of : report.windows)
     add("hic_unlimited", "HIC of " + brief(1e3 * of.longest_window) + " ms", of.hic.value,
         stretch(of.hic.begin, of.hic.end, units, digits));
@@ -73,6 +77,10 @@ std::vector<ResultRow> further_rows(const injury::PulseReport& report, const Uni
 std::vector<ResultRow> report_rows(const injury::PulseReport& report, const UnitSystem& units,
                                    Detail detail) {
   std::vector<ResultRow> rows = pulse_rows(report.figures, units, detail);
+  for (ResultRow& row : rows)
+    if (row.key == "velocity_change")
+      row.remark =
+          "in contact, " + stretch(report.contact.begin, report.contact.end, units, digits_of(detail));
   for (ResultRow& row : further_rows(report, units, detail)) rows.push_back(std::move(row));
   return rows;
 }

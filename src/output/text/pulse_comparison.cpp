@@ -94,7 +94,7 @@ std::string restitution_note(const PulseComparisonReport& report, const UnitSyst
   const injury::PulseShape& measured = report.comparison.measured;
   const std::string over =
       fmt::format("Velocity change: while the acceleration keeps the sign of its peak, measured {}",
-                  stretch(measured.contact_begin, measured.contact_end, units, compared_digits));
+                  stretch(measured.contact.begin, measured.contact.end, units, compared_digits));
   if (!report.pulse.impact) return over + ".";
   const std::string speed = brief_quantity(report.pulse.impact->speed, "m/s", units, compared_digits);
   return measured.restitution
