@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -141,6 +142,16 @@ TEST(assessment, a_strict_limit_is_not_within_itself) {
   EXPECT_EQ(verdict(99.999, true), Verdict::fail);
 }
 
+/// The value with its error reaches the limit exactly.
+TEST(assessment, what_may_be_a_strict_limit_does_not_pass_it) {
+  const Solution solution = half_sine(1.0 / 16);
+  injury::Criterion of = criterion(Metric::peak_acceleration, 0);
+  of.limit = *solution.summary.peak_acceleration * (1 + 1.0 / 16);
+  EXPECT_EQ(assess(standard_with({of}), solution).verdict, Verdict::pass);
+  of.strict = true;
+  EXPECT_EQ(assess(standard_with({of}), solution).verdict, Verdict::undecided);
+}
+
 TEST(assessment, a_history_too_short_for_an_error_decides_nothing_but_the_peak) {
   Solution solution = half_sine();
   solution.history.time = {0, duration / 2, duration};
@@ -167,11 +178,46 @@ TEST(assessment, values_are_those_of_the_pulse) {
   EXPECT_NEAR(assessment.results[2].value.value(), duration * 2 / 3, 1e-3 * duration);
 }
 
+/// Two triangles of 4 ms with a peak of 100 g: of each 4 ms (1 - a / 100 g) lie above a.
+TEST(assessment, of_two_humps_only_the_cumulative_time_counts_both) {
+  Solution solution = half_sine();
+  solution.history.time = {};
+  solution.history.acceleration = {};
+  for (int i = 0; i <= 1000; ++i) {
+    const double time = 1e-5 * i;  // the humps from 0 and from 6 ms on
+    const double into = time < 5e-3 ? time : time - 6e-3;
+    solution.history.time.push_back(time);
+    solution.history.acceleration.push_back(-100 * g * std::max(0.0, 1 - std::abs(into / 2e-3 - 1)));
+  }
+  const Assessment assessment =
+      assess(standard_with({criterion(Metric::clip_3ms, 80 * g), criterion(Metric::cumulative_3ms, 80 * g)}),
+             solution);
+  EXPECT_NEAR(assessment.results[0].value.value(), 25 * g, 1e-3 * g);
+  EXPECT_NEAR(assessment.results[1].value.value(), 62.5 * g, 1e-3 * g);
+}
+
 /// 1 % more or less force moves the crossings of 50 g by 0.01 tan(pi / 6) / pi of the duration each.
 TEST(assessment, the_error_of_a_dwell_time_follows_from_that_of_the_force) {
   const Assessment assessment = assess(standard_with({criterion(Metric::dwell_time, 4e-3)}), half_sine(0.01));
   const double expected = 2 * 0.01 * std::tan(std::numbers::pi / 6) / std::numbers::pi * duration;
   EXPECT_NEAR(assessment.results[0].error, expected, 0.05 * expected);
+}
+
+/// Steep above 50 g and flat below, a little less force shortens the time above 50 g by little, a little more
+/// lengthens it much: the error is the larger of both.
+TEST(assessment, the_error_of_a_dwell_time_is_that_to_the_worse_side) {
+  Solution solution = half_sine(0.01);
+  History& history = solution.history;
+  history.time.clear();
+  history.acceleration.clear();
+  for (int i = 0; i <= 2200; ++i) {
+    const double time = 1e-5 * i, from_end = std::min(time, 22e-3 - time);
+    history.time.push_back(time);
+    history.acceleration.push_back(-g * (from_end < 10e-3 ? 5e3 * from_end : 50 + 50e3 * (from_end - 10e-3)));
+  }
+  const Assessment assessment = assess(standard_with({criterion(Metric::dwell_time, 1e-3)}), solution);
+  EXPECT_NEAR(assessment.results[0].value.value(), 2e-3, 1e-6);
+  EXPECT_NEAR(assessment.results[0].error, 2 * 0.5 / 5e3, 5e-6);
 }
 
 TEST(assessment, hic_36_and_hic_d_belong_together) {
@@ -634,6 +680,29 @@ TEST(assessment_json, has_the_same_for_programs) {
   EXPECT_DOUBLE_EQ(json["criteria"][1]["level_g"].get<double>(), 50);
   EXPECT_EQ(json["result"]["status"], "released");
   EXPECT_EQ(json["caveat"], output::assessment_caveat());
+}
+
+TEST(assessment_json, has_each_figure_under_its_key) {
+  const Standard standard = standard_with({criterion(Metric::hic36, 1000)});
+  const Solution solution = half_sine();
+  Assessment assessment = assess(standard, solution);
+  assessment.figures = {.peak_acceleration = {10 * g},
+                        .hic15 = {11},
+                        .hic36 = {12},
+                        .peak_strain = {0.13},
+                        .contact_end = {0.14},
+                        .rebound_speed = {15},
+                        .restitution = {0.16}};
+  const ImpactCase impact = test::example_case();
+  const auto figures = nlohmann::json::parse(
+      output::assessment_json({standard, impact, impact, solution, assessment}))["figures"];
+  const std::map<std::string, double> expected{
+      {"peak_acceleration_g", 10}, {"hic15", 11},           {"hic36", 12},
+      {"peak_strain", 0.13},       {"contact_end_s", 0.14}, {"rebound_speed_m_per_s", 15},
+      {"restitution", 0.16}};
+  EXPECT_EQ(figures.size(), expected.size());
+  for (const auto& [key, value] : expected)
+    EXPECT_DOUBLE_EQ(figures[key]["value"].get<double>(), value) << key;
 }
 
 TEST(assessment_json, has_null_where_there_is_no_finite_value) {

@@ -15,6 +15,7 @@
 #include "dashpad/study/batch.hpp"
 #include "dashpad/study/design.hpp"
 #include "sample_case.hpp"
+#include "study/distribution.hpp"
 #include "study/latin_hypercube.hpp"
 #include "study/random.hpp"
 #include "study/sobol.hpp"
@@ -311,6 +312,35 @@ TEST(design, cuts_off_measured_values) {
                  0.5 * (1.75 * 1.75 + 0.25 / 12) + 0.5 * (2.75 * 2.75 + 2.25 / 12) - 2.25 * 2.25);
 }
 
+/// A value that was measured several times belongs to what is kept where it is the last one: of the lower
+/// three quarters two thirds.
+TEST(design, keeps_the_measured_value_at_which_it_is_cut_off) {
+  Factor cut = factor("impactor.speed", Empirical{{1, 2, 2, 2, 3}});
+  cut.highest = 2;
+  const auto values = column(study_with({cut}, 100'000));
+  EXPECT_NEAR(static_cast<double>(std::ranges::count(values, 2.)) / 1e5, 2. / 3, 5 * std::sqrt(2. / 9 / 1e5));
+}
+
+/// Six deviations out, and where the factor is cut off.
+TEST(checked_range, ends_where_a_distribution_does) {
+  const auto expect = [](Factor of, double low, double high, bool has_tails) {
+    const CheckedRange range = checked_range(of);
+    EXPECT_NEAR(range.low, low, 1e-12 * std::abs(low)) << of.spread.index();
+    EXPECT_NEAR(range.high, high, 1e-12 * std::abs(high)) << of.spread.index();
+    EXPECT_EQ(range.low_is_tail && range.high_is_tail, has_tails);
+    of.lowest = low + 0.1;
+    of.highest = high - 0.2;
+    EXPECT_EQ(checked_range(of).low, *of.lowest);
+    EXPECT_EQ(checked_range(of).high, *of.highest);
+    EXPECT_FALSE(checked_range(of).low_is_tail || checked_range(of).high_is_tail);
+  };
+  expect(factor("impactor.speed", Normal{10, 1.5}), 1, 19, true);
+  expect(factor("impactor.speed", Lognormal{10, 0.1}), 10 * std::exp(-0.6), 10 * std::exp(0.6), true);
+  expect(factor("impactor.speed", Uniform{2, 5}), 2, 5, false);
+  expect(factor("impactor.speed", Triangular{2, 3, 5}), 2, 5, false);
+  expect(factor("impactor.speed", Empirical{{2, 3, 5}}), 2, 5, false);
+}
+
 TEST(design, correlates_as_asked) {
   Study study =
       study_with({factor("impactor.speed", Normal{10, 0.5}), factor("impactor.mass", Normal{5, 0.1}),
@@ -326,6 +356,21 @@ TEST(design, correlates_as_asked) {
     EXPECT_NEAR(correlation(x, z), 0, error);
     EXPECT_NEAR(moments(y).variance, 0.01, 5 * moments(y).variance_error);
   }
+}
+
+/// None of the three is 0, and the third is not the product of the others, as in a chain.
+TEST(design, correlates_three_factors_each_with_each) {
+  Study study =
+      study_with({factor("impactor.speed", Normal{10, 0.5}), factor("impactor.mass", Normal{5, 0.1}),
+                  factor("impactor.radius", Normal{0.1, 0.01})},
+                 100'000);
+  study.correlations = {{0, 1, 0.6}, {0, 2, 0.6}, {1, 2, 0.1}};
+  const auto x = column(study, 0), y = column(study, 1), z = column(study, 2);
+  const double error = 5 / std::sqrt(1e5);
+  EXPECT_NEAR(correlation(x, y), 0.6, error);
+  EXPECT_NEAR(correlation(x, z), 0.6, error);
+  EXPECT_NEAR(correlation(y, z), 0.1, error);
+  EXPECT_NEAR(moments(z).variance, 1e-4, 5 * moments(z).variance_error);
 }
 
 TEST(design, draws_unrelated_factors_unrelated) {

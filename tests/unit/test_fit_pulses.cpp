@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/fit/fit_file.hpp"
+#include "dashpad/injury/hic.hpp"
 #include "dashpad/input/fault.hpp"
 #include "shared/temporary_folder.hpp"
 
@@ -58,6 +59,17 @@ TEST(DecelerationOf, EndsAtTheLevelOfTheQuietPart) {
   EXPECT_NEAR(static_cast<double>(of.samples), 984, 12);
   EXPECT_NEAR(of.velocity_change, 2 / pi * 500 * 0.01, 0.01);
   EXPECT_GT(deceleration_of(pulse).samples, 2900U);  // nothing tells the noise from the pulse
+}
+
+TEST(DecelerationOf, TakesTheHicOfTheImpactAlone) {
+  const double alone = deceleration_of(half_sine()).hic;
+  EXPECT_NEAR(alone, injury::hic(half_sine(), injury::unlimited_window).value, 1e-4 * alone);
+  Pulse twice = half_sine();  // and again, a little weaker, as the head falls back
+  for (std::size_t i = 0; i < twice.time.size(); ++i)
+    if (const double t = twice.time[i]; t >= 0.032 && t <= 0.042)
+      twice.acceleration[i] = -480 * std::sin(pi * (t - 0.032) / 0.01);
+  ASSERT_GT(injury::hic(twice, injury::unlimited_window).value, 1.1 * alone);
+  EXPECT_DOUBLE_EQ(deceleration_of(twice).hic, alone);
 }
 
 TEST(DecelerationOf, KeepsAllSamplesOfAShortPulse) {
