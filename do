@@ -26,6 +26,7 @@ Usage: ./do TASK [arguments]
                            them (tests/fuzz/fuzz_TARGET.cpp); what breaks them goes to build/fuzz/findings
   nightly                  what takes longer than the tests: fits to 60 made-up mats of known truth (some ten minutes),
                            answers against finer ones over 21,000 random cases (some forty minutes of processor time)
+                           and against a second solver over 200 (some ten)
   clean                    remove build/
   install-packages [GROUP...]
                            install the Debian packages of packages.txt (default: all groups)
@@ -282,13 +283,14 @@ task_nightly() {
   need_packages run test
   say "Building ..."
   configure release -DDASHPAD_BUILD_TESTS=ON
-  build release count_answers mats_of_known_truth
+  build release count_answers compare_with_oracle mats_of_known_truth
   local tests="$root/build/release/tests" failed=0 kind
   "$tests/mats_of_known_truth" --least 54 || failed=1
   for kind in ordinary plausible; do
     "$tests/count_answers" --kind "$kind" --cases 10000 --threads "$jobs" || failed=1
   done
   "$tests/count_answers" --kind practice --cases 1000 --threads "$jobs" || failed=1
+  "$tests/compare_with_oracle" --cases 200 || failed=1
   return "$failed"
 }
 

@@ -1,6 +1,7 @@
 #include "oracle/any_impact.hpp"
 
 #include <array>
+#include <ctime>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -15,6 +16,7 @@ namespace {
 constexpr double relative = 1e-9;  ///< error a step
 constexpr double longest = 10;     ///< s
 constexpr long most_steps = 30'000;
+constexpr double most_seconds = 10;  ///< of the processor
 
 /// The largest value of a function that is known at moments: where it is smooth, the vertex of the last
 /// three.
@@ -57,6 +59,8 @@ class Impact final : public OdeSystem {
                                                                                 : Kind::damper),
         stands_(kind_ != Kind::at_once && of_.preload > 0),
         crushes_on_(footing_.beyond(0) >= 0) {
+    if (pad_->needs_speed() && kind_ == Kind::at_once && !footing_.is_rigid())
+      throw std::invalid_argument("oracle: laws 4 and 5 on an elastic support only below a sphere");
     if (stands_ && kind_ == Kind::panel && of_.body_mass > 0)
       throw std::invalid_argument("oracle: a panel under preload on a free body is not covered");
   }
@@ -68,7 +72,10 @@ class Impact final : public OdeSystem {
     const bool is_stiff = begin.size() < 40 || kind_ != Kind::at_once;
     OdeSession session(*this, is_stiff ? Method::bdf_dense : Method::adams_fixed, 0, begin);
     note(0, session.state());
-    while (session.time() < longest && session.steps() < most_steps && session.step()) {
+    const auto begun = std::clock();
+    const auto seconds = [&] { return double(std::clock() - begun) / CLOCKS_PER_SEC; };
+    while (session.time() < longest && session.steps() < most_steps && seconds() < most_seconds &&
+           session.step()) {
       const double* state = session.state();
       note(session.time(), state);
       if (session.at_event() && !react(session)) break;
@@ -89,9 +96,9 @@ class Impact final : public OdeSystem {
     return answer_;
   }
 
-  bool derivative(double, const double* state, double* slope) override {
+  bool derivative(double time, const double* state, double* slope) override {
     const Now now = at(state);
-    if (!(now.y < pad_->thickness())) return false;
+    if (!(now.y < pad_->thickness() && now.pad.force < 1e14)) return false;
     slope[motion] = state[velocity];
     slope[velocity] = acceleration(state, now);
     slope[deflection] = kind_ == Kind::at_once ? 0 : now.rate;
@@ -100,7 +107,8 @@ class Impact final : public OdeSystem {
                       : (now.pad.force - now.behind) / of_.mass - now.behind * inverse_body();
     slope[body] = state[body_velocity];
     slope[body_velocity] = now.behind * inverse_body();
-    pad_->rates(now.y, state + memory, slope + memory);
+    const double closing = pad_->needs_speed() ? closing_speed(state, now) : 0;
+    pad_->rates(now.y, closing, time, state + memory, slope + memory);
     return true;
   }
   void allowances(const double* state, double* allowance) override {
@@ -219,7 +227,7 @@ class Impact final : public OdeSystem {
     if (footing_.is_rigid() || now.x <= 0) return approach;
     const double little = pad_->little();
     std::vector<double> slope(pad_->unknowns()), later(state, state + memory + slope.size()), sooner = later;
-    pad_->rates(now.y, state + memory, slope.data());
+    pad_->rates(now.y, approach, 0, state + memory, slope.data());
     for (std::size_t i = 0; i < slope.size(); ++i) {
       later[memory + i] += little / speed_ * slope[i];
       sooner[memory + i] -= little / speed_ * slope[i];
@@ -281,6 +289,7 @@ class Impact final : public OdeSystem {
     if (crossed[event_turning] < 0 && pad_->is_loading()) {
       pad_->reached(now.y, state + memory);
       pad_->set_loading(false);
+      pad_->turned(now.y, state + memory);
       changed = true;
     }
     if (crossed[event_again] > 0 && !pad_->is_loading()) pad_->set_loading(true), changed = true;
@@ -332,8 +341,10 @@ class Impact final : public OdeSystem {
 AnyImpact solve_any(const ImpactCase& impact) {
   double deepest = impact.pad.thickness;
   // Columns at fixed depths are laid to the depth that is reached.
-  const bool by_columns = std::holds_alternative<ViscoelasticFoam>(impact.pad.material.law) ||
-                          std::holds_alternative<LinearViscoelastic>(impact.pad.material.law);
+  const PadLaw& law = impact.pad.material.law;
+  const bool by_columns =
+      std::holds_alternative<ViscoelasticFoam>(law) || std::holds_alternative<LinearViscoelastic>(law) ||
+      std::holds_alternative<NineParameter>(law) || std::holds_alternative<TwentyOneParameter>(law);
   if (by_columns && impact.pad.layers.empty())
     deepest = std::fmin(1.02 * Impact(impact, deepest).run().peak_penetration, deepest);
   return Impact(impact, deepest).run();

@@ -9,6 +9,8 @@
 namespace dashpad::oracle {
 namespace {
 
+constexpr double most_stress = 1e15;  ///< Pa, where there is none: a step that was tried too long
+
 /// Where an increasing function of a number is zero.
 template <class F>
 double halved(double low, double high, const F& f) {
@@ -91,7 +93,7 @@ class LayerPad final : public PadModel {
     const double stress = stress_of(y, memory);
     return {nose().tip * stress, nose().tip, stress};
   }
-  void rates(double y, const double* memory, double* slope) const override {
+  void rates(double y, double, double, const double* memory, double* slope) const override {
     const std::vector<double> strain = strains(y, memory);
     for (std::size_t i = 0; i < layers_.size(); ++i) slope[i] = layers_[i]->rate(strain[i], memory[i]);
   }
@@ -121,7 +123,7 @@ class LayerPad final : public PadModel {
     const auto excess = [&](double stress) { return shortening(stress, memory) - y; };
     double high = std::fmax(last_ * 1.001, 1.0), low = last_ * 0.999;
     if (excess(high) < 0)
-      while (excess(high) < 0) low = high, high *= 1.5;
+      while (high < most_stress && excess(high) < 0) low = high, high *= 1.5;
     else if (excess(low) > 0)
       while (low > 1e-9 && excess(low) > 0) high = low, low /= 1.5;
     return last_ = halved(low, high, excess);

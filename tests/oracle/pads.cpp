@@ -2,11 +2,11 @@
 
 #include <array>
 #include <functional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "oracle/foam_formulas.hpp"
+#include "oracle/law_pad.hpp"
 #include "oracle/layer_pad.hpp"
 #include "oracle/maxwell_impact.hpp"
 
@@ -96,7 +96,7 @@ class FoamPad final : public PadModel {
                         return lasting * (1 + (all - lasting) / law_.base(strain, complement));
                       });
   }
-  void rates(double y, const double* memory, double* slope) const override {
+  void rates(double y, double, double, const double* memory, double* slope) const override {
     slope[0] = slip_rate(y, memory);
   }
   void allowances(double relative, double* allowance) const override { allowance[0] = relative * law_.lag(); }
@@ -159,7 +159,7 @@ class MaxwellPad final : public PadModel {
     }
     return all;
   }
-  void rates(double y, const double* memory, double* slope) const override {
+  void rates(double y, double, double, const double* memory, double* slope) const override {
     for (std::size_t j = 0; j < depth_.size(); ++j) {
       const double lasting = lasting_(std::fmax(y - depth_[j], 0) / thickness());
       for (std::size_t i = 0; i < branches_.size(); ++i)
@@ -217,8 +217,8 @@ struct Maker {
         std::move(branches), deepest);
   }
   template <class Law>
-  [[nodiscard]] std::unique_ptr<PadModel> operator()(const Law&) {
-    throw std::invalid_argument("oracle: laws 4 and 5 are those of cvode_impact.hpp");
+  [[nodiscard]] std::unique_ptr<PadModel> operator()(const Law& law) {
+    return law_pad(law, std::move(nose), impact.pad.thickness, deepest);
   }
   template <class Law>
   [[nodiscard]] std::unique_ptr<PadModel> foam(const Law& law) {

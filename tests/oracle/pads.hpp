@@ -19,7 +19,12 @@ class PadModel {
 
   [[nodiscard]] virtual std::size_t unknowns() const { return 0; }
   [[nodiscard]] virtual Pressed pressed(double y, const double* memory, bool with_area) const = 0;
-  virtual void rates(double /*y*/, const double* /*memory*/, double* /*slope*/) const {}
+  /// `speed`: dY/dt, m/s, where needs_speed(); `time` since first contact, s.
+  virtual void rates(double /*y*/, double /*speed*/, double /*time*/, const double* /*memory*/,
+                     double* /*slope*/) const {}
+  [[nodiscard]] virtual bool needs_speed() const { return false; }
+  /// Where the pad turns.
+  virtual void turned(double /*y*/, double* /*memory*/) {}
   /// Error that each may have a step, at a relative one.
   virtual void allowances(double /*relative*/, double* /*allowance*/) const {}
   /// Where the nose meets it, and what is remembered then.
@@ -60,7 +65,7 @@ class PadModel {
 };
 
 /// `deepest`: a penetration that is not exceeded, m, for pads of columns at fixed depths. Throws
-/// std::invalid_argument for laws 4 and 5, and for layers below anything but a flat face.
+/// std::invalid_argument for layers below anything but a flat face.
 std::unique_ptr<PadModel> pad_model(const ImpactCase& impact, double deepest);
 
 }  // namespace dashpad::oracle
