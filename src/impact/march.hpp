@@ -369,6 +369,9 @@ class March {
     figures_.crushing_force = foundation_.crushing_force();
     figures_.body_velocity = now_.back.body_velocity;
     read_peaks(track, figures_);
+    // That of a rigid support is the pad's, which has no finite value where it bottoms out.
+    if (figures_.ending == Ending::bottomed_out && foundation_.kind() == Foundation::Kind::at_once)
+      figures_.peak_transmitted = 0;
     read_weight(track, impactor_, figures_);
     read_contact_end(track, impactor_, figures_);
     if constexpr (memoryless)

@@ -152,7 +152,7 @@ TEST(RandomCases, OnSupportsThatMoveAreSolved) {
     expect_numbers(s);
     ASSERT_EQ(s.support.has_value(), impact.backing != Backing{});
     if (s.support) {
-      expect_finite("transmitted force", s.support->peak_transmitted);
+      if (s.support->peak_transmitted) expect_finite("transmitted force", *s.support->peak_transmitted);
       expect_finite("deflection", s.support->peak_deflection);
     }
     // Nothing comes back that was not there, but for what laws 4 and 5 may give.
