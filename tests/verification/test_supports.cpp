@@ -573,5 +573,29 @@ TEST(Ledger, ClosesOnEverySupport) {
       }
 }
 
+/// In flight there is no sheet to meet, wherever the panel goes meanwhile.
+TEST(Ledger, ClosesWithASheetThatIsLeft) {
+  for (const double mass : {0.5, 2.0}) {
+    SCOPED_TRACE(mass);
+    ImpactCase impact = impact_on(Elastic{4e6}, Support::linear(4.5e4));
+    impact.impactor = {.mass = 1, .nose = FlatDisc{0.05}, .speed = 1.6};
+    impact.pad.thickness = 0.06;
+    impact.pad.sheet = 2;
+    impact.backing = {.damping = 50, .mass = mass, .gap = 0.0005};
+    const Solution solution = solve(impact, {.tolerance = 1e-3});
+    const Summary& s = solution.summary;
+    ASSERT_EQ(s.status, Status::released);
+    EXPECT_NEAR(s.energy.residual, 0, 1e-3 * s.energy.impact);
+    const History& h = solution.history;
+    int in_flight = 0;
+    for (std::size_t i = 1; i < h.size(); ++i) {
+      if (h.pad_force[i - 1] > 0 || h.pad_force[i] > 0) continue;
+      ++in_flight;
+      EXPECT_NEAR(h.velocity[i], h.velocity[i - 1], 1e-9);
+    }
+    EXPECT_GT(in_flight, 0);
+  }
+}
+
 }  // namespace
 }  // namespace dashpad::test
