@@ -141,7 +141,9 @@ class Equilibrium {
     trial.pad_stiffness = predictor.pad_stiffness();
     const double y = contact_.lock_penetration();
     trial.pad = contact_.trial(y - now().penetration, now().time, step);
-    motion_.residual(y, trial.pad.force, step, trial.end);
+    // On what does not give way the force may have no bound there, and its impulse is not half of the last.
+    const double bound = foundation_.stops_hard() && !memoryless ? 2 * now().force : trial.pad.force;
+    motion_.residual(y, std::min(trial.pad.force, bound), step, trial.end);
     trial.end.drive = trial.end.velocity - trial.end.back.velocity();
     return trial;
   }

@@ -402,6 +402,9 @@ class March {
     // What came back to the pad after a release, and stayed, has not left it.
     if (figures_.ending != Ending::released) figures_.release.reset();
     read_peaks(track, figures_);
+    // That of a rigid support is the pad's, which has no finite value where it bottoms out.
+    if (figures_.ending == Ending::bottomed_out && foundation_.kind() == Foundation::Kind::at_once)
+      figures_.peak_transmitted = 0;
     read_weight(track, impactor_, figures_);
     read_contact_end(track, impactor_, figures_);
     if constexpr (memoryless)

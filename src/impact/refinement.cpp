@@ -68,6 +68,10 @@ Figures extrapolate(const Figures& fine, const Figures& coarse) {
   Figures result = fine;
   for_each_number([](double& x, const double& f, const double& c) { x = f + (f - c) / 3; }, result, fine,
                   coarse);
+  // Of magnitudes that are next to nothing the correction may be the larger part.
+  for (double Figures::*of :
+       {&Figures::peak_transmitted, &Figures::peak_deflection, &Figures::set, &Figures::crushing_force})
+    if (result.*of < 0) result.*of = fine.*of;
   return result;
 }
 
@@ -155,7 +159,8 @@ void Refinement::judge(const Figures& run, const Figures& before) {
     return 1 - v * v - (f.support_energy + f.support_loss + f.moving_energy - f.weight_work) / energy_;
   };
   const auto of_support = [&](double x, double x_before, double x_run, double scale) {
-    return scale > 0 ? error(x, x_before, x_run, scale) : 0.0;
+    if (x == 0 && x_before == 0 && x_run == 0) return 0.0;
+    return scale > 0 ? error(x, x_before, x_run, scale) : unknown;
   };
   // What moves and stays is small against what comes and goes; of bodies, against the impact speed.
   errors_.support = std::max(

@@ -38,6 +38,9 @@ class Sheet {
     double drag = 0;
   };
   [[nodiscard]] Load load(double from, double to, double step) const {
+    // Above the pad there is nothing to meet.
+    from = std::max(from, 0.0);
+    to = std::max(to, 0.0);
     if (to > from) {
       const double met = mass_per_area_ * (nose_.area(to) - nose_.area(from));
       return {carried_ + met / 2, met * (to - from) / (step * step)};

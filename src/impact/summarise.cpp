@@ -21,7 +21,7 @@ std::vector<Extrapolation> extrapolations(const ImpactCase& impact, const Summar
   // A linear support has one point, which only says its slope.
   const auto& points = impact.support.points();
   const std::optional<double> force =
-      summary.support ? std::optional(summary.support->peak_transmitted) : summary.peak_force;
+      summary.support ? summary.support->peak_transmitted : summary.peak_force;
   if (points.size() > 1 && force && *force > points.back().force)
     reasons.push_back(
         {Beyond::other, fmt::format("the support's force reaches {:.4g} N; its curve ends at {:.4g} N",
@@ -55,12 +55,14 @@ EnergyLedger ledger_of(const Impactor& impactor, const Figures& figures) {
   return energy;
 }
 
-SupportFigures support_figures(const Backing& backing, const Figures& figures) {
-  SupportFigures of{.peak_transmitted = figures.peak_transmitted,
+SupportFigures support_figures(const Support& support, const Backing& backing, const Figures& figures) {
+  SupportFigures of{.peak_transmitted = {},
                     .peak_deflection = figures.peak_deflection,
                     .crushing_force = figures.crushing_force,
                     .set = {},
                     .body_speed = {}};
+  if (!(support.is_rigid() && figures.ending == Ending::bottomed_out))
+    of.peak_transmitted = figures.peak_transmitted;
   if (backing.unloading_stiffness > 0) of.set = figures.set;
   if (backing.body_mass > 0) of.body_speed = figures.body_velocity;
   return of;
@@ -110,7 +112,7 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement, const 
   s.rest = figures.rest;
   s.still_sinking =
       figures.rest && is_still_sinking(figures.left_to_sink, figures.peak_penetration, tolerance);
-  if (impact.backing != Backing{}) s.support = support_figures(impact.backing, figures);
+  if (impact.backing != Backing{}) s.support = support_figures(impact.support, impact.backing, figures);
   s.energy = ledger_of(impactor, figures);
   s.speed_to_sheet = figures.speed_to_sheet;
   s.energy_absorbed_fraction =

@@ -316,6 +316,24 @@ TEST(FreeBody, IsThePostImpactOfTheReport) {
   }
 }
 
+/// On a rigid support the force behind is that of the pad, which has no bound where it bottoms out.
+TEST(FreeBody, BehindARigidSupportHasNoForceWhereThePadBottomsOut) {
+  ImpactCase impact = impact_on(
+      ViscoelasticFoam{.first_modulus = 1.4e6, .first_exponent = 9.8, .first_share = 0.1, .first_time = 1.6},
+      Support::rigid());
+  impact.impactor = {.mass = 4, .nose = FlatDisc{0.0003}, .speed = 1.8};
+  impact.pad.thickness = 0.0094;
+  impact.backing.body_mass = 1500;
+  for (const double tolerance : {1e-3, 1e-4}) {
+    SCOPED_TRACE(tolerance);
+    const Summary s = solve(impact, {.tolerance = tolerance}).summary;
+    ASSERT_EQ(s.status, Status::bottomed_out);
+    EXPECT_FALSE(s.peak_force);
+    EXPECT_FALSE(s.support->peak_transmitted);
+    EXPECT_LT(s.errors.support, tolerance);
+  }
+}
+
 // --- Preload
 
 TEST(Preload, IsARigidSupportBelowIt) {
@@ -489,7 +507,7 @@ TEST(MovingSupport, DoublesItsForcesWithAllThatIsHeavyAndStiff) {
       impact.backing.*of *= 2;
     const Summary twice = solve(impact, {.fixed_runs = 3}).summary;
     expect_relative(*twice.peak_force, 2 * *once.peak_force, 1e-9, "peak force");
-    expect_relative(twice.support->peak_transmitted, 2 * once.support->peak_transmitted, 1e-9, "behind");
+    expect_relative(*twice.support->peak_transmitted, 2 * *once.support->peak_transmitted, 1e-9, "behind");
     expect_relative(twice.peak_penetration, once.peak_penetration, 1e-9, "penetration");
     expect_relative(twice.contact_end->time, once.contact_end->time, 1e-9, "end of contact");
     expect_relative(twice.energy.support_loss, 2 * once.energy.support_loss, 1e-9, "lost");
@@ -553,6 +571,30 @@ TEST(Ledger, ClosesOnEverySupport) {
         EXPECT_LT(residual[1], 1e-3);
         EXPECT_LT(residual[2], 1e-4) << "steps of a sixteenth";
       }
+}
+
+/// In flight there is no sheet to meet, wherever the panel goes meanwhile.
+TEST(Ledger, ClosesWithASheetThatIsLeft) {
+  for (const double mass : {0.5, 2.0}) {
+    SCOPED_TRACE(mass);
+    ImpactCase impact = impact_on(Elastic{4e6}, Support::linear(4.5e4));
+    impact.impactor = {.mass = 1, .nose = FlatDisc{0.05}, .speed = 1.6};
+    impact.pad.thickness = 0.06;
+    impact.pad.sheet = 2;
+    impact.backing = {.damping = 50, .mass = mass, .gap = 0.0005};
+    const Solution solution = solve(impact, {.tolerance = 1e-3});
+    const Summary& s = solution.summary;
+    ASSERT_EQ(s.status, Status::released);
+    EXPECT_NEAR(s.energy.residual, 0, 1e-3 * s.energy.impact);
+    const History& h = solution.history;
+    int in_flight = 0;
+    for (std::size_t i = 1; i < h.size(); ++i) {
+      if (h.pad_force[i - 1] > 0 || h.pad_force[i] > 0) continue;
+      ++in_flight;
+      EXPECT_NEAR(h.velocity[i], h.velocity[i - 1], 1e-9);
+    }
+    EXPECT_GT(in_flight, 0);
+  }
 }
 
 }  // namespace

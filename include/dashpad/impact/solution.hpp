@@ -87,7 +87,8 @@ struct EnergyLedger {
 
 /// What a support that loses energy or moves has done; forces of the pad and the support differ there.
 struct SupportFigures {
-  double peak_transmitted = 0;       ///< force on the ground or the body behind, N
+  /// Force on the ground or the body behind, N; absent where a pad bottoms out on a rigid support.
+  std::optional<double> peak_transmitted;
   double peak_deflection = 0;        ///< m
   double crushing_force = 0;         ///< largest so far of a support that crushes, N
   std::optional<double> set;         ///< deflection of such a support that stays, m
