@@ -18,9 +18,11 @@
 #include "dashpad/output/text/case.hpp"
 #include "dashpad/output/text/result.hpp"
 #include "dashpad/spit1984/deck.hpp"
+#include "output/blow_rows.hpp"
 #include "output/text/case_toml.hpp"
 #include "sample_case.hpp"
 #include "shared/samples.hpp"
+#include "shown_values.hpp"
 
 namespace dashpad::test {
 namespace {
@@ -169,6 +171,19 @@ TEST(BlowSeries, GoesOnWithAFixedNumberOfRuns) {
     EXPECT_EQ(solve_blows(impact, {.tolerance = 1e-8, .fixed_runs = runs}).size(), 4u);
 }
 
+/// A weak blow on a pad that was struck deep does not reach the depth of the earlier one, which is kept.
+TEST(BlowSeries, RemembersTheDeepestOfTheBlowsSoFar) {
+  for (const double recovery : {0.0, 0.25}) {
+    ImpactCase impact = struck(sample_law<Foam>(), 2, recovery);
+    impact.impactor.speed = 0.3;
+    impact.pad.earlier_penetration = 0.02;
+    const auto blows = solve_blows(impact, {.tolerance = 1e-3});
+    ASSERT_EQ(blows.size(), 2u);
+    ASSERT_LT(blows[0].solution.summary.peak_penetration, 0.019);
+    EXPECT_DOUBLE_EQ(blows[1].impact.pad.earlier_penetration, (1 - recovery) * 0.02);
+  }
+}
+
 std::string told(const ImpactCase& impact) {
   const auto blows = solve_blows(impact, {.tolerance = 1e-3});
   const Solution& last = blows.back().solution;
@@ -183,6 +198,33 @@ TEST(BlowTexts, AnswerFirstHowThePeaksGrow) {
   EXPECT_LT(text.find("Peak acceleration, g"), text.find("Blow 3:\n"));
   EXPECT_THAT(told(struck(sample_law<Foam>(), 3, 1)), HasSubstr("All 3 blows are alike: the pad recovers"));
   EXPECT_THAT(told(struck(sample_law<Elastic>(), 3, 0)), HasSubstr("elastic recovers fully by its law"));
+}
+
+TEST(BlowTexts, HaveATableOfTheFiguresOfEachBlow) {
+  ImpactCase impact = struck(sample_law<Foam>(), 2, 0);
+  std::vector<output::BlowResult> blows(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto more = static_cast<double>(i);
+    Summary& summary = blows[i].summary;
+    summary.blow = static_cast<int>(i) + 1;
+    summary.peak_acceleration = (40 + more) * standard_gravity;
+    summary.peak_force = 1500 + more;
+    summary.peak_penetration = 0.012 + 0.003 * more;  // of 30 mm
+    summary.peak_motion = 0.02;
+    summary.energy_absorbed_fraction = 0.81 + 0.01 * more;
+    blows[i].injury = injury::InjuryFigures{};
+    blows[i].injury->hic15.value = 123 + more;
+  }
+  const output::Table si = blow_table(impact, blows, unit_system("si"), output::Detail::all);
+  const output::Table us = blow_table(impact, blows, unit_system("us"), output::Detail::all);
+  const std::vector<double> expected{1, 40 * standard_gravity, 123, 1500, 0.012, 40, 81,
+                                     2, 41 * standard_gravity, 124, 1501, 0.015, 50, 82};
+  for (const output::Table& table : {si, us}) {
+    const std::vector<double> shown = numbers_in(table);
+    ASSERT_EQ(shown.size(), expected.size());
+    for (std::size_t i = 0; i < shown.size(); ++i)
+      EXPECT_NEAR(shown[i], expected[i], 1e-4 * expected[i]) << i;
+  }
 }
 
 TEST(BlowTexts, TellOfASeriesThatIsCut) {

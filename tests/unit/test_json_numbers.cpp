@@ -1,0 +1,338 @@
+// Every number of the JSON of results, each against the value that it is of: no two of those are equal, so
+// that none can stand in another's place.
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "dashpad/output/fit.hpp"
+#include "dashpad/output/post_impact.hpp"
+#include "dashpad/output/pulse.hpp"
+#include "dashpad/output/pulse_comparison.hpp"
+#include "dashpad/output/study.hpp"
+#include "distinct_numbers.hpp"
+#include "example_result.hpp"
+#include "quantities/json_values.hpp"
+#include "shown_values.hpp"
+
+namespace dashpad::test {
+namespace {
+
+constexpr double g = standard_gravity;
+
+using Numbers = std::map<std::string, double>;
+
+void expect_result(const std::string& written, Numbers expected) {
+  expected["/format"] = result_format;
+  expect_numbers(nlohmann::json::parse(written), std::move(expected));
+}
+
+void add(Numbers& to, const std::string& place, const study::Estimate& of, double scale = 1) {
+  to[place + "/value"] = of.value * scale;
+  to[place + "/low"] = of.low * scale;
+  to[place + "/high"] = of.high * scale;
+}
+
+void add(Numbers& to, const std::string& place, const std::vector<double>& values, double scale = 1) {
+  for (std::size_t i = 0; i < values.size(); ++i) to[place + "/" + std::to_string(i)] = values[i] * scale;
+}
+
+TEST(JsonNumbers, OfAnImpactOfTwoBodies) {
+  const Body first{3, 8}, second{11, -2};
+  Solution solution;
+  solution.summary = example_summary();
+  solution.summary.energy = {.impact = 180, .kinetic = 101, .support = 7, .pad = 71, .residual = 0};
+  solution.summary.energy_absorbed_fraction = 0.4;
+  solution.history.force = {0, 4000, 3000, 0};
+  solution.history.velocity = {9, 3, 1, -5};
+  const ImpactCase impact = relative_motion(example_case(), first, second);
+  const PostImpact after = post_impact(first, second, solution);
+  const EnergySplit split = energy_split(impact, solution);
+  expect_result(output::post_impact_json(first, second, impact, solution),
+                {{"/bodies/0/mass_kg", 3},
+                 {"/bodies/0/velocity_m_per_s", 8},
+                 {"/bodies/0/velocity_after_m_per_s", after.first_velocity},
+                 {"/bodies/0/velocity_after_error_m_per_s", after.errors.first_velocity},
+                 {"/bodies/1/mass_kg", 11},
+                 {"/bodies/1/velocity_m_per_s", -2},
+                 {"/bodies/1/velocity_after_m_per_s", after.second_velocity},
+                 {"/bodies/1/velocity_after_error_m_per_s", after.errors.second_velocity},
+                 {"/energy_coefficient_C", 0.6},
+                 {"/restitution_sqrt_C", std::sqrt(0.6)},
+                 {"/restitution_error", after.errors.restitution},
+                 {"/absorbed_fraction_error", 2e-5},
+                 {"/available_energy_J", after.available_energy},
+                 {"/at_peak_force/kinetic_J", split.kinetic_at_peak},
+                 {"/at_peak_force/support_J", split.support_at_peak},
+                 {"/at_peak_force/pad_J", split.pad_at_peak},
+                 {"/at_the_end/rebound_J", 101},
+                 {"/at_the_end/support_J", 7},
+                 {"/at_the_end/pad_J", 71},
+                 {"/solved_as/mass_kg", 33. / 14},
+                 {"/solved_as/speed_m_per_s", 10}});
+  // The text has the same: both bodies, what becomes of them, and energies with their shares of the impact.
+  const std::string text = output::post_impact_text(first, second, impact, solution, unit_system("si"));
+  std::vector<double> expected{3,
+                               8,
+                               11,
+                               -2,
+                               33. / 14,
+                               10,
+                               after.first_velocity,
+                               after.errors.first_velocity,
+                               after.second_velocity,
+                               after.errors.second_velocity,
+                               std::sqrt(0.6),
+                               after.errors.restitution,
+                               1,
+                               3,  // of the report's Eqs. 1 to 3
+                               0.6,
+                               100 * 2e-5,
+                               after.available_energy};
+  for (const double energy : {split.kinetic_at_peak, split.support_at_peak, split.pad_at_peak, 101., 7., 71.})
+    expected.insert(expected.end(), {energy, 100 * energy / 180});
+  const std::vector<double> shown = numbers_in(text);
+  ASSERT_EQ(shown.size(), expected.size()) << text;
+  for (std::size_t i = 0; i < shown.size(); ++i)  // errors and shares have few digits
+    EXPECT_NEAR(shown[i], expected[i], (expected[i] < 1e-2 ? 0.05 : 2e-3) * std::abs(expected[i]))
+        << "number " << i + 1 << "\n"
+        << text;
+}
+
+TEST(JsonNumbers, OfAStudy) {
+  const study::StudyAnswers of = answers_with_numbers();
+  const study::Records& records = of.records;
+  Numbers expected{{"/rows", 3},
+                   {"/rows_of_study", 1001},
+                   {"/rows_doubtful", static_cast<double>(records.doubtful)},
+                   {"/rows_extrapolated", static_cast<double>(records.extrapolated)},
+                   {"/rows_extrapolated_strain", static_cast<double>(records.beyond_strain)},
+                   {"/rows_extrapolated_rate", static_cast<double>(records.beyond_rate)},
+                   {"/rows_bottomed", static_cast<double>(records.bottomed)},
+                   {"/rows_struck_through", static_cast<double>(records.struck_through)},
+                   {"/rows_at_time_limit", static_cast<double>(records.time_limit)},
+                   {"/interval", 0.95}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const study::StudyAnswers::OfGroup& group = of.groups[i];
+    const std::string at = "/groups/" + std::to_string(i);
+    expected[at + "/levels/0/value"] = group.group.levels[0];
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::string k_of = "/" + std::to_string(k);
+      const double scale = k == 0 ? 1 : 1 / g;  // N, then g
+      const study::Distribution& distribution = group.distributions[k];
+      const std::string to = at + "/distributions" + k_of;
+      expected[to + "/rows"] = static_cast<double>(distribution.rows);
+      expected[to + "/rows_struck_through"] = static_cast<double>(distribution.struck_through);
+      expected[to + "/rows_without"] = static_cast<double>(distribution.without);
+      add(expected, to + "/mean", distribution.mean, scale);
+      expected[to + "/deviation"] = scale * distribution.deviation;
+      expected[to + "/least"] = scale * distribution.least;
+      expected[to + "/greatest"] = scale * distribution.greatest;
+      for (std::size_t q = 0; q < distribution.quantiles.size(); ++q) {
+        const std::string quantile = to + "/quantiles/" + std::to_string(q);
+        expected[quantile + "/probability"] = distribution.quantiles[q].probability;
+        add(expected, quantile, distribution.quantiles[q].value, scale);
+      }
+      const study::Exceedance& exceedance = group.exceedances[k];
+      const std::string above = at + "/exceedances" + k_of;
+      expected[above + "/limit"] = of.limits[k].value * (k == 0 ? 1 / g : 1);  // the other way round
+      add(expected, above + "/probability", exceedance.probability);
+      expected[above + "/rows_above"] = static_cast<double>(exceedance.exceeding);
+      expected[above + "/rows_struck_through"] = static_cast<double>(exceedance.struck_through);
+      expected[above + "/rows"] = static_cast<double>(exceedance.rows);
+      expected[above + "/rows_undecided"] = static_cast<double>(exceedance.undecided);
+      const study::Sensitivity& sensitivity = *group.sensitivities[k];
+      const std::string by = at + "/sobol_indices" + k_of;
+      expected[by + "/draws"] = static_cast<double>(sensitivity.draws);
+      expected[by + "/draws_left_out"] = static_cast<double>(sensitivity.left_out);
+      add(expected, by + "/indices/0/first_order", sensitivity.indices[0].first);
+      add(expected, by + "/indices/0/total", sensitivity.indices[0].total);
+    }
+  }
+  const study::CushionCurves::Drop& drop = of.cushion_curves->drops[0];
+  expected["/cushion_curves/curves/0/drop_height_m"] = drop.height;
+  expected["/cushion_curves/curves/0/speed_m_per_s"] = drop.speed;
+  expected["/cushion_curves/curves/0/thickness_m"] = drop.curves[0].thickness;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string point = "/cushion_curves/curves/0/points/" + std::to_string(i);
+    expected[point + "/static_stress_Pa"] = drop.curves[0].static_stress[i];
+    expected[point + "/peak_acceleration_g"] = drop.curves[0].peak_deceleration[i] / g;
+  }
+  expect_result(output::study_json(of), expected);
+}
+
+TEST(JsonNumbers, OfAPulse) {
+  const injury::PulseReport of = pulse_with_numbers();
+  const injury::InjuryFigures& figures = of.figures;
+  Numbers expected{{"/figures/peak_acceleration/value_g", figures.peak.magnitude / g},
+                   {"/figures/peak_acceleration/time_s", figures.peak.time},
+                   {"/figures/hic_d/value", figures.hic_d},
+                   {"/figures/severity_index/value", figures.severity_index},
+                   {"/figures/velocity_change/value_m_per_s", figures.velocity_change},
+                   {"/figures/hic_windows/0/value", of.windows[0].hic.value},
+                   {"/figures/hic_windows/0/begin_s", of.windows[0].hic.begin},
+                   {"/figures/hic_windows/0/end_s", of.windows[0].hic.end},
+                   {"/figures/hic_windows/0/longest_window_s", of.windows[0].longest_window},
+                   {"/figures/dwell_time/0/level_g", of.dwells[0].level / g},
+                   {"/figures/dwell_time/0/value_s", of.dwells[0].cumulative},
+                   {"/figures/dwell_time/0/longest_s", of.dwells[0].longest},
+                   {"/impact/speed_m_per_s", of.impact->speed},
+                   {"/impact/drop_height_m", *of.impact->drop_height},
+                   {"/impact/restitution", figures.velocity_change / of.impact->speed - 1},
+                   {"/source/time/number", 101},
+                   {"/source/time/si_factor", of.measured.time.factor},
+                   {"/source/acceleration/0/number", 102},
+                   {"/source/acceleration/0/si_factor", of.measured.acceleration[0].factor},
+                   {"/source/samples", 3},
+                   {"/source/begin_s", 0.25},
+                   {"/source/end_s", 0.75},
+                   {"/offset/begin_s", of.offset->offset.begin},
+                   {"/offset/end_s", of.offset->offset.end},
+                   {"/offset/samples", 103},
+                   {"/offset/hic15_with", of.offset->hic15_with},
+                   {"/offset/hic15_without", of.offset->hic15_without},
+                   {"/processing/resampled_to_s", *of.resampled_to},
+                   {"/processing/filter/channel_frequency_class", 600},
+                   {"/processing/samples", 4}};
+  add(expected, "/offset/mean_g", of.offset->offset.mean, 1 / g);
+  add(expected, "/offset/scatter_g", of.offset->offset.scatter, 1 / g);
+  for (const auto& [key, hic] : {std::pair{"hic15", figures.hic15},
+                                 {"hic36", figures.hic36},
+                                 {"hic_unlimited", figures.hic_unlimited}}) {
+    const std::string to = std::string("/figures/") + key;
+    expected[to + "/value"] = hic.value;
+    expected[to + "/begin_s"] = hic.begin;
+    expected[to + "/end_s"] = hic.end;
+  }
+  for (const auto& [key, clip] :
+       {std::pair{"clip_3ms", figures.clip_3ms}, {"cumulative_3ms", figures.cumulative_3ms}}) {
+    const std::string to = std::string("/figures/") + key;
+    expected[to + "/value_g"] = clip.level / g;
+    expected[to + "/begin_s"] = clip.begin;
+    expected[to + "/end_s"] = clip.end;
+  }
+  expect_result(output::pulse_json(of), expected);
+}
+
+TEST(JsonNumbers, OfAPulseBesideAnImpact) {
+  const injury::PulseReport pulse = pulse_with_numbers();
+  Distinct made;
+  injury::PulseShape shapes[2];
+  for (injury::PulseShape& shape : shapes) {
+    shape.peak = {made.next(), 10 + made.next()};
+    shape.onset = made.next() / 100;
+    shape.width = made.next();
+    shape.contact_begin = made.next();
+    shape.contact_end = made.next();
+    shape.velocity_change = made.next();
+    shape.hic15 = made.next();
+    shape.restitution = made.next();
+  }
+  injury::PulseComparison of;
+  of.shift = made.next();
+  of.measured = shapes[0];
+  of.computed = shapes[1];
+  of.figures = injury::compared_figures(of.measured, of.computed, of.alignment);
+  for (injury::ComparedFigure& figure : of.figures) figure.error = made.next();
+  Solution solution;
+  solution.summary = example_summary();
+  Numbers expected{{"/alignment/shift_s", of.shift},
+                   {"/alignment/measured_onset_s", *of.measured.onset},
+                   {"/alignment/computed_onset_s", *of.computed->onset},
+                   {"/case/tolerance", 1e-4},
+                   {"/pulse/samples", 4},
+                   {"/pulse/contact_begin_s", of.measured.contact_begin},
+                   {"/pulse/contact_end_s", of.measured.contact_end},
+                   {"/pulse/speed_m_per_s", pulse.impact->speed},
+                   {"/pulse/resampled_to_s", *pulse.resampled_to}};
+  const auto add_figure = [&](std::size_t i, const std::string& key, const std::string& unit, double measured,
+                              double computed, double scale = 1) {
+    const std::string to = "/figures/" + key;
+    expected[to + "/measured" + unit] = scale * measured;
+    expected[to + "/computed" + unit] = scale * computed;
+    expected[to + "/error"] = of.figures[i].error;
+    expected[to + "/difference" + unit] = scale * (computed - measured);
+    expected[to + "/difference_share"] = (computed - measured) / measured;
+  };
+  const injury::PulseShape &a = shapes[0], &b = shapes[1];
+  add_figure(0, "peak_acceleration", "_g", a.peak.magnitude, b.peak.magnitude, 1 / g);
+  add_figure(1, "time_to_peak", "_s", a.peak.time - *a.onset, b.peak.time - *b.onset);
+  add_figure(2, "half_peak_width", "_s", a.width, b.width);
+  add_figure(3, "velocity_change", "_m_per_s", a.velocity_change, b.velocity_change);
+  add_figure(4, "hic15", "", a.hic15, b.hic15);
+  add_figure(5, "restitution", "", *a.restitution, *b.restitution);
+  const ImpactCase impact = example_case();
+  expect_result(output::pulse_comparison_json({"case.toml", impact, solution, pulse, of}), expected);
+}
+
+TEST(JsonNumbers, OfAFit) {
+  const fit::FitReport of = fit_with_numbers();
+  const fit::FittedUnknown& unknown = of.unknowns[0];
+  const fit::MetTest& test = of.tests[0];
+  const fit::MetFigure& figure = of.figures[0];
+  const fit::MetPulse& pulse = of.pulses[0];
+  const fit::ImpactComparison& compared = of.comparison[0];
+  Numbers expected{{"/unknowns/0/value", unknown.value},
+                   {"/unknowns/0/standard_error", *unknown.standard_error},
+                   {"/unknowns/0/interval/low", *unknown.low},
+                   {"/unknowns/0/interval/high", *unknown.high},
+                   {"/unknowns/0/bounds/lowest", unknown.lowest},
+                   {"/unknowns/0/bounds/highest", unknown.highest},
+                   {"/left_open/correlations/0/correlation", of.correlations[0].value},
+                   {"/misfit/points", 103},
+                   {"/misfit/priors", 104},
+                   {"/misfit/degrees_of_freedom", of.degrees_of_freedom},
+                   {"/misfit/sum_of_squares", of.misfit},
+                   {"/misfit/per_degree_of_freedom", of.misfit / of.degrees_of_freedom},
+                   {"/misfit/error_factor", std::sqrt(of.variance_scale)},
+                   {"/misfit/largest_widening", of.largest_widening},
+                   {"/tests/0/points", 101},
+                   {"/tests/0/largest_stress_Pa", test.largest_stress},
+                   {"/tests/0/lowest_rate_per_s", test.lowest_rate},
+                   {"/tests/0/highest_rate_per_s", test.highest_rate},
+                   {"/tests/0/noise_Pa", test.noise},
+                   {"/tests/0/offset_Pa", *test.offset},
+                   {"/tests/0/rms_loading_Pa", *test.rms_loading},
+                   {"/tests/0/rms_unloading_Pa", *test.rms_unloading},
+                   {"/tests/0/loops/0/largest_strain", test.loops[0].largest_strain},
+                   {"/tests/0/loops/0/measured_return", test.loops[0].measured_return},
+                   {"/tests/0/loops/0/computed_return", test.loops[0].computed_return},
+                   {"/tests/0/autocorrelation", test.autocorrelation},
+                   {"/tests/0/effective_points", test.effective_points},
+                   {"/impacts/0/measured", figure.measured},
+                   {"/impacts/0/deviation", figure.deviation},
+                   {"/impacts/0/computed", *figure.computed},
+                   {"/impacts/0/prediction_deviation", *figure.prediction_deviation},
+                   {"/pulses/0/samples", 102},
+                   {"/pulses/0/points", 3},
+                   {"/pulses/0/deviation_g", pulse.deviation / g},
+                   {"/pulses/0/measured_peak_g", pulse.measured_peak / g},
+                   {"/pulses/0/computed_peak_g", *pulse.computed_peak / g},
+                   {"/pulses/0/rms_g", *pulse.rms / g},
+                   {"/pulses/0/rms_share_of_peak", *pulse.rms / pulse.measured_peak},
+                   {"/pulses/0/shift_s", *pulse.shift},
+                   {"/pulses/0/autocorrelation", pulse.autocorrelation},
+                   {"/pulses/0/effective_points", pulse.effective_points},
+                   {"/comparison/0/measured", compared.measured},
+                   {"/comparison/0/computed", *compared.computed},
+                   {"/comparison/0/share", (*compared.computed - compared.measured) / compared.measured},
+                   {"/search/starts", 105},
+                   {"/search/starts_at_best", 106},
+                   {"/search/starts_failed", 107},
+                   {"/search/solver_runs", 108},
+                   {"/search/evaluations", 109},
+                   {"/search/wall_time_s", of.wall_time}};
+  add(expected, "/tests/0/strain", test.strain);
+  add(expected, "/tests/0/measured_stress_Pa", test.measured);
+  add(expected, "/tests/0/computed_stress_Pa", test.computed);
+  add(expected, "/pulses/0/time_s", pulse.time);
+  add(expected, "/pulses/0/measured_g", pulse.measured, 1 / g);
+  add(expected, "/pulses/0/computed_g", pulse.computed, 1 / g);
+  expect_result(output::fit_json(of), expected);
+}
+
+}  // namespace
+}  // namespace dashpad::test
