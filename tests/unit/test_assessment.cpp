@@ -139,6 +139,16 @@ TEST(assessment, a_strict_limit_is_not_within_itself) {
   EXPECT_EQ(verdict(99.999, true), Verdict::fail);
 }
 
+/// The value with its error reaches the limit exactly.
+TEST(assessment, what_may_be_a_strict_limit_does_not_pass_it) {
+  const Solution solution = half_sine(1.0 / 16);
+  injury::Criterion of = criterion(Metric::peak_acceleration, 0);
+  of.limit = *solution.summary.peak_acceleration * (1 + 1.0 / 16);
+  EXPECT_EQ(assess(standard_with({of}), solution).verdict, Verdict::pass);
+  of.strict = true;
+  EXPECT_EQ(assess(standard_with({of}), solution).verdict, Verdict::undecided);
+}
+
 TEST(assessment, a_history_too_short_for_an_error_decides_nothing_but_the_peak) {
   Solution solution = half_sine();
   solution.history.time = {0, duration / 2, duration};
@@ -162,6 +172,24 @@ TEST(assessment, values_are_those_of_the_pulse) {
   EXPECT_NEAR(assessment.results[0].value.value(), clip, 1e-4 * clip);
   EXPECT_NEAR(assessment.results[1].value.value(), clip, 1e-4 * clip);
   EXPECT_NEAR(assessment.results[2].value.value(), duration * 2 / 3, 1e-3 * duration);
+}
+
+/// Two triangles of 4 ms with a peak of 100 g: of each 4 ms (1 - a / 100 g) lie above a.
+TEST(assessment, of_two_humps_only_the_cumulative_time_counts_both) {
+  Solution solution = half_sine();
+  solution.history.time = {};
+  solution.history.acceleration = {};
+  for (int i = 0; i <= 1000; ++i) {
+    const double time = 1e-5 * i;  // the humps from 0 and from 6 ms on
+    const double into = time < 5e-3 ? time : time - 6e-3;
+    solution.history.time.push_back(time);
+    solution.history.acceleration.push_back(-100 * g * std::max(0.0, 1 - std::abs(into / 2e-3 - 1)));
+  }
+  const Assessment assessment =
+      assess(standard_with({criterion(Metric::clip_3ms, 80 * g), criterion(Metric::cumulative_3ms, 80 * g)}),
+             solution);
+  EXPECT_NEAR(assessment.results[0].value.value(), 25 * g, 1e-3 * g);
+  EXPECT_NEAR(assessment.results[1].value.value(), 62.5 * g, 1e-3 * g);
 }
 
 /// 1 % more or less force moves the crossings of 50 g by 0.01 tan(pi / 6) / pi of the duration each.

@@ -86,6 +86,15 @@ TEST(OtherChoice, one_that_turns_the_verdict_is_told) {
   EXPECT_TRUE(turning(1.1 * peak(both), nothing, Verdict::pass).empty());
 }
 
+TEST(OtherChoice, one_that_decides_nothing_turns_nothing) {
+  const auto undecided = [](const Standard& of, const ImpactCase& impact) {
+    injury::Assessment assessment = by_values(of, impact);
+    assessment.verdict = Verdict::undecided;
+    return assessment;
+  };
+  EXPECT_TRUE(injury::turning_choices(standard(1), given(), nothing, Verdict::pass, undecided).empty());
+}
+
 TEST(OtherChoice, what_was_kept_may_be_left_out) {
   const std::vector<OtherChoice> choices = turning((peak(nothing) + peak(speed)) / 2, speed, Verdict::fail);
   ASSERT_EQ(choices.size(), 1U);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "dashpad/impact/solve.hpp"
@@ -105,6 +106,28 @@ TEST(PulseShape, RestitutionIsThatOfTheVelocityChange) {
     EXPECT_FALSE(pulse_shape(triangle(), change / factor).restitution) << factor;
 }
 
+/// A pulse counts as cut where it ends above four times the noise of its quiet part alone: 2 m/s2 here, after
+/// a part with noise of 10 m/s2.
+TEST(PulseFlags, NoiseIsThatOfTheQuietPart) {
+  const auto flagged = [](double at_end) {
+    Pulse pulse;
+    const auto add = [&](double value) {
+      pulse.time.push_back(1e-3 * static_cast<double>(pulse.time.size()));
+      pulse.acceleration.push_back(value);
+    };
+    for (int i = 0; i < 20; ++i) add(i % 2 == 0 ? 10 : -10);
+    for (int i = 0; i < 20; ++i) add(i % 2 == 0 ? 2 : -2);
+    for (const double value : {200.0, height, 200.0, at_end}) add(value);
+    PulseReport report = report_of(pulse);
+    report.offset = injury::OffsetEffect{};
+    report.offset->offset.begin = 20e-3;
+    report.offset->offset.end = 39e-3;
+    return !injury::flags(report, pulse).empty();
+  };
+  EXPECT_FALSE(flagged(7.9));
+  EXPECT_TRUE(flagged(8.1));
+}
+
 TEST(PulseShape, RefusesAPulseWithoutAcceleration) {
   try {
     pulse_shape(triangle(0), {});
@@ -185,6 +208,36 @@ TEST(PulseComparison, ComputedFiguresAreWithinTheirErrors) {
       EXPECT_LE(of.error, 100 * tolerance) << of.quantity->key << " at " << tolerance;
     }
   }
+}
+
+/// What each error of the solver adds to those of the figures.
+TEST(PulseComparison, ErrorsOfTheSolverCountAsTheyEnterTheFigures) {
+  const auto errors = [](const ErrorEstimates& of) {
+    Solution solution = solved();
+    solution.summary.errors = of;
+    const PulseComparison now = compare_pulses(report_of(triangle()), solution, speed(), Alignment::onset);
+    std::map<std::string, double> all;
+    for (const ComparedFigure& each : now.figures) all[each.quantity->key] = each.error;
+    return all;
+  };
+  const PulseComparison now = compare_pulses(report_of(triangle()), solved(), speed(), Alignment::onset);
+  const double end = solved().summary.contact_end->time / *figure(now, "time_to_peak").computed;
+  const double rebound = 1 / *figure(now, "restitution").computed;
+  ASSERT_GT(end, 1.5);
+  const auto none = errors({});
+  const auto expect_added = [&](const ErrorEstimates& of, const std::map<std::string, double>& expected) {
+    auto added = errors(of);
+    for (auto& [key, error] : added) {
+      const auto found = expected.find(key);
+      EXPECT_NEAR(error - none.at(key), found == expected.end() ? 0 : found->second, 1e-12) << key;
+    }
+  };
+  expect_added({.time_of_peak_force = 0.01}, {{"time_to_peak", 0.01 * end}});
+  expect_added({.contact_end = 0.01}, {{"time_to_peak", 0.01 * end}, {"half_peak_width", 0.01}});
+  expect_added({.peak_force = 0.01}, {{"peak_acceleration", 0.01},
+                                      {"velocity_change", 0.01},
+                                      {"hic15", 0.025},
+                                      {"restitution", 0.01 * (1 + rebound)}});
 }
 
 /// Both pulses get the filter: the history as a sensor sees it, in free flight before and after, agrees with
