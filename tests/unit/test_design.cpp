@@ -311,6 +311,15 @@ TEST(design, cuts_off_measured_values) {
                  0.5 * (1.75 * 1.75 + 0.25 / 12) + 0.5 * (2.75 * 2.75 + 2.25 / 12) - 2.25 * 2.25);
 }
 
+/// A value that was measured several times belongs to what is kept where it is the last one: of the lower
+/// three quarters two thirds.
+TEST(design, keeps_the_measured_value_at_which_it_is_cut_off) {
+  Factor cut = factor("impactor.speed", Empirical{{1, 2, 2, 2, 3}});
+  cut.highest = 2;
+  const auto values = column(study_with({cut}, 100'000));
+  EXPECT_NEAR(static_cast<double>(std::ranges::count(values, 2.)) / 1e5, 2. / 3, 5 * std::sqrt(2. / 9 / 1e5));
+}
+
 TEST(design, correlates_as_asked) {
   Study study =
       study_with({factor("impactor.speed", Normal{10, 0.5}), factor("impactor.mass", Normal{5, 0.1}),
@@ -326,6 +335,21 @@ TEST(design, correlates_as_asked) {
     EXPECT_NEAR(correlation(x, z), 0, error);
     EXPECT_NEAR(moments(y).variance, 0.01, 5 * moments(y).variance_error);
   }
+}
+
+/// None of the three is 0, and the third is not the product of the others, as in a chain.
+TEST(design, correlates_three_factors_each_with_each) {
+  Study study =
+      study_with({factor("impactor.speed", Normal{10, 0.5}), factor("impactor.mass", Normal{5, 0.1}),
+                  factor("impactor.radius", Normal{0.1, 0.01})},
+                 100'000);
+  study.correlations = {{0, 1, 0.6}, {0, 2, 0.6}, {1, 2, 0.1}};
+  const auto x = column(study, 0), y = column(study, 1), z = column(study, 2);
+  const double error = 5 / std::sqrt(1e5);
+  EXPECT_NEAR(correlation(x, y), 0.6, error);
+  EXPECT_NEAR(correlation(x, z), 0.6, error);
+  EXPECT_NEAR(correlation(y, z), 0.1, error);
+  EXPECT_NEAR(moments(z).variance, 1e-4, 5 * moments(z).variance_error);
 }
 
 TEST(design, draws_unrelated_factors_unrelated) {

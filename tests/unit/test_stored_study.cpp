@@ -206,6 +206,8 @@ TEST_F(StoredStudyTest, CushionCurvesHoldTheRowsInOrder) {
   ASSERT_EQ(curves->drops.size(), 2U);
   const study::CushionCurve& thin = curves->drops[0].curves.at(0);
   EXPECT_EQ(thin.thickness, 0.04);
+  for (const study::CushionCurves::Drop& drop : curves->drops)
+    EXPECT_DOUBLE_EQ(std::sqrt(2 * standard_gravity * drop.height), drop.speed);
   ASSERT_EQ(thin.static_stress.size(), 3U);
   for (std::size_t place = 0; place < records.rows.size(); ++place) {
     if (records.factors[0][place] != curves->drops[0].speed || records.factors[1][place] != 0.04) continue;

@@ -203,6 +203,59 @@ TEST(StudyAnswersVerification, LowerBoundsDecideALimitThatTheyExceed) {
   EXPECT_EQ(grid.probability.high, 0.25) << "both readings of the undecided row";
 }
 
+/// At one thickness the response is the speed, at the other the mass.
+TEST(StudyAnswersVerification, IndicesAreThoseOfTheirCombinationOfLevels) {
+  Study study;
+  study.base.impactor = {.mass = 5, .nose = Sphere{0.08}, .speed = 1};
+  study.base.pad.thickness = 0.05;
+  study.base.pad.material.law = Elastic{.modulus = 3e5};
+  study.factors = {{.key = "pad.thickness", .unit = "m", .spread = Levels{{0.04, 0.05, 0.06}}},
+                   {.key = "impactor.speed", .unit = "m/s", .spread = Uniform{1, 2}},
+                   {.key = "impactor.mass", .unit = "kg", .spread = Uniform{4, 6}}};
+  study.samples = 200;
+  study.indices = true;
+  study.responses = {"peak_force"};
+  const Design design(study);
+  Records records;
+  records.responses.resize(1);
+  for (std::uint64_t row = 0; row < design.rows(); ++row) {
+    Row factors(3);
+    design.factors_of(row, factors);
+    records.rows.push_back(row);
+    records.statuses.push_back(Status::released);
+    records.responses[0].push_back(factors[0] == 0.06 ? factors[2] : factors[1]);
+  }
+  for (const std::size_t combination : {0U, 1U, 2U}) {
+    const Sensitivity of = sensitivity(study, design, records, combination, 0).value();
+    EXPECT_EQ(of.draws, 200U);
+    EXPECT_EQ(of.left_out, 0U);
+    const std::size_t all = combination == 2 ? 1 : 0;
+    EXPECT_NEAR(of.indices[all].total.value, 1, 0.2) << combination;
+    EXPECT_NEAR(of.indices[1 - all].total.value, 0, 1e-12) << combination;
+    EXPECT_EQ(of.indices[all].factor, all == 0 ? "impactor.speed" : "impactor.mass");
+  }
+}
+
+TEST(StudyAnswersVerification, AValueIsKnownWhereTheImpactWentToItsEnd) {
+  Study study;
+  study.responses = {"peak_force", "rebound_speed"};
+  Records records;
+  records.statuses = {Status::released, Status::at_rest, Status::time_limit, Status::tolerance_not_met,
+                      Status::bottomed_out};
+  records.responses.assign(2, {1, 2, 3, 4, 5});
+  const Group group{.levels = {}, .places = {0, 1, 2, 3, 4}};
+  // A force is known, or a lower bound at the time limit, or beyond all bounds; a speed grows with nothing.
+  const double low[2][5]{{1, 2, 3, -infinity, infinity}, {1, 2, -infinity, -infinity, 5}};
+  const double high[2][5]{{1, 2, infinity, infinity, infinity}, {1, 2, infinity, infinity, 5}};
+  for (std::size_t response = 0; response < 2; ++response) {
+    const std::vector<Reading> found = readings_of(study, records, group, response);
+    for (std::size_t i = 0; i < 5; ++i) {
+      EXPECT_EQ(found.at(i).low, low[response][i]) << response << ", " << i;
+      EXPECT_EQ(found.at(i).high, high[response][i]) << response << ", " << i;
+    }
+  }
+}
+
 /// Ten rows, four of them bottomed out on a rigid support: the median is the 5th of ten, the 95 % quantile
 /// has no bound.
 TEST(StudyAnswersVerification, RowsThatStruckThroughAreAboveAllInQuantiles) {
