@@ -304,6 +304,30 @@ TEST_F(FitFileTest, FindsTheOffsetOfTheForceZero) {
   EXPECT_TRUE(report.unknowns[2].is_nuisance);
 }
 
+/// Of a misfit by more than the noise that was stated only the misfit counts: the same intervals whether a
+/// third or a sixth of the true noise was stated.
+TEST_F(FitFileTest, NoiseThatWasStatedTooSmallMakesNoIntervalNarrower) {
+  std::string csv = "strain,stress_kPa,time_s\n";
+  for (int i = 1; i <= 30; ++i) {
+    const double e = 0.02 * i, noise = 3 * std::sin(7.0 * i * i);
+    csv += std::to_string(e) + "," + std::to_string(150 * std::pow(e, 0.8) * std::pow(1 - e, -1.5) + noise) +
+           "," + std::to_string(e / 0.01) + "\n";
+  }
+  write("test.csv", csv);
+  const FitReport third = run_fit(read(edited(good_fit, "\"2 kPa\"", "\"0.7 kPa\"")).fit);
+  const FitReport sixth = run_fit(read(edited(good_fit, "\"2 kPa\"", "\"0.35 kPa\"")).fit);
+  const FitReport all = run_fit(read(good_fit).fit);
+  ASSERT_TRUE(third.converged && sixth.converged && all.converged);
+  EXPECT_GT(third.variance_scale, 4);
+  EXPECT_NEAR(sixth.variance_scale / third.variance_scale, 4, 0.01);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const FittedUnknown &a = third.unknowns[i], &b = sixth.unknowns[i];
+    EXPECT_NEAR(*b.standard_error / *a.standard_error, 1, 0.01) << a.key;
+    EXPECT_NEAR((*b.high - *b.low) / (*a.high - *a.low), 1, 0.03) << a.key;
+    EXPECT_NEAR(*all.unknowns[i].standard_error / *a.standard_error, 1, 0.15) << a.key;
+  }
+}
+
 TEST_F(FitFileTest, MakesACardThatIsReadAgain) {
   const FitReport report = run_fit(read(edited(good_fit, "noise =", "offset = true\nnoise =")).fit);
   write("card.toml", output::card_toml(report.material));

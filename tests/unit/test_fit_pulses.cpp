@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/fit/fit_file.hpp"
+#include "dashpad/injury/hic.hpp"
 #include "dashpad/input/fault.hpp"
 #include "shared/temporary_folder.hpp"
 
@@ -47,6 +48,17 @@ TEST(DecelerationOf, GoesFromTheOnsetToTheEndWithThePeakUp) {
   EXPECT_NEAR(of.time.back(), 0.01 - after, 1e-5);
   for (std::size_t i = 0; i < of.time.size(); ++i)
     EXPECT_NEAR(of.deceleration[i], 500 * std::sin(pi * (of.time[i] + after) / 0.01), 2e-5) << i;
+}
+
+TEST(DecelerationOf, TakesTheHicOfTheImpactAlone) {
+  const double alone = deceleration_of(half_sine()).hic;
+  EXPECT_NEAR(alone, injury::hic(half_sine(), injury::unlimited_window).value, 1e-4 * alone);
+  Pulse twice = half_sine();  // and again, a little weaker, as the head falls back
+  for (std::size_t i = 0; i < twice.time.size(); ++i)
+    if (const double t = twice.time[i]; t >= 0.032 && t <= 0.042)
+      twice.acceleration[i] = -480 * std::sin(pi * (t - 0.032) / 0.01);
+  ASSERT_GT(injury::hic(twice, injury::unlimited_window).value, 1.1 * alone);
+  EXPECT_DOUBLE_EQ(deceleration_of(twice).hic, alone);
 }
 
 TEST(DecelerationOf, KeepsAllSamplesOfAShortPulse) {
