@@ -1,6 +1,7 @@
 /// Slow foam (theory.md, Eq. 40) against its limits and closed forms.
 
 #include <gtest/gtest.h>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +60,37 @@ TEST(ViscoelasticFoam, FastAndSlowTestsAreTheTwoCurves) {
     EXPECT_NEAR(fast.stress[i], all * lasting(law, fast.strain[i]), 1e-4 * fast.stress[i] + 1e-9);
   for (std::size_t i = 0; i < slow.time.size(); ++i)
     EXPECT_NEAR(slow.stress[i], lasting(law, slow.strain[i]), 1e-3 * slow.stress[i] + 1e-9);
+}
+
+/// Through many relaxation times in one stretch: each branch is the integral of what was added, as far as it
+/// is left (Eq. 40), by another quadrature.
+TEST(ViscoelasticFoam, AtAConstantRateRemembersAllThatIsLeft) {
+  const ViscoelasticFoam law = slow_foam();
+  const auto slope = [&](double e) {
+    const auto term = [e](double mu, double a) {
+      return 2 * mu / a * (1 / ((1 - e) * (1 - e)) + (a - 1) * std::pow(1 - e, a - 2));
+    };
+    return term(law.first_modulus, law.first_exponent) + term(law.second_modulus, law.second_exponent);
+  };
+  for (const double rate : {0.05, 0.3}) {  // 54 and 9 times the longer relaxation time
+    const auto test = driven(law, {{0.8 / rate, 0.8}}, 20);
+    for (std::size_t i = 1; i < test.time.size(); ++i) {
+      const double end = test.time[i];
+      const auto branch = [&](double share, double time) {
+        const auto left = [&](double before) {
+          return slope(rate * (end - before)) * rate * std::exp(-before / time);
+        };
+        double sum = 0;
+        for (double from = 0; from < std::min(end, 60 * time); from += time)
+          sum +=
+              boost::math::quadrature::gauss<double, 20>::integrate(left, from, std::min(from + time, end));
+        return share * sum;
+      };
+      const double expected = lasting(law, test.strain[i]) + branch(law.first_share, law.first_time) +
+                              branch(law.second_share, law.second_time);
+      EXPECT_NEAR(test.stress[i], expected, 1e-9 * expected + 1e-9) << rate << " per second, at " << end;
+    }
+  }
 }
 
 TEST(ViscoelasticFoam, CreepEndsAtTheLastingStrain) {
