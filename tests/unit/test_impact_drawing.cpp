@@ -297,6 +297,27 @@ TEST(ImpactDrawing, LayersHaveNamesAndShareThePenetration) {
   }
 }
 
+TEST(ImpactDrawing, EachLayerHasItsOwnThickness) {
+  ImpactCase impact = test::example_case();
+  const std::vector<double> thicknesses{0.005, 0.02, 0.011};
+  std::vector<PadLayer> layers;
+  for (const double thickness : thicknesses)
+    layers.push_back({.thickness = thickness, .material = impact.pad.material});
+  set_layers(impact.pad, layers);
+  const auto elements = elements_of(impact_drawing(impact, made_up(0.01, 0.002), si()));
+  std::vector<double> drawn;
+  std::vector<std::string> written;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (!elements[i].has("data-of", "thickness")) continue;
+    drawn.push_back(elements[i].number("data-metres"));
+    for (const SvgElement& element : elements)
+      if (element.is_of("dd-value") && !element.ancestors.empty() && element.ancestors.back() == i)
+        written.push_back(element.text);
+  }
+  EXPECT_EQ(drawn, thicknesses);
+  EXPECT_EQ(written, (std::vector<std::string>{"5 mm", "20 mm", "11 mm"}));
+}
+
 TEST(ImpactDrawing, ASheetFollowsTheNose) {
   ImpactCase impact = test::example_case();
   EXPECT_THAT(impact_drawing(impact, made_up(0.02, 0.03), si()), Not(HasSubstr("class=\"dd-sheet")));

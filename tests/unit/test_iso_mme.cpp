@@ -91,6 +91,19 @@ TEST(iso_mme, what_is_written_reads_back_elsewhere) {
   }
 }
 
+TEST(iso_mme, the_header_has_both_extremes_with_their_times) {
+  const Files files = output::iso_mme_files(test_to_write());
+  const auto expect = [&](const char* file, const std::string& which, double value, double time) {
+    const SimpleChannel channel = simple_reader(files.at(file));
+    EXPECT_EQ(std::strtod(channel.labels.at("First global " + which + " value").c_str(), nullptr), value);
+    EXPECT_DOUBLE_EQ(std::strtod(channel.labels.at("Time of " + which + " value").c_str(), nullptr), time);
+  };
+  expect("Channel/dashpad.001", "maximum", 1e17, -0.0015);
+  expect("Channel/dashpad.001", "minimum", -981.123456789012345, -0.0017);
+  expect("Channel/dashpad.002", "maximum", 5, -0.0016);
+  expect("Channel/dashpad.002", "minimum", 0.1, -0.0015);
+}
+
 TEST(iso_mme, what_is_written_reads_back_here) {
   IsoMmeTest test = test_to_write();
   test.histories[0].values = {0, -1.0 / 3, 1e-300, -981.123456789012345, 7, 1e17};

@@ -207,6 +207,20 @@ TEST(MaterialTestReport, TextShowsEveryTable) {
   EXPECT_THAT(text, HasSubstr("Source of the material: a test (dashpad "));
 }
 
+TEST(MaterialTestReport, TablesOfRelaxationAndCreepHaveAllTheirNumbers) {
+  laboratory::MaterialTestReport report = by_hand();
+  report.test.kind = laboratory::TestKind::relaxation;
+  report.runs[0].relaxed = laboratory::RelaxedStress{80e3, 50e3, 20e3};
+  report.runs[0].unloads = false;
+  EXPECT_THAT(output::material_test_text(report, unit_system("si")),
+              ContainsRegex("\n +2 +80.000 +50.000 +20.000 +25.000\n"));
+  report.test.kind = laboratory::TestKind::creep;
+  report.test.stress = 50e3;
+  report.runs[0].crept = laboratory::CreptStrain{0.1, 0.25};
+  EXPECT_THAT(output::material_test_text(report, unit_system("si")),
+              ContainsRegex("\n +2 +0.10000 +0.25000 +0.15000\n"));
+}
+
 TEST(MaterialTestReport, TextIsSafeForATerminal) {
   laboratory::MaterialTestReport report = by_hand();
   report.material.title = "A\x1b[31mfoam\n";
@@ -278,6 +292,8 @@ TEST(MaterialTestReport, CsvHasARowAPlace) {
             "rate_1_per_s,time_s,strain,strain_rate_1_per_s,stress_Pa,stress_1984_Pa\n"
             "2,0,0,2,0,0\n2,0.25,0.5,2,150000,160000\n2,0.5,0,-2,0,-1000\n");
   laboratory::MaterialTestReport report = by_hand();
+  EXPECT_THAT(output::material_test_csv(report, unit_system("engineering-metric")),
+              AllOf(HasSubstr(",stress_MPa,stress_1984_MPa\n"), HasSubstr("\n2,250,0.5,2,0.15,0.16\n")));
   report.test.steps_of_1984.reset();
   report.runs[0].rate.reset();
   EXPECT_THAT(output::material_test_csv(report, unit_system("engineering-metric")),

@@ -115,6 +115,20 @@ TEST(impact_energies, add_up_to_the_energy_of_the_impact) {
   EXPECT_GT(energies.largest_deviation, 0);
 }
 
+/// The weight does a third of the work.
+TEST(impact_energies, of_a_heavy_impactor_count_the_work_of_its_weight) {
+  ImpactCase impact = dashboard().impact;
+  impact.impactor.gravity = standard_gravity;
+  impact.impactor.mass = 40;
+  impact.impactor.speed = 0.5;
+  const Solution fine = solve(impact, {.tolerance = 1e-5});
+  ASSERT_GT(fine.summary.energy.weight, 0.5 * fine.summary.energy.impact);
+  const output::ImpactEnergies energies = output::impact_energies(impact, fine.history);
+  EXPECT_LT(energies.largest_deviation, 1e-3);
+  for (const double total : energies.total)
+    EXPECT_NEAR(total, fine.summary.energy.impact, 1e-3 * fine.summary.energy.impact);
+}
+
 }  // namespace
 
 }  // namespace dashpad::test
