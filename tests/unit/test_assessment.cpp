@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -197,6 +198,23 @@ TEST(assessment, the_error_of_a_dwell_time_follows_from_that_of_the_force) {
   const Assessment assessment = assess(standard_with({criterion(Metric::dwell_time, 4e-3)}), half_sine(0.01));
   const double expected = 2 * 0.01 * std::tan(std::numbers::pi / 6) / std::numbers::pi * duration;
   EXPECT_NEAR(assessment.results[0].error, expected, 0.05 * expected);
+}
+
+/// Steep above 50 g and flat below, a little less force shortens the time above 50 g by little, a little more
+/// lengthens it much: the error is the larger of both.
+TEST(assessment, the_error_of_a_dwell_time_is_that_to_the_worse_side) {
+  Solution solution = half_sine(0.01);
+  History& history = solution.history;
+  history.time.clear();
+  history.acceleration.clear();
+  for (int i = 0; i <= 2200; ++i) {
+    const double time = 1e-5 * i, from_end = std::min(time, 22e-3 - time);
+    history.time.push_back(time);
+    history.acceleration.push_back(-g * (from_end < 10e-3 ? 5e3 * from_end : 50 + 50e3 * (from_end - 10e-3)));
+  }
+  const Assessment assessment = assess(standard_with({criterion(Metric::dwell_time, 1e-3)}), solution);
+  EXPECT_NEAR(assessment.results[0].value.value(), 2e-3, 1e-6);
+  EXPECT_NEAR(assessment.results[0].error, 2 * 0.5 / 5e3, 5e-6);
 }
 
 TEST(assessment, hic_36_and_hic_d_belong_together) {
@@ -658,6 +676,29 @@ TEST(assessment_json, has_the_same_for_programs) {
   EXPECT_DOUBLE_EQ(json["criteria"][1]["level_g"].get<double>(), 50);
   EXPECT_EQ(json["result"]["status"], "released");
   EXPECT_EQ(json["caveat"], output::assessment_caveat());
+}
+
+TEST(assessment_json, has_each_figure_under_its_key) {
+  const Standard standard = standard_with({criterion(Metric::hic36, 1000)});
+  const Solution solution = half_sine();
+  Assessment assessment = assess(standard, solution);
+  assessment.figures = {.peak_acceleration = {10 * g},
+                        .hic15 = {11},
+                        .hic36 = {12},
+                        .peak_strain = {0.13},
+                        .contact_end = {0.14},
+                        .rebound_speed = {15},
+                        .restitution = {0.16}};
+  const ImpactCase impact = test::example_case();
+  const auto figures = nlohmann::json::parse(
+      output::assessment_json({standard, impact, impact, solution, assessment}))["figures"];
+  const std::map<std::string, double> expected{
+      {"peak_acceleration_g", 10}, {"hic15", 11},           {"hic36", 12},
+      {"peak_strain", 0.13},       {"contact_end_s", 0.14}, {"rebound_speed_m_per_s", 15},
+      {"restitution", 0.16}};
+  EXPECT_EQ(figures.size(), expected.size());
+  for (const auto& [key, value] : expected)
+    EXPECT_DOUBLE_EQ(figures[key]["value"].get<double>(), value) << key;
 }
 
 TEST(assessment_json, has_null_where_there_is_no_finite_value) {

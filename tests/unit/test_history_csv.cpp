@@ -41,6 +41,18 @@ TEST(HistoryCsv, NamesTheUnitsOfOtherSystems) {
               StartsWith("time_ms,force_kN,acceleration_g,velocity_km_per_h,motion_mm,"));
 }
 
+TEST(HistoryCsv, HasTheColumnsOfSupportsSheetsAndLayers) {
+  History history = one_row();
+  history.transmitted_force = {11};
+  history.body_motion = {0.012};
+  history.pad_force = {13};
+  history.layer_strain = {{0.14}, {0.15}};
+  const std::string text = output::history_csv(history, plain_si());
+  EXPECT_THAT(text, HasSubstr(",axis_strain,pad_force_N,transmitted_force_N,body_motion_m,"));
+  EXPECT_THAT(text, HasSubstr("_layer_1,axis_strain_layer_2\n"));
+  EXPECT_THAT(text, HasSubstr(",0.5,13,11,0.012,0.14,0.15\n"));
+}
+
 TEST(HistoryCsv, LeavesOutWhatIsNotFinite) {
   History history = one_row();
   history.force = {std::numeric_limits<double>::quiet_NaN()};

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dashpad/output/fit.hpp"
+#include "dashpad/output/json/result.hpp"
 #include "dashpad/output/post_impact.hpp"
 #include "dashpad/output/pulse.hpp"
 #include "dashpad/output/pulse_comparison.hpp"
@@ -100,6 +101,135 @@ TEST(JsonNumbers, OfAnImpactOfTwoBodies) {
     EXPECT_NEAR(shown[i], expected[i], (expected[i] < 1e-2 ? 0.05 : 2e-3) * std::abs(expected[i]))
         << "number " << i + 1 << "\n"
         << text;
+}
+
+/// Of a series of two blows on layers, on a support that moves.
+TEST(JsonNumbers, OfAnImpact) {
+  Distinct made;
+  const auto moment = [&] {
+    const double time = made.next();
+    return Moment{time, made.next()};
+  };
+  Summary of;
+  of.status = Status::released;
+  of.peak_force = made.next();
+  of.peak_acceleration = made.next();
+  of.time_of_peak_force = made.next();
+  of.peak_motion = made.next();
+  of.peak_penetration = made.next();
+  of.peak_strain = made.next();
+  of.peak_strain_rate = made.next();
+  of.rebound_speed = made.next();
+  of.restitution = made.next();
+  of.contact_end = moment();
+  of.release = moment();
+  of.force_below_weight = moment();
+  of.bottomed = moment();
+  of.rest = moment();
+  of.support = SupportFigures{made.next(), made.next(), made.next(), made.next(), made.next()};
+  of.energy_absorbed_fraction = made.next();
+  of.energy = {made.next(), made.next(), made.next(), made.next(), made.next(),
+               made.next(), made.next(), made.next(), made.next()};
+  of.softening_rates = made.list(2);
+  of.layers = {{made.next(), made.next(), made.next(), made.next()},
+               {made.next(), made.next(), made.next(), made.next()}};
+  of.errors = {made.next(), made.next(), made.next(), made.next(), made.next(),
+               made.next(), made.next(), made.next(), made.next(), made.next()};
+  of.steps = 1001;
+  of.stations = 1002;
+  of.runs = 1003;
+  of.tolerance = made.next();
+  of.wall_time = made.next();
+  ImpactCase impact = example_case();
+  set_layers(impact.pad, {{.thickness = 0.01, .material = impact.pad.material},
+                          {.thickness = 0.02, .material = impact.pad.material}});
+  std::vector<output::BlowResult> blows(2);
+  for (output::BlowResult& blow : blows) {
+    blow.summary.blow = static_cast<int>(made.next());
+    blow.summary.peak_acceleration = made.next();
+    blow.summary.peak_force = made.next();
+    blow.summary.peak_motion = made.next();
+    blow.summary.peak_penetration = made.next();
+    blow.summary.rebound_speed = made.next();
+    blow.summary.restitution = made.next();
+    blow.summary.energy_absorbed_fraction = made.next();
+    blow.injury = figures_with_numbers(made);
+    blow.earlier_penetration = made.next();
+  }
+  Numbers expected{{"/peak_force_N", *of.peak_force},
+                   {"/peak_acceleration_g", *of.peak_acceleration / g},
+                   {"/time_to_peak_force_s", *of.time_of_peak_force},
+                   {"/peak_motion_m", of.peak_motion},
+                   {"/peak_penetration_m", of.peak_penetration},
+                   {"/peak_strain", of.peak_strain},
+                   {"/peak_strain_rate_per_s", of.peak_strain_rate},
+                   {"/rebound_speed_m_per_s", *of.rebound_speed},
+                   {"/restitution", *of.restitution},
+                   {"/peak_transmitted_force_N", of.support->peak_transmitted},
+                   {"/peak_support_deflection_m", of.support->peak_deflection},
+                   {"/support_set_m", *of.support->set},
+                   {"/body_speed_m_per_s", *of.support->body_speed},
+                   {"/energy_absorbed_fraction", of.energy_absorbed_fraction},
+                   {"/energy_residual_fraction", of.energy.residual / of.energy.impact},
+                   {"/energy/impact_energy_J", of.energy.impact},
+                   {"/energy/weight_work_J", of.energy.weight},
+                   {"/energy/kinetic_energy_J", of.energy.kinetic},
+                   {"/energy/support_energy_J", of.energy.support},
+                   {"/energy/support_loss_J", of.energy.support_loss},
+                   {"/energy/moving_energy_J", of.energy.moving},
+                   {"/energy/pad_energy_J", of.energy.pad},
+                   {"/energy/sheet_energy_J", of.energy.sheet},
+                   {"/energy/residual_energy_J", of.energy.residual},
+                   {"/errors/peak_force", of.errors.peak_force},
+                   {"/errors/peak_acceleration", of.errors.peak_force},
+                   {"/errors/time_to_peak_force", of.errors.time_of_peak_force},
+                   {"/errors/peak_motion", of.errors.peak_motion},
+                   {"/errors/peak_penetration", of.errors.peak_penetration},
+                   {"/errors/peak_strain", of.errors.peak_penetration},
+                   {"/errors/rebound_speed", of.errors.rebound_speed},
+                   {"/errors/restitution", of.errors.rebound_speed},
+                   {"/errors/contact_end", of.errors.contact_end},
+                   {"/errors/force_below_weight", of.errors.force_below_weight},
+                   {"/errors/bottomed", of.errors.bottomed},
+                   {"/errors/energy_absorbed_fraction", of.errors.energy_absorbed},
+                   {"/solver/steps", 1001},
+                   {"/solver/stations", 1002},
+                   {"/solver/runs", 1003},
+                   {"/solver/tolerance", of.tolerance},
+                   {"/solver/wall_time_s", of.wall_time},
+                   {"/format", result_format}};
+  for (const char* key : {"peak_transmitted_force", "peak_support_deflection", "support_set", "body_speed"})
+    expected[std::string("/errors/") + key] = of.errors.support;
+  for (const auto& [key, at] : {std::pair{"contact_end", of.contact_end},
+                                {"release", of.release},
+                                {"force_below_weight", of.force_below_weight},
+                                {"bottomed", of.bottomed},
+                                {"rest", of.rest}}) {
+    expected["/" + std::string(key) + "/time_s"] = at->time;
+    expected["/" + std::string(key) + "/velocity_m_per_s"] = at->velocity;
+  }
+  add(expected, "/softening_rates_per_s", of.softening_rates);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string layer = "/layers/" + std::to_string(i), blow = "/blows/" + std::to_string(i);
+    expected[layer + "/layer"] = static_cast<double>(i + 1);
+    expected[layer + "/peak_strain"] = of.layers[i].peak_strain;
+    expected[layer + "/peak_strain_rate_per_s"] = of.layers[i].peak_strain_rate;
+    expected[layer + "/highest_tested_strain"] = 0.9;
+    expected[layer + "/time_beyond_tested_s"] = *of.layers[i].beyond_tested;
+    expected[layer + "/time_struck_through_s"] = *of.layers[i].struck_through;
+    const Summary& summary = blows[i].summary;
+    expected[blow + "/blow"] = summary.blow;
+    expected[blow + "/earlier_penetration_m"] = blows[i].earlier_penetration;
+    expected[blow + "/peak_acceleration_g"] = *summary.peak_acceleration / g;
+    expected[blow + "/hic15"] = blows[i].injury->hic15.value;
+    expected[blow + "/peak_force_N"] = *summary.peak_force;
+    expected[blow + "/peak_penetration_m"] = summary.peak_penetration;
+    expected[blow + "/rebound_speed_m_per_s"] = *summary.rebound_speed;
+    expected[blow + "/energy_absorbed_fraction"] = summary.energy_absorbed_fraction;
+  }
+  nlohmann::json written = nlohmann::json::parse(output::result_json(impact, of, std::nullopt, blows));
+  written.erase("case");  // it is another test's
+  expect_numbers(written, expected);
 }
 
 TEST(JsonNumbers, OfAStudy) {

@@ -206,6 +206,22 @@ TEST(StudyKeyFigures, OfDrawsWithALimitTheProbabilityAndTheQuantilesTowardsIt) {
   EXPECT_EQ(figures.back().tone, Tone::doubtful);
 }
 
+TEST(StudyKeyFigures, OfOtherResponsesNineDrawsInTen) {
+  std::vector<double> peaks, hics;
+  for (int i = 1; i <= 100; ++i) {
+    peaks.push_back(standard_gravity * i);
+    hics.push_back(1000 - 9 * i);
+  }
+  study::StudyAnswers answers = answers_of(peaks, true);
+  answers.study.responses.emplace_back("hic15");
+  answers.responses.push_back(1);
+  answers.records.responses.push_back(hics);
+  answers.groups[0].distributions.push_back(study::distribution(hics, true));
+  answers.groups[0].sensitivities.emplace_back();
+  const KeyFigure figure = figure_of(output::study_key_figures(answers, unit_system("si")), "HIC15");
+  EXPECT_EQ(figure.value, "136 to 946");  // the 5th and the 95th
+}
+
 TEST(StudyKeyFigures, OfAGridTheLeastAndTheGreatestWithTheirPlaces) {
   const std::vector<KeyFigure> figures =
       output::study_key_figures(answers_of({300, 100, 200}, false), unit_system("si"));

@@ -10,6 +10,7 @@
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
 #include "dashpad/input/case_file.hpp"
+#include "injury/pulse_words.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {
@@ -126,6 +127,15 @@ TEST(PulseFlags, NoiseIsThatOfTheQuietPart) {
   };
   EXPECT_FALSE(flagged(7.9));
   EXPECT_TRUE(flagged(8.1));
+}
+
+TEST(PulseFlags, SayWhichWayAnOffsetMovesHic) {
+  injury::OffsetEffect effect;
+  effect.hic15_with = 110;
+  effect.hic15_without = 100;
+  EXPECT_EQ(injury::change_of_hic15(effect), "HIC15 is 10 % higher with it than without");
+  effect.hic15_with = 80;
+  EXPECT_EQ(injury::change_of_hic15(effect), "HIC15 is 20 % lower with it than without");
 }
 
 TEST(PulseShape, RefusesAPulseWithoutAcceleration) {

@@ -146,6 +146,13 @@ TEST(SummaryText, HasEachControlledFigureWithItsError) {
                                   "energy residual\\s+0.005 %")));
 }
 
+TEST(SummaryText, SaysWhatTheWeightAddsToTheEnergy) {
+  Summary summary = test::example_summary();
+  summary.energy.weight = 25;
+  EXPECT_THAT(shown(summary),
+              ContainsRegex("of the 180 J of the\\s+impact;\\s+the\\s+weight\\s+adds\\s+25\\s+J"));
+}
+
 TEST(SummaryText, SpeaksTheUnitsOfTheReport) {
   EXPECT_THAT(shown(test::example_summary(), "us"),
               AllOf(HasSubstr("of 9.9208 lb and radius 3 in strikes at 20 mph"), HasSubstr("a pad of 1 in"),

@@ -170,6 +170,41 @@ TEST(ShownStudies, AreThoseOfTheirRows) {
   }
 }
 
+/// A point for each row, at its two factors, in the class of colour of its value.
+TEST(ShownStudies, ColouredPointsAreRows) {
+  const study::StudyAnswers draws = study_of(true);
+  const study::Records& records = draws.records;
+  for (const UnitSystem& units : unit_systems()) {
+    const auto figures = coloured_scatter_figures(draws, units);
+    ASSERT_EQ(figures.size(), 3U);
+    for (const CaptionedPlot& figure : figures) {
+      const Panel panel = panel_in_si(figure.plot.panels.at(0));
+      const bool speeds_across = panel.x.label.starts_with("Impact speed");
+      std::vector<std::pair<double, double>> drawn, rows;
+      for (const Series& series : panel.series)
+        for (std::size_t i = 0; i < series.x.size(); ++i)
+          drawn.emplace_back(std::round(1e6 * series.x[i]), std::round(1e6 * series.y[i]));
+      for (std::size_t row = 0; row < 12; ++row)
+        rows.emplace_back(std::round(1e6 * records.factors[speeds_across ? 0 : 1][row]),
+                          std::round(1e6 * records.factors[speeds_across ? 1 : 0][row]));
+      std::ranges::sort(drawn);
+      std::ranges::sort(rows);
+      EXPECT_EQ(drawn, rows) << figure.plot.title;
+    }
+  }
+}
+
+TEST(ShownStudies, IndicesAreThoseOfTheTable) {
+  study::StudyAnswers of = study_of(true);
+  of.study.indices = true;
+  of.groups[0].sensitivities[1] =
+      study::Sensitivity{.indices = {{"impactor.speed", {0.3, 0.2, 0.35}, {0.7, 0.6, 0.75}},
+                                     {"pad.thickness", {0.1, 0.05, 0.18}, {0.5, 0.4, 0.55}}},
+                         .draws = 99};
+  EXPECT_EQ(numbers_in(study_tables(of, unit_system("si")).back()),
+            (std::vector<double>{0.3, 0.2, 0.35, 0.7, 0.6, 0.75, 99, 0.1, 0.05, 0.18, 0.5, 0.4, 0.55, 99}));
+}
+
 TEST(ShownStudies, IndicesStandUnderTheirNames) {
   study::StudyAnswers of = study_of(true);
   of.groups[0].sensitivities[0] =

@@ -192,6 +192,11 @@ TEST(ShownValues, OfAPulseAreItsSamplesAndItsFiguresOnTheirSide) {
   }
 }
 
+TEST(ShownValues, OfDwellTimesAreAllAndTheLongest) {
+  const std::string text = in_one_line(pulse_text(two_humps(-1), unit_system("si"), Detail::all));
+  EXPECT_THAT(text, testing::ContainsRegex("11.000 ms in all; longest 6 ms"));
+}
+
 TEST(ShownValues, OfAPulseAreTheSameInAllUnits) {
   const injury::PulseReport report = two_humps(-1);
   const Solved& impact = impacts()[0];
@@ -236,6 +241,9 @@ TEST(ShownValues, OfTwoPulsesAreBothWithTheShiftThatIsTold) {
     std::vector<double> computed = of.computed_pulse.acceleration;
     for (double& value : computed) value = -value;
     expect_values(series_of(panel, "computed").y, computed, "computed");
+    const double peak = of.computed->peak.magnitude / of.measured.peak.magnitude - 1;
+    ASSERT_GT(std::abs(peak), 0.01);
+    EXPECT_THAT(comparison_answer(both), testing::HasSubstr(peak < 0 ? "% below that" : "% above that"));
     EXPECT_THAT(
         in_one_line(pulse_comparison_text(both, unit_system("si"))),
         testing::HasSubstr(later > 0 ? "ms taken off the measured times" : "ms added to the measured times"));
