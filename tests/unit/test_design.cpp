@@ -15,6 +15,7 @@
 #include "dashpad/study/batch.hpp"
 #include "dashpad/study/design.hpp"
 #include "sample_case.hpp"
+#include "study/distribution.hpp"
 #include "study/latin_hypercube.hpp"
 #include "study/random.hpp"
 #include "study/sobol.hpp"
@@ -318,6 +319,26 @@ TEST(design, keeps_the_measured_value_at_which_it_is_cut_off) {
   cut.highest = 2;
   const auto values = column(study_with({cut}, 100'000));
   EXPECT_NEAR(static_cast<double>(std::ranges::count(values, 2.)) / 1e5, 2. / 3, 5 * std::sqrt(2. / 9 / 1e5));
+}
+
+/// Six deviations out, and where the factor is cut off.
+TEST(checked_range, ends_where_a_distribution_does) {
+  const auto expect = [](Factor of, double low, double high, bool has_tails) {
+    const CheckedRange range = checked_range(of);
+    EXPECT_NEAR(range.low, low, 1e-12 * std::abs(low)) << of.spread.index();
+    EXPECT_NEAR(range.high, high, 1e-12 * std::abs(high)) << of.spread.index();
+    EXPECT_EQ(range.low_is_tail && range.high_is_tail, has_tails);
+    of.lowest = low + 0.1;
+    of.highest = high - 0.2;
+    EXPECT_EQ(checked_range(of).low, *of.lowest);
+    EXPECT_EQ(checked_range(of).high, *of.highest);
+    EXPECT_FALSE(checked_range(of).low_is_tail || checked_range(of).high_is_tail);
+  };
+  expect(factor("impactor.speed", Normal{10, 1.5}), 1, 19, true);
+  expect(factor("impactor.speed", Lognormal{10, 0.1}), 10 * std::exp(-0.6), 10 * std::exp(0.6), true);
+  expect(factor("impactor.speed", Uniform{2, 5}), 2, 5, false);
+  expect(factor("impactor.speed", Triangular{2, 3, 5}), 2, 5, false);
+  expect(factor("impactor.speed", Empirical{{2, 3, 5}}), 2, 5, false);
 }
 
 TEST(design, correlates_as_asked) {

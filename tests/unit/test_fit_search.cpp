@@ -107,6 +107,20 @@ TEST(MetTest, ReturnsAreEachOfTheirOwnEnergy) {
   EXPECT_NEAR(*met.rms_loading, std::sqrt(38.5) * 0.04e5, 1);
 }
 
+/// Of the way, one twentieth at either end may be at any rate.
+TEST(RatesOf, LeaveOutOneTwentiethOfTheWay) {
+  MaterialMeasurement test;
+  double time = 0;
+  for (int i = 0; i <= 100; ++i) {
+    test.strain.push_back(0.005 * i);
+    test.stress.push_back(1);
+    time += 0.005 / (i <= 4 ? 0.01 : i <= 50 ? 1 : i <= 96 ? 2 : 100);
+    test.time.push_back(time);
+  }
+  EXPECT_NEAR(rates_of(test).lowest, 1, 1e-9);
+  EXPECT_NEAR(rates_of(test).highest, 2, 1e-9);
+}
+
 PredictedFigure compared_by(ImpactFigure figure, double share, std::optional<double> deviation = {}) {
   return {{"drop.toml", figure, true, !deviation, 100, 100 * (1 + share), deviation}};
 }

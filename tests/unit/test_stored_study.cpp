@@ -187,6 +187,27 @@ TEST_F(StoredStudyTest, GroupsAreTheDrawsOfOneCombination) {
   EXPECT_NE(groups[0].levels, groups[1].levels);
 }
 
+TEST_F(StoredStudyTest, CountsRowsByWhatIsToBeSaidOfThem) {
+  const Study study = small_study(60);
+  Store store = Store::open_for(study, file("counts.db"));
+  for (const std::uint64_t batch : store.missing_batches()) {
+    auto rows = made_up_batch(store, batch);
+    for (study::StoredRow& row : rows) {
+      row.factors = {std::get<study::Levels>(study.factors[0].spread).values[row.row]};
+      row.outcome.extrapolated = (row.row % 3 == 0 ? study::extrapolated_strain : 0U) |
+                                 (row.row % 4 == 0 ? study::extrapolated_rate : 0U);
+    }
+    store.write_batch(batch, rows);
+  }
+  const study::Records records = study::read_records(study, store);
+  EXPECT_EQ(records.rows.size(), 60U);
+  EXPECT_EQ(records.beyond_strain, 20U);
+  EXPECT_EQ(records.beyond_rate, 15U);
+  EXPECT_EQ(records.extrapolated, 30U);
+  EXPECT_EQ(records.bottomed, 12U);
+  EXPECT_EQ(records.time_limit, 9U);
+}
+
 /// The static stress of every point is its weight over the area at its own penetration, and the deceleration
 /// is that of its own row.
 TEST_F(StoredStudyTest, CushionCurvesHoldTheRowsInOrder) {
