@@ -72,6 +72,36 @@ TEST_F(LineTest, ProfileIsOpenWhereTheBoundsComeFirst) {
   EXPECT_FALSE(profile(line, minimum, request).x);
 }
 
+/// A mean of values whose errors go together: its variance is that of as many values as they are worth, in
+/// the standard error and in the sample alike.
+TEST(FindUncertainty, WidensTheSampleAsItDoesTheErrors) {
+  constexpr double scale = 1.5;
+  std::vector<double> y;
+  for (int i = 0; i < 60; ++i) y.push_back(0.5 + std::sin(0.2 * i));
+  const LeastSquares mean{1, y.size(), 1e-4, [y](std::span<const double> x, std::span<double> r) {
+                            for (std::size_t i = 0; i < y.size(); ++i) r[i] = 10 * (x[0] - y[i]);
+                            return true;
+                          }};
+  Problem problem;
+  problem.coordinates.resize(1);
+  problem.blocks.resize(1);
+  problem.blocks[0].measured = y;
+  problem.blocks[0].curve = 0;
+  Uncertainty of;
+  const std::vector<double> x{0.5};
+  ASSERT_TRUE(find_uncertainty(problem, mean, x, scale, of));
+  const double worth = of.blocks.at(0).effective_points;
+  ASSERT_LT(worth, 10);
+  const double variance = scale / (100 * worth);
+  EXPECT_NEAR(of.covariance.at(0), variance, 1e-6 * variance);
+  EXPECT_NEAR(of.precision.at(0), 1 / variance, 1e-6 / variance);
+  double pull = 0;  // half the slope of the misfit, here beside the minimum
+  for (const double value : y) pull += 10 * 10 * (0.5 - value);
+  ASSERT_GT(std::abs(pull), 100);
+  const double gradient = pull * worth / (60 * scale);
+  EXPECT_NEAR(of.gradient.at(0), gradient, 1e-6 * std::abs(gradient));
+}
+
 TEST(Minimise, StopsAtABound) {
   const LeastSquares beyond = straight_line({0, 1}, {30, 30});
   const Minimum minimum = minimise(beyond, {0.5, 0.5});

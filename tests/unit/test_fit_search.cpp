@@ -9,6 +9,7 @@
 
 #include "fit/discrepancy.hpp"
 #include "fit/met.hpp"
+#include "fit/reservations.hpp"
 #include "fit/search.hpp"
 #include "fit/solve.hpp"
 #include "shared/synthetic_fits.hpp"
@@ -105,6 +106,22 @@ TEST(MetTest, ReturnsAreEachOfTheirOwnEnergy) {
   EXPECT_NEAR(met.loops[0].measured_return, 0.5, 0.07);
   EXPECT_NEAR(met.loops[0].computed_return, 1, 0.02);
   EXPECT_NEAR(*met.rms_loading, std::sqrt(38.5) * 0.04e5, 1);
+}
+
+/// Of 200 degrees of freedom chi-squared scatters by 20: three times that is too much.
+TEST(Reservations, SayWhereTheModelMissesMoreThanTheNoise) {
+  const test::SyntheticFit made = test::avalle_loops(1);
+  FitReport report;
+  report.noise_is_stated = true;
+  report.degrees_of_freedom = 200;
+  const auto is_said = [&](double misfit) {
+    report.misfit = misfit;
+    return std::ranges::any_of(
+        reservations_of(made.fit, made.truth, report),
+        [](const std::string& sentence) { return sentence.starts_with("Chi-squared is"); });
+  };
+  EXPECT_FALSE(is_said(259));
+  EXPECT_TRUE(is_said(261));
 }
 
 /// Of the way, one twentieth at either end may be at any rate.

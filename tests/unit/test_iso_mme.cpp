@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "dashpad/input/iso_mme/iso_mme.hpp"
+#include "dashpad/output/deck/exports.hpp"
 #include "dashpad/output/deck/iso_mme_test.hpp"
 #include "sample_mme.hpp"
 
@@ -114,6 +115,29 @@ TEST(iso_mme, what_is_written_reads_back_here) {
   EXPECT_EQ(measured.pulse.time.front(), -0.002);
   EXPECT_DOUBLE_EQ(measured.pulse.time.back(), -0.0015);
   EXPECT_THAT(measured.remarks, SizeIs(0));
+}
+
+/// In m/s2 or in g, the acceleration reads back as it was computed; so does the force beside it.
+TEST(iso_mme, curves_read_back_in_the_unit_that_was_asked_for) {
+  std::vector<double> times, accelerations, forces;
+  for (int i = 0; i <= 100; ++i) {
+    times.push_back(output::iso_mme_interval * i);
+    accelerations.push_back(-3.0 * i);
+    forces.push_back(7.0 * i);
+  }
+  for (const bool in_g : {false, true}) {
+    output::CurveFile file;
+    file.acceleration_in_g = in_g;
+    file.curves = {{{"acceleration", {"time", "s"}, {"acceleration", "m/s2"}, times, accelerations}, ""},
+                   {{"force", {"time", "s"}, {"force", "N"}, times, forces}, ""}};
+    const test::TemporaryFolder folder;
+    const fs::path zip = folder.write("test.zip", output::iso_mme_zip(file));
+    const input::MeasuredPulse read = input::read_iso_mme(zip, {});
+    EXPECT_EQ(read.acceleration.front().unit, in_g ? "g" : "m/s2");
+    ASSERT_THAT(read.pulse.acceleration, SizeIs(101));
+    for (std::size_t i = 0; i < 101; ++i)
+      EXPECT_NEAR(read.pulse.acceleration[i], accelerations[i], 1e-9) << i;
+  }
 }
 
 TEST(iso_mme, bad_tests_are_not_written) {
