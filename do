@@ -25,8 +25,8 @@ Usage: ./do TASK [arguments]
   fuzz [TARGET] [SECONDS]  feed made-up bytes to the readers of files, each for SECONDS (default: 300), or to one of
                            them (tests/fuzz/fuzz_TARGET.cpp); what breaks them goes to build/fuzz/findings
   nightly                  what takes longer than the tests: fits to 60 made-up mats of known truth (some ten minutes),
-                           answers against finer ones over 21,000 random cases (some forty minutes of processor time)
-                           and against a second solver over 200 (some ten)
+                           answers against finer ones over 21,000 random cases (half an hour of processor time)
+                           and against a second solver over 200 (ten minutes)
   clean                    remove build/
   install-packages [GROUP...]
                            install the Debian packages of packages.txt (default: all groups)

@@ -93,6 +93,8 @@ Pressed pressed_by(const Outline& nose, double y, double thickness, double corne
     before = x;
   }
   if (pressed) add(begin, 1);
+  // Crushed foam that is not met carries nothing: its sign has to tell when it is met again.
+  if (!(all.most > 0)) all.most = std::fmin(all.most, -1e-3);
   return all;
 }
 
