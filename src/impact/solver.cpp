@@ -68,7 +68,6 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
     }
     if (run.peak_penetration > 0) expected = run.peak_penetration;
     if (options.fixed_runs > 0 ? refinement.runs() >= options.fixed_runs : refinement.settled()) break;
-    if (options.after_run) options.after_run(refinement.runs());
     if (options.fixed_runs > 0) continue;
     // What the next run will cost: twice the steps, and of columns up to twice as many each.
     left -= run.work;

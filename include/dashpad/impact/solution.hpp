@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,8 +29,6 @@ struct Options {
   /// to some 5e-5 with three runs, which fits need (the rebound of a foam with a rate effect on a rigid
   /// support to 1e-3); the status then says whether the tolerance is met, and decides nothing.
   int fixed_runs = 0;
-  /// Called after each run that another is to follow, with the number of runs so far: for what takes long.
-  std::function<void(int)> after_run = {};
 };
 
 /// Contact ends where the force falls below this share of its peak (theory.md, Eq. 28).
