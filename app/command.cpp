@@ -12,6 +12,7 @@
 #include "dashpad/uncertainty/intervals.hpp"
 #include "material_folder.hpp"
 #include "progress_line.hpp"
+#include "quantities/magnitude_bounds.hpp"
 #include "streams.hpp"
 
 namespace dashpad::app {
@@ -80,7 +81,10 @@ std::optional<double> quantity_of(const char* option, const std::optional<std::s
                                   const std::string& si_unit, std::vector<std::string>& wrong) {
   if (!text) return std::nullopt;
   try {
-    return to_si(*text, si_unit);
+    const double value = to_si(*text, si_unit);
+    const std::string rule = rule_of(measured_magnitudes(si_unit), value, si_unit);
+    if (!rule.empty()) throw UnitError(rule);
+    return value;
   } catch (const UnitError& error) {
     wrong.push_back(fmt::format("{} {}: {}", option, *text, error.what()));
     return std::nullopt;

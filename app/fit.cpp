@@ -1,10 +1,7 @@
 // dashpad fit: from measurements to a material card.
 
-#include <cstdint>
-#include <fstream>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -14,8 +11,10 @@
 #include "dashpad/output/card_toml.hpp"
 #include "dashpad/output/fit.hpp"
 #include "dashpad/version.hpp"
+#include "input/measurement/measurement_text.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
+#include "quantities/fingerprint.hpp"
 #include "study/stop_signal.hpp"
 
 namespace dashpad::app {
@@ -111,21 +110,11 @@ std::vector<Target> fit_targets(const FitRequest& request) {
   return targets;
 }
 
-/// Of the contents of all files that the fit is read from, and of the version: FNV-1a, 64 bits.
+/// Of the contents of all files that the fit is read from, and of the version.
 std::string fingerprint_of(const std::vector<input::InputFile>& files) {
-  std::uint64_t hash = 14695981039346656037U;
-  const auto add = [&hash](const std::string& text) {
-    for (const char character : text + '\0')
-      hash = (hash ^ static_cast<unsigned char>(character)) * 1099511628211U;
-  };
-  add(std::string{version()});
-  for (const input::InputFile& of : files) {
-    std::ifstream file(of.file, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    add(text.str());
-  }
-  return fmt::format("{:016x}", hash);
+  std::vector<std::string> texts{std::string{version()}};
+  for (const input::InputFile& of : files) texts.push_back(input::read_measurement(of.file));
+  return fingerprint(texts);
 }
 
 /// Runs the fit under a line of progress. Throws fit::Stopped.
@@ -140,8 +129,8 @@ fit::FitReport run_with_progress(const fit::Fit& fit, fit::RunOptions options) {
 
 /// Beside the results: the state is read, and may be there.
 void judge_state(const FitRequest& request, const std::vector<Target>& targets,
-                 const std::vector<input::InputFile>& inputs, const fit::RunOptions& options,
-                 std::vector<std::string>& wrong) {
+                 const std::vector<input::InputFile>& inputs, const fit::Fit& fit,
+                 const fit::RunOptions& options, std::vector<std::string>& wrong) {
   if (!request.state) return;
   if (*request.state == "-") {
     wrong.emplace_back("--state -: must be a file");
@@ -153,7 +142,7 @@ void judge_state(const FitRequest& request, const std::vector<Target>& targets,
   judge_targets(all, inputs, true, wrong);
   if (wrong.size() > before) return;
   try {
-    fit::check_state(options);
+    fit::check_state(fit, options);
   } catch (const std::runtime_error& error) {
     wrong.push_back(fmt::format("--state {}", error.what()));
   }
@@ -208,7 +197,7 @@ int fit_material(const FitRequest& request, const std::filesystem::path& materia
   if (request.state && input) {
     options.state = *request.state;
     options.fingerprint = fingerprint_of(files);
-    judge_state(request, targets, files, options, wrong);
+    judge_state(request, targets, files, input->fit, options, wrong);
   }
   if (!wrong.empty()) throw Refused(std::move(wrong));
   fit::FitReport report;

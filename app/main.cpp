@@ -9,9 +9,11 @@
 
 #include "command.hpp"
 #include "dashpad/input/fault.hpp"
+#include "dashpad/study/store.hpp"
 #include "input/spelling.hpp"
 #include "material_folder.hpp"
 #include "output.hpp"
+#include "quantities/text.hpp"
 #include "streams.hpp"
 
 namespace dashpad::app {
@@ -72,7 +74,8 @@ int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
   std::string text;
   const std::size_t count = complaints.size();
   const std::vector<std::string> lines = input::abridged(complaints);
-  for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) text += lines[i] + "\n";
+  for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i)
+    text += one_line(without_endless_words(lines[i])) + "\n";
   if (lines.size() > most_lines) text += "...\n";
   text += std::to_string(count) + (count == 1 ? " fault" : " faults");
   const bool would_run = !app.got_subcommand("check") && !app.got_subcommand("materials") &&
@@ -86,6 +89,8 @@ int perform(const Action& action, const CLI::App& app) {
     return action();
   } catch (const input::InputError& error) {
     return refuse(lines(error.faults()), app);
+  } catch (const study::DamagedStore& error) {
+    return refuse({error.what()}, app);
   } catch (const Refused& error) {
     return refuse(error.complaints(), app);
   }
@@ -114,7 +119,7 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out, err;
   const int code = app.exit(error, out, err);
   write_output(out.str());
-  write_error(err.str());
+  write_error(without_endless_words(err.str()));
   return code == 0 ? exit_done : exit_refused;
 }
 

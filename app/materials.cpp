@@ -116,15 +116,19 @@ fs::path find_card(const std::string& name, const fs::path& folder) {
 void add_materials(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::App* sub = app.add_subcommand("materials", "List the material cards, or show one");
   const auto request = std::make_shared<MaterialsRequest>();
-  sub->add_option("NAME", request->name, "Card to show in full")->type_name("");
+  CLI::Option* name = sub->add_option("NAME", request->name, "Card to show in full")->type_name("");
   sub->add_option("--picture", request->picture, "Draw the loading curves (.svg, .png, .pdf)")
       ->type_name("FILE");
   add_units(*sub, request->units);
   add_force(*sub, request->force);
   add_material_folder(*sub, request->folder);
   sub->footer(materials_footer);
-  sub->callback([request, &action, executable] {
-    action = [request, executable] {
+  sub->callback([request, &action, executable, name] {
+    const bool is_named = name->count() > 0;
+    action = [request, executable, is_named] {
+      if (is_named && request->name.empty())
+        throw Refused(
+            {"NAME \"\": must be a card, or a file that ends in .toml; without NAME all are listed"});
       const fs::path folder = chosen_folder(request->folder, executable);
       return request->name.empty() ? list_all_materials(*request, folder) : show(*request, folder);
     };

@@ -232,7 +232,7 @@ void publish(const std::vector<Target>& targets, bool force, const TextOf& text_
     write_output(summary);
   } else {
     write_error(summary);
-    write_output(output);
+    write_result(output);
   }
 }
 

@@ -169,14 +169,16 @@ int run_program(const Spit1984Request& request, const std::filesystem::path& mat
   const Settings settings = settings_of(request);
   const Run result = run_with_progress(deck, settings);
 
-  std::string output = publish(targets(request), request.force, [&](const Target& target) {
+  const std::string output = publish(targets(request), request.force, [&](const Target& target) {
     if (target.option == "--json") return run_json(deck, settings, result);
     if (target.option == "--csv") return run_csv(result);
     return listing(deck, result, Device::printer);
   });
-  if (output.empty()) output = listing(deck, result, Device::terminal);
   write_error(remarks(deck, settings, result));
-  write_output(output);
+  if (output.empty())
+    write_output(listing(deck, result, Device::terminal));
+  else
+    write_result(output);
   return result.abend == Abend::none ? exit_done : exit_not_trusted;
 }
 

@@ -9,6 +9,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "quantities/text.hpp"
+
 namespace dashpad::app {
 
 void prepare_streams() {
@@ -34,12 +36,23 @@ int write_all(int descriptor, std::string_view text) {
   return 0;
 }
 
-void write_output(std::string_view text) {
+namespace {
+
+void write_to_output(std::string_view text) {
   const int error = write_all(STDOUT_FILENO, text);
   if (error != 0 && error != EPIPE)
     throw std::runtime_error("could not write to standard output: " + std::generic_category().message(error));
 }
 
-void write_error(std::string_view text) { write_all(STDERR_FILENO, text); }
+}  // namespace
+
+void write_result(std::string_view text) {
+  if (::isatty(STDOUT_FILENO) == 1) return write_output(text);
+  write_to_output(text);
+}
+
+void write_output(std::string_view text) { write_to_output(without_controls(text)); }
+
+void write_error(std::string_view text) { write_all(STDERR_FILENO, without_controls(text)); }
 
 }  // namespace dashpad::app

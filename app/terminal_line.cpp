@@ -13,7 +13,7 @@ TerminalLine::TerminalLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 TerminalLine::~TerminalLine() { wipe(); }
 
 void TerminalLine::wipe() {
-  if (width_ > 0) write_error("\r" + std::string(width_, ' ') + "\r");
+  if (width_ > 0) write_all(STDERR_FILENO, "\r" + std::string(width_, ' ') + "\r");
   drawn_.clear();
   width_ = 0;
 }
@@ -22,7 +22,7 @@ void TerminalLine::draw(const std::string& line) {
   if (line == drawn_) return;
   drawn_ = line;
   width_ = std::max(width_, line.size());
-  write_error("\r" + line + std::string(width_ - line.size(), ' '));
+  write_all(STDERR_FILENO, "\r" + line + std::string(width_ - line.size(), ' '));
 }
 
 std::string progress_bar(std::uint64_t done, std::uint64_t all) {

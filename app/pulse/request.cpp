@@ -9,6 +9,7 @@
 #include "command.hpp"
 #include "dashpad/input/measurement/sensitivity.hpp"
 #include "dashpad/quantities/quantity.hpp"
+#include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::app {
 
@@ -20,8 +21,8 @@ double level_of(std::string text) {
   const bool ends_in_g = text.ends_with('g') || text.ends_with('G');
   if (ends_in_g) text.pop_back();
   if (!ends_in_g && text.find_first_not_of("0123456789.eE+- ") != std::string::npos)
-    return to_si(text, "m/s2");
-  return to_si(text, "1") * standard_gravity;
+    return stated_si(text, "m/s2");
+  return stated_si(text, "1") * standard_gravity;
 }
 
 /// "0 ms,5 ms".
@@ -35,7 +36,7 @@ std::optional<std::pair<double, double>> interval_of(const std::string& text,
   if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
     return say("must be auto, or two times with a comma between them, such as \"0 ms,5 ms\"");
   try {
-    const double begin = to_si(text.substr(0, comma), "s"), end = to_si(text.substr(comma + 1), "s");
+    const double begin = stated_si(text.substr(0, comma), "s"), end = stated_si(text.substr(comma + 1), "s");
     if (!(begin < end)) return say("the first time must be earlier than the second");
     return std::pair{begin, end};
   } catch (const UnitError& error) {
@@ -90,8 +91,10 @@ PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>&
   }
   settings.impact = impact_of(request, wrong);
   for (const double window : request.windows_ms) {
-    if (!(window > 0) || !std::isfinite(window))
-      wrong.push_back(fmt::format("--window {}: must be more than 0 ms", window));
+    const Magnitudes times = measured_magnitudes("s");
+    if (!(window > 0) || !times.admit(1e-3 * window))
+      wrong.push_back(fmt::format("--window {}: must be more than 0 ms, and between {:g} and {:g} ms", window,
+                                  1e3 * times.least, 1e3 * times.most));
     settings.windows.push_back(1e-3 * window);
   }
   for (const std::string& text : request.dwells) {

@@ -94,7 +94,7 @@ void write_files(const study::Store& store, const StudyExportRequest& request) {
         request.force);
   }
   for (PendingFile& file : files) file.publish();
-  if (request.csv == "-") study::export_csv(store, [](std::string_view text) { write_output(text); });
+  if (request.csv == "-") study::export_csv(store, [](std::string_view text) { write_result(text); });
 }
 
 int run_export(const StudyExportRequest& request) {

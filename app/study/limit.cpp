@@ -4,6 +4,7 @@
 
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/quantities/quantity.hpp"
+#include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::app {
 
@@ -18,8 +19,8 @@ std::string trimmed(const std::string& text) {
 /// What UDUNITS-2 reads: it has no g of acceleration, which g is a gram.
 double value_in_si(const std::string& text, const std::string& si_unit) {
   if (si_unit == "m/s2" && text.size() > 1 && text.ends_with("g"))
-    return standard_gravity * to_si(trimmed(text.substr(0, text.size() - 1)), "1");
-  return to_si(text, si_unit);
+    return standard_gravity * stated_si(trimmed(text.substr(0, text.size() - 1)), "1");
+  return stated_si(text, si_unit);
 }
 
 std::string unit_of(const std::string& name, const study::Store& store) {

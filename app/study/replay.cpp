@@ -1,5 +1,6 @@
 // dashpad study replay: one row of a store solved again, with its history.
 
+#include <charconv>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -30,7 +31,7 @@ run, 3 the row misses the tolerance, or its stored responses did not come back.)
 
 struct StudyReplayRequest {
   std::string store_file;
-  std::uint64_t row = 0;
+  std::string row;
   ResultFiles files;
 };
 
@@ -45,25 +46,37 @@ struct Replay {
 };
 
 study::StoredRow stored_row(const study::Store& store, const StudyReplayRequest& request) {
-  if (request.row >= store.rows())
+  std::uint64_t number = 0;
+  const char* end = request.row.data() + request.row.size();
+  const auto [stop, error] = std::from_chars(request.row.data(), end, number);
+  if (error != std::errc{} || stop != end || number >= store.rows())
     throw Refused(
-        {fmt::format("ROW {}: {} has rows 0 to {}", request.row, request.store_file, store.rows() - 1)});
-  std::optional<study::StoredRow> row = store.row(request.row);
+        {fmt::format("ROW {}: must be a whole number; {} has rows 0 to {}",
+                     request.row.empty() ? "\"\"" : request.row, request.store_file, store.rows() - 1)});
+  std::optional<study::StoredRow> row = store.row(number);
   if (!row)
     throw Refused({fmt::format("ROW {}: is not computed yet; {} has {} of {} rows", request.row,
                                request.store_file, store.rows_done(), store.rows())});
   return *std::move(row);
 }
 
+study::Study study_of(const study::Store& store, const std::string& file) {
+  try {
+    return study::stored_study(store);
+  } catch (const study::DamagedStore& error) {
+    throw Refused({file + ": " + error.what()});
+  }
+}
+
 Replay replay(const study::Store& store, const StudyReplayRequest& request) {
   Replay result{
       .stored = stored_row(store, request), .again = {}, .impact = {}, .options = {}, .solution = {}};
-  const study::Study study = study::stored_study(store);
+  const study::Study study = study_of(store, request.store_file);
   const study::Design design{study};
   study::Worker worker{study, design};
   try {
-    result.impact = worker.case_of(request.row);
-    result.solution = worker.replay(request.row);
+    result.impact = worker.case_of(result.stored.row);
+    result.solution = worker.replay(result.stored.row);
   } catch (const std::invalid_argument& error) {
     throw Refused({fmt::format("ROW {}: its factors make no valid case: {}", request.row, error.what())});
   }

@@ -116,7 +116,7 @@ std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& pr
     const LeastSquares residuals = least_squares_of(without, session, evaluations);
     const Minimum minimum = session.piece(fmt::format("runs {}, left out {}", runs, group),
                                           [&] { return minimise(residuals, start, coarse); });
-    if (!minimum.is_sound) return;
+    if (!minimum.is_sound || minimum.x.size() != start.size()) return;
     for (std::size_t k = group; k < fitted.size(); k += groups) take(fitted[k], without.values(minimum.x));
   });
   std::vector<PredictedFigure> all;

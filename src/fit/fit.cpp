@@ -96,17 +96,10 @@ std::size_t points_of(const MaterialMeasurement& test) {
 
 void check_amount(const Fit& fit, Broken& broken) {
   std::size_t data = 0;
-  std::size_t unknowns = fit.unknowns.size();
-  for (const MaterialMeasurement& test : fit.tests)
-    if (!test.is_held_out) {
-      data += points_of(test);
-      unknowns += test.has_offset ? 1 : 0;
-    }
+  const std::size_t unknowns = coordinate_count(fit);
+  for (const MaterialMeasurement& test : fit.tests) data += test.is_held_out ? 0 : points_of(test);
   for (const ImpactMeasurement& impact : fit.impacts)
-    if (!impact.is_held_out) {
-      data += impact.figures.size() + (impact.pulse ? impact.pulse->time.size() : 0);
-      unknowns += impact.pulse ? 1 : 0;
-    }
+    if (!impact.is_held_out) data += impact.figures.size() + (impact.pulse ? impact.pulse->time.size() : 0);
   if (data == 0) {
     broken.push_back({"tests", input::no_value,
                       "there is nothing to fit: give [[tests]] or [[impacts]] "
@@ -149,8 +142,20 @@ void check_rates(const Fit& fit, Broken& broken) {
                                     highest)});
 }
 
+/// A deviation far from what it is of would drown all other data, or say nothing.
+void check_deviation(const std::string& key, double deviation, double whole, Broken& broken) {
+  constexpr double least = 1e-9, most = 1e6;
+  const double share = deviation / std::abs(whole);
+  if (whole != 0 && deviation > 0 && !(share >= least && share <= most))
+    broken.push_back({key, deviation,
+                      fmt::format("must be between {:g} and {:g} times the largest value measured, {:.3g}",
+                                  least, most, std::abs(whole))});
+}
+
 void check_test(const MaterialMeasurement& test, std::size_t i, Broken& broken) {
   const std::string key = fmt::format("tests[{}]", i + 1);
+  if (test.noise && !test.stress.empty())
+    check_deviation(key + ".noise", *test.noise, std::ranges::max(test.stress), broken);
   if (test.noise && !(*test.noise > 0))
     broken.push_back({key + ".noise", *test.noise, "must be more than 0"});
   if (test.strain.size() < 2 || test.strain.size() != test.stress.size() ||
@@ -165,6 +170,7 @@ void check_test(const MaterialMeasurement& test, std::size_t i, Broken& broken) 
 void check_pulse(const MeasuredDeceleration& pulse, const std::string& key, Broken& broken) {
   if (!(pulse.deviation > 0 && std::isfinite(pulse.deviation)))
     broken.push_back({key + ".deviation", pulse.deviation, "must be more than 0"});
+  check_deviation(key + ".deviation", pulse.deviation, pulse.peak, broken);
   if (pulse.time.size() < 2 || pulse.time.size() != pulse.deceleration.size() ||
       !(pulse.half_peak_width > 0) || !(pulse.peak > 0))
     broken.push_back({key, input::no_value, "needs samples with their times, a peak and a width"});
@@ -201,9 +207,11 @@ std::vector<Violation> violations(const Fit& fit) {
     if (fit.impacts[i].figures.empty() && !fit.impacts[i].pulse)
       broken.push_back({key, input::no_value, "names no measured figure, such as peak_force, and no pulse"});
     if (fit.impacts[i].pulse) check_pulse(*fit.impacts[i].pulse, key + ".pulse", broken);
-    for (const MeasuredFigure& figure : fit.impacts[i].figures)
+    for (const MeasuredFigure& figure : fit.impacts[i].figures) {
+      check_deviation(key, figure.deviation, figure.value, broken);
       if (!(figure.deviation > 0 && std::isfinite(figure.deviation) && std::isfinite(figure.value)))
         broken.push_back({key, figure.deviation, "a figure needs a value and a deviation above 0"});
+    }
   }
   if (fit.starts < 1 || fit.starts > 1000)
     broken.push_back({"fit.starts", double(fit.starts), "must be from 1 to 1000"});

@@ -96,7 +96,7 @@ void read_search(TableReader& top, Fit& fit) {
     return otherwise;
   };
   fit.starts = static_cast<int>(whole("starts", 1, 1000, fit.starts));
-  fit.seed = static_cast<std::uint64_t>(whole("seed", 0, 9007199254740992.0, 1));
+  fit.seed = static_cast<std::uint64_t>(whole("seed", 0, 9007199254740991.0, 1));
   table->refuse_others();
 }
 

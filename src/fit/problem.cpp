@@ -139,6 +139,13 @@ bool Problem::settle(std::span<double> x, const std::vector<bool>& held, std::sp
   return is_sound;
 }
 
+std::size_t coordinate_count(const Fit& fit) {
+  std::size_t count = fit.unknowns.size();
+  for (const MaterialMeasurement& test : fit.tests) count += !test.is_held_out && test.has_offset ? 1 : 0;
+  for (const ImpactMeasurement& impact : fit.impacts) count += !impact.is_held_out && impact.pulse ? 1 : 0;
+  return count;
+}
+
 Problem problem_of(const Fit& fit, int runs) {
   Problem problem;
   for (const Unknown& unknown : fit.unknowns)

@@ -88,6 +88,9 @@ struct Problem {
   [[nodiscard]] std::vector<double> values(std::span<const double> x) const;
 };
 
+/// How many coordinates it has: unknowns, offsets and shifts.
+std::size_t coordinate_count(const Fit& fit);
+
 /// `runs`: of the solver, for each impact.
 Problem problem_of(const Fit& fit, int runs);
 

@@ -83,7 +83,7 @@ void judge_card(FitReport& report) {
 FitReport run_fit(const Fit& fit, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   throw_if_broken(fit);
-  Session session(options);
+  Session session(fit, options);
   std::atomic<std::size_t> evaluations = 0;
   const bool has_impacts = std::ranges::any_of(fit.impacts, [](const auto& of) { return !of.is_held_out; });
   FitReport report;

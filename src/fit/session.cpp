@@ -1,11 +1,17 @@
 #include "fit/session.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "fit/problem.hpp"
+#include "input/measurement/measurement_text.hpp"
+#include "quantities/fingerprint.hpp"
 
 namespace dashpad::fit {
 
@@ -13,8 +19,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* format_of_state = "dashpad fit state 2";
-constexpr const char* format_before = "dashpad fit state 1";
+constexpr std::string_view format_of_state = "dashpad fit state 3";
+/// Of a thousand searches for dozens of unknowns it has a hundredth of that.
+constexpr std::size_t largest_state = std::size_t{64} << 20;  // bytes
+constexpr std::size_t longest_reason = 1000;
 
 json json_of(const Minimum& of) {
   return {{"converged", of.converged},
@@ -43,27 +51,81 @@ void take(const json& from, ProfileEnd& result) {
   if (!from.at("better").is_null()) result.better = minimum_of(from.at("better"));
 }
 
+/// What damage a file that is read back may have. Empty: none.
+using Damage = std::string;
+
+Damage damage_of_flag(const json& in, const char* key) {
+  const auto found = in.find(key);
+  return found != in.end() && found->is_boolean() ? "" : fmt::format("{} must be true or false", key);
+}
+
+/// A coordinate of a search, which runs from 0 to 1 between the bounds of its unknown.
+Damage damage_of_place(const json& place) {
+  const bool is_sound = place.is_number() && place.get<double>() >= 0 && place.get<double>() <= 1;
+  return is_sound ? "" : "x must be a number from 0 to 1, between the bounds of its unknown";
+}
+
+Damage damage_of_minimum(const json& of, std::size_t fewest, std::size_t most) {
+  if (!of.is_object()) return "a search must be a table";
+  for (const char* flag : {"converged", "is_sound"})
+    if (Damage damage = damage_of_flag(of, flag); !damage.empty()) return damage;
+  const json why = of.value("why_not", json()), x = of.value("x", json()),
+             misfit = of.value("misfit", json());
+  if (!why.is_string() || why.get_ref<const std::string&>().size() > longest_reason)
+    return "why_not must be a short text";
+  if (!misfit.is_number() || !std::isfinite(misfit.get<double>()) || misfit.get<double>() < 0)
+    return "misfit must be a finite number, 0 or more";
+  if (!x.is_array() || x.size() < fewest || x.size() > most)
+    return fmt::format("x must have {} numbers, one for each unknown", most);
+  for (const json& place : x)
+    if (Damage damage = damage_of_place(place); !damage.empty()) return damage;
+  return "";
+}
+
+Damage damage_of_end(const json& of, std::size_t unknowns) {
+  if (!of.is_object() || !of.contains("x") || !of.contains("better"))
+    return "an end of an interval must be a table with x and better";
+  if (Damage damage = damage_of_flag(of, "is_rough"); !damage.empty()) return damage;
+  if (!of["x"].is_null())
+    if (Damage damage = damage_of_place(of["x"]); !damage.empty()) return damage;
+  return of["better"].is_null() ? "" : damage_of_minimum(of["better"], unknowns, unknowns);
+}
+
+Damage damage_of_piece(const std::string& name, const json& piece, std::size_t unknowns) {
+  if (name.find(", end ") != std::string::npos) return damage_of_end(piece, unknowns);
+  // Without an impact that is left out its clock is no unknown.
+  return damage_of_minimum(piece, name.starts_with("start ") ? unknowns : 1, unknowns);
+}
+
+/// Numbers that were changed by hand may be as plausible as those that were found.
+std::string sum_of(const json& pieces) { return fingerprint({pieces.dump()}); }
+
 /// Throws std::runtime_error for what is no state of this fit.
-std::map<std::string, std::string> read_state(const RunOptions& options) {
-  const std::string name = options.state.string();
+std::map<std::string, std::string> read_state(const Fit& fit, const RunOptions& options) {
   if (options.state.empty() || !std::filesystem::exists(options.state)) return {};
-  std::ifstream file(options.state, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  const json state = json::parse(text.str(), nullptr, false);
-  if (state.is_object() && state.value("format", json()) == format_before)
-    throw std::runtime_error(name +
-                             ": is the state of a fit by an earlier version of dashpad, whose searches "
-                             "ended elsewhere; give another name, or remove it");
-  if (!file || !state.is_object() || state.value("format", json()) != format_of_state ||
-      !state.contains("fit") || !state.contains("pieces") || !state["pieces"].is_object())
-    throw std::runtime_error(name + ": is no state of a fit; give another name, or remove it");
+  const auto refuse = [&](const std::string& why) {
+    throw std::runtime_error(
+        fmt::format("{}: {}; give another name, or remove it", options.state.string(), why));
+  };
+  const auto is_none = [&](const std::string& why) { refuse("is no state of a fit: " + why); };
+  const json state = json::parse(input::read_measurement(options.state, largest_state), nullptr, false);
+  const json format = state.is_object() ? state.value("format", json()) : json();
+  if (format == "dashpad fit state 1" || format == "dashpad fit state 2")
+    refuse("is the state of a fit by an earlier version of dashpad");
+  if (format != format_of_state) is_none("it does not say that it is one");
+  if (!state.contains("fit") || !state.contains("pieces") || !state["pieces"].is_object())
+    is_none("parts of it are missing");
   if (state["fit"] != options.fingerprint)
-    throw std::runtime_error(name +
-                             ": is the state of another fit: the fit file, a file that it names, or the "
-                             "version of dashpad has changed; give another name, or remove it");
+    refuse(
+        "is the state of another fit: the fit file, a file that it names, or the version of dashpad has "
+        "changed");
+  const std::size_t unknowns = coordinate_count(fit);
   std::map<std::string, std::string> pieces;
-  for (const auto& [key, piece] : state["pieces"].items()) pieces[key] = piece.dump();
+  for (const auto& [key, piece] : state["pieces"].items()) {
+    if (const Damage damage = damage_of_piece(key, piece, unknowns); !damage.empty()) is_none(damage);
+    pieces[key] = piece.dump();
+  }
+  if (state.value("sum", json()) != sum_of(state["pieces"])) is_none("its numbers have been changed");
   return pieces;
 }
 
@@ -71,7 +133,8 @@ std::map<std::string, std::string> read_state(const RunOptions& options) {
 void write_state(const RunOptions& options, const std::map<std::string, std::string>& kept) {
   json pieces = json::object();
   for (const auto& [name, text] : kept) pieces[name] = json::parse(text);
-  const json state{{"format", format_of_state}, {"fit", options.fingerprint}, {"pieces", pieces}};
+  const json state{
+      {"format", format_of_state}, {"fit", options.fingerprint}, {"sum", sum_of(pieces)}, {"pieces", pieces}};
   const std::filesystem::path draft = options.state.string() + ".new";
   std::ofstream file(draft, std::ios::binary);
   file << state.dump(1) << "\n";
@@ -87,9 +150,10 @@ void write_state(const RunOptions& options, const std::map<std::string, std::str
 
 }  // namespace
 
-void check_state(const RunOptions& options) { read_state(options); }
+void check_state(const Fit& fit, const RunOptions& options) { read_state(fit, options); }
 
-Session::Session(const RunOptions& options) : options_(options), kept_(read_state(options)) {}
+Session::Session(const Fit& fit, const RunOptions& options)
+    : options_(options), kept_(read_state(fit, options)) {}
 
 void Session::throw_if_stopped() const {
   if (!is_stopped()) return;

@@ -18,7 +18,7 @@ namespace dashpad::fit {
 class Session {
  public:
   /// Reads what is kept. Throws as check_state() does.
-  explicit Session(const RunOptions& options);
+  Session(const Fit& fit, const RunOptions& options);
 
   [[nodiscard]] bool is_stopped() const { return options_.stop != nullptr && *options_.stop; }
   void throw_if_stopped() const;

@@ -14,6 +14,7 @@
 namespace dashpad::input {
 namespace {
 
+constexpr std::size_t longest_key = 120, longest_value = 70;  // bytes that are quoted
 constexpr std::size_t most_of_a_kind = 5;
 constexpr std::size_t most_lines = 200;  // of a message, of however many kinds its faults are
 
@@ -54,9 +55,10 @@ std::string message(const std::vector<Fault>& faults) {
 std::string to_string(const Fault& fault) {
   std::string line = fault.file;
   if (fault.line > 0) line += fmt::format(":{}", fault.line);
-  if (!fault.key.empty()) line += ": " + fault.key;
-  if (!fault.value.empty()) line += " = " + fault.value;
-  return one_line(line + ": " + fault.rule);
+  std::string what;
+  if (!fault.key.empty()) what += ": " + quoted_part(fault.key, longest_key);
+  if (!fault.value.empty()) what += " = " + quoted_part(fault.value, longest_value);
+  return one_line(line + without_endless_words(what + ": " + fault.rule));
 }
 
 std::vector<std::string> abridged(const std::vector<std::string>& lines) {

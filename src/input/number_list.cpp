@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "quantities/magnitude_bounds.hpp"
+
 namespace dashpad::input {
 namespace {
 
@@ -28,8 +30,10 @@ std::optional<std::vector<double>> read_list(TableReader& table, const std::stri
 
 std::optional<std::vector<double>> read_numbers(TableReader& table, const std::string& key, double scale) {
   return read_list(table, key, most_numbers, [&](const TomlNode& entry, const std::string& full) {
-    if (entry.kind == TomlNode::Kind::number) return scale * entry.number;
-    table.faults().add(entry.line, full, entry.written(), "must be a number");
+    const bool is_number = entry.kind == TomlNode::Kind::number;
+    const std::string rule = is_number ? rule_of(stated_magnitudes, entry.number, "1") : "must be a number";
+    if (rule.empty()) return scale * entry.number;
+    table.faults().add(entry.line, full, entry.written(), rule);
     return std::numeric_limits<double>::quiet_NaN();
   });
 }

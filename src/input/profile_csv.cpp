@@ -12,6 +12,7 @@
 #include "input/measurement/csv_columns.hpp"
 #include "input/measurement/csv_rows.hpp"
 #include "input/text_file.hpp"
+#include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
 namespace {
@@ -80,12 +81,16 @@ ProfileColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
 }
 
 /// NaN after a fault.
-double read_field(const CsvRow& row, const ProfileColumn& column, char separator, MeasurementFaults& faults) {
+double read_field(const CsvRow& row, const ProfileColumn& column, const std::string& si_unit, char separator,
+                  MeasurementFaults& faults) {
   const std::string_view field =
       column.place < row.fields.size() ? without_blanks(row.fields[column.place]) : std::string_view();
   const ReadNumber read = read_csv_number(field, separator);
-  if (read.kind == NumberKind::number) return read.value * column.factor;
-  faults.add(row.line, column.header, field, rule_for(read.kind));
+  const bool is_number = read.kind == NumberKind::number;
+  const double value = read.value * column.factor;
+  const std::string rule = is_number ? rule_of(stated_magnitudes, value, si_unit) : rule_for(read.kind);
+  if (rule.empty()) return value;
+  faults.add(row.line, column.header, field, rule);
   return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -112,8 +117,9 @@ Profile read_profile_csv(const std::filesystem::path& file) {
       faults.add(row.line, "", "", std::string(row.fault));
       continue;
     }
-    profile.points.push_back({read_field(row, columns.depth, separator, faults),
-                              read_field(row, columns.size, separator, faults)});
+    profile.points.push_back(
+        {read_field(row, columns.depth, "m", separator, faults),
+         read_field(row, columns.size, columns.of == Profile::Of::radius ? "m" : "m2", separator, faults)});
     lines.push_back(row.line);
   }
   faults.throw_if_any();

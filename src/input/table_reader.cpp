@@ -7,11 +7,13 @@
 
 #include "dashpad/quantities/quantity.hpp"
 #include "input/spelling.hpp"
+#include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
 namespace {
 
 using Kind = TomlNode::Kind;
+constexpr std::size_t longest_text = 2000;  // bytes; a title, a source or a note of a page is no text of use
 constexpr double missing_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -20,7 +22,7 @@ double read_quantity(const TomlNode& node, const std::string& key, const std::st
                      FaultList& faults) {
   const bool has_text = node.kind == Kind::text || node.kind == Kind::number;
   try {
-    const double value = to_si(has_text ? node.text : "", si_unit);
+    const double value = stated_si(has_text ? node.text : "", si_unit);
     if (node.kind == Kind::text) return value;
     faults.add(node.line, key, node.written(), "must be text in quotes");
   } catch (const UnitError& error) {
@@ -56,8 +58,10 @@ double TableReader::number(const std::string& key) {
 std::string TableReader::text(const std::string& key, Presence presence) {
   const TomlNode* node = find(key, presence);
   if (!node) return {};
-  if (node->kind == Kind::text && !node->text.empty()) return node->text;
-  fault(key, node->kind == Kind::text ? "must not be empty" : "must be text in quotes");
+  if (node->kind == Kind::text && !node->text.empty() && node->text.size() <= longest_text) return node->text;
+  fault(key, node->kind != Kind::text ? "must be text in quotes"
+             : node->text.empty()     ? "must not be empty"
+                                      : "must not be longer than " + std::to_string(longest_text) + " bytes");
   return {};
 }
 

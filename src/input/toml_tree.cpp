@@ -7,6 +7,7 @@
 #include "dashpad/input/fault.hpp"
 #include "input/text_file.hpp"
 #include "input/toml_parser.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::input {
 namespace {
@@ -75,9 +76,13 @@ TomlNode convert(const toml::node& source, std::string key) {
   } else if (const auto* text = source.as_string()) {
     node.kind = TomlNode::Kind::text;
     node.text = text->get();
-  } else if (source.is_number()) {
+  } else if (const auto* whole = source.as_integer()) {
     node.kind = TomlNode::Kind::number;
-    node.number = source.value_or(0.0);
+    node.number = static_cast<double>(whole->get());
+    node.text = fmt::format("{}", whole->get());
+  } else if (const auto* number = source.as_floating_point()) {
+    node.kind = TomlNode::Kind::number;
+    node.number = number->get();
     node.text = fmt::format("{}", node.number);
   } else {
     node.text = source.is_boolean() ? (source.value_or(false) ? "true" : "false") : "a date or time";
@@ -102,10 +107,7 @@ const TomlNode& TomlNode::nearest(std::string_view dotted_key) const {
 }
 
 std::string TomlNode::written() const {
-  const auto continues_a_character = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };
-  std::size_t end = std::min<std::size_t>(60, text.size());
-  while (end > 0 && end < text.size() && continues_a_character(text[end])) --end;
-  const std::string shown = text.substr(0, end) + (end < text.size() ? "..." : "");
+  const std::string shown = quoted_part(text);
   return kind == Kind::text ? '"' + shown + '"' : shown;
 }
 

@@ -30,6 +30,24 @@ std::size_t unseen(std::string_view text) {
   return byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9 ? 3 : 0;
 }
 
+/// Without what a terminal obeys instead of showing it, but for `kept`.
+std::string shown_text(std::string_view text, std::string_view kept) {
+  std::string shown;
+  while (!text.empty()) {
+    const std::size_t length = character_length(text), hidden = unseen(text);
+    const auto byte = static_cast<unsigned char>(text.front());
+    if (length == 0)
+      shown += "\xef\xbf\xbd";
+    else if (hidden > 0 ||
+             ((byte < 0x20 || byte == 0x7f) && kept.find(text.front()) == std::string_view::npos))
+      shown += ' ';
+    else
+      shown += text.substr(0, length);
+    text.remove_prefix(std::max<std::size_t>({length, hidden, 1}));
+  }
+  return shown;
+}
+
 }  // namespace
 
 std::string significant(double value, int digits) {
@@ -93,20 +111,45 @@ std::string with_article(const std::string& words) {
   return (vowel ? "an " : "a ") + words;
 }
 
-std::string one_line(std::string_view text) {
-  std::string line;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if (byte < 0x20 || byte == 0x7f) {
-      line += ' ';
-    } else if (const std::size_t length = unseen(text.substr(i))) {
-      line += ' ';
-      i += length - 1;
-    } else {
-      line += text[i];
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  if (text.empty()) return 0;
+  const unsigned char first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t length = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+  if (length == 0 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  const unsigned char second = byte(1);  // longer than needed, half of a pair, or beyond Unicode
+  if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f)) return 0;
+  if ((first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f)) return 0;
+  return length;
+}
+
+std::string one_line(std::string_view text) { return shown_text(text, ""); }
+
+std::string without_controls(std::string_view text) { return shown_text(text, "\n\t"); }
+
+std::string quoted_part(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  std::size_t end = most;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+  return std::string(text.substr(0, end)) + "...";
+}
+
+std::string without_endless_words(std::string_view line) {
+  constexpr std::size_t longest_word = 300, longest_line = 2000;
+  std::string text;
+  while (!line.empty()) {
+    const std::size_t end = std::min(line.find(' '), line.size());
+    text += end > longest_word ? quoted_part(line.substr(0, end)) : std::string(line.substr(0, end));
+    line.remove_prefix(end);
+    if (!line.empty()) {
+      text += ' ';
+      line.remove_prefix(1);
     }
   }
-  return line;
+  return quoted_part(text, longest_line);
 }
 
 std::string wrapped(std::string_view line, std::size_t indent) {

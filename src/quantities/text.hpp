@@ -38,8 +38,19 @@ std::size_t width_of(std::string_view text);
 /// "a sphere", "an ellipsoid".
 std::string with_article(const std::string& words);
 
-/// Text from a file, safe for a terminal: line breaks and other control characters become spaces.
+/// Bytes of the UTF-8 character at the front of `text`; 0 if there is none (RFC 3629).
+std::size_t character_length(std::string_view text);
+
+/// Text from a file, safe for a terminal: line breaks and other control characters become spaces, as does
+/// what changes the direction of writing; bytes that are no UTF-8 become U+FFFD.
 std::string one_line(std::string_view text);
+/// The same of a text of several lines, which keeps its line breaks and tabs.
+std::string without_controls(std::string_view text);
+
+/// What a message quotes of a name: at most `most` bytes and "...", never half a character.
+std::string quoted_part(std::string_view text, std::size_t most = 60);
+/// A message in which no word is longer than a message can be of use: of such a word the beginning.
+std::string without_endless_words(std::string_view line);
 
 /// Every place of `old`, from left to right; what took its place is not looked at again.
 void replace_all(std::string& text, std::string_view old, std::string_view fresh);

@@ -2,9 +2,11 @@
 
 #include <udunits2.h>
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <utility>
 
 #include "dashpad/quantities/quantity.hpp"
 
@@ -103,6 +105,17 @@ Owned<ut_system> read_system() {
   return system;
 }
 
+UnitFactor looked_up(const ut_system* system, const std::string& unit, const std::string& si_unit) {
+  const Owned<ut_unit> from = parse(system, unit.c_str());
+  const Owned<ut_unit> to = parse(system, si_unit.c_str());
+  if (!from || !to) return {UnitMatch::unknown};
+  const Owned<cv_converter> converter(ut_get_converter(from.get(), to.get()));
+  if (!converter || cv_convert_double(converter.get(), 0) != 0) return {UnitMatch::other_dimension};
+  return {UnitMatch::same_dimension, cv_convert_double(converter.get(), 1)};
+}
+
+constexpr std::size_t most_known = 1000;
+
 }  // namespace
 
 UnitFactor unit_factor(const std::string& unit, const std::string& si_unit) {
@@ -110,12 +123,12 @@ UnitFactor unit_factor(const std::string& unit, const std::string& si_unit) {
   const std::lock_guard lock(mutex);
   static const Owned<ut_system> system = read_system();
 
-  const Owned<ut_unit> from = parse(system.get(), unit.c_str());
-  const Owned<ut_unit> to = parse(system.get(), si_unit.c_str());
-  if (!from || !to) return {UnitMatch::unknown};
-  const Owned<cv_converter> converter(ut_get_converter(from.get(), to.get()));
-  if (!converter || cv_convert_double(converter.get(), 0) != 0) return {UnitMatch::other_dimension};
-  return {UnitMatch::same_dimension, cv_convert_double(converter.get(), 1)};
+  // The columns of a table ask for the same units again and again.
+  static std::map<std::pair<std::string, std::string>, UnitFactor> known;
+  const std::pair asked{unit, si_unit};
+  if (const auto found = known.find(asked); found != known.end()) return found->second;
+  if (known.size() == most_known) known.clear();
+  return known[asked] = looked_up(system.get(), unit, si_unit);
 }
 
 }  // namespace dashpad

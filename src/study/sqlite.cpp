@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <new>
 
 #include <fmt/format.h>
 
@@ -14,8 +15,14 @@ namespace {
 
 constexpr int milliseconds_for_others = 2000;
 
-/// `message` is SQLite's.
-std::string advice(int code, int system_error, const std::string& message) {
+/// Whether the file is no store, or holds what no Dashpad wrote.
+bool is_damage(int code) {
+  const int kind = code & 0xff;
+  return kind == SQLITE_CORRUPT || kind == SQLITE_NOTADB || kind == SQLITE_ERROR || kind == SQLITE_MISMATCH ||
+         kind == SQLITE_TOOBIG || kind == SQLITE_FORMAT || code == SQLITE_IOERR_SHORT_READ;
+}
+
+std::string advice(int code, int system_error) {
   if (code == SQLITE_READONLY_ROLLBACK || code == SQLITE_READONLY_RECOVERY ||
       code == SQLITE_READONLY_CANTINIT)
     return "a run was cut short and the file has to be put in order, but it or its folder is read-only: copy "
@@ -29,6 +36,10 @@ std::string advice(int code, int system_error, const std::string& message) {
     case SQLITE_FULL:
       return "the disk is full; all rows written so far are kept: make room and give the same command again";
     case SQLITE_NOTADB: return "it is no store of a study: give another name";
+    case SQLITE_ERROR:
+    case SQLITE_MISMATCH:
+    case SQLITE_TOOBIG:
+    case SQLITE_FORMAT:
     case SQLITE_CORRUPT: return "it is damaged: delete it and run the study again";
     case SQLITE_READONLY:
     case SQLITE_PERM: return "it cannot be written to: its file or its folder is read-only";
@@ -38,7 +49,7 @@ std::string advice(int code, int system_error, const std::string& message) {
              "; all rows written so far are kept: see to the disk (its room, limits on the size of files) "
              "and "
              "give the same command again";
-    default: return one_line(message);
+    default: return fmt::format("it cannot be read or written (SQLite's error {})", code);
   }
 }
 
@@ -95,14 +106,14 @@ bool Database::is_read_only() const { return sqlite3_db_readonly(get(), "main") 
 
 void Database::fail(int code) const {
   const int system_error = get() == nullptr ? 0 : sqlite3_system_errno(get());
-  const std::string message = get() == nullptr ? sqlite3_errstr(code) : sqlite3_errmsg(get());
-  throw std::runtime_error(name_ + ": " + advice(code, system_error, message));
+  if ((code & 0xff) == SQLITE_NOMEM) throw std::bad_alloc();
+  const std::string message = name_ + ": " + advice(code, system_error);
+  if (is_damage(code)) throw DamagedStore(message);
+  throw std::runtime_error(message);
 }
 
 void Database::damaged(const std::string& what) const {
-  // SQLite's messages quote names out of the file.
-  throw std::runtime_error(name_ + ": it is damaged (" + one_line(what) +
-                           "): delete it and run the study again");
+  throw DamagedStore(name_ + ": it is damaged (" + one_line(what) + "): delete it and run the study again");
 }
 
 Statement::Statement(const Database& database, const std::string& sql) : database_(&database) {
@@ -111,7 +122,7 @@ Statement::Statement(const Database& database, const std::string& sql) : databas
                                       SQLITE_PREPARE_PERSISTENT, &handle, nullptr);
   handle_.reset(handle);
   // A table or column that is missing is the file's fault, not the statement's.
-  if (code == SQLITE_ERROR) database.damaged(sqlite3_errmsg(database.get()));
+  if (code == SQLITE_ERROR) database.damaged("a table or a column is missing");
   if (code != SQLITE_OK) database.fail(code);
 }
 
@@ -183,8 +194,11 @@ std::string Statement::name(int column) const {
 }
 
 void Statement::wrong_value(int column) const {
-  database_->damaged(
-      fmt::format("column {} holds a wrong value", sqlite3_column_name(handle_.get(), column)));
+  // What is computed from several rows has no name but its SQL.
+  const std::string name = sqlite3_column_name(handle_.get(), column);
+  database_->damaged(name.find('(') == std::string::npos
+                         ? fmt::format("column {} holds a wrong value", quoted_part(name))
+                         : "a number of rows or batches is wrong");
 }
 
 Transaction::Transaction(Database& database, const char* begin) : database_(database) {

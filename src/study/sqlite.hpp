@@ -10,6 +10,8 @@
 
 #include <sqlite3.h>
 
+#include "dashpad/study/store.hpp"
+
 namespace dashpad::study {
 
 enum class Access { read, write };
@@ -35,9 +37,9 @@ class Database {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] sqlite3* get() const { return handle_.get(); }
 
-  /// Throws std::runtime_error for what SQLite reports: `code` in the user's words.
+  /// Throws std::runtime_error for what SQLite reports, DamagedStore for damage: `code` in the user's words.
   [[noreturn]] void fail(int code) const;
-  /// Throws std::runtime_error: the file holds what no Dashpad writes.
+  /// Throws DamagedStore: the file holds what no Dashpad writes.
   [[noreturn]] void damaged(const std::string& what) const;
 
  private:

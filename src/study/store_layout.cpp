@@ -9,6 +9,8 @@
 #include "dashpad/study/design.hpp"
 #include "dashpad/study/resolved_study.hpp"
 #include "dashpad/version.hpp"
+#include "quantities/json_values.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::study {
 
@@ -103,6 +105,27 @@ void check_columns(const Database& database, const StoreHeading& heading) {
     database.damaged("a factor or response is missing");
 }
 
+/// What the rows were computed with: a column whose unit was changed by hand would be read wrongly.
+void check_units(const Database& database, const StoreHeading& heading) {
+  const auto changed = [&](const std::string& name) {
+    database.damaged(fmt::format("{} has another unit than it was computed in", quoted_part(name)));
+  };
+  for (const StoredColumn& column : heading.responses)
+    if (const ResponseKind* kind = find_response_kind(column.name);
+        kind != nullptr && kind->si_unit != column.unit)
+      changed(column.name);
+  const Json resolved = Json::parse(heading.resolved, nullptr, false);
+  const Json factors = resolved.is_object() ? resolved.value("factors", Json()) : Json();
+  if (!factors.is_array() || factors.size() != heading.factors.size())
+    database.damaged("it does not tell its study");
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const StoredColumn& column = heading.factors[i];
+    if (!factors[i].is_object() || factors[i].value("key", Json()) != column.name)
+      database.damaged("it does not tell its study");
+    if (factors[i].value("unit", Json()) != column.unit) changed(column.name);
+  }
+}
+
 }  // namespace
 
 std::string this_program() { return fmt::format("{} ({})", version(), build_facts().git_commit); }
@@ -157,7 +180,7 @@ void create_tables(Database& database, const Study& study, const StoreHeading& h
 
 StoreHeading read_heading(const Database& database) {
   if (pragma(database, "application_id") != application)
-    throw std::runtime_error(database.name() + ": it is no store of a study: give another name");
+    throw DamagedStore(database.name() + ": it is no store of a study: give another name");
   if (const std::int64_t found = pragma(database, "user_version"); found != layout)
     throw std::runtime_error(
         fmt::format("{}: it has layout {}, and this program reads layout {}: use the program that "
@@ -176,6 +199,7 @@ StoreHeading read_heading(const Database& database) {
   heading.responses =
       read_columns(database, "SELECT position, name, unit, meaning FROM responses ORDER BY position");
   check_columns(database, heading);
+  check_units(database, heading);
   return heading;
 }
 

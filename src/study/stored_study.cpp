@@ -182,7 +182,7 @@ bool has_columns_of(const Store& store, const Study& study) {
 
 Study stored_study(const Store& store) {
   constexpr const char* damaged =
-      "the store does not tell its study: it is damaged, or another version made it";
+      "it is damaged, or another version made it: it does not tell its study any more";
   try {
     Study study = study_of(Json::parse(store.resolved_text()));
     study.text = store.study_text();
@@ -190,9 +190,9 @@ Study stored_study(const Store& store) {
         has_columns_of(store, study))
       return study;
   } catch (const std::exception&) {
-    throw std::runtime_error(damaged);
+    throw DamagedStore(damaged);
   }
-  throw std::runtime_error(damaged);
+  throw DamagedStore(damaged);
 }
 
 }  // namespace dashpad::study

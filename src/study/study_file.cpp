@@ -15,8 +15,8 @@
 namespace dashpad::study {
 namespace {
 
-/// TOML numbers are read as binary64, which holds these whole numbers exactly.
-constexpr double largest_whole_number = 9007199254740992;  // 2^53
+/// TOML numbers are read as binary64; a larger whole number may have become another one.
+constexpr double largest_whole_number = 9007199254740991;  // 2^53 - 1
 
 std::uint64_t read_whole_number(input::TableReader& table, const std::string& key, double lowest,
                                 double highest) {

@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include <sys/stat.h>
+
 #include "command.hpp"
 #include "schema.hpp"
 
@@ -203,6 +205,30 @@ TEST_F(FitTest, KeepsWhatIsFinished) {
     return text.substr(0, text.find(" evaluations in")).substr(0, 400);
   };
   EXPECT_EQ(answer(again.out), answer(first.out));
+}
+
+TEST_F(FitTest, RefusesAStateThatIsNoRegularFileAtOnce) {
+  ASSERT_EQ(::mkfifo(file("a.fifo").c_str(), 0600), 0);
+  for (const std::string& name : {std::string("/dev/zero"), std::string("/dev/full"), file("a.fifo")}) {
+    const Outcome outcome =
+        shell("timeout 20 \"$DASHPAD\" fit '" + file("fit.toml") + "' --state '" + name + "'");
+    EXPECT_EQ(outcome.exit_code, 2) << name;
+    EXPECT_THAT(outcome.err, HasSubstr(name + ": is not a regular file"));
+  }
+}
+
+TEST_F(FitTest, RefusesAStateWithANumberThatBecameText) {
+  ASSERT_EQ(dashpad({"fit", file("fit.toml"), "--state", file("fit.state")}).exit_code, 0);
+  std::string state = read_file(file("fit.state"));
+  const auto at = state.find("\"misfit\": ") + 10;
+  state.replace(at, state.find(',', at) - at, "\"a\"");
+  write_file(file("fit.state"), state);
+  const auto before = other_files();
+  const Outcome outcome =
+      dashpad({"fit", file("fit.toml"), "--state", file("fit.state"), "--output", file("card.toml")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("fit.state: is no state of a fit: misfit must be a finite number"));
+  EXPECT_EQ(other_files(), before);
 }
 
 const std::string fit_of_a_support = R"(case = "case.toml"

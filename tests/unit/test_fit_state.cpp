@@ -6,8 +6,11 @@
 #include <atomic>
 #include <cmath>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "dashpad/fit/report.hpp"
 #include "model/pad/foam/foam_memo.hpp"
@@ -60,26 +63,47 @@ TEST_F(FitStateTest, GoesOnAndFindsTheSame) {
 TEST_F(FitStateTest, RefusesTheStateOfAnotherFitAndWhatIsNone) {
   run_fit(made.fit, options());
   try {
-    check_state(options("b"));
+    check_state(made.fit, options("b"));
     ADD_FAILURE() << "the state of another fit was taken";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("fit.state: is the state of another fit"));
   }
-  for (const char* text : {"", "{}", "[1]", "title = \"case\"", R"({"format": "dashpad fit state 2"})"}) {
+  for (const char* text : {"", "{}", "[1]", "title = \"case\"", R"({"format": "dashpad fit state 3"})"}) {
     std::ofstream(folder.path() / "fit.state") << text;
-    EXPECT_THROW(check_state(options()), std::runtime_error) << text;
+    EXPECT_THROW(check_state(made.fit, options()), std::runtime_error) << text;
   }
 }
 
 TEST_F(FitStateTest, RefusesTheStateOfAnEarlierVersion) {
   std::ofstream(folder.path() / "fit.state")
-      << R"({"format": "dashpad fit state 1", "fit": "a", "pieces": {}})";
+      << R"({"format": "dashpad fit state 2", "fit": "a", "pieces": {}})";
   try {
-    check_state(options());
+    check_state(made.fit, options());
     ADD_FAILURE() << "it was taken";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("fit.state: is the state of a fit by an earlier version"));
   }
+}
+
+/// Numbers of other kinds and sizes, and plausible ones that no search has found.
+TEST_F(FitStateTest, RefusesWhatWasChanged) {
+  run_fit(made.fit, options());
+  std::ostringstream read;
+  read << std::ifstream(folder.path() / "fit.state").rdbuf();
+  const std::string state = read.str();
+  const std::regex misfit("\"misfit\": [-+.e0-9]+"), place("\"x\": [-+.e0-9]+"),
+      first("\"x\": \\[\\s*[-+.e0-9]+");
+  for (const char* value : {"\"a\"", "[]", "{}", "null", "true", "1e300", "-1", "0.5"})
+    for (const auto& [of, key] :
+         {std::pair{&misfit, "\"misfit\": "}, {&place, "\"x\": "}, {&first, "\"x\": ["}}) {
+      const std::string changed =
+          std::regex_replace(state, *of, std::string(key) + value, std::regex_constants::format_first_only);
+      ASSERT_NE(changed, state);
+      std::ofstream(folder.path() / "fit.state") << changed;
+      EXPECT_THAT([&] { check_state(made.fit, options()); },
+                  testing::ThrowsMessage<std::runtime_error>(HasSubstr("fit.state: is no state of a fit: ")))
+          << key << value;
+    }
 }
 
 TEST_F(FitStateTest, StopsWithoutAStateAsWell) {

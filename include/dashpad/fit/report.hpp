@@ -207,8 +207,8 @@ class Stopped : public std::runtime_error {
 };
 
 /// Throws std::runtime_error, with the file and what is wrong, where RunOptions::state names a file that is
-/// no state, or that of another fit. run_fit() calls it.
-void check_state(const RunOptions& options);
+/// no state, that of another fit, or damaged. run_fit() calls it.
+void check_state(const Fit& fit, const RunOptions& options);
 
 /// Fits. Throws std::invalid_argument with all violations() of the fit, and Stopped.
 FitReport run_fit(const Fit& fit, const RunOptions& options = {});

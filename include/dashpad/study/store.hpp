@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,13 @@ struct StoredColumn {
   std::string meaning;  ///< of a response; "" for a factor
 };
 
-/// All that reads throws std::runtime_error where the file is damaged. Not for several threads at once.
+/// A file that is no store of a study, or that holds what no Dashpad wrote; what() names it.
+class DamagedStore : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// All that reads throws DamagedStore where the file is damaged. Not for several threads at once.
 class Store {
  public:
   /// Creates the file, or opens one of the very same study to go on: its text, what it names, the program's

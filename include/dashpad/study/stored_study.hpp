@@ -7,7 +7,7 @@
 
 namespace dashpad::study {
 
-/// The study whose rows the store holds, to the last bit. Throws std::runtime_error where the store does not
+/// The study whose rows the store holds, to the last bit. Throws DamagedStore where the store does not
 /// tell.
 Study stored_study(const Store& store);
 

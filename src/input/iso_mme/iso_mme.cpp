@@ -11,6 +11,7 @@
 #include "input/iso_mme/test_files.hpp"
 #include "input/iso_mme/text.hpp"
 #include "input/measurement/column_units.hpp"
+#include "input/measurement/pulse_bounds.hpp"
 
 namespace dashpad::input {
 
@@ -106,6 +107,8 @@ class Combiner {
     }
     if (!std::ranges::all_of(pulse.acceleration, [](double value) { return std::isfinite(value); }))
       faults.refuse(0, "", "", "holds a value that is too large to compute with");
+    judge_pulse(pulse, 0, faults);
+    faults.throw_if_any();
     result_.acceleration.push_back(column);
   }
 

@@ -1,6 +1,11 @@
 #include "input/material_deck/clean_curve.hpp"
 
+#include <string>
+#include <tuple>
+
 #include <fmt/format.h>
+
+#include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
 
@@ -16,6 +21,12 @@ std::string written_number(double value) { return fmt::format("{:.6g}", value); 
 /// Judges one point against the one before, which may be at or below strain 0.
 bool judge_order(const DeckCurve& curve, std::size_t i, MeasurementFaults& faults) {
   const double e = curve.strain[i];
+  for (const auto& [what, value, unit] :
+       {std::tuple{": strain", e, "1"}, {": stress", curve.stress[i], "Pa"}})
+    if (const std::string rule = rule_of(stated_magnitudes, value, unit); !rule.empty()) {
+      faults.add(curve.lines[i], curve.name + what, written_number(value), rule);
+      return false;
+    }
   if (i > 0 && is_sound_point(curve, i - 1) && e <= curve.strain[i - 1]) {
     faults.add(curve.lines[i], curve.name + ": strain", written_number(e),
                e == curve.strain[i - 1]

@@ -69,6 +69,14 @@ bool ends_in_unit(std::string_view before) {
   return !last.empty() && last.size() <= 2;
 }
 
+/// As to_si() sees it, but without a message: a table may have thousands of columns.
+bool is_unit_of(const std::string& text, const char* si_unit) {
+  const std::string unit = tidy_unit(text);
+  if (unit.empty() || kind_of_unit_text(unit) != UnitText::plain) return false;
+  const auto [match, factor] = unit_factor(unit, si_unit);
+  return match == UnitMatch::same_dimension && factor > 0;
+}
+
 /// A unit, but neither of time nor of acceleration: the column of degrees called T.
 bool is_other_unit(const std::string& text) {
   const std::string unit = tidy_unit(standard_unit(text));
@@ -109,18 +117,12 @@ double pulse_unit_factor(ColumnKind kind, const std::string& unit) {
 }
 
 bool is_pulse_unit(ColumnKind kind, const std::string& unit) {
-  try {
-    return pulse_unit_factor(kind, unit) > 0;
-  } catch (const UnitError&) {
-    return false;
-  }
+  const std::string text = standard_unit(unit);
+  if (kind == ColumnKind::acceleration && is_among(text, other_names_of_g)) return true;
+  return is_unit_of(text, si_unit_of(kind));
 }
 
-bool is_voltage(const std::string& unit) {
-  const std::string text = tidy_unit(standard_unit(unit));
-  return !text.empty() && kind_of_unit_text(text) == UnitText::plain &&
-         unit_factor(text, "V").match == UnitMatch::same_dimension;
-}
+bool is_voltage(const std::string& unit) { return is_unit_of(standard_unit(unit), "V"); }
 
 bool is_customary_unit(std::string_view text) {
   const std::string unit = standard_unit(text);

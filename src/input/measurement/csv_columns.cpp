@@ -8,6 +8,7 @@
 
 #include "input/measurement/column_units.hpp"
 #include "input/measurement/csv_rows.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::input {
 
@@ -15,6 +16,8 @@ namespace {
 
 constexpr std::size_t most_header_rows = 1000;
 constexpr std::size_t most_listed = 20;
+constexpr std::size_t most_namesakes = 5;
+constexpr std::size_t longest_name = 100;  // of a column, in messages and results
 
 using Columns = std::vector<MeasuredColumn>;
 
@@ -54,10 +57,13 @@ int score(const CsvHeader::Row& row) {
 
 const CsvHeader::Row* row_of_names(const CsvHeader& header) {
   const CsvHeader::Row* best = nullptr;
+  int highest = 0;
   for (const CsvHeader::Row& row : header.rows) {
-    if (is_row_of_units(row)) continue;
-    const bool fits = row.fields.size() >= std::min<std::size_t>(header.width, 2);
-    if (fits && (best == nullptr || score(row) >= score(*best))) best = &row;
+    if (row.fields.size() < std::min<std::size_t>(header.width, 2) || is_row_of_units(row)) continue;
+    if (const int own = score(row); best == nullptr || own >= highest) {
+      best = &row;
+      highest = own;
+    }
   }
   return best;
 }
@@ -86,11 +92,12 @@ std::optional<MeasuredColumn> named(const Columns& all, const std::string& wante
     return std::nullopt;
   }
   const auto bare = [](const MeasuredColumn& column) { return split_header(column.name).name; };
+  const std::string whole = quoted_part(wanted, longest_name);  // as columns are named
   for (int attempt = 0; attempt < 4; ++attempt) {
     Columns found;
     for (const MeasuredColumn& column : all) {
       const std::string name = attempt % 2 == 0 ? column.name : bare(column);
-      if (attempt < 2 ? name == wanted : lower_case(name) == lower_case(wanted)) found.push_back(column);
+      if (attempt < 2 ? name == whole : lower_case(name) == lower_case(whole)) found.push_back(column);
     }
     if (found.size() == 1) return found.front();
     if (found.size() > 1) {
@@ -120,7 +127,9 @@ Columns those_that_look_like(ColumnKind kind, const Columns& all,
 /// What is said about columns that are called as wanted but have a unit that is not of this kind.
 std::string units_of_namesakes(ColumnKind kind, const Columns& all) {
   std::string text;
-  for (const MeasuredColumn& column : all)
+  std::size_t count = 0;
+  for (const MeasuredColumn& column : all) {
+    const std::size_t before = text.size();
     if (kind == ColumnKind::acceleration && is_voltage(column.unit))
       text += fmt::format("; column {} is in {}, for which --sensitivity is needed, such as \"10 mV/g\"",
                           column.number, column.unit);
@@ -129,6 +138,8 @@ std::string units_of_namesakes(ColumnKind kind, const Columns& all) {
              looks_like(kind, MeasuredColumn{.name = split_header(column.name).name}))
       text += fmt::format("; the unit \"{}\" of column {} is not one of {}", column.unit, column.number,
                           kind == ColumnKind::time ? "time" : "acceleration");
+    if (text.size() > before && ++count == most_namesakes) break;
+  }
   return text;
 }
 
@@ -219,15 +230,17 @@ CsvColumns name_columns(const CsvHeader& header) {
   CsvColumns columns;
   columns.names = row_of_names(header);
   const std::size_t named_columns = columns.names != nullptr ? columns.names->fields.size() : 0;
+  std::vector<const CsvHeader::Row*> unit_rows;
+  for (const CsvHeader::Row& row : header.rows)
+    if (is_row_of_units(row)) unit_rows.push_back(&row);
   for (std::size_t i = 0; i < std::max(header.width, named_columns); ++i) {
     MeasuredColumn column{.name = fmt::format("column {}", i + 1), .number = static_cast<int>(i + 1)};
     if (i < named_columns && !columns.names->fields[i].empty()) {
-      column.name = columns.names->fields[i];
-      column.unit = split_header(column.name).unit;
+      column.unit = split_header(columns.names->fields[i]).unit;
+      column.name = quoted_part(columns.names->fields[i], longest_name);
     }
-    for (const CsvHeader::Row& row : header.rows)
-      if (column.unit.empty() && i < row.fields.size() && is_row_of_units(row))
-        column.unit = lone_unit(row.fields[i]).value_or("");
+    for (const CsvHeader::Row* row : unit_rows)
+      if (column.unit.empty() && i < row->fields.size()) column.unit = lone_unit(row->fields[i]).value_or("");
     columns.all.push_back(std::move(column));
   }
   return columns;

@@ -13,12 +13,12 @@
 #include <unistd.h>
 
 #include "input/text_file.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::input {
 
 namespace {
 
-constexpr std::size_t longest_shown_value = 60;
 constexpr std::size_t longest_number = 100;
 
 /// Closes a file at the end of its scope.
@@ -43,27 +43,10 @@ std::size_t require_regular(int descriptor, const std::string& name) {
   return static_cast<std::size_t>(status.st_size);
 }
 
-/// Length of the UTF-8 character at the front of `text`; 0 if there is none.
-std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
-  if (length == 0 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-  const unsigned char second = byte(1);  // longer than needed, half of a pair, or beyond Unicode
-  if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f)) return 0;
-  if ((first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f)) return 0;
-  return length;
-}
-
 }  // namespace
 
 void MeasurementFaults::add(std::size_t line, std::string key, std::string_view value, std::string rule) {
-  std::string shown(value.substr(0, longest_shown_value));
-  if (value.size() > longest_shown_value) shown += "...";
-  faults_.push_back({file_, static_cast<int>(line), std::move(key), std::move(shown), std::move(rule)});
+  faults_.push_back({file_, static_cast<int>(line), std::move(key), quoted_part(value), std::move(rule)});
   if (faults_.size() == most_measurement_faults) {
     faults_.back().rule += "; reading stopped here, after so many faults";
     throw InputError(faults_);
@@ -100,12 +83,12 @@ std::string read_descriptor(int descriptor, const std::string& name, std::size_t
   return content;
 }
 
-std::string read_measurement(const std::filesystem::path& file) {
+std::string read_measurement(const std::filesystem::path& file, std::size_t most) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   if (descriptor < 0 && errno == ENOENT) refuse_file(file.string(), "no such file");
   if (descriptor < 0 && errno == ENXIO) refuse_file(file.string(), "is not a regular file");
   if (descriptor < 0) refuse_file(file.string(), std::string("cannot be read: ") + std::strerror(errno));
-  return read_descriptor(descriptor, file.string(), largest_measurement);
+  return read_descriptor(descriptor, file.string(), most);
 }
 
 std::string_view text_in(std::string_view content, MeasurementFaults& faults) {
@@ -154,7 +137,7 @@ std::string_view without_blanks(std::string_view text) {
 
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {
-    const std::size_t length = utf8_length(text);
+    const std::size_t length = character_length(text);
     if (length == 0) return false;
     text.remove_prefix(length);
   }
@@ -203,7 +186,7 @@ std::string rule_for(NumberKind kind) {
     case NumberKind::not_finite: return "must be a finite number";
     case NumberKind::out_of_range: return "is too large or too small to compute with";
     case NumberKind::text: return "must be a number";
-    case NumberKind::empty: return "is missing; a pulse cannot have gaps";
+    case NumberKind::empty: return "is missing; a table of measurements cannot have gaps";
   }
   return "";
 }

@@ -36,8 +36,8 @@ class MeasurementFaults {
 /// InputError, also for a file that has more unless `cut`.
 std::string read_descriptor(int descriptor, const std::string& name, std::size_t most, bool cut = false);
 
-/// All bytes of a regular file of at most largest_measurement. Throws InputError.
-std::string read_measurement(const std::filesystem::path& file);
+/// All bytes of a regular file of at most `most`. Throws InputError.
+std::string read_measurement(const std::filesystem::path& file, std::size_t most = largest_measurement);
 
 /// The bytes of a file as text, without a byte order mark. Refuses what is UTF-16 or no text at all.
 std::string_view text_in(std::string_view content, MeasurementFaults& faults);

@@ -9,7 +9,9 @@
 
 #include "input/measurement/csv_columns.hpp"
 #include "input/measurement/csv_rows.hpp"
+#include "input/measurement/pulse_bounds.hpp"
 #include "input/measurement/pulse_gaps.hpp"
+#include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
 
@@ -83,8 +85,13 @@ class NumberReader {
     }
     if (!has_usual_decimal_sign(row.line, column, field)) return false;
     value = number.value * column.factor;
-    if (std::isfinite(value)) return true;
-    faults_.add(row.line, column.name, without_blanks(field), rule_for(NumberKind::out_of_range));
+    const bool is_time = !interval_ && &column == &columns_.front();
+    if (std::abs(value) <= (is_time ? latest_time_ : largest_acceleration_)) return true;
+    faults_.add(row.line, column.name, without_blanks(field),
+                std::isfinite(value)
+                    ? fmt::format("must be within {:g} {}: no sensor gives more",
+                                  is_time ? latest_time_ : largest_acceleration_, is_time ? "s" : "m/s2")
+                    : rule_for(NumberKind::out_of_range));
     return false;
   }
 
@@ -134,6 +141,8 @@ class NumberReader {
   char separator_;
   std::optional<double> interval_;  ///< s, where no column has the times
   std::size_t width_;
+  double latest_time_ = measured_magnitudes("s").most;              ///< s
+  double largest_acceleration_ = measured_magnitudes("m/s2").most;  ///< m/s2
   MeasurementFaults& faults_;
   std::vector<MeasuredColumn> columns_;  ///< the time first, if it has a column
   std::array<double, 4> latest_{};
@@ -260,6 +269,8 @@ MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOp
     }
   const std::size_t count = numbers.pulse.time.size();
   if (faults.none() && count < 2) faults.add(0, "", "", "has one sample only; a pulse needs two");
+  faults.throw_if_any();
+  judge_pulse(numbers.pulse, table.header.first_line, faults);
   faults.throw_if_any();
   std::vector<std::string> bridged;
   if (!options.interval) judge_gaps(numbers, table.columns.time, options.bridge_gaps, faults, bridged);

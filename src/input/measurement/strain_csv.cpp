@@ -9,6 +9,7 @@
 #include "input/measurement/column_units.hpp"
 #include "input/measurement/csv_columns.hpp"
 #include "input/measurement/csv_rows.hpp"
+#include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
 
@@ -139,6 +140,10 @@ class StrainReader {
                       repeated_ == 1 ? "was" : "were"));
     if (table.time.size() < 2)
       faults_.add(0, "", "", "has one row only; a history needs two");
+    else if (const double span = table.time.back() - table.time.front(), most = measured_magnitudes("s").most;
+             !(span <= most))
+      faults_.add(0, columns_.time.name, "",
+                  fmt::format("goes on for {:.3g} s; must be within {:g} s", span, most));
     else if (const double largest = std::ranges::max(table.strain); !(largest > least_strain))
       faults_.add(0, columns_.strain.name, "",
                   largest == 0 ? "is 0 throughout" : "is below 1e-12 throughout");

@@ -10,12 +10,14 @@
 #include "input/measurement/column_units.hpp"
 #include "input/measurement/csv_columns.hpp"
 #include "input/measurement/csv_rows.hpp"
+#include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
 
 namespace {
 
 constexpr std::size_t most_rows_of_a_test = 10'000;
+constexpr double least_strain_of_a_test = 1e-9;
 
 /// "stress_kPa", "stress [kPa]" and "stress (kPa)" are "stress" in "kPa".
 struct TestHeader {
@@ -135,11 +137,11 @@ class TestReader {
     if (!row.fault.empty()) return faults_.add(row.line, "", "", std::string(row.fault));
     if (table.strain.size() == most_rows_of_a_test)
       faults_.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", most_rows_of_a_test));
-    const auto strain = value(row, columns_.strain);
-    const auto stress = value(row, columns_.stress);
+    const auto strain = value(row, columns_.strain, "1");
+    const auto stress = value(row, columns_.stress, "Pa");
     double time = 0;
     if (columns_.time) {
-      const auto read = value(row, *columns_.time);
+      const auto read = value(row, *columns_.time, "s");
       if (!read) return;
       time = *read;
       if (rows_with_time_++ > 0 && !(time > last_time_)) {
@@ -169,7 +171,14 @@ class TestReader {
     if (!(largest > 0) || -least > largest)
       faults_.refuse(0, columns_.strain.name, "",
                      "is negative: compression counts positive here, strain and stress alike");
-    if (!(std::ranges::max(table.stress) > 0))
+    if (!(largest > least_strain_of_a_test))
+      faults_.refuse(0, columns_.strain.name, "",
+                     fmt::format("is nowhere above {:g}: nothing was compressed", least_strain_of_a_test));
+    const double least_stress = measured_magnitudes("Pa").least, most_stress = std::ranges::max(table.stress);
+    if (most_stress > 0 && most_stress < least_stress)
+      faults_.refuse(0, columns_.stress.name, "",
+                     fmt::format("is nowhere above {:g} Pa: no test of a foam gives less", least_stress));
+    if (!(most_stress > 0))
       faults_.refuse(0, columns_.stress.name, "", "is nowhere above 0: compression counts positive here");
   }
 
@@ -179,10 +188,14 @@ class TestReader {
   static std::string_view field(const CsvRow& row, const TestColumn& column) {
     return column.place < row.fields.size() ? without_blanks(row.fields[column.place]) : std::string_view{};
   }
-  std::optional<double> value(const CsvRow& row, const TestColumn& column) {
+  std::optional<double> value(const CsvRow& row, const TestColumn& column, const char* si_unit) {
     const ReadNumber read = read_csv_number(field(row, column), separator_);
-    if (read.kind == NumberKind::number && std::isfinite(read.value)) return read.value * column.factor;
-    faults_.add(row.line, column.name, field(row, column), rule_for(read.kind));
+    const double value = read.value * column.factor, most = measured_magnitudes(si_unit).most;
+    if (read.kind == NumberKind::number && std::abs(value) <= most) return value;
+    faults_.add(row.line, column.name, field(row, column),
+                read.kind == NumberKind::number
+                    ? fmt::format("must be within {:g} {}: no test of a foam gives more", most, si_unit)
+                    : rule_for(read.kind));
     return std::nullopt;
   }
 

@@ -29,8 +29,9 @@ const ComparedFigure& figure_of(const PulseComparisonReport& report, std::string
   return report.comparison.figures.front();
 }
 
-/// "12 %": two digits, and all before the point.
+/// "12 %": two digits, and all before the point; of 100,000 % and more nobody wants them.
 std::string in_percent(double share) {
+  if (std::abs(share) >= 1000) return "more than 1000 times";
   const double percent = 100 * std::abs(share);
   return percent < 99.5 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
 }
@@ -56,6 +57,7 @@ std::string shown_share(const ComparedFigure& figure) {
   const std::optional<double> share = figure.share();
   if (!share) return "-";
   if (std::abs(*share) <= rounding_of_figures) return "0 %";
+  if (*share >= 1000) return "> 1000 times";
   return (*share < 0 ? "-" : "+") + in_percent(*share);
 }
 

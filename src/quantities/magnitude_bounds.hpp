@@ -1,0 +1,29 @@
+#pragma once
+/// Which numbers readers take: what no foam, pad or sensor has is a slip of the pen or of a unit, and would
+/// only overflow further on.
+
+#include <string>
+#include <string_view>
+
+namespace dashpad {
+
+/// Magnitudes, SI. 0 is always admitted.
+struct Magnitudes {
+  double least = 0, most = 0;
+  [[nodiscard]] bool admit(double value) const;
+};
+
+/// Of what is stated in a file or an option, in any dimension: those of the parameters of laws.
+inline constexpr Magnitudes stated_magnitudes{1e-15, 1e15};
+
+/// Of what a test measures: the most that a sample may be, and the least that its peak, its step or a
+/// quantity on the command line may be. Wide: a factor of a thousand or more beyond any test.
+Magnitudes measured_magnitudes(std::string_view si_unit);
+
+/// The rule that a value beyond the bounds breaks; "" within them.
+std::string rule_of(const Magnitudes& bounds, double value, const std::string& si_unit);
+
+/// to_si() of what is stated. Throws UnitError also for a value beyond the bounds.
+double stated_si(std::string_view text, const std::string& si_unit);
+
+}  // namespace dashpad
