@@ -195,6 +195,10 @@ const std::vector<Edit> edits{
      "",
      {{2, "impactor.mass", "is missing; give a mass, such as \"4.5 kg\", or a weight"}}},
     {"weight = \"10 lbf\"", "weight = \"10 lbf\"\nmass = \"1 kg\"", {{4, "impactor.weight", "not both"}}},
+    // No oblique blows.
+    {"weight = \"10 lbf\"",
+     "weight = \"10 lbf\"\nangle = \"30 deg\"",
+     {{5, "impactor.angle", "there is no oblique blow; with the normal part of the speed alone, friction"}}},
     // Keys.
     {"radius",
      "radus",

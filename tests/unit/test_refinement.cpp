@@ -188,6 +188,43 @@ TEST(refinement, holds_the_end_of_contact_to_the_tolerance_but_not_the_time_of_r
   EXPECT_GT(refinement.errors().contact_end, 0.01);
 }
 
+/// What it gave up with, whether the end of its time or no number, is no figure of the impact.
+TEST(refinement, a_run_that_fails_changes_nothing_of_what_was_agreed_on) {
+  for (const bool is_no_number : {false, true}) {
+    Refinement refinement(impactor, 1e-6);
+    EXPECT_TRUE(refinement.add(figures_with(1e-3)));
+    EXPECT_TRUE(refinement.add(figures_with(0.25e-3)));
+    const Figures before = refinement.figures();
+    const ErrorEstimates errors = refinement.errors();
+    Figures failed = figures_with(0);
+    failed.peak_force = is_no_number ? std::numeric_limits<double>::quiet_NaN() : 2.9e12;
+    if (!is_no_number) failed.ending = Ending::too_many_steps;
+    EXPECT_FALSE(refinement.add(failed));
+    EXPECT_FALSE(refinement.settled());
+    EXPECT_EQ(refinement.figures().peak_force, before.peak_force);
+    EXPECT_EQ(refinement.errors().peak_force, errors.peak_force);
+    EXPECT_TRUE(refinement.add(figures_with(0.0625e-3)));  // the next goes on from the last that was sound
+    EXPECT_LT(refinement.errors().peak_force, errors.peak_force);
+  }
+}
+
+TEST(refinement, estimates_are_not_cut_to_the_tolerance) {
+  Refinement refinement(impactor, 1e-3);
+  for (int k = 0; k < 4; ++k) refinement.add(figures_with(k == 3 ? 0.4e-3 : 0));
+  ASSERT_TRUE(refinement.settled());
+  EXPECT_GT(refinement.errors().peak_force, 1e-3);
+}
+
+TEST(refinement, a_reloading_that_only_one_run_has_asks_for_a_fourth) {
+  Refinement refinement(impactor, 1e-3);
+  for (int k = 0; k < 4; ++k) {
+    Figures run = figures_with(0);
+    run.reloadings = k % 2;
+    refinement.add(run);
+    EXPECT_EQ(refinement.settled(), k == 3) << k;
+  }
+}
+
 TEST(refinement, does_not_settle_while_energy_is_missing) {
   Refinement refinement(impactor, 1e-3);
   for (int k = 0; k < numerics.most_fixed_runs; ++k) {
