@@ -4,12 +4,16 @@
 #include <filesystem>
 #include <new>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "command.hpp"
 #include "dashpad/input/fault.hpp"
 #include "dashpad/study/store.hpp"
+#include "input/given_stream.hpp"
 #include "input/spelling.hpp"
 #include "material_folder.hpp"
 #include "output.hpp"
@@ -37,6 +41,8 @@ constexpr const char* main_footer = R"(Start here:
   dashpad compare examples/dashboard-20mph.toml  the solver and the program of 1984 side by side
   dashpad validate                               both beside the validation tests of that report
   dashpad study --help                           many impacts: curves, maps, probabilities
+
+Files that are read may be - (standard input) or a pipe, up to 16 MiB.
 
 Exit codes:
   0  done; also when the pad bottomed out or the time limit was reached: these are results
@@ -84,8 +90,27 @@ int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
   return exit_refused;
 }
 
+/// Files that are read, as the command line names them: what has a place in it, and the pulse of a
+/// comparison. Stores are no such files.
+void take_streams(const CLI::App& app) {
+  for (const CLI::App* sub : app.get_subcommands()) {
+    for (const CLI::Option* option : sub->get_options()) {
+      const bool is_read = option->get_positional() || option->check_lname("pulse");
+      if (is_read && sub->get_parent()->get_name() != "study")
+        for (const std::string& name : option->results()) input::take_given_stream(name);
+    }
+    take_streams(*sub);
+  }
+}
+
+/// The words of a library say nothing to a user.
+constexpr const char* library_failed =
+    "dashpad: a number left the range that can be computed with; that is a fault of the program: please "
+    "report it, with what was read\n";
+
 int perform(const Action& action, const CLI::App& app) {
   try {
+    take_streams(app);
     return action();
   } catch (const input::InputError& error) {
     return refuse(lines(error.faults()), app);
@@ -157,6 +182,12 @@ int main(int argument_count, char** arguments) {
     write_error("dashpad: there is not enough memory for this\n");
   } catch (const std::filesystem::filesystem_error& error) {
     write_error("dashpad: " + error.path1().string() + ": " + error.code().message() + "\n");
+  } catch (const std::domain_error&) {
+    write_error(library_failed);  // boost::math of a number that is none
+  } catch (const std::overflow_error&) {
+    write_error(library_failed);
+  } catch (const nlohmann::json::exception&) {
+    write_error(library_failed);
   } catch (const std::exception& error) {
     write_error(std::string{"dashpad: "} + error.what() + "\n");
   }

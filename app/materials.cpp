@@ -9,6 +9,7 @@
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/output/materials.hpp"
+#include "input/given_stream.hpp"
 #include "output.hpp"
 #include "streams.hpp"
 
@@ -104,7 +105,7 @@ int list_all_materials(const MaterialsRequest& request, const fs::path& folder) 
 }  // namespace
 
 fs::path find_card(const std::string& name, const fs::path& folder) {
-  if (name.ends_with(".toml")) return name;
+  if (name.ends_with(".toml") || input::given_stream(name) != nullptr) return name;
   const std::vector<fs::path> cards = input::list_materials(folder);
   const auto card = std::ranges::find(cards, name, [](const fs::path& path) { return path.stem().string(); });
   if (card == cards.end())

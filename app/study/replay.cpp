@@ -60,18 +60,10 @@ study::StoredRow stored_row(const study::Store& store, const StudyReplayRequest&
   return *std::move(row);
 }
 
-study::Study study_of(const study::Store& store, const std::string& file) {
-  try {
-    return study::stored_study(store);
-  } catch (const study::DamagedStore& error) {
-    throw Refused({file + ": " + error.what()});
-  }
-}
-
 Replay replay(const study::Store& store, const StudyReplayRequest& request) {
   Replay result{
       .stored = stored_row(store, request), .again = {}, .impact = {}, .options = {}, .solution = {}};
-  const study::Study study = study_of(store, request.store_file);
+  const study::Study study = study::stored_study(store);
   const study::Design design{study};
   study::Worker worker{study, design};
   try {

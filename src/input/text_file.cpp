@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "dashpad/input/fault.hpp"
+#include "input/given_stream.hpp"
 
 namespace dashpad::input {
 namespace {
@@ -38,6 +39,11 @@ std::string_view without_mark(std::string_view text) {
 }
 
 std::string read_text_file(const std::filesystem::path& file) {
+  if (const std::string* given = given_stream(file)) {
+    if (given->size() > largest_size) refuse_file(file, "is larger than 1 MiB");
+    require_text(file, *given);
+    return *given;
+  }
   require_regular(file);
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse_file(file, std::string("cannot be read: ") + std::strerror(errno));

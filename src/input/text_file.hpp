@@ -11,8 +11,8 @@ namespace dashpad::input {
 inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 std::string_view without_mark(std::string_view text);
 
-/// The text of a regular file of at most 1 MiB. Throws InputError with one fault for anything else: missing,
-/// a folder, a pipe or a device, unreadable, larger, or not text.
+/// The text of a regular file, or of a stream that was given, of at most 1 MiB. Throws InputError with one
+/// fault for anything else: missing, a folder, a pipe or a device, unreadable, larger, or not text.
 std::string read_text_file(const std::filesystem::path& file);
 
 }  // namespace dashpad::input

@@ -54,10 +54,10 @@ Records read_records(const Study& study, const Store& store) {
     records.rows.push_back(row.row);
     for (std::size_t i = 0; i < records.factors.size(); ++i) {
       if (!study.factors[i].is_sampled() && !std::ranges::binary_search(levels[i], row.factors[i]))
-        throw std::runtime_error(
-            fmt::format("the store is damaged ({} = {} in row {}, which is none of its levels): delete it "
-                        "and run the study again",
-                        study.factors[i].key, row.factors[i], row.row));
+        throw DamagedStore(fmt::format(
+            "{}: it is damaged ({} = {} in row {}, which is none of its levels): delete it and run "
+            "the study again",
+            store.file(), study.factors[i].key, row.factors[i], row.row));
       records.factors[i].push_back(row.factors[i]);
     }
     for (std::size_t i = 0; i < records.responses.size(); ++i)

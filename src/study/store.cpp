@@ -81,6 +81,7 @@ void Store::check_in_place() const {
         "there: give the same command again, and leave the file alone until it ends");
 }
 
+const std::string& Store::file() const { return file_->database.name(); }
 std::string Store::study_text() const { return file_->heading.text; }
 const std::string& Store::resolved_text() const { return file_->heading.resolved; }
 bool Store::is_of(const Study& study) const {

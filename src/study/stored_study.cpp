@@ -181,8 +181,8 @@ bool has_columns_of(const Store& store, const Study& study) {
 }  // namespace
 
 Study stored_study(const Store& store) {
-  constexpr const char* damaged =
-      "it is damaged, or another version made it: it does not tell its study any more";
+  const std::string damaged =
+      store.file() + ": it is damaged, or another version made it: it does not tell its study any more";
   try {
     Study study = study_of(Json::parse(store.resolved_text()));
     study.text = store.study_text();

@@ -55,7 +55,7 @@ TEST_F(StudyDoctored, a_level_that_the_study_does_not_have_is_no_level) {
                           "UPDATE samples SET \"pad.material\" = 2 WHERE row = 1"}) {
     change(sql);
     const auto summary = dashpad({"study", "summary", file("s.db"), "--report", file("s.html")});
-    EXPECT_EQ(summary.exit_code, 1) << sql;
+    EXPECT_EQ(summary.exit_code, 2) << sql;
     EXPECT_NE(summary.err.find("which is none of its levels"), std::string::npos) << summary.err;
     EXPECT_FALSE(fs::exists(file("s.html")));
   }
@@ -109,11 +109,44 @@ TEST_F(StudyDoctored, is_refused_where_a_number_cannot_be) {
           {"study", "export", file("s.db"), "--csv", file("rows.csv")},
           {"study", "replay", file("s.db"), "2"}}) {
       const Outcome outcome = dashpad(command);
-      EXPECT_NE(outcome.exit_code, 0) << number << command[1];
+      EXPECT_EQ(outcome.exit_code, 2) << number << command[1];
       EXPECT_NE(outcome.err.find("it is damaged (peak_force"), std::string::npos) << outcome.err;
       EXPECT_EQ(outcome.out, "");
     }
     EXPECT_FALSE(fs::exists(file("rows.csv")));
+  }
+}
+
+/// One exit code, and no word of SQL.
+TEST_F(StudyDoctored, is_refused_alike_whatever_the_damage) {
+  for (const char* sql :
+       {"UPDATE responses SET unit = 'kN' WHERE position = 0",
+        "UPDATE factors SET unit = 'mph' WHERE position = 0",
+        "ALTER TABLE samples RENAME COLUMN peak_force TO force", "DROP TABLE batches",
+        "UPDATE batches SET rows = 'x' WHERE batch = 1", "UPDATE samples SET row = -5 WHERE row = 0",
+        "UPDATE samples SET peak_force = 'much'", "UPDATE study SET value = 'x' WHERE key = 'rows'",
+        "UPDATE study SET value = '{}' WHERE key = 'resolved'"}) {
+    change(sql);
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"study", "summary", file("s.db")},
+          {"study", "export", file("s.db"), "--csv", file("rows.csv")},
+          {"study", "replay", file("s.db"), "0"}}) {
+      const Outcome outcome = dashpad(command);
+      EXPECT_EQ(outcome.exit_code, 2) << sql << "\n" << command[1];
+      EXPECT_NE(outcome.err.find("s.db: it is damaged"), std::string::npos) << sql << "\n" << outcome.err;
+      for (const char* word : {"coalesce", "count(", "no such", "sqlite", "SQL"})
+        EXPECT_EQ(outcome.err.find(word), std::string::npos) << sql << "\n" << outcome.err;
+    }
+  }
+  const std::uintmax_t size = fs::file_size(file("good.db"));
+  for (const std::uintmax_t part : {size / 2, std::uintmax_t{4096}, std::uintmax_t{100}}) {
+    fs::copy_file(file("good.db"), file("s.db"), fs::copy_options::overwrite_existing);
+    fs::resize_file(file("s.db"), part);
+    for (const char* command : {"summary", "replay"}) {
+      std::vector<std::string> line{"study", command, file("s.db")};
+      if (line[1] == "replay") line.emplace_back("0");
+      EXPECT_EQ(dashpad(line).exit_code, 2) << part << command;
+    }
   }
 }
 

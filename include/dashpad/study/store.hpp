@@ -50,6 +50,8 @@ class Store {
   /// The rows that are there now: what a running study adds later is not seen.
   static Store open_to_read(const std::filesystem::path& file);
 
+  /// The file, as it was named.
+  [[nodiscard]] const std::string& file() const;
   /// The study's text, for reading it again.
   [[nodiscard]] std::string study_text() const;
   /// All that its rows depend on, as JSON (dashpad/study/stored_study.hpp reads it).

@@ -7,6 +7,7 @@
 
 #include "input/material_deck/clean_curve.hpp"
 #include "model/pad/foam/foam_curve.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::input {
 
@@ -224,8 +225,10 @@ std::optional<DeckMaterial> material_of(const DeckFoam& given, MeasurementFaults
   result.line = static_cast<int>(foam.line);
   Material& material = result.material;
   material.law = *std::move(law);
-  material.name = name_for_card(foam.title, foam.id);
-  material.title = foam.title.empty() ? fmt::format("{} {}", foam.card, foam.id) : foam.title;
+  constexpr std::size_t longest_title = 200;  // bytes
+  material.name = name_for_card(quoted_part(foam.title, longest_title), foam.id);
+  material.title =
+      foam.title.empty() ? fmt::format("{} {}", foam.card, foam.id) : quoted_part(foam.title, longest_title);
   material.source = foam.source;
   material.basis = foam.basis;
   if (foam.density > 0) material.density = foam.density;

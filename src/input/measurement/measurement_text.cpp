@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "input/given_stream.hpp"
 #include "input/text_file.hpp"
 #include "quantities/text.hpp"
 
@@ -84,6 +85,7 @@ std::string read_descriptor(int descriptor, const std::string& name, std::size_t
 }
 
 std::string read_measurement(const std::filesystem::path& file, std::size_t most) {
+  if (const std::string* given = given_stream(file)) return *given;
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   if (descriptor < 0 && errno == ENOENT) refuse_file(file.string(), "no such file");
   if (descriptor < 0 && errno == ENXIO) refuse_file(file.string(), "is not a regular file");

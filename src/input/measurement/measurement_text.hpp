@@ -36,7 +36,7 @@ class MeasurementFaults {
 /// InputError, also for a file that has more unless `cut`.
 std::string read_descriptor(int descriptor, const std::string& name, std::size_t most, bool cut = false);
 
-/// All bytes of a regular file of at most `most`. Throws InputError.
+/// All bytes of a regular file of at most `most`, or of a stream that was given. Throws InputError.
 std::string read_measurement(const std::filesystem::path& file, std::size_t most = largest_measurement);
 
 /// The bytes of a file as text, without a byte order mark. Refuses what is UTF-16 or no text at all.
