@@ -175,10 +175,8 @@ int run_program(const Spit1984Request& request, const std::filesystem::path& mat
     return listing(deck, result, Device::printer);
   });
   write_error(remarks(deck, settings, result));
-  if (output.empty())
-    write_output(listing(deck, result, Device::terminal));
-  else
-    write_result(output);
+  // As it was printed, with its form feeds.
+  write_result(output.empty() ? listing(deck, result, Device::terminal) : output);
   return result.abend == Abend::none ? exit_done : exit_not_trusted;
 }
 

@@ -92,9 +92,11 @@ PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>&
   settings.impact = impact_of(request, wrong);
   for (const double window : request.windows_ms) {
     const Magnitudes times = measured_magnitudes("s");
-    if (!(window > 0) || !times.admit(1e-3 * window))
-      wrong.push_back(fmt::format("--window {}: must be more than 0 ms, and between {:g} and {:g} ms", window,
-                                  1e3 * times.least, 1e3 * times.most));
+    if (!(window > 0))
+      wrong.push_back(fmt::format("--window {}: must be more than 0 ms", window));
+    else if (!times.admit(1e-3 * window))
+      wrong.push_back(fmt::format("--window {}: must be between {:g} and {:g} ms", window, 1e3 * times.least,
+                                  1e3 * times.most));
     settings.windows.push_back(1e-3 * window);
   }
   for (const std::string& text : request.dwells) {

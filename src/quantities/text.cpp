@@ -30,14 +30,15 @@ std::size_t unseen(std::string_view text) {
   return byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9 ? 3 : 0;
 }
 
-/// Without what a terminal obeys instead of showing it, but for `kept`.
-std::string shown_text(std::string_view text, std::string_view kept) {
+/// Without what a terminal obeys instead of showing it, but for `kept`. Bytes that are no UTF-8 become `odd`,
+/// or stay where that is empty.
+std::string shown_text(std::string_view text, std::string_view kept, std::string_view odd) {
   std::string shown;
   while (!text.empty()) {
     const std::size_t length = character_length(text), hidden = unseen(text);
     const auto byte = static_cast<unsigned char>(text.front());
     if (length == 0)
-      shown += "\xef\xbf\xbd";
+      shown += odd.empty() ? text.substr(0, 1) : odd;
     else if (hidden > 0 ||
              ((byte < 0x20 || byte == 0x7f) && kept.find(text.front()) == std::string_view::npos))
       shown += ' ';
@@ -126,9 +127,9 @@ std::size_t character_length(std::string_view text) {
   return length;
 }
 
-std::string one_line(std::string_view text) { return shown_text(text, ""); }
+std::string one_line(std::string_view text) { return shown_text(text, "", ""); }
 
-std::string without_controls(std::string_view text) { return shown_text(text, "\n\t"); }
+std::string without_controls(std::string_view text) { return shown_text(text, "\n\t", "\xef\xbf\xbd"); }
 
 std::string quoted_part(std::string_view text, std::size_t most) {
   if (text.size() <= most) return std::string(text);

@@ -42,9 +42,10 @@ std::string with_article(const std::string& words);
 std::size_t character_length(std::string_view text);
 
 /// Text from a file, safe for a terminal: line breaks and other control characters become spaces, as does
-/// what changes the direction of writing; bytes that are no UTF-8 become U+FFFD.
+/// what changes the direction of writing.
 std::string one_line(std::string_view text);
-/// The same of a text of several lines, which keeps its line breaks and tabs.
+/// The same of a text of several lines, which keeps its line breaks and tabs; bytes that are no
+/// UTF-8 become U+FFFD.
 std::string without_controls(std::string_view text);
 
 /// What a message quotes of a name: at most `most` bytes and "...", never half a character.

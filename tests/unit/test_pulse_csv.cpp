@@ -297,7 +297,7 @@ std::vector<Bad> bad_files() {
       {"t_ms,a_g\n0,1\n2,3\n", "a resultant needs two or three accelerations, not 1", {.resultant = true}},
       {"t_ms,a_g,b_g,c_g,d_g\n0,1,1,1,1\n2,3,1,1,1\n", "several columns may be", {.resultant = true}},
       // Numbers.
-      {"t_ms,a_g\n0,1\n1,\n2,3\n", ":3: a_g: is missing; a pulse cannot have gaps"},
+      {"t_ms,a_g\n0,1\n1,\n2,3\n", ":3: a_g: is missing; there must be no gap"},
       {"t_ms,a_g\n0,1\n,2\n2,3\n", ":3: t_ms: is missing"},
       {"t_ms,a_g\n0,1\n1,x\n2,3\n", ":3: a_g = x: must be a number"},
       {"t_ms,a_g\n0,x\n1,2\n2,3\n", ":2: a_g = x: must be a number"},
@@ -374,7 +374,7 @@ TEST(pulse_csv, each_kind_of_bad_file_is_told) {
 TEST(pulse_csv, all_faults_are_told_at_once_but_not_without_end) {
   EXPECT_EQ(said("t_ms,a_g\n0,x\n1,2\n1,3\n4,\n"),
             ":2: a_g = x: must be a number\n:4: t_ms = 1: repeats the time before, with another value; times "
-            "must increase\n:5: a_g: is missing; a pulse cannot have gaps");
+            "must increase\n:5: a_g: is missing; there must be no gap");
   std::string text = "t_ms,a_g\n0,1\n";
   for (int i = 0; i < 100'000; ++i) text += "x,y\n";
   try {

@@ -188,7 +188,7 @@ std::string rule_for(NumberKind kind) {
     case NumberKind::not_finite: return "must be a finite number";
     case NumberKind::out_of_range: return "is too large or too small to compute with";
     case NumberKind::text: return "must be a number";
-    case NumberKind::empty: return "is missing; a table of measurements cannot have gaps";
+    case NumberKind::empty: return "is missing; there must be no gap";
   }
   return "";
 }

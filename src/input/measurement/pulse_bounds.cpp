@@ -19,7 +19,7 @@ void judge_pulse(const Pulse& pulse, std::size_t line, MeasurementFaults& faults
     faults.add(
         line, "time", "",
         fmt::format("goes to {:.3g} s; must be within {:g} s: is the unit right?", latest, times.most));
-  else if (!(step >= times.least))
+  else if (step > 0 && step < times.least)
     faults.add(
         line, "time", "",
         fmt::format("samples are {:.3g} s apart; must be {:g} s or more, as no sensor is read more often: "
