@@ -65,7 +65,7 @@ std::vector<AnswerFigure> figures_of(const ImpactCase& impact, const Solution& s
   const double absorbed = s.energy_absorbed_fraction;
   figures.add_to("absorbed energy", absorbed, 1, e.energy_absorbed, 10 * std::max(absorbed, 0.05));
   if (s.support) {
-    figures.add("transmitted force", s.support->peak_transmitted, e.support);
+    if (const auto force = s.support->peak_transmitted) figures.add("transmitted force", *force, e.support);
     // A support that was never reached has rounding for a deflection.
     const double deflection = std::max(s.support->peak_deflection, 1e-6 * s.peak_motion);
     figures.add_to("deflection", s.support->peak_deflection, deflection, e.support);

@@ -142,7 +142,8 @@ class Comparison {
       moment("end of contact", "speed at end of contact", s.contact_end, o.contact_end);
       moment("force below weight", "speed, force below weight", s.force_below_weight, o.force_below_weight);
       if (s.support) {
-        figure("transmitted force", s.support->peak_transmitted, o.peak_transmitted, o.peak_transmitted);
+        if (const auto force = s.support->peak_transmitted)
+          figure("transmitted force", *force, o.peak_transmitted, o.peak_transmitted);
         figure("deflection", s.support->peak_deflection, o.peak_deflection, o.peak_deflection);
         if (s.support->set) figure("set", *s.support->set, o.set, o.peak_deflection);
         if (s.support->body_speed) figure("body speed", *s.support->body_speed, o.body_speed, speed);

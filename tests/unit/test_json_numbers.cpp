@@ -165,7 +165,7 @@ TEST(JsonNumbers, OfAnImpact) {
                    {"/peak_strain_rate_per_s", of.peak_strain_rate},
                    {"/rebound_speed_m_per_s", *of.rebound_speed},
                    {"/restitution", *of.restitution},
-                   {"/peak_transmitted_force_N", of.support->peak_transmitted},
+                   {"/peak_transmitted_force_N", *of.support->peak_transmitted},
                    {"/peak_support_deflection_m", of.support->peak_deflection},
                    {"/support_set_m", *of.support->set},
                    {"/body_speed_m_per_s", *of.support->body_speed},
@@ -355,9 +355,9 @@ TEST(JsonNumbers, OfAPulseBesideAnImpact) {
     shape.peak = {made.next(), 10 + made.next()};
     shape.onset = made.next() / 100;
     shape.width = made.next();
-    shape.contact_begin = made.next();
-    shape.contact_end = made.next();
-    shape.velocity_change = made.next();
+    shape.contact.begin = made.next();
+    shape.contact.end = made.next();
+    shape.contact.velocity_change = made.next();
     shape.hic15 = made.next();
     shape.restitution = made.next();
   }
@@ -374,8 +374,8 @@ TEST(JsonNumbers, OfAPulseBesideAnImpact) {
                    {"/alignment/computed_onset_s", *of.computed->onset},
                    {"/case/tolerance", 1e-4},
                    {"/pulse/samples", 4},
-                   {"/pulse/contact_begin_s", of.measured.contact_begin},
-                   {"/pulse/contact_end_s", of.measured.contact_end},
+                   {"/pulse/contact_begin_s", of.measured.contact.begin},
+                   {"/pulse/contact_end_s", of.measured.contact.end},
                    {"/pulse/speed_m_per_s", pulse.impact->speed},
                    {"/pulse/resampled_to_s", *pulse.resampled_to}};
   const auto add_figure = [&](std::size_t i, const std::string& key, const std::string& unit, double measured,
@@ -391,7 +391,7 @@ TEST(JsonNumbers, OfAPulseBesideAnImpact) {
   add_figure(0, "peak_acceleration", "_g", a.peak.magnitude, b.peak.magnitude, 1 / g);
   add_figure(1, "time_to_peak", "_s", a.peak.time - *a.onset, b.peak.time - *b.onset);
   add_figure(2, "half_peak_width", "_s", a.width, b.width);
-  add_figure(3, "velocity_change", "_m_per_s", a.velocity_change, b.velocity_change);
+  add_figure(3, "velocity_change", "_m_per_s", a.contact.velocity_change, b.contact.velocity_change);
   add_figure(4, "hic15", "", a.hic15, b.hic15);
   add_figure(5, "restitution", "", *a.restitution, *b.restitution);
   const ImpactCase impact = example_case();

@@ -200,8 +200,9 @@ TEST(ShownValues, OfDwellTimesAreAllAndTheLongest) {
 TEST(ShownValues, OfAPulseAreTheSameInAllUnits) {
   const injury::PulseReport report = two_humps(-1);
   const Solved& impact = impacts()[0];
-  const injury::PulseComparison comparison =
-      injury::compare_pulses(report, impact.solution, impact.impact.impactor.speed, injury::Alignment::onset);
+  const injury::PulseComparison comparison = injury::compare_pulses(
+      report, impact.solution, injury::MeasuredImpact{.speed = impact.impact.impactor.speed},
+      injury::Alignment::onset);
   const PulseComparisonReport both{"case.toml", impact.impact, impact.solution, report, comparison};
   expect_same_in_all_units([&](const UnitSystem& units) {
     return std::vector<Plot>{pulse_plot(report, units), pulse_comparison_plot(both, units)};
@@ -227,7 +228,8 @@ TEST(ShownValues, OfTwoPulsesAreBothWithTheShiftThatIsTold) {
     injury::PulseReport report = two_humps(-1);
     for (double& time : report.pulse.time) time += later;
     const injury::PulseComparison of = injury::compare_pulses(
-        report, impact.solution, impact.impact.impactor.speed, injury::Alignment::onset);
+        report, impact.solution, injury::MeasuredImpact{.speed = impact.impact.impactor.speed},
+        injury::Alignment::onset);
     ASSERT_LT(of.shift * later, 0);
     const PulseComparisonReport both{"case.toml", impact.impact, impact.solution, report, of};
     const Panel panel = panel_in_si(pulse_comparison_plot(both, unit_system("si")).panels.at(0));

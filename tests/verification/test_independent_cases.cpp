@@ -123,7 +123,7 @@ TEST(IndependentCases, ALightPanelTendsToNone) {
     EXPECT_NEAR(*light.peak_force / *none.peak_force, 1, 2e-4 + share) << share;
     EXPECT_NEAR(*light.rebound_speed / *none.rebound_speed, 1, 2e-4 + share) << share;
     ASSERT_TRUE(light.support);
-    EXPECT_NEAR(light.support->peak_transmitted / *light.peak_force, 1, 1e-3) << share;
+    EXPECT_NEAR(*light.support->peak_transmitted / *light.peak_force, 1, 1e-3) << share;
   }
 }
 
