@@ -109,7 +109,8 @@ inline injury::PulseReport pulse_with_numbers() {
       .hic15_without = made.next()};
   of.pulse = {{1, 2, 3, 4}, {0, 1, 2, 0}};
   of.figures = figures_with_numbers(made);
-  of.impact = injury::MeasuredImpact{made.next(), made.next()};
+  of.impact = injury::MeasuredImpact{made.next(), made.next(), made.next()};
+  of.contact = {.begin = made.next(), .end = made.next(), .velocity_change = made.next()};
   of.windows = {{made.next(), {.value = made.next(), .begin = made.next(), .end = made.next()}}};
   of.dwells = {{made.next(), made.next(), made.next()}};
   return of;

@@ -302,6 +302,8 @@ TEST(JsonNumbers, OfAPulse) {
                    {"/figures/hic_d/value", figures.hic_d},
                    {"/figures/severity_index/value", figures.severity_index},
                    {"/figures/velocity_change/value_m_per_s", figures.velocity_change},
+                   {"/figures/velocity_change/begin_s", of.contact.begin},
+                   {"/figures/velocity_change/end_s", of.contact.end},
                    {"/figures/hic_windows/0/value", of.windows[0].hic.value},
                    {"/figures/hic_windows/0/begin_s", of.windows[0].hic.begin},
                    {"/figures/hic_windows/0/end_s", of.windows[0].hic.end},
@@ -311,7 +313,11 @@ TEST(JsonNumbers, OfAPulse) {
                    {"/figures/dwell_time/0/longest_s", of.dwells[0].longest},
                    {"/impact/speed_m_per_s", of.impact->speed},
                    {"/impact/drop_height_m", *of.impact->drop_height},
-                   {"/impact/restitution", figures.velocity_change / of.impact->speed - 1},
+                   {"/impact/gravity_m_per_s2", of.impact->gravity},
+                   {"/impact/restitution",
+                    (of.contact.velocity_change - of.impact->gravity * (of.contact.end - of.contact.begin)) /
+                            of.impact->speed -
+                        1},
                    {"/source/time/number", 101},
                    {"/source/time/si_factor", of.measured.time.factor},
                    {"/source/acceleration/0/number", 102},
