@@ -11,6 +11,7 @@
 #include "dashpad/impact/blows.hpp"
 #include "dashpad/impact/post_impact.hpp"
 #include "dashpad/impact/solve.hpp"
+#include "shared/run_once.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {
@@ -561,7 +562,13 @@ TEST(Ledger, ClosesOnEverySupport) {
         for (const int runs : {2, 4, 6}) {
           const Summary s = solve(impact, {.fixed_runs = runs}).summary;
           const EnergyLedger& e = s.energy;
-          residual.push_back(std::abs(e.residual) / e.impact);
+          // Of the run itself: where runs do not agree, the summary is that of the last that did.
+          const Figures run = run_once(impact, 0.4 / std::pow(2, runs)).figures;
+          const double v = run.final_velocity;
+          residual.push_back(std::abs(e.impact + run.weight_work - impact.impactor.mass * v * v / 2 -
+                                      run.support_energy - run.support_loss - run.moving_energy -
+                                      run.pad_work) /
+                             e.impact);
           EXPECT_NEAR(e.supply(), e.kinetic + e.support + e.support_loss + e.moving + e.pad + e.residual,
                       1e-12 * e.impact);
           EXPECT_GE(e.support_loss, -1e-12 * e.impact);
