@@ -56,7 +56,8 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
       numerics.most_work * std::clamp(std::sqrt(1e-3 / options.tolerance), 1.0, numerics.most_patience);
   double before = 0;  // work of the run before
   runs.finest.clear();
-  runs.coarser = {};
+  runs.coarser.time.clear();
+  runs.coarser.acceleration.clear();
   for (double resolution = numerics.first_resolution;; resolution /= 2) {
     const Figures run = march.run(resolution, runs.now, {.expected = expected, .most_work = left});
     if (refinement.add(run)) {
