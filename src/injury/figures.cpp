@@ -57,9 +57,8 @@ std::array<InjuryValue, 9> injury_values(const InjuryFigures& of) {
 
 Pulse pulse_of(const History& history) { return {history.time, history.acceleration}; }
 
-/// What the steps leave and, to the power that it has in the figure, the solver's own error of the force;
-/// of the velocity change that of the rebound. Without a coarser run the errors are unknown, but for the
-/// peak, which is the solver's.
+/// What the steps leave and, to the power that it has in the figure, the solver's own error of the force.
+/// Without a coarser run the errors are unknown, but for the peak, which is the solver's.
 InjuryFigures injury_figures(const Solution& solution) {
   const Pulse pulse = pulse_of(solution.history);
   InjuryFigures figures = injury_figures(pulse);

@@ -35,8 +35,7 @@ void PulseFigures::take(const Solution& solution) {
   fine_.prepare();
   has_coarse_ = injury::has_coarser_run(solution);
   if (!has_coarse_) return;
-  coarse_.pulse.time = solution.coarser.time;
-  coarse_.pulse.acceleration = solution.coarser.acceleration;
+  coarse_.pulse = solution.coarser;
   coarse_.prepare();
 }
 

@@ -46,7 +46,7 @@ std::array<InjuryValue, 9> injury_values(const InjuryFigures& of);
 Pulse pulse_of(const History& history);
 
 /// The figures of pulse_of(solution.history). The errors add what the solver says of its forces and what is
-/// left by the steps of the history, from a comparison with every second step.
+/// left by the steps of the history, from a comparison with the run of twice the step.
 InjuryFigures injury_figures(const Solution& solution);
 
 /// The same of a whole pulse; absent where it was cut off or is not finite: the impactor did not leave the
