@@ -10,34 +10,21 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
-#include <exception>
 #include <map>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "answers/case_kinds.hpp"
+#include "answers/program.hpp"
 #include "dashpad/model/pad/law.hpp"
 #include "property/answer_comparison.hpp"
 
 namespace dashpad::test {
 namespace {
 
-struct Settings {
-  std::uint64_t cases = 1000;
-  std::uint64_t from = 1;
-  unsigned threads = 1;
-  double tolerance = 1e-3;
-  std::string kind = "ordinary";
-  bool all = false;
-
-  /// Of a figure: both answers may be in error by the tolerance.
-  [[nodiscard]] double allowed() const { return 2 * tolerance; }
-};
+/// Of a figure: both answers may be in error by the tolerance.
+double allowed(const CaseSettings& settings) { return 2 * settings.tolerance; }
 
 struct Row {
   std::uint64_t seed = 0;
@@ -71,7 +58,7 @@ struct Findings {
   std::uint64_t compared = 0, different = 0, other_status = 0;
   double time = 0, reference_time = 0;
 
-  void add(Row row, const Settings& settings) {
+  void add(Row row, const CaseSettings& settings) {
     const AnswerComparison& a = row.answers;
     time += a.wall_time, reference_time += a.reference_time;
     const bool same = a.status == a.reference_status;
@@ -79,8 +66,8 @@ struct Findings {
     ++status[to_string(a.status)];
     if (a.status == Status::tolerance_not_met) ++unsolved[row.case_kind];
     compared += a.compared();
-    for (const ComparedFigure& figure : a.figures) figures[figure.name].add(figure, settings.allowed());
-    const bool alike = a.alike(settings.allowed());
+    for (const ComparedFigure& figure : a.figures) figures[figure.name].add(figure, allowed(settings));
+    const bool alike = a.alike(allowed(settings));
     different += !alike;
     const bool solved = a.status != Status::tolerance_not_met;
     if (!same || !alike || !solved || settings.all) listed.push_back(std::move(row));
@@ -100,34 +87,24 @@ struct Findings {
   }
 };
 
-Findings compare_all(const Settings& settings) {
-  std::vector<Findings> found(settings.threads);
-  std::atomic<std::uint64_t> next = 0;
-  const auto work = [&](Findings& mine) {
-    Solver solver;
-    for (std::uint64_t i = next++; i < settings.cases; i = next++) {
-      const std::uint64_t seed = settings.from + i;
-      const ImpactCase impact = draw_case(settings.kind, seed);
-      mine.add({seed, kind_of(impact), compare_paths(solver, impact, settings.tolerance)}, settings);
-    }
-  };
-  std::vector<std::thread> threads;
-  for (unsigned i = 1; i < settings.threads; ++i) threads.emplace_back(work, std::ref(found[i]));
-  work(found[0]);
-  for (std::thread& thread : threads) thread.join();
-  for (unsigned i = 1; i < settings.threads; ++i) found[0].add(std::move(found[i]));
-  std::ranges::sort(found[0].listed, {}, &Row::seed);
-  return std::move(found[0]);
+Findings compare_all(const CaseSettings& settings) {
+  Findings found =
+      over_cases(settings, Findings{}, [&](Findings& mine, std::uint64_t seed, const ImpactCase& impact) {
+        thread_local Solver solver;
+        mine.add({seed, kind_of(impact), compare_paths(solver, impact, settings.tolerance)}, settings);
+      });
+  std::ranges::sort(found.listed, {}, &Row::seed);
+  return found;
 }
 
-void print(const Settings& settings, const Findings& found) {
+void print(const CaseSettings& settings, const Findings& found) {
   for (const Row& row : found.listed)
     fmt::print("{} ({}): {}\n", row.seed, row.case_kind, row.answers.text());
   fmt::print(
       "{} {} cases from seed {}, tolerance {:.0e}, against the plain path; CPU time {:.1f} s and {:.1f} s\n",
       settings.cases, settings.kind, settings.from, settings.tolerance, found.time, found.reference_time);
   fmt::print("compared {}; {} differ by more than {:.0e}; {} differ in status\n", found.compared,
-             found.different, settings.allowed(), found.other_status);
+             found.different, allowed(settings), found.other_status);
   for (const auto& [name, count] : found.status) fmt::print("  {:40} {:8}\n", name, count);
   for (const auto& [name, count] : found.unsolved)
     fmt::print("  tolerance not met: {:21} {:8}\n", name, count);
@@ -137,20 +114,11 @@ void print(const Settings& settings, const Findings& found) {
                c.largest);
 }
 
-int run(int count, char** arguments) {
-  Settings settings;
-  CLI::App app{"Both paths of the solver over random cases; exit code 1 if they differ"};
-  app.add_option("--cases", settings.cases, "Number of cases")->capture_default_str();
-  app.add_option("--from", settings.from, "First seed")->capture_default_str();
-  app.add_option("--kind", settings.kind, "Which cases are drawn")
-      ->check(CLI::IsMember(names_of_case_kinds()))
-      ->capture_default_str();
-  app.add_option("--threads", settings.threads, "Threads")->check(CLI::Range(1, 256))->capture_default_str();
-  app.add_option("--tolerance", settings.tolerance, "Of the answers")
-      ->check(CLI::Range(1e-8, 1e-2))
-      ->capture_default_str();
-  app.add_flag("--all", settings.all, "Print every case, not only those that differ");
-  CLI11_PARSE(app, count, arguments);
+int run(CLI::App& app, int count, char** arguments) {
+  CaseSettings settings;
+  settings.kind = "ordinary";
+  add_options(app, settings);
+  app.parse(count, arguments);
   const Findings found = compare_all(settings);
   print(settings, found);
   return found.different == 0 ? 0 : 1;
@@ -160,10 +128,7 @@ int run(int count, char** arguments) {
 }  // namespace dashpad::test
 
 int main(int count, char** arguments) {
-  try {
-    return dashpad::test::run(count, arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "compare_answers: {}\n", error.what());
-    return 2;
-  }
+  return dashpad::test::run_program("compare_answers",
+                                    "Both paths of the solver over random cases; exit code 1 if they differ",
+                                    count, arguments, dashpad::test::run);
 }

@@ -11,23 +11,19 @@
 /// repeats one case, and writes it as a case file. Exit code 1 where the counts are above the goals below.
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "answers/answer_figures.hpp"
-#include "answers/case_kinds.hpp"
 #include "answers/processor_time.hpp"
+#include "answers/program.hpp"
 #include "dashpad/impact/blows.hpp"
 #include "output/text/case_toml.hpp"
 
@@ -43,12 +39,9 @@ constexpr double slow = 5;
 /// A figure is listed from so many times its estimate on.
 constexpr double listed_estimates = 3;
 
-struct Settings {
-  std::uint64_t cases = 1000, from = 1;
-  unsigned threads = 1;
-  double tolerance = 1e-3, reference = 1e-5;
-  std::string kind = "practice", write;
-  bool all = false;
+struct Settings : CaseSettings {
+  double reference = 1e-5;
+  std::string write;
 };
 
 struct Answer {
@@ -119,8 +112,8 @@ std::string reasons(const ImpactCase& impact, const Solution& solution, double t
 
 class Examination {
  public:
-  Examination(const Settings& settings, std::uint64_t seed, Findings& findings)
-      : settings_(settings), seed_(seed), findings_(findings), impact_(draw_case(settings.kind, seed)) {}
+  Examination(const Settings& settings, std::uint64_t seed, const ImpactCase& impact, Findings& findings)
+      : settings_(settings), seed_(seed), findings_(findings), impact_(impact) {}
 
   void run() {
     try {
@@ -208,24 +201,9 @@ class Examination {
   const Settings& settings_;
   std::uint64_t seed_;
   Findings& findings_;
-  ImpactCase impact_;
+  const ImpactCase& impact_;
   std::vector<Fault> faults_;
 };
-
-Findings examine_all(const Settings& settings) {
-  std::vector<Findings> found(settings.threads);
-  std::atomic<std::uint64_t> next = 0;
-  const auto work = [&](Findings& mine) {
-    for (std::uint64_t i = next++; i < settings.cases; i = next++)
-      Examination(settings, settings.from + i, mine).run();
-  };
-  std::vector<std::thread> threads;
-  for (unsigned i = 1; i < settings.threads; ++i) threads.emplace_back(work, std::ref(found[i]));
-  work(found[0]);
-  for (std::thread& thread : threads) thread.join();
-  for (unsigned i = 1; i < settings.threads; ++i) found[0].add(found[i]);
-  return std::move(found[0]);
-}
 
 /// Prints a count against its goal; whether it is met.
 bool meets(const char* what, std::uint64_t count, double most) {
@@ -270,26 +248,17 @@ bool print(const Settings& settings, Findings& found) {
   return met;
 }
 
-int run(int count, char** arguments) {
+int run(CLI::App& app, int count, char** arguments) {
   Settings settings;
-  CLI::App app{"How good the solver's answers are over random cases; exit code 1 if the goals are missed"};
-  app.add_option("--cases", settings.cases, "Number of cases")->capture_default_str();
-  app.add_option("--from", settings.from, "First seed")->capture_default_str();
-  app.add_option("--kind", settings.kind, "Which cases are drawn")
-      ->check(CLI::IsMember(names_of_case_kinds()))
-      ->capture_default_str();
-  app.add_option("--threads", settings.threads, "Threads")->check(CLI::Range(1, 256))->capture_default_str();
-  app.add_option("--tolerance", settings.tolerance, "Of the answers")
-      ->check(CLI::Range(1e-8, 1e-2))
-      ->capture_default_str();
-  app.add_option("--reference", settings.reference, "Tolerance of the finer answers")
-      ->check(CLI::Range(1e-8, 1e-2))
-      ->capture_default_str();
+  add_options(app, settings);
+  add_tolerance(app, "--reference", settings.reference, "Tolerance of the finer answers");
   app.add_option("--write", settings.write, "Folder for the listed cases as case files")
       ->check(CLI::ExistingDirectory);
-  app.add_flag("--all", settings.all, "List every case, not only those with something wrong");
-  CLI11_PARSE(app, count, arguments);
-  Findings found = examine_all(settings);
+  app.parse(count, arguments);
+  Findings found =
+      over_cases(settings, Findings{}, [&](Findings& mine, std::uint64_t seed, const ImpactCase& impact) {
+        Examination(settings, seed, impact, mine).run();
+      });
   return print(settings, found) ? 0 : 1;
 }
 
@@ -297,10 +266,8 @@ int run(int count, char** arguments) {
 }  // namespace dashpad::test
 
 int main(int count, char** arguments) {
-  try {
-    return dashpad::test::run(count, arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "count_answers: {}\n", error.what());
-    return 2;
-  }
+  return dashpad::test::run_program(
+      "count_answers",
+      "How good the solver's answers are over random cases; exit code 1 if the goals are missed", count,
+      arguments, dashpad::test::run);
 }

@@ -9,15 +9,14 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <exception>
 #include <string>
 #include <vector>
 
+#include "answers/program.hpp"
 #include "answers/true_mat.hpp"
 #include "dashpad/fit/report.hpp"
 #include "dashpad/impact/case_quantity.hpp"
@@ -166,15 +165,14 @@ void try_mat(const Law& law, std::uint64_t seed, const Settings& settings, Line&
   std::fflush(stdout);
 }
 
-int run(int count, char** arguments) {
+int run(CLI::App& app, int count, char** arguments) {
   Settings settings;
-  CLI::App app{"95 % intervals of HIC against made-up mats of known truth"};
   app.add_option("--mats", settings.mats, "Number of mats of each law")->capture_default_str();
   app.add_option("--from", settings.from, "First seed")->capture_default_str();
   app.add_option("--least", settings.least,
                  "Exit with 1 unless so many hold the truth, at each height of each law");
   app.add_flag("--all", settings.all, "Print every mat");
-  CLI11_PARSE(app, count, arguments);
+  app.parse(count, arguments);
   std::vector<Line> table;
   for (const Law& law :
        {Law{TrueLaw::maxwell_branch, "Maxwell branch"}, Law{TrueLaw::enclosed_air, "enclosed air"}}) {
@@ -199,10 +197,7 @@ int run(int count, char** arguments) {
 }  // namespace dashpad::test
 
 int main(int count, char** arguments) {
-  try {
-    return dashpad::test::run(count, arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "mats_of_known_truth: {}\n", error.what());
-    return 2;
-  }
+  return dashpad::test::run_program("mats_of_known_truth",
+                                    "95 % intervals of HIC against made-up mats of known truth", count,
+                                    arguments, dashpad::test::run);
 }

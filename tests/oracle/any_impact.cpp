@@ -9,6 +9,7 @@
 #include "oracle/footing.hpp"
 #include "oracle/ode_session.hpp"
 #include "oracle/pads.hpp"
+#include "oracle/pulse_track.hpp"
 
 namespace dashpad::oracle {
 namespace {
@@ -85,6 +86,14 @@ class Impact final : public OdeSystem {
       }
     }
     const double* state = session.state();
+    // Pressed on by its weight, an impactor may never leave.
+    if (answer_.ending == AnyImpact::Ending::failed && gravity_ > 0 && touches_ &&
+        std::fabs(state[velocity]) < 1e-2 * speed_)
+      answer_.ending = AnyImpact::Ending::at_rest;
+    if (answer_.ending == AnyImpact::Ending::released) {
+      answer_.absorbed = absorbed(state);
+      answer_.hic15 = pulse_.hic(0.015), answer_.hic36 = pulse_.hic(0.036);
+    }
     answer_.steps = session.steps();
     answer_.peak_force = force_.most();
     answer_.peak_motion = motion_.most();
@@ -107,6 +116,7 @@ class Impact final : public OdeSystem {
                       : (now.pad.force - now.behind) / of_.mass - now.behind * inverse_body();
     slope[body] = state[body_velocity];
     slope[body_velocity] = now.behind * inverse_body();
+    slope[damped] = kind_ == Kind::at_once ? 0 : footing_.damping() * now.rate * now.rate;
     const double closing = pad_->needs_speed() ? closing_speed(state, now) : 0;
     pad_->rates(now.y, closing, time, state + memory, slope + memory);
     return true;
@@ -116,6 +126,7 @@ class Impact final : public OdeSystem {
       allowance[way] = relative * (std::fabs(state[way]) + 1e-2 * pad_->thickness());
     for (const std::size_t velocity_of : {velocity, rate, body_velocity})
       allowance[velocity_of] = relative * (std::fabs(state[velocity_of]) + 1e-2 * speed_);
+    allowance[damped] = relative * mass_ * speed_ * speed_;
     pad_->allowances(relative, allowance + memory);
   }
   [[nodiscard]] int event_count() const override { return event_number; }
@@ -143,7 +154,7 @@ class Impact final : public OdeSystem {
 
  private:
   enum class Kind { at_once, damper, panel };
-  enum : std::size_t { motion, velocity, deflection, rate, body, body_velocity, memory };
+  enum : std::size_t { motion, velocity, deflection, rate, body, body_velocity, damped, memory };
   enum : std::size_t {
     event_top,
     event_turning,
@@ -257,7 +268,9 @@ class Impact final : public OdeSystem {
 
   void note(double time, const double* state) {
     const Now now = at(state);
-    force_.add(time, shown_force(state, now));
+    const double shown = shown_force(state, now);
+    force_.add(time, shown);
+    pulse_.add(time, gravity_ * time - state[velocity], shown / mass_);
     transmitted_.add(time, now.behind);
     motion_.add(time, state[motion] - origin_);
     penetration_.add(time, now.y);
@@ -300,6 +313,7 @@ class Impact final : public OdeSystem {
     }
     if (crossed[event_stop] != 0) {
       stands_ = !stands_;
+      struck_ += of_.mass * state[rate] * state[rate] / 2;
       state[deflection] = state[rate] = 0;
       changed = true;
     }
@@ -313,6 +327,16 @@ class Impact final : public OdeSystem {
     for (Largest* of : {&force_, &transmitted_, &motion_, &penetration_, &deflection_}) of->start_anew();
     session.restart();
     return true;
+  }
+
+  /// Of the impact energy, what the pad has taken.
+  [[nodiscard]] double absorbed(const double* state) {
+    const Now now = at(state);
+    const auto moving = [](double mass, double speed) { return mass * speed * speed / 2; };
+    const double elsewhere = moving(mass_, state[velocity]) + moving(of_.body_mass, state[body_velocity]) +
+                             moving(of_.mass, now.rate + state[body_velocity]) + footing_.taken(now.x) +
+                             state[damped] + struck_ - mass_ * gravity_ * (state[motion] - origin_);
+    return 1 - elsewhere / moving(mass_, speed_);
   }
 
   /// Nothing that the panel still may do brings it to the impactor again.
@@ -332,6 +356,8 @@ class Impact final : public OdeSystem {
   bool crushes_on_;  ///< further than ever
   bool touches_ = true;
   double found_ = 0, origin_ = 0;
+  double struck_ = 0;  ///< lost by the panel on its stop, J
+  PulseTrack pulse_;
   Largest force_, transmitted_, motion_, penetration_, deflection_;
   AnyImpact answer_;
 };

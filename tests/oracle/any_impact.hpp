@@ -20,11 +20,14 @@ namespace dashpad::oracle {
 
 /// SI; forces are those on the impactor.
 struct AnyImpact {
-  enum class Ending { released, bottomed_out, failed } ending = Ending::failed;
+  enum class Ending { released, at_rest, bottomed_out, failed } ending = Ending::failed;
   double peak_force = 0, peak_motion = 0, peak_penetration = 0;
   double peak_transmitted = 0, peak_deflection = 0, set = 0, body_speed = 0;
   double rebound_speed = 0;
   std::optional<Moment> force_below_weight, contact_end, bottomed;
+  /// Of a pad that is left: the share of the impact energy that is neither in impactor, support, panel and
+  /// body nor lost in the support; and the head injury criterion over 15 and 36 ms.
+  std::optional<double> absorbed, hic15, hic36;
   long steps = 0;
 };
 

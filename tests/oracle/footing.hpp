@@ -24,6 +24,7 @@ class Footing {
       yield_ = deflection(backing.earlier_force);
       offset_ = yield_ - backing.earlier_force / backing.unloading_stiffness;
     }
+    first_yield_ = yield_, first_force_ = force(0);
   }
   [[nodiscard]] bool is_rigid() const { return points_.size() == 1; }
   [[nodiscard]] double damping() const { return damping_; }
@@ -48,13 +49,17 @@ class Footing {
     const double rest = backing_.preload > 0 ? offset_ : 0;
     return crushes() ? std::fmax(yield_ - curve(yield_) / backing_.unloading_stiffness - rest, 0) : 0;
   }
-  /// What a spring at x still gives, as a speed of the mass that it drives: J.
+  /// What the support at x still gives, J.
   [[nodiscard]] double energy_left(double x) const {
     const double z = x + offset_;
-    if (crushes()) return force(x) * force(x) / (2 * backing_.unloading_stiffness);
-    double sum = 0;
-    for (int i = 0; i < 200; ++i) sum += curve(z * (i + 0.5) / 200) * z / 200;
-    return std::fmax(sum, 0);
+    return crushes() && z < yield_ ? force(x) * force(x) / (2 * backing_.unloading_stiffness) : energy(z);
+  }
+  /// What it has been given on the way to x, lost or not, J.
+  [[nodiscard]] double taken(double x) const {
+    if (!crushes()) return energy(x + offset_) - energy(offset_);
+    const auto back = [&](double of) { return of * of / (2 * backing_.unloading_stiffness); };
+    return energy(yield_) - energy(first_yield_) - back(curve(yield_)) + back(curve(first_yield_)) +
+           back(force(x)) - back(first_force_);
   }
 
  private:
@@ -72,6 +77,15 @@ class Footing {
     const std::size_t i = segment(z);
     return points_[i].force + slope_at(z) * (z - points_[i].deflection);
   }
+  /// Below the curve, J.
+  [[nodiscard]] double energy(double z) const {
+    double sum = 0;
+    for (std::size_t i = 0; z > 0 && i <= segment(z); ++i) {
+      const double to = i == segment(z) ? z : points_[i + 1].deflection;
+      sum += (points_[i].force + curve(to)) / 2 * (to - points_[i].deflection);
+    }
+    return sum;
+  }
   [[nodiscard]] double deflection(double force) const {
     std::size_t i = 0;
     while (i + 2 < points_.size() && points_[i + 1].force <= force) ++i;
@@ -81,8 +95,9 @@ class Footing {
   Backing backing_;
   std::vector<Support::Point> points_;
   double damping_ = 0;
-  double offset_ = 0;  ///< deflection of the curve where x is 0, m
-  double yield_ = 0;   ///< largest deflection of the curve so far, m
+  double offset_ = 0;                         ///< deflection of the curve where x is 0, m
+  double yield_ = 0;                          ///< largest deflection of the curve so far, m
+  double first_yield_ = 0, first_force_ = 0;  ///< at the begin
 };
 
 }  // namespace dashpad::oracle
