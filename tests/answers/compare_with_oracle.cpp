@@ -35,6 +35,7 @@ using Ending = oracle::AnyImpact::Ending;
 
 struct Settings : CaseSettings {
   std::uint64_t most = 0;
+  oracle::AnyOptions oracle;
   std::string file;
 };
 
@@ -124,7 +125,8 @@ class Comparison {
       std::optional<oracle::AnyImpact> truth;
       std::string why_not;
       try {
-        truth = is_of_report(blow.impact) ? report_law(blow.impact) : oracle::solve_any(blow.impact);
+        truth = is_of_report(blow.impact) ? report_law(blow.impact)
+                                          : oracle::solve_any(blow.impact, settings_.oracle);
       } catch (const std::invalid_argument& error) {
         why_not = error.what();
       }
@@ -219,6 +221,13 @@ int run(CLI::App& app, int count, char** arguments) {
   settings.cases = 200, settings.tolerance = 1e-4;
   add_options(app, settings);
   app.add_option("--most", settings.most, "Figures that may be off")->capture_default_str();
+  app.add_option("--oracle-error", settings.oracle.relative, "Of a step of the oracle")
+      ->capture_default_str();
+  app.add_option("--oracle-fineness", settings.oracle.fineness, "So many times its columns and panels")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  app.add_option("--oracle-seconds", settings.oracle.most_seconds, "After which a run of it is given up")
+      ->capture_default_str();
   app.add_option("--file", settings.file, "A case file in the place of random cases")
       ->check(CLI::ExistingFile);
   app.parse(count, arguments);

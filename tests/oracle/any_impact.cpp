@@ -14,10 +14,8 @@
 namespace dashpad::oracle {
 namespace {
 
-constexpr double relative = 1e-9;  ///< error a step
-constexpr double longest = 10;     ///< s
-constexpr long most_steps = 30'000;
-constexpr double most_seconds = 10;  ///< of the processor
+constexpr double longest = 10;      ///< s
+constexpr double least_gap = 1e-9;  ///< of the thickness: with less the pad counts as closed (Eq. 29)
 
 /// The largest value of a function that is known at moments: where it is smooth, the vertex of the last
 /// three.
@@ -47,14 +45,15 @@ class Largest {
 
 class Impact final : public OdeSystem {
  public:
-  Impact(const ImpactCase& impact, double deepest)
-      : mass_(impact.impactor.mass),
+  Impact(const ImpactCase& impact, double deepest, const AnyOptions& options)
+      : options_(options),
+        mass_(impact.impactor.mass),
         speed_(impact.impactor.speed),
         gravity_(impact.impactor.gravity),
         sheet_(impact.pad.sheet),
         of_(impact.backing),
         footing_(impact.support, impact.backing, impact.impactor.mass),
-        pad_(pad_model(impact, deepest)),
+        pad_(pad_model(impact, deepest, options.fineness)),
         kind_(footing_.is_rigid() || (of_.mass == 0 && footing_.damping() == 0) ? Kind::at_once
               : of_.mass > 0                                                    ? Kind::panel
                                                                                 : Kind::damper),
@@ -75,8 +74,8 @@ class Impact final : public OdeSystem {
     note(0, session.state());
     const auto begun = std::clock();
     const auto seconds = [&] { return double(std::clock() - begun) / CLOCKS_PER_SEC; };
-    while (session.time() < longest && session.steps() < most_steps && seconds() < most_seconds &&
-           session.step()) {
+    while (session.time() < longest && session.steps() < options_.most_steps &&
+           seconds() < options_.most_seconds && session.step()) {
       const double* state = session.state();
       note(session.time(), state);
       if (session.at_event() && !react(session)) break;
@@ -122,6 +121,7 @@ class Impact final : public OdeSystem {
     return true;
   }
   void allowances(const double* state, double* allowance) override {
+    const double relative = options_.relative;
     for (const std::size_t way : {motion, deflection, body})
       allowance[way] = relative * (std::fabs(state[way]) + 1e-2 * pad_->thickness());
     for (const std::size_t velocity_of : {velocity, rate, body_velocity})
@@ -141,7 +141,7 @@ class Impact final : public OdeSystem {
     values[event_weight] = state[velocity] < 0 && touches_ ? shown - mass_ * standard_gravity : 1;
     values[event_contact_end] = goes_back && touches_ ? shown - contact_end_share * force_.most() : 1;
     values[event_release] = touches_ && !goes_back ? 1 : now.pad.most;
-    values[event_bottom] = pad_->thickness() * (1 - 1e-7) - now.y;
+    values[event_bottom] = pad_->thickness() * (1 - least_gap) - now.y;
     const double giving =
         kind_ == Kind::at_once ? state[velocity] - state[body_velocity] - closing : now.rate;
     values[event_yield] = !footing_.crushes() ? 1
@@ -208,7 +208,7 @@ class Impact final : public OdeSystem {
   [[nodiscard]] double balanced(double way, const double* state) const {
     const auto surplus = [&](double y) { return pressed(y, state).force - footing_.force(way - y); };
     if (surplus(way) <= 0) return way;
-    const double full = pad_->thickness() * (1 - 1e-9);
+    const double full = pad_->thickness() * (1 - least_gap / 2);
     double high = std::min(std::min(found_, full), way), low = high, stride = 1e-7 * pad_->thickness();
     double f_high = surplus(high), f_low = f_high;
     if (f_high > 0)
@@ -347,6 +347,7 @@ class Impact final : public OdeSystem {
     return stands_ ? away > 0 : away > 0 && away * away >= moves;
   }
 
+  AnyOptions options_;
   double mass_, speed_, gravity_, sheet_;
   Backing of_;
   Footing footing_;
@@ -364,7 +365,7 @@ class Impact final : public OdeSystem {
 
 }  // namespace
 
-AnyImpact solve_any(const ImpactCase& impact) {
+AnyImpact solve_any(const ImpactCase& impact, const AnyOptions& options) {
   double deepest = impact.pad.thickness;
   // Columns at fixed depths are laid to the depth that is reached.
   const PadLaw& law = impact.pad.material.law;
@@ -372,8 +373,8 @@ AnyImpact solve_any(const ImpactCase& impact) {
       std::holds_alternative<ViscoelasticFoam>(law) || std::holds_alternative<LinearViscoelastic>(law) ||
       std::holds_alternative<NineParameter>(law) || std::holds_alternative<TwentyOneParameter>(law);
   if (by_columns && impact.pad.layers.empty())
-    deepest = std::fmin(1.02 * Impact(impact, deepest).run().peak_penetration, deepest);
-  return Impact(impact, deepest).run();
+    deepest = std::fmin(1.02 * Impact(impact, deepest, options).run().peak_penetration, deepest);
+  return Impact(impact, deepest, options).run();
 }
 
 }  // namespace dashpad::oracle

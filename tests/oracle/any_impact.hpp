@@ -31,7 +31,14 @@ struct AnyImpact {
   long steps = 0;
 };
 
+struct AnyOptions {
+  double relative = 1e-9;    ///< error a step
+  int fineness = 1;          ///< columns, panels and looks are as many times as many
+  double most_seconds = 10;  ///< of the processor, of each of up to two runs
+  long most_steps = 30'000;
+};
+
 /// One blow. Throws std::invalid_argument for what is not covered.
-AnyImpact solve_any(const ImpactCase& impact);
+AnyImpact solve_any(const ImpactCase& impact, const AnyOptions& options = {});
 
 }  // namespace dashpad::oracle

@@ -208,12 +208,22 @@ double FoamFormulas::remaining(double share) const {
   return back_value_[i - 1] + weight * (back_value_[i] - back_value_[i - 1]);
 }
 
+std::vector<double> FoamFormulas::corners() const {
+  if (!modulus_ || *modulus_ <= last_slope_) return {last_};
+  return {last_, 1 - (1 - last_) * power_of(last_slope_ / *modulus_, 1 / (exponent_ + 1))};
+}
+
 double FoamFormulas::slip_rate(double g) const {
   const double u = u0_ * (std::exp(std::fabs(g) / lag_) - 1);
   return g < 0 ? -u : u;
 }
 
 double FoamFormulas::stress(double strain, double complement, double ahead, double u) const {
+  const double all = signed_stress(strain, complement, ahead, u);
+  return modulus_ ? std::fmax(all, 0) : all;
+}
+
+double FoamFormulas::signed_stress(double strain, double complement, double ahead, double u) const {
   if (strain <= 0) return 0;
   const double s = base(strain, complement);
   const double over = multiplier(strain, std::fabs(u)) - 1;
@@ -224,7 +234,8 @@ double FoamFormulas::stress(double strain, double complement, double ahead, doub
     if (modulus_) {
       const double steepest =
           top > last_ ? last_slope_ * power_of((1 - last_) / top_complement, exponent_ + 1) : 0;
-      lasting = std::fmax(base(top, top_complement) - std::fmax(*modulus_, steepest) * ahead, 0);
+      lasting = base(top, top_complement) - std::fmax(*modulus_, steepest) * ahead;
+      if (lasting < 0) return q > 0 ? s * q : lasting;
     } else if (factor_ < 1 || !back_share_.empty()) {
       lasting *= remaining(work(strain, complement) / work(top, top_complement));
     }

@@ -43,11 +43,15 @@ class FoamFormulas {
   [[nodiscard]] double work(double strain, double complement) const;
   /// `ahead`: of the largest strain, over the strain; not cut off at zero.
   [[nodiscard]] double stress(double strain, double complement, double ahead, double slip_rate) const;
+  /// The same, but below zero where crushed foam has come back all the way: by how much it is left.
+  [[nodiscard]] double signed_stress(double strain, double complement, double ahead, double slip_rate) const;
   /// u, 1/s.
   [[nodiscard]] double slip_rate(double g) const;
 
   [[nodiscard]] bool stays_crushed() const { return modulus_.has_value(); }
   [[nodiscard]] double last_strain() const { return last_; }
+  /// Largest strains at which the way back changes its form.
+  [[nodiscard]] std::vector<double> corners() const;
   [[nodiscard]] double lag() const { return lag_; }             ///< c
   [[nodiscard]] double least_slip_rate() const { return u0_; }  ///< u0, 1/s
 

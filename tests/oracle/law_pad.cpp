@@ -14,9 +14,9 @@ namespace {
 template <class Formulas>
 class LawPad final : public PadModel {
  public:
-  LawPad(const Formulas& law, Outline nose, double thickness, double deepest)
-      : PadModel(std::move(nose), thickness), law_(law), scale_(law.edge(law.at_rate(0))) {
-    constexpr int cells = 160;
+  LawPad(const Formulas& law, Outline nose, double thickness, int fineness, double deepest)
+      : PadModel(std::move(nose), thickness, fineness), law_(law), scale_(law.edge(law.at_rate(0))) {
+    const int cells = 160 * fineness;
     const double last = std::fmin(this->nose().end, deepest);
     const int count = last > 0 ? cells : 0;
     for (int i = 0; i <= count; ++i) {
@@ -39,11 +39,14 @@ class LawPad final : public PadModel {
   }
   [[nodiscard]] Pressed pressed(double y, const double* memory, bool with_area) const override {
     if (turned_) return by_stresses(y, memory);
-    return pressed_by(nose(), y, thickness(), 1, true, with_area, [&](double strain, double complement) {
-      if (strain <= 0) return 0.0;
-      const double depth = y - strain * thickness();
-      return strain_point(strain, complement, law_.m(), law_.n()).shape * between(depth, memory);
-    });
+    return pressed_by(
+        nose(), y, thickness(), {}, true, with_area, fineness(), [&](double strain, double complement) {
+          if (strain <= 0) return 0.0;
+          const double depth = y - strain * thickness();
+          const auto [j, share] = between(depth_, depth);
+          const double ratio = share > 0 ? memory[j] + share * (memory[j + 1] - memory[j]) : memory[j];
+          return strain_point(strain, complement, law_.m(), law_.n()).shape * ratio;
+        });
   }
   void rates(double y, double speed, double time, const double* memory, double* slope) const override {
     const auto rate = law_.at_rate(turned_ ? speed / thickness() : std::fmax(speed, 0) / thickness());
@@ -85,14 +88,6 @@ class LawPad final : public PadModel {
   [[nodiscard]] double relaxation(double time, const StrainPoint& at) const {
     return law_.relaxation(std::fmax(time, 1e-9), at.strain);
   }
-  [[nodiscard]] double between(double depth, const double* memory) const {
-    if (depth_.size() == 1) return memory[0];
-    const auto above = std::ranges::upper_bound(depth_, depth);
-    const auto i = std::clamp<std::ptrdiff_t>(above - depth_.begin(), 1, std::ssize(depth_) - 1);
-    const auto j = static_cast<std::size_t>(i);
-    const double share = (depth - depth_[j - 1]) / (depth_[j] - depth_[j - 1]);
-    return memory[j - 1] + share * (memory[j] - memory[j - 1]);
-  }
   [[nodiscard]] Pressed by_stresses(double y, const double* memory) const {
     if (y <= 0) return {0, 0, std::min(y / thickness(), -1e-300)};
     Pressed all;
@@ -122,13 +117,15 @@ class LawPad final : public PadModel {
 
 }  // namespace
 
-std::unique_ptr<PadModel> law_pad(const NineParameter& law, Outline nose, double thickness, double deepest) {
-  return std::make_unique<LawPad<NineFormulas>>(NineFormulas(law), std::move(nose), thickness, deepest);
+std::unique_ptr<PadModel> law_pad(const NineParameter& law, Outline nose, double thickness, int fineness,
+                                  double deepest) {
+  return std::make_unique<LawPad<NineFormulas>>(NineFormulas(law), std::move(nose), thickness, fineness,
+                                                deepest);
 }
-std::unique_ptr<PadModel> law_pad(const TwentyOneParameter& law, Outline nose, double thickness,
+std::unique_ptr<PadModel> law_pad(const TwentyOneParameter& law, Outline nose, double thickness, int fineness,
                                   double deepest) {
   return std::make_unique<LawPad<TwentyOneFormulas>>(TwentyOneFormulas(law), std::move(nose), thickness,
-                                                     deepest);
+                                                     fineness, deepest);
 }
 
 }  // namespace dashpad::oracle

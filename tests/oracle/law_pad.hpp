@@ -9,8 +9,9 @@
 namespace dashpad::oracle {
 
 /// `deepest`: a penetration that is not exceeded, m.
-std::unique_ptr<PadModel> law_pad(const NineParameter& law, Outline nose, double thickness, double deepest);
-std::unique_ptr<PadModel> law_pad(const TwentyOneParameter& law, Outline nose, double thickness,
+std::unique_ptr<PadModel> law_pad(const NineParameter& law, Outline nose, double thickness, int fineness,
+                                  double deepest);
+std::unique_ptr<PadModel> law_pad(const TwentyOneParameter& law, Outline nose, double thickness, int fineness,
                                   double deepest);
 
 }  // namespace dashpad::oracle

@@ -79,7 +79,7 @@ std::unique_ptr<Layer> layer_of(const PadLaw& law) {
 
 class LayerPad final : public PadModel {
  public:
-  LayerPad(const Pad& pad, Outline nose) : PadModel(std::move(nose), pad.thickness) {
+  LayerPad(const Pad& pad, Outline nose, int fineness) : PadModel(std::move(nose), pad.thickness, fineness) {
     if (this->nose().end > 0) throw std::invalid_argument("oracle: layers below a flat face only");
     for (const PadLayer& layer : pad.layers) {
       thickness_.push_back(layer.thickness);
@@ -145,8 +145,8 @@ class LayerPad final : public PadModel {
 
 }  // namespace
 
-std::unique_ptr<PadModel> layer_pad(const Pad& pad, Outline nose) {
-  return std::make_unique<LayerPad>(pad, std::move(nose));
+std::unique_ptr<PadModel> layer_pad(const Pad& pad, Outline nose, int fineness) {
+  return std::make_unique<LayerPad>(pad, std::move(nose), fineness);
 }
 
 }  // namespace dashpad::oracle

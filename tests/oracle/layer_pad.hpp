@@ -13,6 +13,6 @@
 namespace dashpad::oracle {
 
 /// Throws std::invalid_argument for a nose with a side.
-std::unique_ptr<PadModel> layer_pad(const Pad& pad, Outline nose);
+std::unique_ptr<PadModel> layer_pad(const Pad& pad, Outline nose, int fineness);
 
 }  // namespace dashpad::oracle

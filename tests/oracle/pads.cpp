@@ -16,10 +16,10 @@ namespace {
 /// Law 1.
 class ElasticPad final : public PadModel {
  public:
-  ElasticPad(Outline nose, double thickness, double modulus)
-      : PadModel(std::move(nose), thickness), modulus_(modulus) {}
+  ElasticPad(Outline nose, double thickness, int fineness, double modulus)
+      : PadModel(std::move(nose), thickness, fineness), modulus_(modulus) {}
   [[nodiscard]] Pressed pressed(double y, const double*, bool with_area) const override {
-    return pressed_by(nose(), y, thickness(), 1, true, with_area,
+    return pressed_by(nose(), y, thickness(), {}, true, with_area, fineness(),
                       [&](double strain, double) { return modulus_ * strain; });
   }
 
@@ -30,8 +30,11 @@ class ElasticPad final : public PadModel {
 /// Law 3 as the limit of a foam that is elastic, and very stiff, before it gives way and on the way back.
 class RigidFoamPad final : public PadModel {
  public:
-  RigidFoamPad(Outline nose, double thickness, const RigidFoam& law, double earlier)
-      : PadModel(std::move(nose), thickness), law_(law), stiff_(1e9 * law.crush_stress), earlier_(earlier) {
+  RigidFoamPad(Outline nose, double thickness, int fineness, const RigidFoam& law, double earlier)
+      : PadModel(std::move(nose), thickness, fineness),
+        law_(law),
+        stiff_(1e9 * law.crush_stress),
+        earlier_(earlier) {
     begin_struck(earlier);
   }
   /// A new pad begins where it gives way, or below a flat tip its force would be that of a moment later.
@@ -40,11 +43,12 @@ class RigidFoamPad final : public PadModel {
   }
   [[nodiscard]] Pressed pressed(double y, const double*, bool with_area) const override {
     const double before = ahead(y);
-    return pressed_by(
-        nose(), y, thickness(), law_.crush_strain, false, with_area, [&](double strain, double) {
-          if (strain <= 0) return 0.0;
-          return std::fmin(curve(strain + before), stiff_ * (strain + before)) - stiff_ * before;
-        });
+    return pressed_by(nose(), y, thickness(), {law_.crush_strain, law_.crush_strain - before}, false,
+                      with_area, fineness(), [&](double strain, double) {
+                        if (strain <= 0) return 0.0;
+                        return std::fmin(curve(strain + before), stiff_ * (strain + before)) -
+                               stiff_ * before;
+                      });
   }
   [[nodiscard]] double little() const override { return 1e-11 * thickness(); }
   [[nodiscard]] bool holds() const override { return true; }
@@ -65,8 +69,8 @@ class RigidFoamPad final : public PadModel {
 class FoamPad final : public PadModel {
  public:
   template <class Law>
-  FoamPad(Outline nose, double thickness, const Law& law, double earlier)
-      : PadModel(std::move(nose), thickness), law_(law), earlier_(earlier) {
+  FoamPad(Outline nose, double thickness, int fineness, const Law& law, double earlier)
+      : PadModel(std::move(nose), thickness, fineness), law_(law), earlier_(earlier) {
     begin_struck(earlier);
   }
   [[nodiscard]] std::size_t unknowns() const override { return 1; }
@@ -87,11 +91,14 @@ class FoamPad final : public PadModel {
   [[nodiscard]] Pressed pressed(double y, const double* memory, bool with_area) const override {
     const double u = slip_rate(y, memory), before = ahead(y);
     const bool in_crater = law_.stays_crushed() && earlier_ > 0 && largest() <= earlier_ && before > 0;
-    return pressed_by(nose(), y, thickness(), law_.last_strain(), before == 0 && u >= 0, with_area,
+    std::vector<double> corners{law_.last_strain()};
+    if (before > 0)
+      for (const double largest : law_.corners()) corners.push_back(largest - before);
+    return pressed_by(nose(), y, thickness(), corners, before == 0 && u >= 0, with_area, fineness(),
                       [&](double strain, double complement) {
-                        const double all = law_.stress(strain, complement, before, u);
+                        const double all = law_.signed_stress(strain, complement, before, u);
                         if (!in_crater) return all;
-                        const double lasting = law_.stress(strain, complement, before, 0);
+                        const double lasting = law_.signed_stress(strain, complement, before, 0);
                         if (lasting <= 0 || strain <= 0) return lasting;
                         return lasting * (1 + (all - lasting) / law_.base(strain, complement));
                       });
@@ -112,52 +119,33 @@ class FoamPad final : public PadModel {
 };
 
 /// Laws 2 and `viscoelastic-foam`: a branch is q = g (p - r) with dr/dt = (p - r) / tau at columns of fixed
-/// depths, between which the stress is a line.
+/// depths, between which r is a line.
 class MaxwellPad final : public PadModel {
  public:
   struct Branch {
     double share = 0, time = 1;
   };
-  MaxwellPad(Outline nose, double thickness, std::function<double(double)> lasting,
+  MaxwellPad(Outline nose, double thickness, int fineness, std::function<double(double)> lasting,
              std::vector<Branch> branches, double deepest)
-      : PadModel(std::move(nose), thickness), lasting_(std::move(lasting)), branches_(std::move(branches)) {
-    constexpr int columns = 400;
+      : PadModel(std::move(nose), thickness, fineness),
+        lasting_(std::move(lasting)),
+        branches_(std::move(branches)) {
+    const int columns = 400 * fineness;
     const double last = std::fmin(this->nose().end, deepest);
     const int count = last > 0 ? columns : 0;
     for (int i = 0; i <= count; ++i) {
       const double share = count > 0 ? double(i) / count : 0;
       depth_.push_back(last * share * (0.002 + 0.998 * share));  // finest towards the axis, which closes
-      area_.push_back(this->nose().area(depth_.back()));
     }
     for (const Branch& branch : branches_) sudden_ += branch.share;
   }
   [[nodiscard]] std::size_t unknowns() const override { return branches_.size() * depth_.size(); }
   [[nodiscard]] Pressed pressed(double y, const double* memory, bool with_area) const override {
-    if (y <= 0) return {0, 0, std::min(y / thickness(), -1e-300)};
-    Pressed all;
-    double here = stress(0, y, memory);
-    all.most = here;
-    if (nose().tip > 0 && here > 0) all.force = nose().tip * here, all.area = nose().tip;
-    for (std::size_t j = 0; j + 1 < depth_.size() && depth_[j] < y; ++j) {
-      double to = depth_[j + 1], next = 0, area = area_[j + 1];
-      if (to <= y) {
-        next = stress(j + 1, y, memory);
-      } else {  // up to the edge, where the strain is 0
-        const double share = (y - depth_[j]) / (to - depth_[j]);
-        next = -(1 - share) * remembered(j, memory) - share * remembered(j + 1, memory);
-        area = with_area || j == 0 ? nose().area(y) : area_[j] + share * (area_[j + 1] - area_[j]);
-      }
-      all.most = std::fmax(all.most, next);
-      const double met = area - area_[j];
-      if (here > 0 && next > 0)
-        all.force += met * (here + next) / 2, all.area += met;
-      else if (here > 0 || next > 0) {
-        const double part = std::fmax(here, next) / (std::fabs(here) + std::fabs(next));
-        all.force += met * part * std::fmax(here, next) / 2, all.area += met * part;
-      }
-      here = next;
-    }
-    return all;
+    return pressed_by(nose(), y, thickness(), {}, is_loading() && largest() <= y, with_area, fineness(),
+                      [&](double strain, double) {
+                        const double depth = y - strain * thickness();
+                        return sudden_ * lasting_(strain) - remembered(depth, memory);
+                      });
   }
   void rates(double y, double, double, const double* memory, double* slope) const override {
     for (std::size_t j = 0; j < depth_.size(); ++j) {
@@ -171,18 +159,18 @@ class MaxwellPad final : public PadModel {
   }
 
  private:
-  [[nodiscard]] double remembered(std::size_t j, const double* memory) const {
+  [[nodiscard]] double remembered(double depth, const double* memory) const {
+    const auto [j, share] = between(depth_, depth);
     double sum = 0;
-    for (std::size_t i = 0; i < branches_.size(); ++i)
-      sum += branches_[i].share * memory[i * depth_.size() + j];
+    for (std::size_t i = 0; i < branches_.size(); ++i) {
+      const double* of = memory + i * depth_.size();
+      sum += branches_[i].share * (share > 0 ? of[j] + share * (of[j + 1] - of[j]) : of[j]);
+    }
     return sum;
-  }
-  [[nodiscard]] double stress(std::size_t j, double y, const double* memory) const {
-    return sudden_ * lasting_(std::fmax(y - depth_[j], 0) / thickness()) - remembered(j, memory);
   }
   std::function<double(double)> lasting_;
   std::vector<Branch> branches_;
-  std::vector<double> depth_, area_;
+  std::vector<double> depth_;
   double sudden_ = 1;
 };
 
@@ -190,19 +178,21 @@ struct Maker {
   const ImpactCase& impact;
   Outline nose;
   double deepest;
+  int fineness;
 
   [[nodiscard]] std::unique_ptr<PadModel> operator()(const Elastic& law) {
-    return std::make_unique<ElasticPad>(std::move(nose), impact.pad.thickness, law.modulus);
+    return std::make_unique<ElasticPad>(std::move(nose), impact.pad.thickness, fineness, law.modulus);
   }
   [[nodiscard]] std::unique_ptr<PadModel> operator()(const LinearViscoelastic& law) {
     return std::make_unique<MaxwellPad>(
-        std::move(nose), impact.pad.thickness, [e = law.asymptotic_modulus](double x) { return e * x; },
+        std::move(nose), impact.pad.thickness, fineness,
+        [e = law.asymptotic_modulus](double x) { return e * x; },
         std::vector<MaxwellPad::Branch>{
             {law.initial_modulus / law.asymptotic_modulus - 1, law.relaxation_time}},
         deepest);
   }
   [[nodiscard]] std::unique_ptr<PadModel> operator()(const RigidFoam& law) {
-    return std::make_unique<RigidFoamPad>(std::move(nose), impact.pad.thickness, law,
+    return std::make_unique<RigidFoamPad>(std::move(nose), impact.pad.thickness, fineness, law,
                                           impact.pad.earlier_penetration);
   }
   [[nodiscard]] std::unique_ptr<PadModel> operator()(const Foam& law) { return foam(law); }
@@ -213,27 +203,27 @@ struct Maker {
     for (std::size_t i = 0; i < MaxwellFormulas::branches; ++i)
       if (formulas.share[i] > 0) branches.push_back({formulas.share[i], formulas.time[i]});
     return std::make_unique<MaxwellPad>(
-        std::move(nose), impact.pad.thickness, [formulas](double e) { return formulas.lasting(e); },
+        std::move(nose), impact.pad.thickness, fineness, [formulas](double e) { return formulas.lasting(e); },
         std::move(branches), deepest);
   }
   template <class Law>
   [[nodiscard]] std::unique_ptr<PadModel> operator()(const Law& law) {
-    return law_pad(law, std::move(nose), impact.pad.thickness, deepest);
+    return law_pad(law, std::move(nose), impact.pad.thickness, fineness, deepest);
   }
   template <class Law>
   [[nodiscard]] std::unique_ptr<PadModel> foam(const Law& law) {
-    return std::make_unique<FoamPad>(std::move(nose), impact.pad.thickness, law,
+    return std::make_unique<FoamPad>(std::move(nose), impact.pad.thickness, fineness, law,
                                      impact.pad.earlier_penetration);
   }
 };
 
 }  // namespace
 
-std::unique_ptr<PadModel> pad_model(const ImpactCase& impact, double deepest) {
+std::unique_ptr<PadModel> pad_model(const ImpactCase& impact, double deepest, int fineness) {
   const Pad& pad = impact.pad;
   Outline nose = outline_of(impact.impactor.nose, pad.area);
-  if (!pad.layers.empty()) return layer_pad(pad, std::move(nose));
-  return std::visit(Maker{impact, std::move(nose), deepest},
+  if (!pad.layers.empty()) return layer_pad(pad, std::move(nose), fineness);
+  return std::visit(Maker{impact, std::move(nose), deepest, fineness},
                     scaled(pad.material.law, stress_factor(pad.condition, pad.material)));
 }
 

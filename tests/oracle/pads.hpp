@@ -2,17 +2,34 @@
 /// The pads of the general oracle (any_impact.hpp), written anew from theory.md: only the parameters are the
 /// library's. Each is a force over the penetration y, with numbers that it remembers and a rate for each.
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
 #include "oracle/pressed.hpp"
 
 namespace dashpad::oracle {
 
+/// Where a depth lies among those of columns: behind which, and by which share of the way to the next.
+struct Between {
+  std::size_t column = 0;
+  double share = 0;
+};
+inline Between between(const std::vector<double>& depths, double depth) {
+  if (depths.size() == 1) return {};
+  const auto above = std::ranges::upper_bound(depths, depth) - depths.begin();
+  const auto j = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above, 1, std::ssize(depths) - 1)) - 1;
+  return {j, std::fmax((depth - depths[j]) / (depths[j + 1] - depths[j]), 0)};
+}
+
 class PadModel {
  public:
-  PadModel(Outline nose, double thickness) : nose_(std::move(nose)), thickness_(thickness) {}
+  /// `fineness`: as many times the usual columns, panels and looks.
+  PadModel(Outline nose, double thickness, int fineness)
+      : nose_(std::move(nose)), thickness_(thickness), fineness_(fineness) {}
   PadModel(const PadModel&) = delete;
   PadModel& operator=(const PadModel&) = delete;
   virtual ~PadModel() = default;
@@ -44,6 +61,7 @@ class PadModel {
   [[nodiscard]] double largest() const { return largest_; }
   [[nodiscard]] const Outline& nose() const { return nose_; }
   [[nodiscard]] double thickness() const { return thickness_; }
+  [[nodiscard]] int fineness() const { return fineness_; }
 
  protected:
   /// By how much the largest penetration is above that of now, in thicknesses.
@@ -60,12 +78,13 @@ class PadModel {
  private:
   Outline nose_;
   double thickness_;
+  int fineness_;
   bool loading_ = true;
   double largest_ = 0;
 };
 
 /// `deepest`: a penetration that is not exceeded, m, for pads of columns at fixed depths. Throws
 /// std::invalid_argument for layers below anything but a flat face.
-std::unique_ptr<PadModel> pad_model(const ImpactCase& impact, double deepest);
+std::unique_ptr<PadModel> pad_model(const ImpactCase& impact, double deepest, int fineness);
 
 }  // namespace dashpad::oracle

@@ -20,12 +20,12 @@ struct Pressed {
 };
 
 /// Depths are even in the root of the strain: strain = top x^2, s = y (1 - x^2). `stress` of a strain and its
-/// complement, Pa; `corner`: a strain at which its slope jumps, or 1; `rises`: it is nowhere negative.
+/// complement, Pa; `at_strains`: at which its slope jumps; `rises`: it is nowhere negative.
 template <class Stress>
-Pressed pressed_by(const Outline& nose, double y, double thickness, double corner, bool rises, bool with_area,
-                   const Stress& stress) {
-  constexpr int looks = 96;   // where the sign of the stress is asked
-  constexpr int panels = 16;  // of the whole contact
+Pressed pressed_by(const Outline& nose, double y, double thickness, const std::vector<double>& at_strains,
+                   bool rises, bool with_area, int fineness, const Stress& stress) {
+  const int looks = 96 * fineness;   // where the sign of the stress is asked
+  const int panels = 16 * fineness;  // of the whole contact
   if (y <= 0) return {0, 0, std::min(y / thickness, -1e-300)};
   const double top = y / thickness;
   const auto at = [&](double x) {
@@ -58,7 +58,8 @@ Pressed pressed_by(const Outline& nose, double y, double thickness, double corne
     return sum + integral(from, to);
   };
   std::vector<double> corners;
-  if (corner < top) corners.push_back(std::sqrt(corner / top));
+  for (const double strain : at_strains)
+    if (0 < strain && strain < top) corners.push_back(std::sqrt(strain / top));
   for (const double depth : nose.corners)
     if (depth < y) corners.push_back(std::sqrt(1 - depth / y));
   std::ranges::sort(corners);
@@ -72,29 +73,46 @@ Pressed pressed_by(const Outline& nose, double y, double thickness, double corne
     add(low, 1);
     return all;
   }
-  const double first = low + 1e-6 * (1 - low);
-  double before = first, begin = low;
-  bool pressed = at(first) > 0;
-  all.most = std::fmax(all.most, at(first));
-  for (int i = 1; i <= looks; ++i) {
-    const double x = low + (1 - low) * i / looks;
-    const double here = at(x);
-    all.most = std::fmax(all.most, here);
-    if ((here > 0) != pressed) {
-      double none = before, other = x;
-      for (int k = 0; k < 48; ++k) {
-        const double middle = (none + other) / 2;
-        ((at(middle) > 0) == pressed ? none : other) = middle;
+  // Where the stress is asked for its sign: evenly, and at peaks between two looks of the other sign, as the
+  // ring on which alone a crushed foam presses at last.
+  std::vector<double> place, value;
+  const auto look = [&](double x, double stress) { place.push_back(x), value.push_back(stress); };
+  double before = 0, here = 0;
+  for (int i = 0; i <= looks + 1; ++i) {
+    const double step = (1 - low) / looks, x = low + step * std::fmax(i, 1e-6);
+    const double next = i <= looks ? at(x) : here;
+    const double way = here > 0 ? -1 : 1, rise = way * (here - before), fall = way * (here - next);
+    if (i > 1 && i <= looks && rise >= 0 && fall >= 0 && std::fabs(here) < rise + fall) {
+      double from = x - 2 * step, to = x;
+      for (int k = 0; k < 30; ++k) {  // golden section
+        const double a = to - 0.618034 * (to - from), b = from + 0.618034 * (to - from);
+        (way * at(a) < way * at(b) ? from : to) = way * at(a) < way * at(b) ? a : b;
       }
-      if (pressed) add(begin, none);
-      begin = other;
-      pressed = here > 0;
+      const double peak = (from + to) / 2, most = at(peak);
+      if (peak < x - step) {
+        const double then = place.back();
+        place.back() = peak, value.back() = most;
+        look(then, here);
+      } else {
+        look(peak, most);
+      }
     }
-    before = x;
+    if (i <= looks) look(x, next);
+    before = here, here = next;
   }
-  if (pressed) add(begin, 1);
-  // Crushed foam that is not met carries nothing: its sign has to tell when it is met again.
-  if (!(all.most > 0)) all.most = std::fmin(all.most, -1e-3);
+  double begin = low;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    all.most = std::fmax(all.most, value[i]);
+    if (i == 0 || (value[i] > 0) == (value[i - 1] > 0)) continue;
+    double same = place[i - 1], other = place[i];
+    for (int k = 0; k < 48; ++k) {
+      const double middle = (same + other) / 2;
+      ((at(middle) > 0) == (value[i] > 0) ? other : same) = middle;
+    }
+    if (value[i - 1] > 0) add(begin, same);
+    begin = other;
+  }
+  if (value.back() > 0) add(begin, 1);
   return all;
 }
 
