@@ -312,9 +312,10 @@ class Impact final : public OdeSystem {
       changed = true;
     }
     if (crossed[event_stop] != 0) {
-      stands_ = !stands_;
       struck_ += of_.mass * state[rate] * state[rate] / 2;
       state[deflection] = state[rate] = 0;
+      // What strikes the stop under more than the preload leaves it again.
+      stands_ = !stands_ && !(now.pad.force > footing_.force(0));
       changed = true;
     }
     if (crossed[event_release] != 0) {
