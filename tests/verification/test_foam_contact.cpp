@@ -129,6 +129,42 @@ TEST(FoamContactForce, CountsARingThatPressesAloneAsWell) {
   EXPECT_GT(rings, 0) << "otherwise this test asks for nothing";
 }
 
+/// Where the rate counts most at a strain between, columns there let go before those at the edge and at the
+/// axis do.
+TEST(FoamContactForce, LeavesOutWhatLetsGoBetweenEdgeAndAxis) {
+  const Sections nose = Sphere{0.08}.sections();
+  Foam law = sample_law<Foam>();
+  law.friction = 0;
+  law.unloading_factor = 0, law.unloading_shape = 0.3, law.recoil = 0.7;
+  TableCurve slow, fast;
+  for (int i = 1; i <= 30; ++i) {
+    const double strain = 0.02 * i;
+    slow.strain.push_back(strain), fast.strain.push_back(strain);
+    slow.stress.push_back(1e4 * (1 + 5 * strain));
+    fast.stress.push_back(1e4 * (1.8 + 5 / (1 + std::exp(-(strain - 0.15) / 0.015))));
+  }
+  law.curves = {.base = slow, .slowest_rate = 1e-4, .rate_effect = CurvesRateEffect{{{10, fast}}}};
+  law.unloading_curve.reset();
+  ASSERT_TRUE(violations(PadLaw(law)).empty());
+  FoamContact contact(law, thickness, nose);
+  contact.start(1e-4, thickness);
+  double y = 0, time = 0, largest = 0;
+  int gaps = 0;
+  const auto go = [&](double strain, double step) {
+    const PadTrial trial = contact.trial(strain * thickness - y, time, step);
+    contact.accept(trial);
+    y = strain * thickness, time += step;
+    largest = std::max(largest, trial.force);
+    const auto presses = [&](double at) { return contact.column(y - at * thickness).stress > 0; };
+    gaps += strain > 0.4 && presses(0.06) && !presses(0.2) && presses(0.98 * strain);
+    EXPECT_NEAR(trial.force, force_of_columns(contact, nose, y), 1e-4 * largest) << "strain " << strain;
+  };
+  for (int i = 1; i <= 8; ++i) go(0.5 * i / 8, 1e-3);
+  for (const double rate : {1e-4, 1e-2, 0.1, 1.0, 10.0})
+    for (int i = 0; i < 4; ++i) go(y / thickness - 0.004, 0.004 / rate);
+  EXPECT_GT(gaps, 0) << "otherwise this test asks for nothing";
+}
+
 TEST(FoamContactForce, OfAFlatDiscIsItsAreaTimesTheStress) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const auto check = [&](const auto& law) {

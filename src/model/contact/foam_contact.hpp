@@ -262,12 +262,13 @@ class FoamContact {
     const double first = low + 1e-6 * (high - low);
     const double f_first = at(first);
     const double f_high = at(high);
-    if (f_high > 0) {
+    if (f_high > 0 && stress_.lets_go_from_one_side(at_rate_)) {
       if (f_first >= 0) return force + integral(edge, edge, top, top);
       const double root = crossing(at, first, f_first, high, f_high);
       return force + integral(edge, root * root, top, top);
     }
-    // The axis has let go. A ring around it may go on pressing, or several.
+    // A ring may go on pressing where the axis has let go, or the axis and a ring with none between; or
+    // several.
     const double width = (high - low) / looks;
     std::array<double, looks + 1> places{first};
     std::array<double, looks + 1> found{f_first};
@@ -296,7 +297,7 @@ class FoamContact {
       const double to = crossing(at, places[i - 1], found[i - 1], places[i], found[i]);
       force += integral(edge, from * from, to * to, top);
     }
-    return force;
+    return f_high > 0 ? force + integral(edge, from * from, top, top) : force;
   }
 
   /// The same of a crushed foam that comes back. Its line of unloading is integrated in closed form, over the

@@ -29,6 +29,7 @@ FoamStress::FoamStress(const Foam& law, FoamCurve curve, FoamMemo* memo)
       overstress_(law.curves, curve_, law.friction, law.recoil, slip_.rate) {
   if (law.unloading_curve) {
     unloading_ = Unloading::damage;
+    has_tested_way_back_ = true;
     const MonotoneCurve back(*law.unloading_curve);
     remaining_.fill(Cells(1), [&](double root) { return share_of(back, std::min(root * root, 1.0)); });
   } else if (law.unloading_factor < 1) {

@@ -117,6 +117,11 @@ class FoamStress {
   [[nodiscard]] bool is_even(double ahead, const Overstress::AtRate& at) const {
     return (ahead <= 0 || unloading_ == Unloading::none) && at.even;
   }
+  /// Whether the ratio grows with the strain, so that the columns that let go are those with the least
+  /// strain.
+  [[nodiscard]] bool lets_go_from_one_side(const Overstress::AtRate& at) const {
+    return at.even && !has_tested_way_back_;
+  }
 
   [[nodiscard]] const FoamCurve& curve() const { return curve_; }
   [[nodiscard]] const Overstress& overstress() const { return overstress_; }
@@ -158,6 +163,7 @@ class FoamStress {
   [[nodiscard]] double share_of(const MonotoneCurve& back, double x) const;
 
   Unloading unloading_ = Unloading::none;
+  bool has_tested_way_back_ = false;  ///< D need not grow with the strain
   double friction_ = 0;
   double modulus_ = 0;  ///< E
   FoamCurve curve_;
