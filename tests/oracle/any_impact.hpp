@@ -8,8 +8,9 @@
 ///   with a panel:      m d2(x + xb)/dt2 = F - T,     T = Fs(x) + c dx/dt,  Mb d2xb/dt2 = T
 ///
 /// All noses, areas of the pad, laws, layers below a flat face, earlier blows, sheets, gravity. Not covered:
-/// laws 4 and 5 on a massless elastic support (cvode_impact.hpp has them below a sphere), layers below a nose
-/// with a side, a panel under preload on a free body, what comes after a pad is fully compressed.
+/// laws 4 and 5 on a support without mass (cvode_impact.hpp has them below a sphere on a spring), layers
+/// below a nose with a side, a panel under preload on a free body, what comes after a pad is fully
+/// compressed.
 
 #include <optional>
 

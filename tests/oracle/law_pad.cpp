@@ -27,8 +27,8 @@ class LawPad final : public PadModel {
   }
   [[nodiscard]] std::size_t unknowns() const override { return depth_.size(); }
   [[nodiscard]] bool needs_speed() const override { return true; }
-  double begin(double* memory) override {
-    std::fill_n(memory, depth_.size(), scale_);
+  double begin(double* memory, double speed) override {
+    std::fill_n(memory, depth_.size(), law_.edge(law_.at_rate(speed / thickness())));
     return 0;
   }
   void turned(double y, double* memory) override {

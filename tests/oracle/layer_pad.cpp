@@ -1,5 +1,7 @@
 #include "oracle/layer_pad.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -11,31 +13,43 @@ namespace {
 
 constexpr double most_stress = 1e15;  ///< Pa, where there is none: a step that was tried too long
 
-/// Where an increasing function of a number is zero.
+/// Where an increasing function of a number is zero, from a guess on; no farther than `low` and `high`.
 template <class F>
-double halved(double low, double high, const F& f) {
-  for (int i = 0; i < 60 && high - low > 1e-13 * std::fabs(high); ++i) {
-    const double middle = low + (high - low) / 2;
-    (f(middle) > 0 ? high : low) = middle;
+double increasing_root(double guess, double stride, double low, double high, const F& f) {
+  double a = std::clamp(guess, low, high), fa = f(a), b = a, fb = fa;
+  const double way = fa < 0 ? 1 : -1;
+  for (; fa * fb > 0 && (way > 0 ? b < high : b > low); stride *= 4) {
+    a = b, fa = fb;
+    b = std::clamp(b + way * stride, low, high), fb = f(b);
   }
-  return low + (high - low) / 2;
+  if (fa * fb > 0) return b;
+  double x = b;
+  for (int i = 0, side = 0; i < 100 && std::fabs(b - a) > 1e-13 * std::fabs(b) && fb != 0; ++i) {  // Illinois
+    x = fa == fb || i % 8 == 7 ? (a + b) / 2 : (a * fb - b * fa) / (fb - fa);
+    const double fx = f(x);
+    if (fx == 0 || x == a || x == b) return x;
+    const int now = fx * fa > 0 ? -1 : 1;
+    (now < 0 ? a : b) = x, (now < 0 ? fa : fb) = fx;
+    if (side == now) (now < 0 ? fb : fa) /= 2;
+    side = now;
+  }
+  return x;
 }
 
 class Layer {
  public:
   virtual ~Layer() = default;
-  /// The largest strain of a stress, with what is remembered.
-  [[nodiscard]] virtual double strain(double stress, double slipped) const = 0;
+  /// The largest strain of a stress, with what is remembered, near a guess.
+  [[nodiscard]] virtual double strain(double stress, double slipped, double largest, double guess) const = 0;
   [[nodiscard]] virtual double rate(double strain, double slipped) const = 0;
   [[nodiscard]] virtual double little() const { return 1e-6; }
-  virtual void remember(double) {}
 };
 
 /// Laws 1 and 2.
 class SpringLayer final : public Layer {
  public:
   SpringLayer(double sudden, double lasting, double time) : sudden_(sudden), lasting_(lasting), time_(time) {}
-  [[nodiscard]] double strain(double stress, double slipped) const override {
+  [[nodiscard]] double strain(double stress, double slipped, double, double) const override {
     return (stress + (sudden_ - lasting_) * slipped) / sudden_;
   }
   [[nodiscard]] double rate(double strain, double slipped) const override {
@@ -50,22 +64,22 @@ class FoamLayer final : public Layer {
  public:
   template <class Law>
   explicit FoamLayer(const Law& law) : foam_(law) {}
-  [[nodiscard]] double strain(double stress, double slipped) const override {
+  [[nodiscard]] double strain(double stress, double slipped, double largest, double guess) const override {
     const double reach = 40 * foam_.lag();
-    return halved(std::fmax(slipped - reach, 0), slipped + reach, [&](double e) {
-      const double u = foam_.slip_rate(e - slipped);
-      return foam_.stress(e, 1 - e, std::fmax(largest_ - e, 0), u) - stress;
-    });
+    return increasing_root(guess, 1e-2 * foam_.lag(), std::fmax(slipped - reach, 0),
+                           std::fmin(slipped + reach, 1 - 1e-12), [&](double e) {
+                             const double u = foam_.slip_rate(e - slipped);
+                             return foam_.stress(e, 1 - e, std::fmax(largest - e, 0), u) - stress;
+                           });
   }
   [[nodiscard]] double rate(double strain, double slipped) const override {
-    return foam_.slip_rate(strain - slipped);
+    const double reach = 60 * foam_.lag();
+    return foam_.slip_rate(std::clamp(strain - slipped, -reach, reach));
   }
   [[nodiscard]] double little() const override { return 1e-3 * foam_.lag(); }
-  void remember(double strain) override { largest_ = std::fmax(largest_, strain); }
 
  private:
   FoamFormulas foam_;
-  double largest_ = 0;
 };
 
 std::unique_ptr<Layer> layer_of(const PadLaw& law) {
@@ -85,17 +99,17 @@ class LayerPad final : public PadModel {
       thickness_.push_back(layer.thickness);
       layers_.push_back(layer_of(scaled(layer.material.law, stress_factor(layer.condition, layer.material))));
     }
+    largest_.assign(layers_.size(), 0);
+    strain_ = largest_;
   }
   [[nodiscard]] std::size_t unknowns() const override { return layers_.size(); }
   [[nodiscard]] Pressed pressed(double y, const double* memory, bool) const override {
-    const double free = shortening(0, memory);
-    if (y <= free) return {0, 0, std::fmin((y - free) / thickness(), -1e-300)};
-    const double stress = stress_of(y, memory);
-    return {nose().tip * stress, nose().tip, stress};
+    const double stress = solve(y, memory);
+    return stress > 0 ? Pressed{nose().tip * stress, nose().tip, stress} : Pressed{0, 0, stress};
   }
   void rates(double y, double, double, const double* memory, double* slope) const override {
-    const std::vector<double> strain = strains(y, memory);
-    for (std::size_t i = 0; i < layers_.size(); ++i) slope[i] = layers_[i]->rate(strain[i], memory[i]);
+    solve(y, memory);
+    for (std::size_t i = 0; i < layers_.size(); ++i) slope[i] = layers_[i]->rate(strain_[i], memory[i]);
   }
   void allowances(double relative, double* allowance) const override {
     for (std::size_t i = 0; i < layers_.size(); ++i) allowance[i] = relative * 1e3 * layers_[i]->little();
@@ -108,38 +122,38 @@ class LayerPad final : public PadModel {
 
  protected:
   void remember(double y, const double* memory) override {
-    const std::vector<double> strain = strains(y, memory);
-    for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->remember(strain[i]);
+    solve(y, memory);
+    for (std::size_t i = 0; i < layers_.size(); ++i) largest_[i] = std::fmax(largest_[i], strain_[i]);
   }
 
  private:
-  [[nodiscard]] double shortening(double stress, const double* memory) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < layers_.size(); ++i)
-      sum += thickness_[i] * layers_[i]->strain(stress, memory[i]);
-    return sum;
-  }
-  [[nodiscard]] double stress_of(double y, const double* memory) const {
-    const auto excess = [&](double stress) { return shortening(stress, memory) - y; };
-    double high = std::fmax(last_ * 1.001, 1.0), low = last_ * 0.999;
-    if (excess(high) < 0)
-      while (high < most_stress && excess(high) < 0) low = high, high *= 1.5;
-    else if (excess(low) > 0)
-      while (low > 1e-9 && excess(low) > 0) high = low, low /= 1.5;
-    return last_ = halved(low, high, excess);
-  }
-  [[nodiscard]] std::vector<double> strains(double y, const double* memory) const {
-    const double free = shortening(0, memory);
-    const double stress = y > free ? stress_of(y, memory) : 0;
-    std::vector<double> all;
-    for (std::size_t i = 0; i < layers_.size(); ++i) {
-      const double strain = layers_[i]->strain(stress, memory[i]);
-      all.push_back(y > free ? strain : y > 0 && free > 0 ? strain * y / free : y / thickness());
+  /// The stress, Pa, and the strains; where nothing presses, by how much of the thickness the pad is left,
+  /// below zero.
+  double solve(double y, const double* memory) const {
+    const std::vector<double> before = strain_;  // the root next to it is taken
+    const auto excess = [&](double stress) {
+      double sum = -y;
+      for (std::size_t i = 0; i < layers_.size(); ++i) {
+        strain_[i] = layers_[i]->strain(stress, memory[i], largest_[i], before[i]);
+        sum += thickness_[i] * strain_[i];
+      }
+      return sum;
+    };
+    const double over = excess(0);
+    if (over < 0) {
+      last_ = increasing_root(last_, 1e-4 * last_, 0, most_stress, excess);
+      excess(last_);
+      return last_ = std::fmax(last_, 1e-3);
     }
-    return all;
+    const double free = over + y;
+    for (double& strain : strain_) strain = y > 0 && free > 0 ? strain * y / free : y / thickness();
+    return std::fmin(-over / thickness(), -1e-300);
   }
+
   std::vector<double> thickness_;
   std::vector<std::unique_ptr<Layer>> layers_;
+  std::vector<double> largest_;
+  mutable std::vector<double> strain_;
   mutable double last_ = 1;
 };
 

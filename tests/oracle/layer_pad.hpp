@@ -4,7 +4,8 @@
 ///
 ///   sum L_i e_i(stress) = y,  stress_i(e_i) = stress
 ///
-/// by halving, inside and outside. What is remembered is the strain of each layer that has slipped.
+/// by secants, inside and outside, from the last strains on: on the way back there may be several. What is
+/// remembered is the strain of each layer that has slipped.
 
 #include <memory>
 

@@ -38,7 +38,7 @@ class RigidFoamPad final : public PadModel {
     begin_struck(earlier);
   }
   /// A new pad begins where it gives way, or below a flat tip its force would be that of a moment later.
-  double begin(double*) override {
+  double begin(double*, double) override {
     return earlier_ > 0 ? earlier_ : thickness() * law_.crush_stress / stiff_;
   }
   [[nodiscard]] Pressed pressed(double y, const double*, bool with_area) const override {
@@ -74,7 +74,7 @@ class FoamPad final : public PadModel {
     begin_struck(earlier);
   }
   [[nodiscard]] std::size_t unknowns() const override { return 1; }
-  double begin(double* memory) override {
+  double begin(double* memory, double) override {
     double free = 0, met = earlier_;
     if (law_.stays_crushed() && earlier_ > 0) {
       for (int i = 0; i < 60; ++i) {

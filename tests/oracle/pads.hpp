@@ -44,8 +44,8 @@ class PadModel {
   virtual void turned(double /*y*/, double* /*memory*/) {}
   /// Error that each may have a step, at a relative one.
   virtual void allowances(double /*relative*/, double* /*allowance*/) const {}
-  /// Where the nose meets it, and what is remembered then.
-  [[nodiscard]] virtual double begin(double* /*memory*/) { return 0; }
+  /// Where the nose meets it at a speed, m/s, and what is remembered then.
+  [[nodiscard]] virtual double begin(double* /*memory*/, double /*speed*/) { return 0; }
   /// Whether it stays as deep as it was pressed, and gives nothing back.
   [[nodiscard]] virtual bool holds() const { return false; }
   /// A change of the penetration that is small against what the force depends on, m.

@@ -44,7 +44,6 @@ class PulseTrack {
       const int parts = 1 + static_cast<int>(span / step);
       for (int k = 1; k <= parts; ++k) {
         const double u = double(k) / parts, w = 1 - u, time = a.time + u * span;
-        if (!points.empty() && time - points.back().time < step / 2) continue;
         points.push_back({time,
                           w * w * (1 + 2 * u) * a.lost + u * u * (1 + 2 * w) * b.lost +
                               u * w * span * (w * a.acceleration - u * b.acceleration),
