@@ -182,10 +182,10 @@ class Impact final : public OdeSystem {
     Pressed pad;
   };
 
-  /// Of the thickness: with less the pad counts as closed. On what yields at once by Eq. 29, else, where the
-  /// force has no finite value then, as near as CVODE comes.
+  /// Of the thickness: with less the pad counts as closed. By Eq. 29 on what yields at once and with columns
+  /// that remember, else, where the force has no finite value then, as near as CVODE comes.
   [[nodiscard]] double least_gap() const {
-    return kind_ == Kind::at_once && !footing_.is_rigid() ? 1e-9 : 1e-7;
+    return kind_ == Kind::at_once && (!footing_.is_rigid() || pad_->unknowns() > 1) ? 1e-9 : 1e-7;
   }
   /// A length of rounding.
   [[nodiscard]] double slack() const { return 1e-10 * pad_->thickness(); }
