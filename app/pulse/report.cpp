@@ -145,6 +145,9 @@ injury::PulseReport pulse_report(
         {level, injury::cumulative_dwell(report.pulse, level), injury::longest_dwell(report.pulse, level)});
   remark_on(report);
   report.flags = injury::flags(report, request.zero ? report.pulse : zero.pulse);
+  if (report.impact && request.case_impact)
+    if (auto flag = injury::unlike_speeds(*report.impact, *request.case_impact))
+      report.flags.insert(report.flags.begin(), *std::move(flag));
   return report;
 }
 

@@ -70,12 +70,22 @@ Json offset(const injury::PulseReport& report) {
           {"hic15_without", number(of.hic15_without)}};
 }
 
+Json speed_check_json(const injury::PulseReport& report) {
+  const std::optional<injury::SpeedCheck> check = injury::speed_check(report);
+  if (!check) return nullptr;
+  return {{"agrees", check->agrees()},
+          {"least_scale", number(check->least_scale)},
+          {"greatest_scale", number(check->greatest_scale)},
+          {"text", check->text}};
+}
+
 Json impact(const injury::PulseReport& report) {
   if (!report.impact) return nullptr;
   return {{"speed_m_per_s", number(report.impact->speed)},
           {"drop_height_m", number(report.impact->drop_height)},
           {"gravity_m_per_s2", number(report.impact->gravity)},
-          {"restitution", number(injury::restitution(report))}};
+          {"restitution", number(injury::restitution(report))},
+          {"check", speed_check_json(report)}};
 }
 
 Json flags(const injury::PulseReport& report) {

@@ -128,6 +128,7 @@ std::string pulse_text(const injury::PulseReport& report, const UnitSystem& unit
   for (const std::string& line : reservations(report)) text += wrapped(line, 2) + "\n";
   text += "\n";
   text += laid_out(report_rows(report, units, detail));
+  if (const auto check = injury::speed_check(report)) text += "\n" + wrapped(check->text, 2) + "\n";
   text += "\nThe pulse:\n" + wrapped_lines(pulse_source(report, units));
   return text + fmt::format(
                     "HIC and severity index in g^2.5 s; the pulse is linear between its samples "
