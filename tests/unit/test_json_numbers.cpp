@@ -320,6 +320,7 @@ TEST(JsonNumbers, OfAPulse) {
                         1},
                    {"/impact/check/least_scale", *injury::speed_check(of)->least_scale},
                    {"/impact/check/greatest_scale", *injury::speed_check(of)->greatest_scale},
+                   {"/uncertainty/coverage_factor", 2},
                    {"/source/time/number", 101},
                    {"/source/time/si_factor", of.measured.time.factor},
                    {"/source/acceleration/0/number", 102},

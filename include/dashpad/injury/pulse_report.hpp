@@ -9,6 +9,7 @@
 #include "dashpad/injury/cfc_filter.hpp"
 #include "dashpad/injury/contact.hpp"
 #include "dashpad/injury/figures.hpp"
+#include "dashpad/injury/pulse_uncertainty.hpp"
 #include "dashpad/input/measurement/measured_pulse.hpp"
 #include "dashpad/input/measurement/sensor_offset.hpp"
 
@@ -69,6 +70,7 @@ struct PulseReport {
   std::vector<WindowedHic> windows;
   std::vector<DwellTime> dwells;
   std::vector<Flag> flags;
+  MeasurementUncertainty uncertainty;
 };
 
 struct ProcessedPulse {

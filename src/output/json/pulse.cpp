@@ -88,6 +88,19 @@ Json impact(const injury::PulseReport& report) {
           {"check", speed_check_json(report)}};
 }
 
+Json uncertainty(const injury::MeasurementUncertainty& of) {
+  Json figures = Json::object();
+  for (const injury::FigureUncertainty& each : of.figures)
+    figures[each.quantity->key] = {{"combined", number(each.combined())},
+                                   {"sampling", number(each.sampling)},
+                                   {"filter", number(each.filter)},
+                                   {"calibration", number(each.calibration)}};
+  return {{"coverage_factor", 2},
+          {"calibration", number(of.calibration)},
+          {"filter_compared_with", of.compared_with.empty() ? Json(nullptr) : Json(of.compared_with)},
+          {"figures", figures}};
+}
+
 Json flags(const injury::PulseReport& report) {
   Json all = Json::array();
   for (const Flag& flag : report.flags) all.push_back({{"name", flag.name}, {"text", flag.text}});
@@ -115,6 +128,7 @@ std::string pulse_json(const injury::PulseReport& report) {
   Json result;
   result["figures"] = figures(report);
   result["impact"] = impact(report);
+  result["uncertainty"] = uncertainty(report.uncertainty);
   result["flags"] = flags(report);
   result["source"] = source(report);
   result["offset"] = offset(report);
