@@ -117,6 +117,7 @@ Json source(const injury::PulseReport& report) {
           {"acceleration", accelerations},
           {"resultant", of.resultant},
           {"samples", of.pulse.time.size()},
+          {"counts_from", of.counts_from.empty() ? Json(nullptr) : Json(of.counts_from)},
           {"begin_s", number(of.pulse.time.front())},
           {"end_s", number(of.pulse.time.back())},
           {"remarks", of.remarks}};
