@@ -151,7 +151,8 @@ TEST_F(ComparePulseTest, SaysWhatToBewareOf) {
 TEST_F(ComparePulseTest, SaysWhenCaseAndPulseAreOfUnlikeImpacts) {
   const auto names = [&](const std::string& speed) {
     std::vector<std::string> all;
-    for (const json& flag : compared(file("drop.csv"), {"--speed", speed})["pulse"]["flags"])
+    const json result = compared(file("drop.csv"), {"--speed", speed});
+    for (const json& flag : result["pulse"]["flags"])
       if (flag["name"] != "IMPOSSIBLE VELOCITY CHANGE") all.push_back(flag["name"]);
     return all;
   };
@@ -161,7 +162,8 @@ TEST_F(ComparePulseTest, SaysWhenCaseAndPulseAreOfUnlikeImpacts) {
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr(" But it strikes 24 % slower."),
                     HasSubstr("UNLIKE SPEEDS: the case strikes at 3 m/s, 24 % slower than the")));
-  EXPECT_THAT(compare(file("drop.csv")).out, AllOf(Not(HasSubstr("strikes")), Not(HasSubstr("UNLIKE"))));
+  EXPECT_THAT(compare(file("drop.csv")).out,
+              AllOf(Not(HasSubstr("But it strikes")), Not(HasSubstr("UNLIKE"))));
 }
 
 TEST_F(ComparePulseTest, RefusesAPulseWithoutATriggerOrWithFaults) {
