@@ -47,6 +47,9 @@ then. With --speed or --drop-height the velocity change must lie between v and 2
 says otherwise; the restitution is (velocity change - v) / v. With --drop-height what gravity adds during contact
 is taken off before.
 
+Uncertainty: of peak, HIC and the like, k = 2, by what the sample interval may hide, what the filter takes away
+beside the next higher class, and --calibration "2 %", that of the sensor.
+
 Figures: the peak; HIC15, HIC36, HIC with any window, and those of --window; HIC(d); the 3 ms clip, in one
 stretch and in all; Gadd's severity index; the time above 80, 150 and 200 g, or the levels of --dwell; the
 change of velocity over contact. They are of the pulse as it is, or as --filter makes it. The directions of a resultant are

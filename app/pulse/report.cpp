@@ -109,7 +109,8 @@ injury::PulseReport pulse_report(
                              .impact = settings.impact,
                              .windows = {},
                              .dwells = {},
-                             .flags = {}};
+                             .flags = {},
+                             .uncertainty = {}};
   ProgressLine waiting("Reading " + request.file);
   if (wrong.empty()) waiting.expect(expected_time(request.file));
   try {
@@ -143,8 +144,12 @@ injury::PulseReport pulse_report(
   for (const double level : settings.levels)
     report.dwells.push_back(
         {level, injury::cumulative_dwell(report.pulse, level), injury::longest_dwell(report.pulse, level)});
+  report.uncertainty = injury::measurement_uncertainty(report, settings.calibration);
   remark_on(report);
   report.flags = injury::flags(report, request.zero ? report.pulse : zero.pulse);
+  if (report.impact && request.case_impact)
+    if (auto flag = injury::unlike_speeds(*report.impact, *request.case_impact))
+      report.flags.insert(report.flags.begin(), *std::move(flag));
   return report;
 }
 

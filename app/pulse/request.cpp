@@ -90,6 +90,11 @@ PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>&
     }
   }
   settings.impact = impact_of(request, wrong);
+  settings.calibration = quantity_of("--calibration", request.calibration, "1", wrong);
+  if (settings.calibration &&
+      !(*settings.calibration > 0 && *settings.calibration < injury::most_calibration))
+    wrong.push_back(fmt::format("--calibration {}: must be more than 0 and less than {:.0f} %",
+                                *request.calibration, 100 * injury::most_calibration));
   for (const double window : request.windows_ms) {
     const Magnitudes times = measured_magnitudes("s");
     if (!(window > 0))
@@ -193,6 +198,9 @@ void add_processing_options(CLI::App& sub, PulseRequest& request) {
 }
 
 void add_figure_options(CLI::App& sub, PulseRequest& request) {
+  sub.add_option("--calibration", request.calibration,
+                 "Uncertainty of the sensor's calibration, k = 2, such as \"2 %\": for that of the figures")
+      ->type_name("SHARE");
   sub.add_option("--window", request.windows_ms, "One more HIC, with a window of at most MS")
       ->allow_extra_args(false)
       ->type_name("MS");

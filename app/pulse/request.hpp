@@ -31,6 +31,7 @@ struct PulseRequest {
   std::optional<std::string> drop_height;
   /// Of a case beside which the pulse is laid: where neither --speed nor --drop-height is given.
   std::optional<injury::MeasuredImpact> case_impact = {};
+  std::optional<std::string> calibration;
   std::vector<double> windows_ms;
   std::vector<std::string> dwells;
   std::optional<std::string> json;
@@ -50,6 +51,7 @@ struct PulseSettings {
   std::optional<double> interval_of_samples;               ///< s, of a table without times
   std::vector<input::Sensitivity> sensitivities;
   std::optional<injury::MeasuredImpact> impact;  ///< with its speed
+  std::optional<double> calibration;             ///< relative, k = 2
 };
 
 /// Adds to `wrong` all that is wrong with them.

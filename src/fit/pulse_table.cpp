@@ -32,6 +32,20 @@ std::optional<injury::PulseFilter> read_filter(TableReader& table) {
   return injury::PulseFilter{.channel_frequency_class = std::stoi(name.substr(3))};
 }
 
+/// Which impact was measured: the case beside it may be of another.
+std::optional<injury::MeasuredImpact> read_impact_of_pulse(TableReader& table) {
+  const auto positive = [&](const char* key, const char* unit) -> std::optional<double> {
+    if (!table.has(key)) return std::nullopt;
+    const double value = table.quantity(key, unit);
+    if (value <= 0) table.fault(key, "must be more than 0");
+    return value > 0 ? std::optional{value} : std::nullopt;
+  };
+  const std::optional<double> speed = positive("speed", "m/s"), height = positive("drop_height", "m");
+  if (speed && height) table.fault("drop_height", "give speed or drop_height, not both");
+  if (height) return injury::after_fall(*height);
+  return speed ? std::optional{injury::MeasuredImpact{.speed = *speed}} : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<MeasuredDeceleration> read_pulse(TableReader& table, const FitFolders& folders,
@@ -58,6 +72,8 @@ std::optional<MeasuredDeceleration> read_pulse(TableReader& table, const FitFold
       table.fault("file", error.what());
     }
   }
+  const std::optional<injury::MeasuredImpact> impact = read_impact_of_pulse(table);
+  if (pulse) pulse->impact = impact;
   const double value = value_or_share(table, "deviation", "m/s2", pulse ? pulse->peak : 1);
   if (pulse) pulse->deviation = value;
   table.refuse_others();

@@ -8,6 +8,7 @@
 
 #include "dashpad/study/application.hpp"
 #include "fit/card.hpp"
+#include "fit/impact_residuals.hpp"
 #include "fit/met.hpp"
 #include "fit/recoil.hpp"
 #include "quantities/text.hpp"
@@ -68,6 +69,23 @@ void add_misses(const FitReport& report, Sentences& all) {
   }
 }
 
+/// Pulses of other impacts than the cases beside them.
+void add_speeds(const Fit& fit, std::span<const double> values, Sentences& all) {
+  for (const ImpactMeasurement& of : fit.impacts) {
+    if (!of.pulse) continue;
+    const Impactor impactor = impact_with(fit, of, values).impactor;
+    if (of.pulse->impact && injury::unlike_speeds(*of.pulse->impact, {.speed = impactor.speed}))
+      all.push_back(fmt::format("{} strikes at {} m/s, and the impact of its pulse {} at {} m/s.", of.file,
+                                brief(impactor.speed, 4), of.pulse->file, brief(of.pulse->impact->speed, 4)));
+    const double change = of.pulse->velocity_change - impactor.gravity * of.pulse->time.back();
+    if (change < (1 - worth_saying) * impactor.speed || change > (1 + worth_saying) * 2 * impactor.speed)
+      all.push_back(fmt::format(
+          "The pulse {} changes the velocity by {} m/s, which an impact at the {} m/s of {} cannot: "
+          "another height, a wrong scale or an offset of the sensor.",
+          of.pulse->file, brief(change, 4), brief(impactor.speed, 4), of.file));
+  }
+}
+
 /// What the impacts were met with, beside the card.
 void add_company(const Fit& fit, const FitReport& report, Sentences& all) {
   bool is_scaled = false;
@@ -123,6 +141,7 @@ Sentences reservations_of(const Fit& fit, std::span<const double> values, const 
   Sentences all;
   add_open_unknowns(report, all);
   add_doubts(report, all);
+  add_speeds(fit, values, all);
   add_misses(report, all);
   add_company(fit, report, all);
   const bool unloads = std::ranges::any_of(

@@ -33,6 +33,21 @@ double level_of(const Pulse& pulse, const std::optional<Stretch>& quiet, double 
   return scatter < most_scatter * peak && level < highest_level * peak ? level : 0;
 }
 
+/// The time above half the peak, s, around the peak, to where the acceleration falls to `level` on either
+/// side: a second blow is not in it, and dips of a ringing that do not reach so far interrupt nothing.
+double width_of_hump(const Pulse& pulse, std::size_t peak, double side, double level) {
+  const auto is_inside = [&](std::size_t i) { return side * pulse.acceleration[i] > level; };
+  std::size_t first = peak, last = peak;
+  while (first > 0 && is_inside(first)) --first;
+  while (last + 1 < pulse.time.size() && is_inside(last)) ++last;
+  Pulse hump;
+  for (std::size_t i = first; i <= last; ++i) {
+    hump.time.push_back(pulse.time[i]);
+    hump.acceleration.push_back(std::max(side * pulse.acceleration[i], 0.0));
+  }
+  return cumulative_dwell(hump, hump.acceleration[peak - first] / 2);
+}
+
 /// The last sample of the contact on the way from the peak, forwards or backwards.
 std::size_t last_of_contact(const Pulse& pulse, std::size_t peak, bool forwards, double side, double level,
                             double longest) {
@@ -62,7 +77,7 @@ Contact contact_of(const Pulse& along, const std::optional<Stretch>& quiet) {
   const auto at = static_cast<std::size_t>(std::ranges::find(time, top.time) - time.begin());
   const double side = a[at] < 0 ? -1 : 1;
   const double level = level_of(along, quiet, side, top.magnitude);
-  const double longest = of_the_width * cumulative_dwell(along, top.magnitude / 2);
+  const double longest = of_the_width * width_of_hump(along, at, side, level);
   const std::size_t first = last_of_contact(along, at, false, side, level, longest);
   const std::size_t last = last_of_contact(along, at, true, side, level, longest);
   Pulse contact;

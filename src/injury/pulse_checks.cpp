@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,13 +14,12 @@ namespace dashpad::injury {
 
 namespace {
 
-constexpr double lowest_cut = 0.01;            // of the peak
-constexpr double cut_in_noise = 4;             // of the scatter
-constexpr double most_quiet_scatter = 0.02;    // of the peak, of a part that is quiet
-constexpr double worth_a_remark = 1e-3;        // of HIC15
-constexpr double surely = 3;                   // standard errors of a mean that is not 0
-constexpr double rounding_of_velocity = 1e-3;  // relative
-constexpr double rounding = 1e-9;              // of the peak
+constexpr double lowest_cut = 0.01;          // of the peak
+constexpr double cut_in_noise = 4;           // of the scatter
+constexpr double most_quiet_scatter = 0.02;  // of the peak, of a part that is quiet
+constexpr double worth_a_remark = 1e-3;      // of HIC15
+constexpr double surely = 3;                 // standard errors of a mean that is not 0
+constexpr double rounding = 1e-9;            // of the peak
 
 /// Root mean square of the samples in the quiet interval, m/s2; 0 where there is none.
 double scatter(const PulseReport& report, const Pulse& pulse, double peak) {
@@ -32,11 +32,6 @@ double scatter(const PulseReport& report, const Pulse& pulse, double peak) {
     }
   const double found = count > 0 ? std::sqrt(squares / count) : 0;
   return found <= most_quiet_scatter * peak ? found : 0;
-}
-
-/// Two digits, and all digits before the point.
-std::string in_percent(double fraction) {
-  return fraction < 0.99 ? percentage(fraction) : fmt::format("{:.0f} %", 100 * fraction);
 }
 
 std::string cut(const std::string& where, double acceleration, double peak, const std::string& missing) {
@@ -75,22 +70,19 @@ std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse) {
     all.push_back({"PULSE CUT", cut("starts", pulse.acceleration.front(), peak, "its beginning is missing")});
   if (std::abs(pulse.acceleration.back()) > limit)
     all.push_back({"PULSE CUT", cut("ends", pulse.acceleration.back(), peak, "its end is missing")});
-  if (!report.impact) return all;
-  const double change = change_of_motion(report.contact, *report.impact), speed = report.impact->speed;
-  if (change < (1 - rounding_of_velocity) * speed)
-    all.push_back(
-        {"IMPOSSIBLE VELOCITY CHANGE",
-         fmt::format("IMPOSSIBLE VELOCITY CHANGE: {} m/s is less than the impact speed, {} m/s; likely "
-                     "the pulse is cut, the unit or the sensitivity is wrong, or the sensor has an "
-                     "offset",
-                     brief(change), brief(speed))});
-  if (change > (1 + rounding_of_velocity) * 2 * speed)
-    all.push_back(
-        {"IMPOSSIBLE VELOCITY CHANGE",
-         fmt::format("IMPOSSIBLE VELOCITY CHANGE: {} m/s is more than twice the impact speed, {} m/s; "
-                     "likely the sensor has an offset, the unit or the sensitivity is wrong, or there "
-                     "is more than one impact in the pulse",
-                     brief(change), brief(speed))});
+  const std::optional<SpeedCheck> check = speed_check(report);
+  if (check && !check->agrees()) {
+    const bool is_short = check->shortfall > 0;
+    all.push_back({"IMPOSSIBLE VELOCITY CHANGE",
+                   fmt::format("IMPOSSIBLE VELOCITY CHANGE: {} m/s is {} the impact speed, {} m/s; likely {}",
+                               brief(check->change), is_short ? "less than" : "more than twice",
+                               brief(report.impact->speed),
+                               is_short ? "the pulse is cut, the unit or the sensitivity is wrong, or the "
+                                          "sensor has an offset"
+                                        : "the sensor has an offset, the unit or the sensitivity is wrong, "
+                                          "or there is more than one impact in the pulse")});
+  }
+  if (std::optional<Flag> flag = height_in_doubt(report)) all.push_back(*std::move(flag));
   return all;
 }
 
@@ -100,6 +92,10 @@ std::string each_in_g(const std::vector<double>& accelerations, double peak) {
     text += fmt::format("{}{:.3g}", text.empty() ? "" : ", ",
                         std::abs(value) < rounding * peak ? 0 : value / standard_gravity);
   return text + " g";
+}
+
+std::string in_percent(double fraction) {
+  return fraction < 0.99 ? percentage(fraction) : fmt::format("{:.0f} %", 100 * fraction);
 }
 
 std::string change_of_hic15(const OffsetEffect& effect) {

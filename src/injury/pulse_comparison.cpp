@@ -18,8 +18,7 @@ namespace dashpad::injury {
 
 namespace {
 
-constexpr double free_flight = 20e-3;             // s: longer than a filter of class 60 looks
-constexpr double rounding_of_restitution = 1e-3;  // of the impact speed, as in IMPOSSIBLE VELOCITY CHANGE
+constexpr double free_flight = 20e-3;  // s: longer than a filter of class 60 looks
 
 /// Sets when the pulse reaches that level, for the first time and for the last one before its peak.
 void find_onset(const Pulse& pulse, double level, PulseShape& shape) {
@@ -132,7 +131,7 @@ PulseShape pulse_shape(const Pulse& pulse, const std::optional<MeasuredImpact>& 
   shape.hic15 = hic(pulse, hic15_window).value;
   if (impact) {
     const double restitution = change_of_motion(shape.contact, *impact) / impact->speed - 1;
-    if (restitution >= -rounding_of_restitution && restitution <= 1 + 2 * rounding_of_restitution)
+    if (restitution >= -rounding_of_velocity && restitution <= 1 + 2 * rounding_of_velocity)
       shape.restitution = restitution;
   }
   return shape;

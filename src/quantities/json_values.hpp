@@ -39,7 +39,7 @@ inline std::string json_text(const Json& json) {
 
 /// The layout of all results that the command writes as JSON: a greater number where a key has gone, or means
 /// something else.
-constexpr int result_format = 2;
+constexpr int result_format = 3;
 
 /// A result, with its format before everything else.
 inline Json result_with_format(const Json& result) {

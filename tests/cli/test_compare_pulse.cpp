@@ -147,6 +147,25 @@ TEST_F(ComparePulseTest, SaysWhatToBewareOf) {
                                   HasSubstr("BOTTOMED at ")));
 }
 
+/// The case strikes at 3 m/s.
+TEST_F(ComparePulseTest, SaysWhenCaseAndPulseAreOfUnlikeImpacts) {
+  const auto names = [&](const std::string& speed) {
+    std::vector<std::string> all;
+    const json result = compared(file("drop.csv"), {"--speed", speed});
+    for (const json& flag : result["pulse"]["flags"])
+      if (flag["name"] != "IMPOSSIBLE VELOCITY CHANGE") all.push_back(flag["name"]);
+    return all;
+  };
+  EXPECT_TRUE(names("3.02 m/s").empty());
+  EXPECT_THAT(names("3.04 m/s"), testing::ElementsAre("UNLIKE SPEEDS"));
+  const Outcome outcome = compare(file("drop.csv"), {"--drop-height", "0.8 m"});
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr(" But it strikes 24 % slower."),
+                    HasSubstr("UNLIKE SPEEDS: the case strikes at 3 m/s, 24 % slower than the")));
+  EXPECT_THAT(compare(file("drop.csv")).out,
+              AllOf(Not(HasSubstr("But it strikes")), Not(HasSubstr("UNLIKE"))));
+}
+
 TEST_F(ComparePulseTest, RefusesAPulseWithoutATriggerOrWithFaults) {
   EXPECT_THAT(refused(triangle_of(0)), HasSubstr("its acceleration is 0 throughout"));
   const std::string late = "time_ms,acc_g\n0,4\n5,40\n10,0\n";

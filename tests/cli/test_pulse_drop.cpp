@@ -106,5 +106,31 @@ TEST_F(PulseDropTest, RestAndFallAreNotOfThePulse) {
   }
 }
 
+/// The fall in the record is one of 1.8 m; a speed that is too low for the change of velocity has its way
+/// out.
+TEST_F(PulseDropTest, SaysWhatHeightFallAndVelocityChangeSayOfEachOther) {
+  const double fall = std::sqrt(2 * drop_height / earth);
+  std::string text = "time [s],az [g]\n";
+  for (int i = 0; i * 5e-4 < 0.25 + fall + 0.15; ++i)
+    text += fmt::format("{:.4f},{:.5f}\n", i * 5e-4, i < 500 ? 1 : sensed(i * 5e-4 - 0.25 - fall, 0.3));
+  const json right = result(text, {"--drop-height", "1.8 m", "--zero", "auto"});
+  EXPECT_TRUE(right.at("flags").empty()) << right.at("flags");
+  const json& check = right.at("impact").at("check");
+  EXPECT_EQ(check.at("agrees"), true);
+  const double change = 1.3 * impact_speed() + earth * touch;
+  EXPECT_NEAR(check.at("least_scale").get<double>(), (impact_speed() + earth * touch) / change, 2e-3);
+  EXPECT_NEAR(check.at("greatest_scale").get<double>(), (2 * impact_speed() + earth * touch) / change, 4e-3);
+  EXPECT_THAT(said, HasSubstr("Velocity change and drop height agree: "));
+
+  EXPECT_EQ(result(text, {"--drop-height", "1.7 m", "--zero", "auto"}).at("flags").at(0).at("name"),
+            "DROP HEIGHT IN DOUBT");
+  const json low = result(text, {"--speed", "12 m/s", "--zero", "auto"}).at("impact").at("check");
+  EXPECT_EQ(low.at("agrees"), false);
+  EXPECT_NEAR(low.at("least_scale").get<double>(), 12 / change, 4e-3);
+  EXPECT_THAT(said, HasSubstr("For a velocity change that agrees with the speed the scale"));
+  EXPECT_TRUE(result(text, {"--zero", "auto"}).at("impact").is_null());
+  EXPECT_THAT(said, Not(HasSubstr("Velocity change and")));
+}
+
 }  // namespace
 }  // namespace dashpad::test

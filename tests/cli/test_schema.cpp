@@ -72,7 +72,7 @@ TEST_F(SchemaTest, EveryResultBeginsWithItsFormat) {
     const Outcome outcome = dashpad(command);
     ASSERT_TRUE(json::accept(outcome.out)) << outcome.out << outcome.err;
     const json result = json::parse(outcome.out);
-    for (const json& one : result.is_array() ? result : json::array({result})) EXPECT_EQ(one["format"], 2);
+    for (const json& one : result.is_array() ? result : json::array({result})) EXPECT_EQ(one["format"], 3);
     EXPECT_THAT(outcome.out, testing::ContainsRegex("^(\\[\n  )?\\{\n +\"format\": 2,\n"));
   }
 }

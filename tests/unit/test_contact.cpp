@@ -90,6 +90,44 @@ TEST(Contact, GoesOnOverRinging) {
   EXPECT_NEAR(contact.velocity_change, exact_change, 0.01 * exact_change);
 }
 
+/// The peak is one ring of 2 kHz alone, and the dips beside it are below half of it.
+TEST(Contact, GoesOnOverRingingThatLastsAsLongAsTheImpact) {
+  Pulse pulse;
+  for (int i = -400; i <= 1200; ++i) {
+    const double time = i * step;
+    const bool touches = time > 0 && time < duration;
+    pulse.time.push_back(time);
+    pulse.acceleration.push_back(half_sine(time) +
+                                 (touches ? 0.36 * top * std::sin(2 * std::numbers::pi * 2000 * time) : 0));
+  }
+  const Contact contact = contact_of(pulse);
+  EXPECT_NEAR(contact.begin, 0, 2 * step);
+  EXPECT_NEAR(contact.end, duration, 0.4e-3);
+  EXPECT_NEAR(contact.velocity_change, exact_change, 0.01 * exact_change);
+}
+
+/// Two half sines, the second as high as the first or a little higher, 2 ms apart: the contact is that of the
+/// highest alone. Half a millisecond apart they cannot be told from ringing.
+TEST(Contact, OfTwoBlowsIsThatOfTheHigherOne) {
+  const auto contact_of_two = [](double second, double apart) {
+    Pulse pulse;
+    for (int i = -400; i <= 1200; ++i) {
+      pulse.time.push_back(i * step);
+      pulse.acceleration.push_back(half_sine(i * step) + second * half_sine(i * step - duration - apart));
+    }
+    return contact_of(pulse);
+  };
+  for (const double second : {1.0, 1.1}) {
+    SCOPED_TRACE(second);
+    const Contact contact = contact_of_two(second, 2e-3);
+    const double begin = second > 1 ? duration + 2e-3 : 0;
+    EXPECT_NEAR(contact.begin, begin, 1e-9);
+    EXPECT_NEAR(contact.end, begin + duration, 1e-9);
+    EXPECT_NEAR(contact.velocity_change, second * exact_change, 1e-4 * exact_change);
+  }
+  EXPECT_NEAR(contact_of_two(1, 0.5e-3).velocity_change, 2 * exact_change, 1e-3 * exact_change);
+}
+
 TEST(Contact, OfNothingIsNothing) {
   const Contact contact = contact_of({{1, 2, 3}, {0, 0, 0}});
   EXPECT_EQ(contact.begin, 1);

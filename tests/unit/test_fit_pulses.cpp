@@ -13,6 +13,7 @@
 #include "dashpad/fit/fit_file.hpp"
 #include "dashpad/injury/hic.hpp"
 #include "dashpad/input/fault.hpp"
+#include "fit/reservations.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad::fit {
@@ -203,12 +204,39 @@ TEST_F(FitPulseTest, NamesOneFaultForEach) {
       {", deviation = \"5 %\"", "", "is missing"},
       {"deviation =", "filter = \"CFC100\", deviation =", "CFC180"},
       {"deviation =", "trigger = 1, deviation =", "trigger"},
+      {"deviation =", "speed = \"0 m/s\", deviation =", "must be more than 0"},
+      {"deviation =", "drop_height = \"1 s\", deviation =", "length"},
+      {"deviation =", "speed = \"3 m/s\", drop_height = \"1 m\", deviation =", "not both"},
   };
   for (const Row& row : rows) {
     const auto faults = faults_of(with(pulse_fit, row.old, row.fresh));
     ASSERT_EQ(faults.size(), 1U) << row.fresh;
     EXPECT_THAT(faults[0].rule + faults[0].key, HasSubstr(row.said));
   }
+}
+
+/// The case strikes at 3 m/s, and the pulse changes the velocity by 3.18 m/s.
+TEST_F(FitPulseTest, PulsesOfOtherImpactsAreReservations) {
+  const auto reservations = [&](const std::string& stated, double factor = 1) {
+    Pulse pulse = half_sine();
+    for (double& each : pulse.acceleration) each *= factor;
+    write("drop.csv", csv(pulse));
+    const FitFile of = read(with(pulse_fit, "deviation =", stated + "deviation ="));
+    std::string all;
+    for (const std::string& each :
+         reservations_of(of.fit, std::vector<double>(of.fit.unknowns.size(), 3e5), {}))
+      if (each.find("drop.csv") != std::string::npos) all += each;
+    return all;
+  };
+  EXPECT_EQ(reservations(""), "");
+  EXPECT_EQ(reservations("speed = \"3.02 m/s\", "), "");
+  EXPECT_EQ(reservations("speed = \"3.04 m/s\", "),
+            "drop.toml strikes at 3 m/s, and the impact of its pulse drop.csv at 3.04 m/s.");
+  EXPECT_THAT(reservations("drop_height = \"1 m\", "), HasSubstr("drop.csv at 4.429 m/s."));
+  EXPECT_EQ(reservations("", 0.91), "");  // 2.9 m/s: 5 % below 3 m/s are forgiven
+  EXPECT_THAT(reservations("", 0.88), HasSubstr("changes the velocity by 2.8"));
+  EXPECT_EQ(reservations("", 1.97), "");
+  EXPECT_THAT(reservations("", 2), HasSubstr("which an impact at the 3 m/s of drop.toml cannot"));
 }
 
 TEST_F(FitPulseTest, NamesFileAndLineOfBadSamples) {

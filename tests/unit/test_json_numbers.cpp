@@ -318,6 +318,9 @@ TEST(JsonNumbers, OfAPulse) {
                     (of.contact.velocity_change - of.impact->gravity * (of.contact.end - of.contact.begin)) /
                             of.impact->speed -
                         1},
+                   {"/impact/check/least_scale", *injury::speed_check(of)->least_scale},
+                   {"/impact/check/greatest_scale", *injury::speed_check(of)->greatest_scale},
+                   {"/uncertainty/coverage_factor", 2},
                    {"/source/time/number", 101},
                    {"/source/time/si_factor", of.measured.time.factor},
                    {"/source/acceleration/0/number", 102},

@@ -225,6 +225,31 @@ TEST(pulse_csv, a_table_without_times_is_read_with_an_interval) {
               Pointwise(DoubleEq(), {5 * g, 10 * g}));
 }
 
+/// Steps of 0.1 ms behind ten digits of seconds, which a double has no room for.
+TEST(pulse_csv, times_of_a_clock_count_from_the_first_sample) {
+  const auto table = [](const std::string& whole, char sign) {
+    std::string text = std::string("time_s;a_g\n");
+    for (int i = 0; i < 400; ++i) {
+      const std::string digits = std::to_string(10000 + 1234 + i);
+      text += whole + sign + digits.substr(1) + ";" + std::to_string(i % 7) + "\n";
+    }
+    return text;
+  };
+  for (const char sign : {'.', ','}) {
+    const input::MeasuredPulse measured = read(table("1764068400", sign));
+    EXPECT_EQ(measured.counts_from, std::string("1764068400") + sign + "1234 s");
+    EXPECT_THAT(measured.remarks.back(), HasSubstr("here they count from the first sample"));
+    for (std::size_t i = 1; i < 400; ++i)
+      EXPECT_NEAR((measured.pulse.time[i] - measured.pulse.time[i - 1]) / 1e-4, 1, 1e-9) << i;
+    EXPECT_EQ(measured.pulse.time.front(), 0);
+  }
+  const input::MeasuredPulse near = read(table("39", '.'));
+  EXPECT_EQ(near.counts_from, "");  // 39.12 s are less than a thousand times 39.9 ms
+  EXPECT_EQ(near.pulse.time.front(), 39.1234);
+  EXPECT_EQ(read(table("40", '.')).counts_from, "40.1234 s");
+  EXPECT_THAT(said("time_s,a_g\n1764068400.00000002,1\n1764068400.00000001,2\n"), HasSubstr("is earlier"));
+}
+
 TEST(pulse_csv, volts_become_an_acceleration_with_a_sensitivity) {
   const input::Sensitivity half = input::sensitivity_of("5 mV/g");
   for (const auto& [text, options] : std::vector<std::pair<std::string, input::PulseCsvOptions>>{

@@ -88,6 +88,7 @@ struct MeasuredDeceleration {
   double interval = 0;                        ///< s between two samples of the file
   double hic = 0;              ///< of any window, of all samples between onset and end, g^2.5 s
   double velocity_change = 0;  ///< m/s, over contact
+  std::optional<injury::MeasuredImpact> impact = {};  ///< where the file says its speed or drop height
 };
 
 /// Samples of a pulse that are fitted, at most; neighbours tell little that is new.

@@ -9,6 +9,7 @@
 #include "dashpad/injury/cfc_filter.hpp"
 #include "dashpad/injury/contact.hpp"
 #include "dashpad/injury/figures.hpp"
+#include "dashpad/injury/pulse_uncertainty.hpp"
 #include "dashpad/input/measurement/measured_pulse.hpp"
 #include "dashpad/input/measurement/sensor_offset.hpp"
 
@@ -69,6 +70,7 @@ struct PulseReport {
   std::vector<WindowedHic> windows;
   std::vector<DwellTime> dwells;
   std::vector<Flag> flags;
+  MeasurementUncertainty uncertainty;
 };
 
 struct ProcessedPulse {
@@ -94,8 +96,31 @@ std::optional<double> restitution(const PulseReport& report);
 /// PULSE CUT: it starts or ends above 1 % of its peak and above four times the scatter of `quiet`, if there
 /// is such an interval; HIC, clips and velocity change are lower bounds then. `pulse` is the processed one
 /// without the sensor's offset. IMPOSSIBLE VELOCITY CHANGE: that of the motion is not between v and 2 v, to
-/// 0.1 %.
+/// 0.1 %. And height_in_doubt().
 std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse);
+
+/// Velocities that differ by less count as the same, relative.
+inline constexpr double rounding_of_velocity = 1e-3;
+
+/// What the velocity change and a known impact speed v say of each other.
+struct SpeedCheck {
+  double change = 0;     ///< m/s, of the motion: change_of_motion()
+  double shortfall = 0;  ///< m/s, by how much that is below v; above 2 v negative; 0 between them, to 0.1 %
+  /// By what the accelerations may be multiplied for a change between v and 2 v; absent without acceleration.
+  std::optional<double> least_scale = {}, greatest_scale = {};
+  std::string text = {};  ///< a sentence
+
+  [[nodiscard]] bool agrees() const { return shortfall == 0; }
+};
+/// Absent without an impact speed.
+std::optional<SpeedCheck> speed_check(const PulseReport& report);
+
+/// DROP HEIGHT IN DOUBT: the fall in the record, after a rest, takes another time than from that height, by
+/// more than what 1 % of it and four samples at either end make.
+std::optional<Flag> height_in_doubt(const PulseReport& report);
+
+/// UNLIKE SPEEDS: the computed impact is at a speed more than 1 % off that of the measured one beside it.
+std::optional<Flag> unlike_speeds(const MeasuredImpact& measured, const MeasuredImpact& computed);
 
 /// Remarks if the offset changes HIC15 by more than 0.1 % and was not taken off, and if the interval that was
 /// given for it is not quiet. `peak` is that of the pulse, m/s2.

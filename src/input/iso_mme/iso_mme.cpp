@@ -11,7 +11,9 @@
 #include "input/iso_mme/test_files.hpp"
 #include "input/iso_mme/text.hpp"
 #include "input/measurement/column_units.hpp"
+#include "input/measurement/exact_time.hpp"
 #include "input/measurement/pulse_bounds.hpp"
+#include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
 
@@ -21,6 +23,7 @@ using Channels = std::vector<IsoMmeChannel>;
 
 struct EvenTimes {
   double first = 0, interval = 0;
+  std::string counts_from = {};  ///< the first time as in the file, where `first` is 0 in its place
 
   [[nodiscard]] double at(std::size_t sample) const { return first + interval * static_cast<double>(sample); }
   /// Not where rounding makes one of two neighbours.
@@ -52,7 +55,10 @@ EvenTimes times_of(const MmeLabels& labels, std::size_t count, MeasurementFaults
   const auto interval = number_of(labels, "Sampling interval", faults);
   if (!first || !interval) return {};
   const MmeLabel* label = labels.find("Sampling interval");
-  const EvenTimes times{*first, *interval};
+  EvenTimes times{*first, *interval};
+  if (*interval >= measured_magnitudes("s").least &&
+      counts_from_first(*first, *interval * static_cast<double>(count)))
+    times = {0, *interval, labels.value("Time of first sample") + " s"};
   if (!(*interval > 0))
     faults.add(label->line, label->name, label->value, "must be more than 0");
   else if (!times.increase(count))
@@ -78,8 +84,9 @@ class Combiner {
                     sensitivity_at(options_.sensitivity, result_.acceleration.size()));
     const MmeLabel* label = read.labels.find("Unit");
     if (!rule.empty()) faults.add(label == nullptr ? 0 : label->line, "Unit", unit_of_file, rule);
-    if (!result_.acceleration.empty() && (times.first != times_.first || times.interval != times_.interval ||
-                                          read.values.size() != result_.pulse.time.size()))
+    if (!result_.acceleration.empty() &&
+        (times.first != times_.first || times.counts_from != times_.counts_from ||
+         times.interval != times_.interval || read.values.size() != result_.pulse.time.size()))
       faults.add(0, "", "", "has other times than " + result_.acceleration.front().name);
     faults.throw_if_any();
     if (const auto remark = overruled_unit(column, unit_of_file)) result_.remarks.push_back(*remark);
@@ -95,6 +102,8 @@ class Combiner {
     const bool is_first = result_.acceleration.empty();
     if (is_first) {
       times_ = times;
+      result_.counts_from = times.counts_from;
+      if (!times.counts_from.empty()) result_.remarks.push_back(remark_on_clock(times.counts_from));
       for (std::size_t i = 0; i < values.size(); ++i) pulse.time.push_back(times.at(i));
     }
     std::vector<double> scaled(values.size());

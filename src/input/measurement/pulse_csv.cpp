@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 
 #include <fmt/format.h>
 
 #include "input/measurement/csv_columns.hpp"
 #include "input/measurement/csv_rows.hpp"
+#include "input/measurement/exact_time.hpp"
 #include "input/measurement/pulse_bounds.hpp"
 #include "input/measurement/pulse_gaps.hpp"
 #include "quantities/magnitude_bounds.hpp"
@@ -54,6 +56,17 @@ class NumberReader {
     for (std::size_t i = 0; i < columns_.size(); ++i)
       complete = read(row, columns_[i], sample[values + i]) && complete;
     if (complete) append(sample, row);
+  }
+
+  /// After the last row. Lets the times count from the first sample where the clock began long ago; says then
+  /// what the file has there.
+  std::string count_from_first() {
+    if (since_first_.empty()) return "";
+    const bool is_far = counts_from_first(pulse.time.front(), since_first_.back());
+    if (!is_far && std::ranges::adjacent_find(pulse.time, std::greater_equal<>()) == pulse.time.end())
+      return "";
+    pulse.time = std::move(since_first_);
+    return first_time_ + " " + columns_.front().unit;
   }
 
   Pulse pulse;
@@ -110,19 +123,42 @@ class NumberReader {
     return false;
   }
 
+  [[nodiscard]] std::string_view time_field(const CsvRow& row) const {
+    return without_blanks(row.fields[static_cast<std::size_t>(columns_.front().number - 1)]);
+  }
+
+  /// Seconds by which the time of a row is later than that of the first sample, rounded once they are
+  /// subtracted.
+  [[nodiscard]] double since_first(double time, const CsvRow& row) const {
+    const std::optional<ExactTime> exact = exact_time(time_field(row));
+    return exact && first_ ? columns_.front().factor * exact->since(*first_) : time - pulse.time.front();
+  }
+
+  /// By how much the time of this row is later than the one before, s.
+  double step_to(double time, const CsvRow& row) {
+    if (pulse.time.size() == 1 && counts_from_first(pulse.time.front(), time - pulse.time.front()))
+      since_first_ = {0};  // it may be far: what the doubles still tell of the times is too little then
+    if (since_first_.empty()) return time - pulse.time.back();
+    return since_first(time, row) - since_first_.back();
+  }
+
   void append(const std::array<double, 4>& sample, const CsvRow& row) {
     const double time = sample[0];
-    if (!interval_ && !pulse.time.empty() && !(time > pulse.time.back())) {
-      if (sample == latest_) {
+    if (!interval_ && pulse.time.empty()) {
+      first_time_ = time_field(row);
+      first_ = exact_time(first_time_);
+    } else if (!interval_) {
+      const double step = step_to(time, row);
+      if (step == 0 && sample == latest_) {
         if (findings.repeated_samples++ == 0) findings.first_repeated = row.line;
         return;
       }
-      const MeasuredColumn& column = columns_.front();
-      faults_.add(
-          row.line, column.name, without_blanks(row.fields[static_cast<std::size_t>(column.number - 1)]),
-          time == pulse.time.back() ? "repeats the time before, with another value; times must increase"
-                                    : "is earlier than the time before; times must increase");
-      return;
+      if (!(step > 0)) {
+        faults_.add(row.line, columns_.front().name, time_field(row),
+                    step == 0 ? "repeats the time before, with another value; times must increase"
+                              : "is earlier than the time before; times must increase");
+        return;
+      }
     }
     if (pulse.time.size() == most_samples)
       faults_.refuse(row.line, "", "", fmt::format("more than {} samples", most_samples));
@@ -132,6 +168,7 @@ class NumberReader {
       return;
     }
     latest_ = sample;
+    if (!since_first_.empty()) since_first_.push_back(since_first(time, row));
     pulse.time.push_back(time);
     pulse.acceleration.push_back(value);
     lines.push_back(static_cast<std::uint32_t>(row.line));  // a file has fewer bytes than that
@@ -146,6 +183,9 @@ class NumberReader {
   MeasurementFaults& faults_;
   std::vector<MeasuredColumn> columns_;  ///< the time first, if it has a column
   std::array<double, 4> latest_{};
+  std::string first_time_;  ///< as in the file
+  std::optional<ExactTime> first_;
+  std::vector<double> since_first_;  ///< s, of all samples, where the second is near to the first; else empty
 };
 
 /// A number in a chosen column, in a row below the names: a sample that would be lost.
@@ -267,6 +307,7 @@ MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOp
       rows.begin_numbers();
       numbers.add(row);
     }
+  result.counts_from = numbers.count_from_first();
   const std::size_t count = numbers.pulse.time.size();
   if (faults.none() && count < 2) faults.add(0, "", "", "has one sample only; a pulse needs two");
   faults.throw_if_any();
@@ -278,6 +319,7 @@ MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOp
 
   for (std::string& remark : remarks_on(numbers.findings, rows, table.has_mark))
     result.remarks.push_back(std::move(remark));
+  if (!result.counts_from.empty()) result.remarks.push_back(remark_on_clock(result.counts_from));
   for (std::string& remark : bridged) result.remarks.push_back(std::move(remark));
   result.pulse = std::move(numbers.pulse);
   result.components = std::move(numbers.components);

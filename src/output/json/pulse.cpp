@@ -70,12 +70,35 @@ Json offset(const injury::PulseReport& report) {
           {"hic15_without", number(of.hic15_without)}};
 }
 
+Json speed_check_json(const injury::PulseReport& report) {
+  const std::optional<injury::SpeedCheck> check = injury::speed_check(report);
+  if (!check) return nullptr;
+  return {{"agrees", check->agrees()},
+          {"least_scale", number(check->least_scale)},
+          {"greatest_scale", number(check->greatest_scale)},
+          {"text", check->text}};
+}
+
 Json impact(const injury::PulseReport& report) {
   if (!report.impact) return nullptr;
   return {{"speed_m_per_s", number(report.impact->speed)},
           {"drop_height_m", number(report.impact->drop_height)},
           {"gravity_m_per_s2", number(report.impact->gravity)},
-          {"restitution", number(injury::restitution(report))}};
+          {"restitution", number(injury::restitution(report))},
+          {"check", speed_check_json(report)}};
+}
+
+Json uncertainty(const injury::MeasurementUncertainty& of) {
+  Json figures = Json::object();
+  for (const injury::FigureUncertainty& each : of.figures)
+    figures[each.quantity->key] = {{"combined", number(each.combined())},
+                                   {"sampling", number(each.sampling)},
+                                   {"filter", number(each.filter)},
+                                   {"calibration", number(each.calibration)}};
+  return {{"coverage_factor", 2},
+          {"calibration", number(of.calibration)},
+          {"filter_compared_with", of.compared_with.empty() ? Json(nullptr) : Json(of.compared_with)},
+          {"figures", figures}};
 }
 
 Json flags(const injury::PulseReport& report) {
@@ -94,6 +117,7 @@ Json source(const injury::PulseReport& report) {
           {"acceleration", accelerations},
           {"resultant", of.resultant},
           {"samples", of.pulse.time.size()},
+          {"counts_from", of.counts_from.empty() ? Json(nullptr) : Json(of.counts_from)},
           {"begin_s", number(of.pulse.time.front())},
           {"end_s", number(of.pulse.time.back())},
           {"remarks", of.remarks}};
@@ -105,6 +129,7 @@ std::string pulse_json(const injury::PulseReport& report) {
   Json result;
   result["figures"] = figures(report);
   result["impact"] = impact(report);
+  result["uncertainty"] = uncertainty(report.uncertainty);
   result["flags"] = flags(report);
   result["source"] = source(report);
   result["offset"] = offset(report);

@@ -47,6 +47,10 @@ std::string pulse_page(const injury::PulseReport& report, const UnitSystem& unit
   page.lead = std::move(lead);
   page.sections = {{.heading = "Figures", .tables = {table_of(report_rows(report, units, Detail::all))}},
                    {.heading = "What it rests on", .paragraphs = {pulse_source_sentence(report, units)}}};
+  if (const std::string words = uncertainty_words(report.uncertainty, Detail::all); !words.empty())
+    page.sections.front().paragraphs.push_back(words);
+  if (const auto check = injury::speed_check(report))
+    page.sections.back().paragraphs.insert(page.sections.back().paragraphs.begin(), check->text);
   return figures_page(page);
 }
 

@@ -85,6 +85,30 @@ std::vector<ResultRow> report_rows(const injury::PulseReport& report, const Unit
   return rows;
 }
 
+std::string uncertainty_words(const injury::MeasurementUncertainty& of, Detail detail) {
+  constexpr double next_to_nothing = 5e-5;
+  const auto share = [](double value) {
+    return value < next_to_nothing ? "below 0.01 %" : injury::in_percent(value);
+  };
+  std::string text;
+  for (const injury::FigureUncertainty& each : of.figures) {
+    const std::string_view key = each.quantity->key;
+    if (detail == Detail::main && key != "peak_acceleration" && key != "hic15") continue;
+    text += fmt::format("{}{} ± {} (sampling {}", text.empty() ? "Uncertainty of the measurement: " : "; ",
+                        title_in_sentence(*each.quantity), share(each.combined()), share(each.sampling));
+    if (each.filter) text += ", filter " + share(*each.filter);
+    if (each.calibration) text += ", calibration " + share(*each.calibration);
+    text += ")";
+  }
+  if (text.empty()) return text;
+  text += of.compared_with.empty() ? ", k = 2. What a filter before the file took away is not in it"
+                                   : fmt::format(
+                                         ", k = 2, the filter beside {}. What another one before the "
+                                         "file took away is not in it",
+                                         of.compared_with);
+  return text + (of.calibration ? "." : ", nor is the calibration, which --calibration states.");
+}
+
 std::string filter_words(const injury::PulseFilter& filter) {
   return fmt::format("CFC{}, corner of {}, ends {}", filter.channel_frequency_class,
                      filter.corner == injury::Corner::sae_j211 ? "SAE J211" : "ISO 6487",
@@ -128,6 +152,9 @@ std::string pulse_text(const injury::PulseReport& report, const UnitSystem& unit
   for (const std::string& line : reservations(report)) text += wrapped(line, 2) + "\n";
   text += "\n";
   text += laid_out(report_rows(report, units, detail));
+  if (const std::string words = uncertainty_words(report.uncertainty, detail); !words.empty())
+    text += "\n" + wrapped(words, 2) + "\n";
+  if (const auto check = injury::speed_check(report)) text += "\n" + wrapped(check->text, 2) + "\n";
   text += "\nThe pulse:\n" + wrapped_lines(pulse_source(report, units));
   return text + fmt::format(
                     "HIC and severity index in g^2.5 s; the pulse is linear between its samples "

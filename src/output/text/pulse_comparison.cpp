@@ -124,7 +124,12 @@ std::string comparison_answer(const PulseComparisonReport& report) {
     text += ", " + (time.empty() ? "at the same time" : time);
   }
   const std::string hic = more_or_less(*figure_of(report, "hic15").share(), "higher", "lower");
-  return text + (hic.empty() ? "; HIC15 agrees as well." : "; HIC15 is " + hic + ".");
+  text += hic.empty() ? "; HIC15 agrees as well." : "; HIC15 is " + hic + ".";
+  const std::optional<injury::MeasuredImpact>& measured = report.pulse.impact;
+  const double speed = report.impact.impactor.speed;
+  if (measured && injury::unlike_speeds(*measured, {.speed = speed}))
+    text += " But it strikes " + more_or_less(speed / measured->speed - 1, "faster", "slower") + ".";
+  return text;
 }
 
 std::vector<std::string> comparison_reservations(const PulseComparisonReport& report,

@@ -16,6 +16,10 @@ std::string filter_words(const injury::PulseFilter& filter);
 /// The figures of a pulse, and what else it was asked for.
 std::vector<ResultRow> report_rows(const injury::PulseReport& report, const UnitSystem& units, Detail detail);
 
+/// "peak acceleration ± 2.3 % (sampling 0.4 %, filter 1.1 %, calibration 2 %); ..., k = 2", and what is not
+/// in it. With Detail::main of peak and HIC15 alone.
+std::string uncertainty_words(const injury::MeasurementUncertainty& of, Detail detail);
+
 /// What the figures leave in doubt: flags and remarks, a line each.
 std::vector<std::string> reservations(const injury::PulseReport& report);
 

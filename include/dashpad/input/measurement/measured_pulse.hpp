@@ -23,6 +23,9 @@ struct MeasuredPulse {
   Pulse pulse = {};         ///< the resultant, if there is one
   std::string format = {};  ///< "CSV", "ISO-MME"
   MeasuredColumn time = {};
+  /// The time of the first sample as in the file, "1764068400.1234 s", where the times of the pulse count
+  /// from there, since its clock began more than a thousand times the length of the record ago; else empty.
+  std::string counts_from = {};
   std::vector<MeasuredColumn> acceleration = {};  ///< one, or the two or three of a resultant
   bool resultant = false;
   /// The directions of a resultant, m/s2, at the times of the pulse; empty without. Filters are for these:

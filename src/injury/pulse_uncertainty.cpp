@@ -1,0 +1,201 @@
+#include "dashpad/injury/pulse_uncertainty.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "dashpad/impact/solution.hpp"
+#include "dashpad/injury/pulse_report.hpp"
+
+namespace dashpad::injury {
+
+namespace {
+
+constexpr double expanded = 2 * std::numbers::inv_sqrt3;  // k = 2, of a bound
+constexpr double of_finer = 4.0 / 3;  // half the interval takes away three quarters of the error of lines
+constexpr double margin = 20e-3;      // s beyond all windows: longer than a filter of class 60 looks
+constexpr double in_hic = 2.5;        // the power of the acceleration
+
+struct Figure {
+  const char* key;
+  double power;  ///< of the acceleration in it
+};
+constexpr std::array<Figure, 7> known{{{"peak_acceleration", 1},
+                                       {"hic15", in_hic},
+                                       {"hic36", in_hic},
+                                       {"hic_unlimited", in_hic},
+                                       {"clip_3ms", 1},
+                                       {"cumulative_3ms", 1},
+                                       {"velocity_change", 1}}};
+using Values = std::array<double, known.size()>;
+
+/// Integral from `begin` to `end`, s, of what is linear between the samples.
+double gained(const Pulse& pulse, double begin, double end) {
+  double sum = 0;
+  for (std::size_t i = 1; i < pulse.time.size(); ++i) {
+    const double from = std::max(begin, pulse.time[i - 1]), to = std::min(end, pulse.time[i]);
+    if (!(from < to)) continue;
+    const auto at = [&](double time) {
+      return std::lerp(pulse.acceleration[i - 1], pulse.acceleration[i],
+                       (time - pulse.time[i - 1]) / (pulse.time[i] - pulse.time[i - 1]));
+    };
+    sum += (at(from) + at(to)) / 2 * (to - from);
+  }
+  return sum;
+}
+
+/// HIC of a window where it is best: moving it a little changes nothing.
+double hic_within(const Pulse& pulse, const Hic& of) {
+  const double duration = of.end - of.begin;
+  if (!(duration > 0)) return 0;
+  return duration * std::pow(std::abs(gained(pulse, of.begin, of.end)) / duration / standard_gravity, in_hic);
+}
+
+/// The figures of another version of the pulse of `report`, in its windows.
+Values values_of(const ProcessedPulse& processed, const PulseReport& report) {
+  const Pulse& pulse = processed.pulse;
+  const InjuryFigures& of = report.figures;
+  return {peak(pulse).magnitude,
+          hic_within(pulse, of.hic15),
+          hic_within(pulse, of.hic36),
+          hic_within(pulse, of.hic_unlimited),
+          of.clip_3ms.level > 0 ? contiguous_clip(pulse, 3e-3).level : 0,
+          of.cumulative_3ms.level > 0 ? cumulative_clip(pulse, 3e-3).level : 0,
+          std::abs(gained(processed.along(), report.contact.begin, report.contact.end))};
+}
+
+/// The samples around all that the figures are of, as measured but for the sensor's offset.
+input::MeasuredPulse around_the_figures(const PulseReport& report) {
+  const InjuryFigures& of = report.figures;
+  double begin = std::min(of.peak.time, report.contact.begin);
+  double end = std::max(of.peak.time, report.contact.end);
+  for (const InjuryValue& value : injury_values(of))
+    if (value.begin && value.end && *value.begin < *value.end) {
+      begin = std::min(begin, *value.begin);
+      end = std::max(end, *value.end);
+    }
+  const double beyond = std::max(margin, 4 * report.resampled_to.value_or(0));
+  const std::vector<double>& time = report.measured.pulse.time;
+  const auto count = static_cast<std::ptrdiff_t>(time.size());
+  const auto first =
+      std::max(std::ranges::lower_bound(time, begin - beyond) - time.begin() - 2, std::ptrdiff_t{0});
+  const auto last = std::min(std::ranges::upper_bound(time, end + beyond) - time.begin() + 2, count);
+  const auto cut = [&](const std::vector<double>& values) {
+    return std::vector<double>(values.begin() + first, values.begin() + last);
+  };
+  input::MeasuredPulse part;
+  part.pulse = {cut(time), cut(report.measured.pulse.acceleration)};
+  for (const std::vector<double>& component : report.measured.components)
+    part.components.push_back(cut(component));
+  if (report.filter && !report.resampled_to) {  // they count as even, up to the rounding of the file
+    const auto steps = static_cast<double>(part.pulse.time.size() - 1);
+    const double start = part.pulse.time.front(), stop = part.pulse.time.back();
+    for (std::size_t i = 0; i < part.pulse.time.size(); ++i)
+      part.pulse.time[i] = std::lerp(start, stop, static_cast<double>(i) / steps);
+  }
+  if (report.offset && report.offset->taken_off) return input::zeroed(std::move(part), report.offset->offset);
+  return part;
+}
+
+/// At `x`, by the polynomial through the samples [first, last).
+double interpolated(const std::vector<double>& time, const std::vector<double>& values, std::size_t first,
+                    std::size_t last, double x) {
+  double sum = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    double term = values[i];
+    for (std::size_t k = first; k < last; ++k)
+      if (k != i) term *= (x - time[k]) / (time[i] - time[k]);
+    sum += term;
+  }
+  return sum;
+}
+
+/// With another sample in the middle between any two.
+input::MeasuredPulse finer(const input::MeasuredPulse& measured) {
+  const std::vector<double>& time = measured.pulse.time;
+  const auto between = [&](const std::vector<double>& values) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+      all.push_back(values[i]);
+      if (i + 1 == time.size()) break;
+      all.push_back(interpolated(time, values, i > 0 ? i - 1 : 0, std::min(i + 3, time.size()),
+                                 std::midpoint(time[i], time[i + 1])));
+    }
+    return all;
+  };
+  input::MeasuredPulse result;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    result.pulse.time.push_back(time[i]);
+    if (i + 1 < time.size()) result.pulse.time.push_back(std::midpoint(time[i], time[i + 1]));
+  }
+  for (const std::vector<double>& component : measured.components)
+    result.components.push_back(between(component));
+  result.pulse.acceleration = measured.components.empty() ? between(measured.pulse.acceleration)
+                                                          : input::resultant_of(result.components);
+  return result;
+}
+
+/// By how much a parabola lies above the largest sample at most, m/s2; 0 at an end of the pulse.
+double hidden_peak(const Pulse& pulse) {
+  const auto at =
+      static_cast<std::size_t>(std::ranges::find(pulse.time, peak(pulse).time) - pulse.time.begin());
+  if (at == 0 || at + 1 >= pulse.time.size()) return 0;
+  const double before = pulse.time[at] - pulse.time[at - 1], after = pulse.time[at + 1] - pulse.time[at];
+  const double falls = (pulse.acceleration[at] - pulse.acceleration[at - 1]) / before -
+                       (pulse.acceleration[at + 1] - pulse.acceleration[at]) / after;
+  const double longer = std::max(before, after);
+  return std::abs(falls) / (before + after) * longer * longer / 4;
+}
+
+/// That with which the figures of a filter are compared.
+std::optional<PulseFilter> next_filter(const PulseFilter& filter, const Pulse& pulse) {
+  const double interval =
+      (pulse.time.back() - pulse.time.front()) / static_cast<double>(pulse.time.size() - 1);
+  for (const int higher : channel_frequency_classes)
+    if (higher > filter.channel_frequency_class)
+      return samples_suffice(higher, interval)
+                 ? std::optional{PulseFilter{higher, filter.corner, filter.ends}}
+                 : std::nullopt;
+  return std::nullopt;
+}
+
+}  // namespace
+
+double FigureUncertainty::combined() const {
+  return std::hypot(sampling, filter.value_or(0), calibration.value_or(0));
+}
+
+MeasurementUncertainty measurement_uncertainty(const PulseReport& report, std::optional<double> calibration) {
+  MeasurementUncertainty result{.calibration = calibration, .figures = {}};
+  const input::MeasuredPulse part = around_the_figures(report);
+  const auto values_with = [&](const input::MeasuredPulse& measured,
+                               const std::optional<PulseFilter>& filter) {
+    return values_of(processed_pulse(measured, report.resampled_to, filter), report);
+  };
+  const Values values = values_with(part, report.filter),
+               of_finer_samples = values_with(finer(part), report.filter);
+  std::optional<Values> unfiltered;
+  if (report.filter) {
+    const std::optional<PulseFilter> next = next_filter(*report.filter, report.pulse);
+    unfiltered = values_with(part, next);
+    result.compared_with = next ? "CFC" + std::to_string(next->channel_frequency_class) : "no filter";
+  }
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const double value = values[i];
+    if (!(value > 0)) continue;
+    double hidden = of_finer * std::abs(of_finer_samples[i] - value);
+    if (i == 0) hidden = std::max(hidden, hidden_peak(report.pulse));
+    FigureUncertainty figure{.quantity = &result_quantity(known[i].key),
+                             .sampling = expanded * hidden / value};
+    if (unfiltered) figure.filter = expanded * std::abs((*unfiltered)[i] - value) / value;
+    if (calibration) figure.calibration = std::pow(1 + *calibration, known[i].power) - 1;
+    result.figures.push_back(figure);
+  }
+  return result;
+}
+
+}  // namespace dashpad::injury
