@@ -290,7 +290,7 @@ task_nightly() {
     "$tests/count_answers" --kind "$kind" --cases 10000 --threads "$jobs" || failed=1
   done
   "$tests/count_answers" --kind practice --cases 1000 --threads "$jobs" || failed=1
-  "$tests/compare_with_oracle" --cases 200 || failed=1
+  "$tests/compare_with_oracle" --cases 200 --threads "$jobs" || failed=1
   return "$failed"
 }
 

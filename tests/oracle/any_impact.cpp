@@ -1,11 +1,11 @@
 #include "oracle/any_impact.hpp"
 
 #include <array>
-#include <ctime>
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
+#include "answers/processor_time.hpp"
 #include "oracle/footing.hpp"
 #include "oracle/ode_session.hpp"
 #include "oracle/pads.hpp"
@@ -80,10 +80,9 @@ class Impact final : public OdeSystem {
     const bool is_stiff = begin.size() < 40 || kind_ != Kind::at_once;
     OdeSession session(*this, is_stiff ? Method::bdf_dense : Method::adams_fixed, 0, begin);
     note(0, session.state());
-    const auto begun = std::clock();
-    const auto seconds = [&] { return double(std::clock() - begun) / CLOCKS_PER_SEC; };
+    const double begun = test::processor_seconds();
     while (session.time() < longest && session.steps() < options_.most_steps &&
-           seconds() < options_.most_seconds && session.step()) {
+           test::processor_seconds() - begun < options_.most_seconds && session.step()) {
       const double* state = session.state();
       note(session.time(), state);
       if (session.at_event() && !react(session)) break;

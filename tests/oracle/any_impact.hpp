@@ -35,7 +35,7 @@ struct AnyImpact {
 struct AnyOptions {
   double relative = 1e-9;    ///< error a step
   int fineness = 1;          ///< columns, panels and looks are as many times as many
-  double most_seconds = 10;  ///< of the processor, of each of up to two runs
+  double most_seconds = 20;  ///< of the processor, of each of up to two runs
   long most_steps = 30'000;
 };
 

@@ -19,11 +19,19 @@ class PulseTrack {
   [[nodiscard]] double hic(double longest) const {
     const std::vector<Instant> points = finer();
     double most = 0;
+    const auto window = [&most](double span, double lost) {
+      const double mean = std::fmax(lost, 0) / (span * standard_gravity);
+      most = std::fmax(most, span * mean * mean * std::sqrt(mean));
+    };
     for (std::size_t i = 0; i < points.size(); ++i)
-      for (std::size_t j = i + 1; j < points.size() && points[j].time - points[i].time <= longest; ++j) {
-        const double span = points[j].time - points[i].time;
-        const double mean = std::fmax(points[j].lost - points[i].lost, 0) / (span * standard_gravity);
-        most = std::fmax(most, span * mean * mean * std::sqrt(mean));
+      for (std::size_t j = i + 1; j < points.size(); ++j) {
+        const double span = points[j].time - points[i].time, lost = points[j].lost - points[i].lost;
+        if (span > longest) {  // the longest window ends between two points
+          const double step = points[j].time - points[j - 1].time;
+          window(longest, lost - (span - longest) / step * (points[j].lost - points[j - 1].lost));
+          break;
+        }
+        window(span, lost);
       }
     return most;
   }
