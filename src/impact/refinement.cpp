@@ -151,7 +151,9 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   errors_.contact_end = moment(now.contact_end, before.contact_end, run.contact_end);
   errors_.force_below_weight =
       moment(now.force_below_weight, before.force_below_weight, run.force_below_weight);
-  errors_.bottomed = moment(now.bottomed, before.bottomed, run.bottomed);
+  const double bottomed = moment(now.bottomed, before.bottomed, run.bottomed);
+  errors_.bottomed = std::max(bottomed, numerics.fastest_fall_of_error * bottomed_error_);
+  bottomed_error_ = bottomed;
   worst = std::max(
       {worst, errors_.rebound_speed, errors_.contact_end, errors_.force_below_weight, errors_.bottomed});
   const auto absorbed = [&](const Figures& f) {
@@ -174,7 +176,8 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   // The absorbed share, a small difference of large numbers, is held to ten times the tolerance relative to
   // itself, down to a twentieth of the impact energy.
   worst = std::max(worst, errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)));
-  const double allowed = runs_ > 2 ? tolerance_ : tolerance_ / 2;
+  const bool is_close = runs_ == 2 || tolerance_ < numerics.least_tolerance_in_full;
+  const double allowed = is_close ? tolerance_ / 2 : tolerance_;
   // A reloading that one run has and the other steps over may be much or nothing: one more run tells.
   const bool enough =
       reloads_alike_ ? runs_ > 2 || tolerance_ >= numerics.least_tolerance_of_two_runs : runs_ > 3;

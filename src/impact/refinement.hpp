@@ -45,11 +45,11 @@ class Refinement {
   bool compared_ = false;
   bool has_sound_run_ = false;
   bool reloads_alike_ = false;  ///< the last two runs
-  Figures last_run_;      ///< that was sound
-  Figures extrapolated_;  ///< to it
+  Figures last_run_;            ///< that was sound
+  Figures extrapolated_;        ///< to it
   Figures reported_;
   ErrorEstimates errors_;
-  double rebound_error_ = 0;  ///< of the last comparison alone
+  double rebound_error_ = 0, bottomed_error_ = 0;  ///< of the last comparison alone
 };
 
 }  // namespace dashpad

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include "impact/numerics.hpp"
@@ -74,6 +75,28 @@ TEST(refinement, does_not_believe_that_the_rebound_is_suddenly_exact) {
   for (const double error : {0.0128, 0.0032, 0.0032, 0.0032}) refinement.add(figures_with(error));
   EXPECT_LE(refinement.errors().peak_force, 1e-4);
   EXPECT_GT(refinement.errors().rebound_speed, 1e-4);
+}
+
+/// From one run to the next all moves by `now` of the tolerance: settled at 1e-3, but not below unless by
+/// half.
+TEST(refinement, asks_of_close_tolerances_that_runs_agree_to_half_of_them) {
+  for (const auto& [tolerance, now, settles] :
+       {std::tuple{1e-3, 0.9, true}, {1e-4, 0.9, false}, {1e-4, 0.4, true}}) {
+    Refinement refinement(impactor, tolerance);
+    for (const double error : {0.0, 0.0, now * tolerance}) refinement.add(figures_with(0.4 * error));
+    EXPECT_EQ(refinement.settled(), settles) << tolerance << ' ' << now;
+  }
+}
+
+TEST(refinement, does_not_believe_that_bottoming_is_suddenly_exact) {
+  Refinement refinement(impactor, 1e-4);
+  for (const double late : {0.0128, 0.0032, 0.0008, 0.0008, 0.0008}) {
+    Figures run = figures_with(0);
+    run.bottomed = Moment{0.01 * (1 + late), 1};
+    refinement.add(run);
+    if (late == 0.0008) EXPECT_FALSE(refinement.settled());
+  }
+  EXPECT_GT(refinement.errors().bottomed, 1e-9);
 }
 
 TEST(refinement, knows_nothing_after_one_run) {
