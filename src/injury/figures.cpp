@@ -81,8 +81,8 @@ InjuryFigures injury_figures(const Solution& solution) {
   figures.errors.hic36 = error(figures.hic36.value, coarser.hic36.value, 2.5);
   figures.errors.hic_unlimited = error(figures.hic_unlimited.value, coarser.hic_unlimited.value, 2.5);
   figures.errors.hic_d = error(figures.hic_d, coarser.hic_d, 2.5);
-  figures.errors.clip_3ms = error(figures.clip_3ms.level, coarser.clip_3ms.level, 1);
-  figures.errors.cumulative_3ms = error(figures.cumulative_3ms.level, coarser.cumulative_3ms.level, 1);
+  figures.errors.clip_3ms = step_error(pulse, figures.clip_3ms, coarser.clip_3ms) + force;
+  figures.errors.cumulative_3ms = step_error(pulse, figures.cumulative_3ms, coarser.cumulative_3ms) + force;
   figures.errors.severity_index = error(figures.severity_index, coarser.severity_index, 2.5);
   figures.errors.velocity_change = error(figures.velocity_change, coarser.velocity_change, 1);
   return figures;

@@ -53,14 +53,20 @@ double PulseFigures::Sampled::hic(double longest_window) {
   return injury::hic_of(*hump, curve, *scale, longest_window).value;
 }
 
-/// What the steps leave, and the error of the force to the power that it has in the
-/// figure.
+/// What the steps leave, and the error of the force to the power that it has in the figure.
 template <class Figure>
 EstimatedValue PulseFigures::with_error(Figure figure, double power) {
   const double value = figure(fine_);
   if (!has_coarse_) return {value, std::numeric_limits<double>::infinity()};
   const double coarse = figure(coarse_);
   return {value, injury::step_error(value, coarse) + power * force_error_};
+}
+
+template <class ClipOf>
+EstimatedValue PulseFigures::level_of(ClipOf clip_of) {
+  const injury::Clip clip = clip_of(fine_);
+  if (!has_coarse_) return {clip.level, std::numeric_limits<double>::infinity()};
+  return {clip.level, injury::step_error(fine_.pulse, clip, clip_of(coarse_)) + force_error_};
 }
 
 /// A window longer than the pulse is none: HIC15 of a short pulse is its HIC36, and computed once.
@@ -82,20 +88,19 @@ EstimatedValue PulseFigures::hic_d() {
 }
 
 EstimatedValue PulseFigures::clip_3ms() {
-  const auto figure = [](const Sampled& of) {
-    return of.hump ? injury::clip_of(*of.hump, of.pulse, three_milliseconds).level
-                   : injury::contiguous_clip(of.pulse, three_milliseconds).level;
+  const auto clip = [](const Sampled& of) {
+    return of.hump ? injury::clip_of(*of.hump, of.pulse, three_milliseconds)
+                   : injury::contiguous_clip(of.pulse, three_milliseconds);
   };
   const bool humps = fine_.hump && (coarse_.hump || !has_coarse_);
-  if (!humps) return with_error(figure, 1);
-  if (!clip_) clip_ = with_error(figure, 1);
+  if (!humps) return level_of(clip);
+  if (!clip_) clip_ = level_of(clip);
   return *clip_;
 }
 
 EstimatedValue PulseFigures::cumulative_3ms() {
   if (fine_.hump && (coarse_.hump || !has_coarse_)) return clip_3ms();
-  return with_error(
-      [](const Sampled& of) { return injury::cumulative_clip(of.pulse, three_milliseconds).level; }, 1);
+  return level_of([](const Sampled& of) { return injury::cumulative_clip(of.pulse, three_milliseconds); });
 }
 
 EstimatedValue PulseFigures::severity_index() {

@@ -41,6 +41,8 @@ class PulseFigures {
   };
   template <class Figure>
   EstimatedValue with_error(Figure figure, double power);
+  template <class ClipOf>
+  EstimatedValue level_of(ClipOf clip_of);
 
   Sampled fine_, coarse_;
   bool has_coarse_ = false;
