@@ -117,6 +117,21 @@ TEST(iso_mme, what_is_written_reads_back_here) {
   EXPECT_THAT(measured.remarks, SizeIs(0));
 }
 
+TEST(iso_mme, times_of_a_clock_count_from_the_first_sample) {
+  Files files = sample_test();
+  for (auto& [name, text] : files) {
+    const std::string first = ":-0.001\nSampling";
+    if (const auto at = text.find(first); at != std::string::npos)
+      text.replace(at, first.size(), ":1764068400.5\nSampling");
+  }
+  const test::TemporaryFolder folder;
+  write(folder.path(), files);
+  const input::MeasuredPulse measured = input::read_iso_mme(folder.path(), {.channel = "1"});
+  EXPECT_EQ(measured.pulse.time, (std::vector<double>{0, 0.001, 0.002}));
+  EXPECT_THAT(measured.counts_from, testing::HasSubstr("1764068400.5"));
+  EXPECT_THAT(measured.remarks, testing::Contains(testing::HasSubstr("1764068400.5")));
+}
+
 /// In m/s2 or in g, the acceleration reads back as it was computed; so does the force beside it.
 TEST(iso_mme, curves_read_back_in_the_unit_that_was_asked_for) {
   std::vector<double> times, accelerations, forces;
