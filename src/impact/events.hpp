@@ -24,6 +24,7 @@ struct Sight {
   double corner = 0;        ///< of the support: a force, N, or a deflection, m
   double joint = 0;         ///< penetration at which a pad that was struck before is loaded anew, m; 0: none
   bool is_pressed = false;  ///< a column is under pressure at the end, in flight
+  bool is_closed = false;   ///< the pad, now: it gives way no further
   /// By how much the pad's rate is above the next corner of its force at the end, in shares of that rate.
   double over_rate_corner = 1;
 
@@ -69,7 +70,7 @@ inline bool is_below_strength(const Sight& s) {
   const bool may_push_harder = s.now.penetration == 0 || s.foundation.kind() != Foundation::Kind::at_once;
   const double strength = s.trial.pad.force;
   // Just after the turning the force is that of the pad, and may rise from there.
-  return !s.recovers && may_push_harder &&
+  return !s.recovers && !s.is_closed && may_push_harder &&
          (s.now.force < strength || s.trial.end.force > (1 + numerics.at_corner) * strength);
 }
 inline bool pad_recovers(const Sight& s) { return s.recovers; }

@@ -157,6 +157,7 @@ class March {
         phase_ == Phase::flight &&
         (contact_.recovers() ? contact_.largest_stress(trial.pad) > 0 : trial.end.penetration > left_at_);
     Sight sight{phase_, now_, trial, foundation_, contact_.recovers(), corner, joint_, is_pressed};
+    sight.is_closed = now_.penetration >= (1 - numerics.at_joint) * contact_.lock_penetration();
     if constexpr (HasRateCorners<Contact>) {
       // The force may have its peak there; where it does not, a step passes the corner without loss of order.
       if (phase_ == Phase::loading && motion_.force_rate() > 0)

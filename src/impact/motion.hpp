@@ -78,6 +78,11 @@ class Motion {
     end.motion = now_.motion + (end.back.motion() - now_.back.motion());
     end.velocity = end.back.velocity();
     end.force = foundation_.force_when_stuck(end.back, now_.force, mass_, mass_ * gravity_);
+    if (const double recoil = foundation_.recoil(end.back); recoil < 0) {
+      // The back is stopped, and what is stuck to it by pressure alone leaves it.
+      end.velocity += recoil;
+      end.force = -std::abs(end.force);
+    }
   }
 
   /// Fills `end`, but for its drive, for a trial penetration and its force; returns the residual of Eq. 25,

@@ -97,7 +97,10 @@ bool Refinement::add(const Figures& run) {
   extrapolated_ = comparable ? extrapolate(run, last_run_) : run;
   last_run_ = run;
   has_sound_run_ = true;
-  if (comparable) judge(run, before);
+  if (comparable)
+    judge(run, before);
+  else
+    is_met_ = false;
   if (!comparable && compared_) return false;
   compared_ = comparable;
   reported_ = extrapolated_;
@@ -176,14 +179,18 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   // The absorbed share, a small difference of large numbers, is held to ten times the tolerance relative to
   // itself, down to a twentieth of the impact energy.
   worst = std::max(worst, errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)));
-  const bool is_close = runs_ == 2 || tolerance_ < numerics.least_tolerance_in_full;
-  const double allowed = is_close ? tolerance_ / 2 : tolerance_;
   // A reloading that one run has and the other steps over may be much or nothing: one more run tells.
   const bool enough =
       reloads_alike_ ? runs_ > 2 || tolerance_ >= numerics.least_tolerance_of_two_runs : runs_ > 3;
   // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.
-  settled_ = enough && worst <= allowed && residual <= allowed &&
-             errors_.time_of_peak_force <= numerics.loosest_time_of_peak;
+  const auto is_within = [&](double allowed) {
+    return enough && worst <= allowed && residual <= allowed &&
+           errors_.time_of_peak_force <= numerics.loosest_time_of_peak;
+  };
+  // Where a pad bottoms out the last step to infinite stress is chance: more runs do not make it less.
+  const bool is_enough_once = runs_ > 2 && (tolerance_ >= numerics.least_tolerance_in_full || ended_in_lock);
+  settled_ = is_within(is_enough_once || is_met_ ? tolerance_ : tolerance_ / 2);
+  is_met_ = is_within(tolerance_);
   for (double* of : all(errors_)) *of *= numerics.safety_factor;
 }
 

@@ -27,6 +27,8 @@ class Refinement {
   /// Whether the error estimates and the energy residual are within the tolerance. Not held to it but to
   /// 1 %: the time of the peak force; and the absorbed share is held to ten times the tolerance, relative to
   /// itself.
+  [[nodiscard]] bool is_met() const { return is_met_; }
+  /// Whether no more runs are wanted: within half of a tolerance below 1e-3, or within all of it twice.
   [[nodiscard]] bool settled() const { return settled_; }
   /// Whether the figures come from two runs that ended alike.
   [[nodiscard]] bool runs_compared() const { return compared_; }
@@ -44,6 +46,7 @@ class Refinement {
   bool settled_ = false;
   bool compared_ = false;
   bool has_sound_run_ = false;
+  bool is_met_ = false;
   bool reloads_alike_ = false;  ///< the last two runs
   Figures last_run_;            ///< that was sound
   Figures extrapolated_;        ///< to it

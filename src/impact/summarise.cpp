@@ -30,7 +30,7 @@ std::vector<Extrapolation> extrapolations(const ImpactCase& impact, const Summar
 }
 
 Status status_of(const Refinement& refinement) {
-  if (!refinement.settled()) return Status::tolerance_not_met;
+  if (!refinement.is_met()) return Status::tolerance_not_met;
   switch (refinement.figures().ending) {
     case Ending::released: return Status::released;
     case Ending::at_rest: return Status::at_rest;

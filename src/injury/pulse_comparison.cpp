@@ -11,8 +11,8 @@
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/injury/dwell.hpp"
 #include "dashpad/injury/figures.hpp"
-#include "injury/magnitude.hpp"
 #include "injury/coarser_run.hpp"
+#include "injury/magnitude.hpp"
 
 namespace dashpad::injury {
 

@@ -227,8 +227,11 @@ TEST_F(NamesTest, OfAPulseAreThoseOfTheTable) {
   ASSERT_EQ(pulse.exit_code, 0) << pulse.err;
   const Found found = walk(json::parse(pulse.out), {"figures", "impact"},
                            {"flags", "source", "offset", "processing", "program", "speed_m_per_s",
-                            "drop_height_m", "gravity_m_per_s2"});
+                            "drop_height_m", "gravity_m_per_s2", "check", "uncertainty"});
   expect_table_only(found, all_of_pulse, "JSON");
+  const json uncertainties = json::parse(pulse.out).at("uncertainty").at("figures");
+  EXPECT_FALSE(uncertainties.empty());
+  for (const auto& [key, components] : uncertainties.items()) EXPECT_THAT(found.known, Contains(key));
   EXPECT_THAT(found.known, IsSupersetOf({"restitution", "dwell_time"}));
   expect_table_only(rows_of(pulse.err, "\n\n"), of_pulse, "text");
   const std::string all = dashpad({"pulse", file("run.csv"), "--all", "--window", "22"}).out;

@@ -73,7 +73,7 @@ TEST_F(SchemaTest, EveryResultBeginsWithItsFormat) {
     ASSERT_TRUE(json::accept(outcome.out)) << outcome.out << outcome.err;
     const json result = json::parse(outcome.out);
     for (const json& one : result.is_array() ? result : json::array({result})) EXPECT_EQ(one["format"], 3);
-    EXPECT_THAT(outcome.out, testing::ContainsRegex("^(\\[\n  )?\\{\n +\"format\": 2,\n"));
+    EXPECT_THAT(outcome.out, testing::ContainsRegex("^(\\[\n  )?\\{\n +\"format\": 3,\n"));
   }
 }
 

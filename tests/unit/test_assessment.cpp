@@ -13,9 +13,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "coarser_run.hpp"
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/output/assessment.hpp"
-#include "coarser_run.hpp"
 #include "example_result.hpp"
 #include "output/text/assessment_words.hpp"
 #include "quantities/text.hpp"

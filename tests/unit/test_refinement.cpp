@@ -77,14 +77,16 @@ TEST(refinement, does_not_believe_that_the_rebound_is_suddenly_exact) {
   EXPECT_GT(refinement.errors().rebound_speed, 1e-4);
 }
 
-/// From one run to the next all moves by `now` of the tolerance: settled at 1e-3, but not below unless by
-/// half.
-TEST(refinement, asks_of_close_tolerances_that_runs_agree_to_half_of_them) {
-  for (const auto& [tolerance, now, settles] :
+/// At the last of four runs all moves by some share of the tolerance, for the first time within it.
+TEST(refinement, asks_of_close_tolerances_that_runs_agree_to_half_of_them_or_twice) {
+  for (const auto& [tolerance, share, settles] :
        {std::tuple{1e-3, 0.9, true}, {1e-4, 0.9, false}, {1e-4, 0.4, true}}) {
     Refinement refinement(impactor, tolerance);
-    for (const double error : {0.0, 0.0, now * tolerance}) refinement.add(figures_with(0.4 * error));
-    EXPECT_EQ(refinement.settled(), settles) << tolerance << ' ' << now;
+    const double last = 0.5 * share * tolerance;
+    for (const double error : {4.5 * tolerance, 0.0, 0.0, last}) refinement.add(figures_with(error));
+    EXPECT_EQ(refinement.settled(), settles) << tolerance << ' ' << share;
+    refinement.add(figures_with(last));
+    EXPECT_TRUE(refinement.settled()) << tolerance << ' ' << share;
   }
 }
 

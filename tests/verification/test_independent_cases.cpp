@@ -96,6 +96,25 @@ TEST(IndependentCases, ARunThatDidNotLeaveHasNoRebound) {
   EXPECT_FALSE(summary.restitution);
 }
 
+/// A panel that flies free in its gap brings slow foam back to the impactor: what its branches have left is
+/// met again. (They held no number, and the two went through each other.)
+TEST(IndependentCases, SlowFoamIsMetAgainAsItWasLeft) {
+  const ImpactCase impact =
+      input::read_case(source_folder / "tests/verification/cases/slow-foam-met-again.toml",
+                       source_folder / "materials")
+          .impact;
+  const Summary fine = solve(impact, {.tolerance = 1e-6}).summary;
+  ASSERT_EQ(fine.status, Status::released);
+  EXPECT_GT(fine.contact_end->time, 0.05);  // the first contact ends at 0.014 s
+  for (const double tolerance : {1e-3, 1e-4}) {
+    const Summary summary = solve(impact, {.tolerance = tolerance}).summary;
+    ASSERT_EQ(summary.status, Status::released) << tolerance;
+    EXPECT_NEAR(*summary.rebound_speed / *fine.rebound_speed, 1, tolerance);
+    EXPECT_NEAR(summary.contact_end->time / fine.contact_end->time, 1, tolerance);
+    EXPECT_NEAR(summary.energy.residual / summary.energy.impact, 0, tolerance);
+  }
+}
+
 TEST(IndependentCases, APadThatCreepsOnHasNoDepthOfItsOwn) {
   const Summary summary =
       solve(input::read_case(source_folder / "tests/verification/cases/still-sinking.toml",

@@ -134,7 +134,7 @@ TEST(Layers, OfTwoFoamsAgreeWithTheSecondSolver) {
   ImpactCase impact = impact_on(soft);
   impact.impactor.nose = FlatDisc{0.06};
   const Summary s =
-      solve(in_layers(impact, {layer_of(0.015, soft), layer_of(0.015, hard)}), {.tolerance = 1e-4}).summary;
+      solve(in_layers(impact, {layer_of(0.015, soft), layer_of(0.015, hard)}), {.tolerance = 2e-4}).summary;
   const oracle::LayeredPeaks exact =
       oracle::solve_layers({impact.impactor.mass, impact.impactor.speed, sections_of(impact).tip, 5e-6},
                            {{0.015, &of_soft}, {0.015, &of_hard}});
@@ -151,7 +151,7 @@ TEST(Layers, OfTwoFoamsAgreeWithTheSecondSolver) {
 
   // A column has one stress: which layer is struck makes no difference.
   const Summary turned =
-      solve(in_layers(impact, {layer_of(0.015, hard), layer_of(0.015, soft)}), {.tolerance = 1e-4}).summary;
+      solve(in_layers(impact, {layer_of(0.015, hard), layer_of(0.015, soft)}), {.tolerance = 2e-4}).summary;
   EXPECT_NEAR(*turned.peak_force / *s.peak_force, 1, 1e-9);
   EXPECT_NEAR(*turned.rebound_speed / *s.rebound_speed, 1, 1e-6);
 }

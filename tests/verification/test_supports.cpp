@@ -449,6 +449,36 @@ TEST(Preload, LetsThePanelLandOnItsStopPlastically) {
     }
 }
 
+/// Foam that stays crushed holds nothing back: where its panel is stopped, the impactor goes on.
+TEST(Preload, StopsThePanelAndNotTheImpactor) {
+  for (const double body : {0.0, 40.0}) {
+    SCOPED_TRACE(body);
+    ImpactCase impact = impact_on(RigidFoam{4e5, 0.5, 6e5, 0.7}, Support::linear(3e5));
+    impact.impactor = {.mass = 5, .nose = Sphere{0.1}, .speed = 3};
+    impact.backing = {.mass = 0.5, .body_mass = body, .preload = 300};
+    const Summary s = solve(impact, {.tolerance = 1e-3}).summary;
+    ASSERT_EQ(s.status, Status::released);
+    EXPECT_NEAR(s.energy.residual, 0, 1e-3 * s.energy.impact);
+    EXPECT_GT(s.energy.support_loss, 0);
+    if (body == 0) EXPECT_GT(*s.rebound_speed, 0.3);
+  }
+}
+
+// --- A damper alone
+
+/// What is fully compressed yields no more, however hard a damper pushes.
+TEST(Damper, HoldsClosedFoamAsItIs) {
+  ImpactCase impact = impact_on(RigidFoam{1.7e5, 0.49, 6.8e5, 0.64}, Support::linear(7.5e5));
+  impact.impactor = {.mass = 50, .nose = Sphere{0.38}, .speed = 14.7};
+  impact.pad.thickness = 0.022;
+  impact.backing.damping = 740;
+  const Summary s = solve(impact, {.tolerance = 1e-3}).summary;
+  ASSERT_EQ(s.status, Status::released);
+  EXPECT_DOUBLE_EQ(s.peak_penetration, impact.pad.thickness);
+  EXPECT_TRUE(s.bottomed);
+  EXPECT_NEAR(s.energy.residual, 0, 1e-3 * s.energy.impact);
+}
+
 // --- Gravity and rest
 
 TEST(Gravity, PressesTheImpactorOn) {

@@ -151,9 +151,9 @@ class ColumnField {
 
   void accept(const PadTrial& trial) {
     recall(trial);
+    for (std::size_t j = trial_live_; j < columns_.size(); ++j) let_go(j);
     penetration_ = trial_;
     largest_penetration_ = std::max(largest_penetration_, penetration_);
-    for (std::size_t j = trial_live_; j < columns_.size(); ++j) let_go(j);
     std::swap(columns_.now, columns_.next_state);
     live_ = trial_live_;
     last_ = {};

@@ -168,6 +168,7 @@ Foundation::Backward Foundation::backward(const BackState& now, double step) con
 BackState Foundation::after_creep(const BackState& now, const StepForce& force) const {
   const Backward rate = backward(now, force.step);
   BackState end = now;
+  end.struck = 0;
   end.deflection = balanced(damping_ * rate.slope, force.end + damping_ * rate.rest);
   end.rate = rate.slope * end.deflection - rate.rest;
   return end;
@@ -203,7 +204,7 @@ BackState Foundation::after_swing(const BackState& now, const StepForce& force, 
     if (force.end <= leaving) {
       const double share = inverse_body_ / (1 + mass * inverse_body_);
       BackState end = now;
-      end.rate = 0;
+      end.rate = end.struck = 0;
       end.body_motion += (now.body_velocity + share * force.moment * dt) * dt;
       end.body_velocity += share * force.mean * dt;
       end.transmitted = force.end / (1 + mass * inverse_body_);
@@ -229,7 +230,8 @@ BackState Foundation::after_swing(const BackState& now, const StepForce& force, 
   end.body_velocity = now.body_velocity + dt * inverse_body_ * sum / 2;
   if (end.deflection <= stop_) {
     // It has landed, and goes on with the body.
-    end.body_velocity += landing_rate(now, end, dt) * inverse_body_ / inverse;
+    end.struck = std::min(end.rate, 0.0);
+    end.body_velocity += end.struck * (1 - share_of_panel());
     end.rate = 0;
     end.transmitted = pushed;
   }
@@ -303,11 +305,9 @@ double Foundation::moving_retreat(const BackState& end, double force, double of_
 void Foundation::accept(const BackState& now, const BackState& end, double force, double step, bool smooth) {
   if (bare_) return;
   if (kind_ != Kind::at_once) {
-    damped_ += damping_ * step * (now.rate * now.rate + now.rate * end.rate + end.rate * end.rate) / 3;
-    if (kind_ == Kind::panel && end.deflection <= stop_ && now.deflection > stop_) {
-      const double rate = landing_rate(now, end, step);
-      damped_ += rate * rate / (1 / backing_.mass + inverse_body_) / 2;
-    }
+    const double rate = end.rate + end.struck;
+    damped_ += damping_ * step * (now.rate * now.rate + now.rate * rate + rate * rate) / 3;
+    damped_ += end.struck * end.struck * backing_.mass * share_of_panel() / 2;
     last_deflection_ = now.deflection;
     last_step_ = smooth ? step : 0;
   }
@@ -317,11 +317,6 @@ void Foundation::accept(const BackState& now, const BackState& end, double force
   yield_force_ = at_once ? force : curve_force(yield_);
   turned_ = false;
   find_corners();
-}
-
-/// By average acceleration: the step ends where the stop is met.
-double Foundation::landing_rate(const BackState& now, const BackState& end, double step) {
-  return std::min(2 * (end.deflection - now.deflection) / step - now.rate, 0.0);
 }
 
 // ---------------------------------------------------------------- energy

@@ -19,6 +19,7 @@ namespace dashpad {
 struct BackState {
   double deflection = 0;     ///< x, m
   double rate = 0;           ///< dx/dt, m/s
+  double struck = 0;         ///< dx/dt with which it met its stop in the last step, m/s, at most 0
   double body_motion = 0;    ///< xb, m
   double body_velocity = 0;  ///< m/s
   double transmitted = 0;    ///< T, N
@@ -87,6 +88,8 @@ class Foundation {
                                      double step) const;
   /// The state in which an impactor with a velocity has the back of the pad move with it.
   [[nodiscard]] BackState stuck(const BackState& now, double velocity) const;
+  /// What an impactor that sticks to the back gains on it, m/s, where that strikes its stop: it goes on.
+  [[nodiscard]] double recoil(const BackState& end) const { return end.struck * share_of_panel(); }
   /// The force between the two, N; `force` is what it was before.
   [[nodiscard]] double force_when_stuck(const BackState& now, double force, double impactor_mass,
                                         double weight) const;
@@ -172,8 +175,8 @@ class Foundation {
   [[nodiscard]] Backward backward(const BackState& now, double step) const;
   [[nodiscard]] BackState left_stop(const BackState& now, const StepForce& force, double leaving,
                                     double mass) const;
-  /// With which the panel strikes its stop at the end of a step, m/s.
-  [[nodiscard]] static double landing_rate(const BackState& now, const BackState& end, double step);
+  /// Of the speed with which the panel strikes its stop, what it loses: the rest is the body's then.
+  [[nodiscard]] double share_of_panel() const { return 1 / (1 + backing_.mass * inverse_body_); }
   /// Way of the panel behind which the support carries it, if no preload is left, m.
   [[nodiscard]] double free_way() const;
   /// Lost for good up to now, J: the rest comes back on the way to the stop.

@@ -85,8 +85,9 @@ struct Formulas<LinearViscoelastic> {
   DASHPAD_FORMULA N decay(N, N, N share) const {
     return exp(-time.duration * share);
   }
-  /// The stress at the end of a step (theory.md, Eq. 9). G outgrows all stresses with the relaxation time, and
-  /// does not stand alone: of (E_0 - E_inf) tau de/dt (1 - exp(-x)) only the product with x = dt / tau is formed.
+  /// The stress at the end of a step (theory.md, Eq. 9). G outgrows all stresses with the relaxation time,
+  /// and does not stand alone: of (E_0 - E_inf) tau de/dt (1 - exp(-x)) only the product with x = dt / tau is
+  /// formed.
   template <class N>
   DASHPAD_FORMULA N step(N stress, const N* before, const N* after, N share) const {
     const N x = time.duration * share;
