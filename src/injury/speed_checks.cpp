@@ -17,15 +17,23 @@ constexpr double samples_in_doubt = 4;  // at the beginning and at the end of a 
 
 std::string shown(double speed) { return brief(speed, 4) + " m/s"; }
 
+/// A factor next to 1 as its difference from it.
+std::string other_scale(double factor) {
+  constexpr double near = 0.1;
+  const double change = std::abs(factor - 1);
+  if (change < near) return in_percent(change) + (factor > 1 ? " greater" : " smaller");
+  return brief(factor, 3) + " times this one";
+}
+
 /// What would make up for a change that is off.
 std::string way_out(const SpeedCheck& check, const Contact& contact, const char* stated) {
   const bool is_short = check.shortfall > 0;
   std::string text = fmt::format("For a velocity change that agrees with the {}", stated);
   if (check.least_scale && check.greatest_scale)
     text += fmt::format(
-        " the scale (unit, sensitivity) would have to be {} times this one, or the sensor to show {:.2g} g "
+        " the scale (unit, sensitivity) would have to be {}, or the sensor to show {:.2g} g "
         "too {} over contact",
-        brief(is_short ? *check.least_scale : *check.greatest_scale, 3),
+        other_scale(is_short ? *check.least_scale : *check.greatest_scale),
         std::abs(check.shortfall) / (contact.end - contact.begin) / standard_gravity,
         is_short ? "little" : "much");
   else

@@ -55,6 +55,10 @@ TEST(SpeedCheck, SaysWhatWouldMakeUpForADisagreement) {
   EXPECT_THAT(high.text,
               testing::AllOf(HasSubstr("0.667 times this one, or the sensor to show 20 g too much"),
                              Not(HasSubstr("missing"))));
+  EXPECT_THAT(speed_check(report_of(5.994, MeasuredImpact{.speed = 6.01}))->text,
+              HasSubstr("would have to be 0.27 % greater, or"));
+  EXPECT_THAT(speed_check(report_of(6, MeasuredImpact{.speed = 2.9}))->text,
+              HasSubstr("would have to be 3.3 % smaller, or"));
 }
 
 TEST(SpeedCheck, ForgivesOneInAThousandAtEitherEnd) {
