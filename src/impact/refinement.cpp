@@ -174,7 +174,9 @@ void Refinement::judge(const Figures& run, const Figures& before) {
        of_support(now.set, before.set, run.set, now.peak_deflection),
        of_support(now.body_velocity, before.body_velocity, run.body_velocity, speed_)});
   worst = std::max(worst, errors_.support);
-  errors_.energy_absorbed = error(absorbed(now), absorbed(before), absorbed(run), 1);
+  // The small difference of large numbers has their rounding.
+  errors_.energy_absorbed =
+      std::max(error(absorbed(now), absorbed(before), absorbed(run), 1), numerics.rounding_of_figures);
   const double residual = std::abs(absorbed(now) - (now.pad_work + now.sheet_energy) / energy_);
   // The absorbed share, a small difference of large numbers, is held to ten times the tolerance relative to
   // itself, down to a twentieth of the impact energy.
