@@ -180,13 +180,13 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   const double residual = std::abs(absorbed(now) - (now.pad_work + now.sheet_energy) / energy_);
   // The absorbed share, a small difference of large numbers, is held to ten times the tolerance relative to
   // itself, down to a twentieth of the impact energy.
-  worst = std::max(worst, errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)));
+  const double of_energy = std::max(errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)), residual);
   // A reloading that one run has and the other steps over may be much or nothing: one more run tells.
   const bool enough =
       reloads_alike_ ? runs_ > 2 || tolerance_ >= numerics.least_tolerance_of_two_runs : runs_ > 3;
   // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.
   const auto is_within = [&](double allowed) {
-    return enough && worst <= allowed && residual <= allowed &&
+    return enough && worst <= allowed && of_energy <= (runs_ > 2 ? tolerance_ : allowed) &&
            errors_.time_of_peak_force <= numerics.loosest_time_of_peak;
   };
   // Where a pad bottoms out the last step to infinite stress is chance: more runs do not make it less.
