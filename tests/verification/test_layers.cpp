@@ -184,6 +184,33 @@ TEST(Layers, HeldStillRelaxAsEq74Says) {
   }
 }
 
+/// What was just solved is its own guess: a column looked at again, or free of stress, takes few looks.
+TEST(Layers, AColumnSolvedBeforeTakesFewLooks) {
+  CrushableFoam crushed = sample_law<CrushableFoam>();
+  crushed.curves.rate_effect = PowerRateEffect{0.05, 0, 1000};
+  CrushableFoam hard = crushed;
+  hard.curves.base = GibsonAshbyCurve{2e6, 90e3, 50e3, 0.05, 0.8};
+  LayeredContact contact({{0.015, crushed}, {0.01, hard}}, sections_of(Sphere{0.08}));
+  contact.start(0.05, 0.015);
+  constexpr double step = 1e-4;
+  double time = 0, looks = 0, columns = 0;
+  int free_of_stress = 0;
+  for (int k = 0; k < 70; ++k, time += step) {
+    const double advance = k < 50 ? 2.5e-4 : -1e-4;
+    contact.trial(advance, time, step);
+    const std::size_t before = contact.updates();
+    contact.accept(contact.trial(advance * (1 + 1e-13), time, step));
+    looks += double(contact.updates() - before);
+    columns += double(contact.touched_columns());
+    for (std::size_t j = 0; j < contact.touched_columns(); ++j)
+      free_of_stress += contact.column(j).stress < 0;
+  }
+  EXPECT_GT(free_of_stress, 0.1 * columns);
+  EXPECT_LT(free_of_stress, 0.9 * columns);
+  // One look and two to tell the slope by, and now and then one more.
+  EXPECT_LT(looks, 4 * double(contact.layers()) * columns);
+}
+
 /// Even steps against steps a quarter of the finest, on loading below a disc.
 TEST(Layers, TheStepIsOfSecondOrder) {
   const LinearViscoelastic soft = sample_law<LinearViscoelastic>();

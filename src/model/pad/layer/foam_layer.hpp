@@ -20,9 +20,14 @@ class FoamLayer {
   template <SharesSlip Law>
   FoamLayer(const Law& law, double factor) : stress_(law), factor_(factor) {}
 
+  /// Of a crushed foam that has come back free of stress, below zero: its line goes on, so that no stress has
+  /// two strains.
   [[nodiscard]] double stress(Strain end, const LayerState& now, const LayerStep& step) const {
-    return factor_ *
-           stress_.response(end, std::max(now.largest - end.value, 0.0), slip_rate(end, now, step)).stress;
+    const double ahead = std::max(now.largest - end.value, 0.0);
+    const double stress = stress_.response(end, ahead, slip_rate(end, now, step)).stress;
+    if (stress > 0 || !stress_.stays_crushed()) return factor_ * stress;
+    const Strain largest{end.value + ahead, end.complement - ahead};
+    return factor_ * (stress_.curve().at(largest).stress - stress_.slope_back(largest) * ahead);
   }
   [[nodiscard]] LayerState after(Strain end, const LayerState& now, const LayerStep& step) const {
     const SlipScale::State slip = slip_after(end, now, step);

@@ -42,22 +42,28 @@ LayerSeries::Solution LayerSeries::solve(const Shortening& wanted, const LayerSt
   at.begin(guess);
   const double first = std::max(guess.stress, least_stress_);
   const double scale = std::max(first, slow_.at({end.y / thickness_, end.gap / thickness_}).stress);
-  IncreasingRoot root;
-  if (!at.settle(end, least_stress_, root.x)) {
+  // A column that was free of stress is likely to be so still.
+  double stress = least_stress_;
+  bool is_free = guess.stress <= least_stress_ && at.excess(stress, end) > 0;
+  if (!is_free) {
     at.begin(guess);
-    root = increasing_root([&](double stress) { return at.excess(stress, end); },
-                           {.guess = first,
-                            .slope = guess.total_flexibility,
-                            .low = least_stress_,
-                            .high = 1e200,
-                            .stride = scale / 4,
-                            .precision = 1e-12 * scale});
+    if (!at.settle(end, least_stress_, stress)) {
+      at.begin(guess);
+      stress =
+          increasing_root([&](double of) { return at.excess(of, end); }, {.guess = first,
+                                                                          .slope = guess.total_flexibility,
+                                                                          .low = least_stress_,
+                                                                          .high = 1e200,
+                                                                          .stride = scale / 4,
+                                                                          .precision = 1e-12 * scale})
+              .x;
+      is_free = stress == least_stress_ && at.last_excess() > 0;
+    }
   }
   const double excess = at.last_excess();
-  const bool is_free = root.x == least_stress_ && excess > 0;
   found.looks = at.looks();
   found.flexibility = at.flexibility();
-  found.stress = is_free ? -excess / std::max(found.flexibility, 1e-300) : root.x;
+  found.stress = is_free ? -excess / std::max(found.flexibility, 1e-300) : stress;
   for (std::size_t i = 0; i < size(); ++i) {
     const StrainOfStress& layer = at.layer(i);
     found.layer_flexibility[i] = layer.flexibility;

@@ -77,9 +77,10 @@ bool StepSolver::settle(const Shortening& end, double least_stress, double& stre
     for (std::size_t i = 0; i < layers_.size(); ++i) {
       const Strain strain = LogStrain::strain(x[i]);
       const double now = stress_of(i, strain);
-      if (k > 0 && std::abs(x[i] - before[i]) > precision) {
-        slope[i] = (now - value[i]) / (x[i] - before[i]);
+      // Of a step shorter than the precision the slope is rounding: the guess, which was good, stays.
+      if (k > 0) {
         chord[i] = std::abs(x[i] - before[i]);
+        if (chord[i] > precision) slope[i] = (now - value[i]) / (x[i] - before[i]);
         if (!(slope[i] > 0)) return false;
       }
       value[i] = now;
