@@ -43,12 +43,16 @@ class RigidFoamPad final : public PadModel {
   }
   [[nodiscard]] Pressed pressed(double y, const double*, bool with_area) const override {
     const double before = ahead(y);
-    return pressed_by(nose(), y, thickness(), {law_.crush_strain, law_.crush_strain - before}, false,
-                      with_area, fineness(), [&](double strain, double) {
-                        if (strain <= 0) return 0.0;
-                        return std::fmin(curve(strain + before), stiff_ * (strain + before)) -
-                               stiff_ * before;
-                      });
+    const std::vector<double> corners{law_.crush_strain, law_.crush_strain - before, law_.second_strain,
+                                      law_.second_strain - before};
+    Pressed all =
+        pressed_by(nose(), y, thickness(), corners, false, false, fineness(), [&](double strain, double) {
+          if (strain <= 0) return 0.0;
+          return std::fmin(curve(strain + before), stiff_ * (strain + before)) - stiff_ * before;
+        });
+    // It keeps its shape, so that the nose lies against all of it until it leaves.
+    if (with_area && all.force > 0) all.area = nose().area(y);
+    return all;
   }
   [[nodiscard]] double little() const override { return 1e-11 * thickness(); }
   [[nodiscard]] bool holds() const override { return true; }
