@@ -25,6 +25,7 @@
 #include "impact/swing.hpp"
 #include "impact/track.hpp"
 #include "model/contact/contact.hpp"
+#include "model/contact/station_layout.hpp"
 #include "model/support/foundation.hpp"
 
 namespace dashpad {
@@ -132,7 +133,7 @@ class March {
       return true;
     }
     return track.size() > options_.most_steps || work(track) > most_work_ ||
-           idle_ > numerics.most_idle_events;
+           contact_.stations() >= most_stations || idle_ > numerics.most_idle_events;
   }
 
   /// Of the run so far, s.

@@ -155,7 +155,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   errors_.force_below_weight =
       moment(now.force_below_weight, before.force_below_weight, run.force_below_weight);
   const double bottomed = moment(now.bottomed, before.bottomed, run.bottomed);
-  errors_.bottomed = std::max(bottomed, numerics.fastest_fall_of_error * bottomed_error_);
+  errors_.bottomed = std::max(bottomed, numerics.fastest_fall_of_bottoming * bottomed_error_);
   bottomed_error_ = bottomed;
   worst = std::max(
       {worst, errors_.rebound_speed, errors_.contact_end, errors_.force_below_weight, errors_.bottomed});

@@ -301,7 +301,7 @@ class ColumnField {
 
   /// Columns at rest from the axis to the depth `reach`, or as far as the nose grows wider.
   void lay_columns(double expected, double reach) {
-    lay_stations(nose_, {resolution_, expected, reach, thickness_ - penetration_}, ColumnStorage::most,
+    lay_stations(nose_, {resolution_, expected, reach, thickness_ - penetration_},
                  [this](double depth) { columns_.append(depth); });
     columns_.fill_spare();
     for (std::size_t j = 0; j + 1 < columns_.size(); ++j) weigh_cell(j);
@@ -317,9 +317,8 @@ class ColumnField {
     const double widest = station_spacing.of_gap * resolution_;
     const double* depth = columns_.depth();
     for (std::size_t j = 0;
-         j + 1 < live_ && depth[j] <= station_spacing.graded * gap && columns_.size() < ColumnStorage::most;
-         ++j)
-      while (depth[j + 1] - depth[j] > widest * (gap + depth[j]) && columns_.size() < ColumnStorage::most)
+         j + 1 < live_ && depth[j] <= station_spacing.graded * gap && columns_.size() < most_stations; ++j)
+      while (depth[j + 1] - depth[j] > widest * (gap + depth[j]) && columns_.size() < most_stations)
         insert_after(j, std::sqrt((gap + depth[j]) * (gap + depth[j + 1])) - gap);
   }
 

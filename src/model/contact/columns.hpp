@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <memory>
 
+#include "model/contact/station_layout.hpp"
+
 namespace dashpad {
 
 /// Where the state of the columns is; `part` is the law's strain part, number by number.
@@ -34,8 +36,6 @@ struct CellWeights {
 /// worth of columns that are computed and thrown away.
 class ColumnStorage {
  public:
-  static constexpr std::size_t most = 20'000;
-
   ColumnStorage() {
     double* next = memory_.get();
     const auto take = [&next] {
@@ -91,7 +91,7 @@ class ColumnStorage {
 
  private:
   static constexpr std::size_t spare = 64;  ///< lanes of the widest vector that is known
-  static constexpr std::size_t stride = most + spare;
+  static constexpr std::size_t stride = most_stations + spare;
 
   std::unique_ptr<double[]> memory_ = std::make_unique_for_overwrite<double[]>(17 * stride);
   double* depth_ = nullptr;  ///< s, increasing

@@ -7,14 +7,13 @@
 #include <memory>
 #include <vector>
 
+#include "model/contact/station_layout.hpp"
 #include "model/pad/layer/series.hpp"
 
 namespace dashpad {
 
 class LayerColumns {
  public:
-  static constexpr std::size_t most = 20'000;
-
   /// What a column is at one moment.
   struct Moment {
     double* stress = nullptr;       ///< Pa; below 0: free of stress
@@ -25,11 +24,11 @@ class LayerColumns {
   };
 
   explicit LayerColumns(std::size_t layers) : layers_(layers) {
-    memory_ = std::make_unique_for_overwrite<double[]>((6 + 2 * (3 + 5 * layers)) * most);
+    memory_ = std::make_unique_for_overwrite<double[]>((6 + 2 * (3 + 5 * layers)) * most_stations);
     double* next = memory_.get();
     const auto take = [&next] {
       double* array = next;
-      next += most;
+      next += most_stations;
       return array;
     };
     for (double** array : {&depth_, &inner_, &outer_, &shape, &measure, &chord}) *array = take();

@@ -51,7 +51,7 @@ void LayeredContact::start(double resolution, double expected) {
   lay_stations(nose_,
                {resolution, expected, thickness,
                 std::max(thickness - std::min(expected, thickness), least_gap * thickness)},
-               LayerColumns::most, [this](double depth) { columns_.append(depth); });
+               [this](double depth) { columns_.append(depth); });
   for (std::size_t j = 0; j + 1 < columns_.size(); ++j) {
     const Sections::Weights weights = nose_.weights(columns_.depth()[j], columns_.depth()[j + 1]);
     columns_.set_weights(j, weights.inner, weights.outer);

@@ -22,6 +22,9 @@ struct StationSpacing {
 };
 inline constexpr StationSpacing station_spacing;
 
+/// Stations for which there is memory. A run that would want more has left some out, and is none.
+inline constexpr std::size_t most_stations = 20'000;
+
 /// What the stations are to suit.
 struct StationPlan {
   double resolution = 0;
@@ -49,11 +52,11 @@ class KnotsAhead {
   const double* end_ = nullptr;
 };
 
-/// Calls append(depth) for each station, at most `most` times: evenly as far as the contact is expected to
-/// grow, geometrically beyond. Where a' ends with a jump, at the rim of a nose that is cut off, there is a
-/// station too.
+/// Calls append(depth) for each station, at most `most_stations` times: evenly as far as the contact is
+/// expected to grow, geometrically beyond. Where a' ends with a jump, at the rim of a nose that is cut off,
+/// there is a station too.
 template <class Append>
-void lay_stations(const Sections& nose, const StationPlan& plan, std::size_t most, Append&& append) {
+void lay_stations(const Sections& nose, const StationPlan& plan, Append&& append) {
   // Cell between the rim and the next column, of the rim's depth: strains in it differ by more than rounding.
   constexpr double least_rim = 1e-6;
   const bool has_rim = nose.depth < plan.reach && nose.rate(nose.depth) > 0;
@@ -70,12 +73,12 @@ void lay_stations(const Sections& nose, const StationPlan& plan, std::size_t mos
   append(0.0);
   KnotsAhead knots(nose);
   for (double depth = knots.stop(std::min(first, of_gap * plan.gap), 0);
-       depth < end * (1 - (has_rim ? least_rim : 1e-9)) && count < most; ++count) {
+       depth < end * (1 - (has_rim ? least_rim : 1e-9)) && count < most_stations; ++count) {
     append(depth);
     const double step = spacing(depth);
     depth = knots.stop(depth + step, step);
   }
-  if (has_rim && count < most) append(end);
+  if (has_rim && count < most_stations) append(end);
 }
 
 }  // namespace dashpad

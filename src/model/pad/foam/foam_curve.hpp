@@ -41,6 +41,8 @@ class FoamCurve {
   FoamCurve(const BaseCurve& base, double continuation_exponent);
 
   [[nodiscard]] double last_strain() const { return last_.strain; }
+  /// n beyond it.
+  [[nodiscard]] double continuation_exponent() const { return last_.exponent; }
   [[nodiscard]] const Cells& cells() const { return cells_; }
 
   struct Point {

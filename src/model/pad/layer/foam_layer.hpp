@@ -52,6 +52,8 @@ class FoamLayer {
   }
   /// Of the slowest test, Pa.
   [[nodiscard]] double slow_stress(Strain at) const { return factor_ * stress_.curve().at(at).stress; }
+  /// With which power of the gap that is left the stress grows at last.
+  [[nodiscard]] double closing_exponent() const { return stress_.curve().continuation_exponent(); }
   /// A foam keeps its slip.
   [[nodiscard]] static double memory_off_contact(double memory) { return memory; }
 

@@ -41,6 +41,8 @@ class LinearLayer {
     return {-state.memory / time_, lasting_ + relaxing_, lasting_ + relaxing_};
   }
   [[nodiscard]] double slow_stress(Strain at) const { return lasting_ * at.value; }
+  /// It closes under a finite stress.
+  [[nodiscard]] static double closing_exponent() { return 0; }
   /// A column that the nose has left starts afresh.
   [[nodiscard]] static double memory_off_contact(double) { return memory_at_rest; }
 

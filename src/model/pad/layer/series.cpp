@@ -108,7 +108,10 @@ double LayerSeries::stress_rate_when_held(std::span<const Strain> strain, const 
 FoamCurve LayerSeries::made_slow_curve() const {
   constexpr int points = 96;
   constexpr double last = 0.9;
-  constexpr double exponent = 1;
+  // The layer with the largest exponent is the last to close: of a gap, the others have a vanishing share.
+  double exponent = 0;
+  for (const Layer& layer : layers_)
+    exponent = std::max(exponent, std::visit([](const auto& of) { return of.closing_exponent(); }, layer));
   TableCurve table;
   double stress = 0;
   for (int k = 1; k <= points; ++k) {
@@ -130,7 +133,7 @@ FoamCurve LayerSeries::made_slow_curve() const {
     table.strain.push_back(strain);
     table.stress.push_back(stress);
   }
-  return FoamCurve(table, exponent);
+  return FoamCurve(table, exponent > 0 ? exponent : 1);
 }
 
 double LayerSeries::slow_stress(std::size_t layer, double strain) const {
