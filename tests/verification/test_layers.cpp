@@ -91,6 +91,24 @@ TEST(Layers, OfOneFoamAreThePadOfThatFoam) {
   fmt::print("largest difference of peak force and rebound speed: {:.1e}\n", worst);
 }
 
+/// Struck so hard that a thousandth of the thickness is left: the stress at the axis grows with the power of
+/// the gap with which the foam is continued, and so must what the contact integral is weighted with.
+TEST(Layers, OfOneFoamStruckHardAreThePadOfThatFoam) {
+  Foam law = steady_foam();
+  law.continuation_exponent = 2.5;
+  ImpactCase whole = impact_on(law);
+  whole.impactor.nose = Sphere{0.08};
+  whole.impactor.speed = 11;
+  const Options options{.tolerance = 1e-3};
+  const Summary one = solve(whole, options).summary;
+  const Summary two = solve(in_layers(whole, {layer_of(0.01, law), layer_of(0.02, law)}), options).summary;
+  ASSERT_EQ(one.status, Status::released);
+  ASSERT_EQ(two.status, Status::released);
+  EXPECT_GT(one.peak_strain, 0.99);
+  EXPECT_NEAR(*two.peak_force / *one.peak_force, 1, 1e-3);
+  EXPECT_NEAR(*two.rebound_speed / *one.rebound_speed, 1, 1e-3);
+}
+
 /// Linear layers are springs in series: k = a / sum(L_i / E_i), the peak force V sqrt(M k).
 TEST(Layers, LinearOnesBelowADiscAreSpringsInSeries) {
   ImpactCase impact = impact_on(Elastic{3e5});
