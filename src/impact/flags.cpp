@@ -38,6 +38,13 @@ std::string gain(const Summary& summary) {
       100 * energy_gained(summary));
 }
 
+std::string pushing_back(const Summary& summary) {
+  return fmt::format(
+      "PEAK ON THE WAY BACK: going in, the force reached {:.4g} N; then the pad sprang open and pushed the "
+      "harder the faster it did, as no foam does: the law takes the size of the strain rate, not its sign",
+      summary.force_on_way_in);
+}
+
 /// Why no blow follows this one.
 std::string series_cut(const Summary& summary) {
   const char* const why = !summary.trustworthy()                 ? "misses the tolerance"
@@ -186,6 +193,7 @@ std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& 
                      "its penetration and displacement are those so far",
                      1e3 * summary.rest->velocity)});
   if (gained_energy(summary)) all.push_back({"ENERGY GAINED", gain(summary)});
+  if (summary.force_on_way_in > 0) all.push_back({"PEAK ON THE WAY BACK", pushing_back(summary)});
   if (summary.bottomed) all.push_back({"BOTTOMED", bottoming(summary)});
   if (is_series_cut(summary)) all.push_back({"SERIES CUT", series_cut(summary)});
   if (const std::string text = striking_through(summary); !text.empty())

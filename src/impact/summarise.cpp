@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <variant>
 
 #include "impact/layer_figures.hpp"
 
@@ -68,6 +69,19 @@ SupportFigures support_figures(const Support& support, const Backing& backing, c
   return of;
 }
 
+/// Of laws 4 and 5, whose rate stress has the size of the strain rate, whatever its sign: a pad that opens on
+/// a spring pushes the harder the faster it does. 0 where the peak is not larger than that by a twentieth.
+double force_on_way_in(const ImpactCase& impact, const History& history, double peak) {
+  constexpr double noticed = 1.05;
+  const PadLaw& law = impact.pad.material.law;
+  const bool pushes_back =
+      std::holds_alternative<NineParameter>(law) || std::holds_alternative<TwentyOneParameter>(law);
+  if (!pushes_back || impact.backing.mass > 0 || history.force.empty()) return 0;
+  const auto deepest = std::ranges::max_element(history.penetration) - history.penetration.begin();
+  const double way_in = *std::max_element(history.force.begin(), history.force.begin() + deepest + 1);
+  return peak > noticed * way_in ? way_in : 0;
+}
+
 }  // namespace
 
 std::string to_string(Status status) {
@@ -93,6 +107,7 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement, const 
     s.peak_force = std::max(figures.peak_force, 0.0);
     s.time_of_peak_force = figures.time_of_peak_force;
     s.peak_acceleration = *s.peak_force / impactor.mass;
+    s.force_on_way_in = force_on_way_in(impact, finest, *s.peak_force);
   }
   s.peak_motion = figures.peak_motion;
   s.peak_penetration = figures.bottomed ? impact.pad.thickness : figures.peak_penetration;

@@ -92,6 +92,13 @@ TEST(Flags, SayThatEnergyWasGainedWhereItIsMoreThanTheErrors) {
   EXPECT_THAT(flags(summary)[0].text, HasSubstr("6.5 % of the impact energy more than it took"));
 }
 
+TEST(Flags, SayThatThePeakCameOnTheWayBack) {
+  Summary summary = test::example_summary();
+  summary.force_on_way_in = 1330;
+  EXPECT_THAT(names(summary), ElementsAre("PEAK ON THE WAY BACK"));
+  EXPECT_THAT(flags(summary)[0].text, HasSubstr("reached 1330 N"));
+}
+
 TEST(Flags, TellARigidSupportFromOneThatYields) {
   Summary summary = test::example_summary();
   summary.bottomed = Moment{.time = 0.005, .velocity = 1};

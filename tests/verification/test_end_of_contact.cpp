@@ -94,6 +94,22 @@ TEST(EnergyGained, IsSaid) {
   EXPECT_THAT(flags(s), Contains(Field(&Flag::name, "ENERGY GAINED")));
 }
 
+/// Law 4 that relaxes at once is law 1 with its crowding, until its pad, come to its turn, springs open.
+TEST(PeakOnTheWayBack, IsSaidWhereLaw4SpringsOpen) {
+  const auto solved_with = [](double relaxation_time) {
+    ImpactCase impact =
+        impact_on(NineParameter{1e5, 0.7, 1, relaxation_time, 1e4, 0.2, 1e-15, 1}, Support::linear(1e5));
+    impact.impactor = {.mass = 5, .nose = Sphere{0.1}, .speed = 3};
+    impact.pad.thickness = 0.05;
+    return solve(impact, {.tolerance = 1e-3}).summary;
+  };
+  const Summary slow = solved_with(1e-4), fast = solved_with(1e-6);
+  EXPECT_EQ(slow.force_on_way_in, 0);
+  EXPECT_NEAR(fast.force_on_way_in / *slow.peak_force, 1, 2e-3);
+  EXPECT_GT(*fast.peak_force, 1.05 * fast.force_on_way_in);
+  EXPECT_THAT(flags(fast), Contains(Field(&Flag::name, "PEAK ON THE WAY BACK")));
+}
+
 /// Law 1 returns all: rounding is no gain.
 TEST(EnergyGained, IsNotSaidOfAnElasticPad) {
   const Summary s =

@@ -31,9 +31,9 @@ bool is_series_cut(const Summary& summary);
 bool gained_energy(const Summary& summary);
 
 struct Flag {
-  /// NOT RUN, TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, SHEET STRUCK FLAT, ENERGY GAINED, BOTTOMED, SERIES
-  /// CUT, STRUCK THROUGH, SOFTENING, EXTRAPOLATED STRAIN (a guess), EXTRAPOLATED RATE (a law) or, for what is
-  /// neither, EXTRAPOLATED, or SMALL NOSE.
+  /// NOT RUN, TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, SHEET STRUCK FLAT, STILL SINKING, ENERGY GAINED, PEAK
+  /// ON THE WAY BACK, BOTTOMED, SERIES CUT, STRUCK THROUGH, SOFTENING, EXTRAPOLATED STRAIN (a guess),
+  /// EXTRAPOLATED RATE (a law) or, for what is neither, EXTRAPOLATED, or SMALL NOSE.
   std::string name;
   std::string text;  ///< a line that begins with the name
 };

@@ -148,6 +148,8 @@ struct Summary {
   EnergyLedger energy;
   /// Lost by a flat tip to a sheet on the pad, at first contact and at once, m/s; 0 without either.
   double speed_to_sheet = 0;
+  /// Largest force until the pad was deepest, N, where laws 4 and 5 push harder on the way back; else 0.
+  double force_on_way_in = 0;
   std::vector<Extrapolation> extrapolations;
   /// What is not known of the figures; set by uncertainty::add_intervals().
   std::optional<Intervals> intervals;
