@@ -63,7 +63,8 @@ TEST(refinement, takes_at_least_two_runs) {
   Refinement refinement(impactor, 1e-2);
   EXPECT_EQ(settles(refinement, [](int) { return 0.0; }), 2);
   EXPECT_LE(refinement.errors().peak_force, 1e-11) << "rounding is all there is";
-  EXPECT_GE(refinement.errors().energy_absorbed, 2.9e-12) << "of the impact energy, not of what is left of it";
+  EXPECT_GE(refinement.errors().energy_absorbed, 2.9e-12)
+      << "of the impact energy, not of what is left of it";
 }
 
 TEST(refinement, does_not_trust_two_runs_beyond_their_reach) {
@@ -97,7 +98,9 @@ TEST(refinement, does_not_believe_that_bottoming_is_suddenly_exact) {
     Figures run = figures_with(0);
     run.bottomed = Moment{0.01 * (1 + late), 1};
     refinement.add(run);
-    if (late == 0.0008) EXPECT_FALSE(refinement.settled());
+    if (late == 0.0008) {
+      EXPECT_FALSE(refinement.settled());
+    }
   }
   EXPECT_GT(refinement.errors().bottomed, 1e-9);
 }
