@@ -259,7 +259,7 @@ std::string name_for_card(const std::string& title, long id) {
     else if (!name.empty() && !name.ends_with('-'))
       name += '-';
   }
-  name = name.substr(0, longest);
+  name.resize(std::min(name.size(), longest));
   while (name.ends_with('-')) name.pop_back();
   return name.empty() ? fmt::format("material-{}", id) : name;
 }
