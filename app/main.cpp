@@ -144,7 +144,7 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out, err;
   const int code = app.exit(error, out, err);
   write_output(out.str());
-  write_error(without_endless_words(err.str()));
+  write_error(dashpad::without_endless_words(err.str()));
   return code == 0 ? exit_done : exit_refused;
 }
 
@@ -181,7 +181,9 @@ int main(int argument_count, char** arguments) {
   } catch (const std::bad_alloc&) {
     write_error("dashpad: there is not enough memory for this\n");
   } catch (const std::filesystem::filesystem_error& error) {
-    write_error("dashpad: " + error.path1().string() + ": " + error.code().message() + "\n");
+    write_error(
+        dashpad::without_endless_words("dashpad: " + error.path1().string() + ": " + error.code().message()) +
+        "\n");
   } catch (const std::domain_error&) {
     write_error(library_failed);  // boost::math of a number that is none
   } catch (const std::overflow_error&) {
@@ -189,7 +191,7 @@ int main(int argument_count, char** arguments) {
   } catch (const nlohmann::json::exception&) {
     write_error(library_failed);
   } catch (const std::exception& error) {
-    write_error(std::string{"dashpad: "} + error.what() + "\n");
+    write_error(dashpad::without_endless_words(std::string{"dashpad: "} + error.what()) + "\n");
   }
   return exit_failed;
 }

@@ -1,7 +1,9 @@
 // dashpad pulse: injury figures of a measured acceleration.
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -71,9 +73,15 @@ std::vector<Target> targets(const PulseRequest& request) {
 }
 
 int show_figures(const PulseRequest& request) {
-  const injury::PulseReport report = pulse_report(request, {}, [&](const auto& files, auto& wrong) {
-    judge_targets(targets(request), files, request.force, wrong);
-  });
+  std::vector<std::string> complaints;
+  const std::optional<double> calibration = calibration_of(request, complaints);
+  injury::PulseReport report = pulse_report(
+      request, std::move(complaints),
+      [&](const auto& files, auto& wrong) { judge_targets(targets(request), files, request.force, wrong); });
+  {
+    const ProgressLine waiting("Computing the uncertainty of " + request.file);
+    report.uncertainty = injury::measurement_uncertainty(report, calibration);
+  }
   const UnitSystem& units = unit_system(request.units);
   const auto text_of = [&](const Target& target) {
     const ProgressLine waiting("Writing " + target.file);

@@ -144,7 +144,6 @@ injury::PulseReport pulse_report(
   for (const double level : settings.levels)
     report.dwells.push_back(
         {level, injury::cumulative_dwell(report.pulse, level), injury::longest_dwell(report.pulse, level)});
-  report.uncertainty = injury::measurement_uncertainty(report, settings.calibration);
   remark_on(report);
   report.flags = injury::flags(report, request.zero ? report.pulse : zero.pulse);
   if (report.impact && request.case_impact)

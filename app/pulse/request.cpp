@@ -63,6 +63,14 @@ std::optional<injury::MeasuredImpact> impact_of(const PulseRequest& request,
 
 }  // namespace
 
+std::optional<double> calibration_of(const PulseRequest& request, std::vector<std::string>& wrong) {
+  const std::optional<double> share = quantity_of("--calibration", request.calibration, "1", wrong);
+  if (share && !(*share > 0 && *share < injury::most_calibration))
+    wrong.push_back(fmt::format("--calibration {}: must be more than 0 and less than {:.0f} %",
+                                *request.calibration, 100 * injury::most_calibration));
+  return share;
+}
+
 std::optional<injury::PulseFilter> filter_of(const PulseRequest& request) {
   if (!request.filter) return std::nullopt;
   injury::PulseFilter filter{std::stoi(request.filter->substr(3)),
@@ -90,11 +98,6 @@ PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>&
     }
   }
   settings.impact = impact_of(request, wrong);
-  settings.calibration = quantity_of("--calibration", request.calibration, "1", wrong);
-  if (settings.calibration &&
-      !(*settings.calibration > 0 && *settings.calibration < injury::most_calibration))
-    wrong.push_back(fmt::format("--calibration {}: must be more than 0 and less than {:.0f} %",
-                                *request.calibration, 100 * injury::most_calibration));
   for (const double window : request.windows_ms) {
     const Magnitudes times = measured_magnitudes("s");
     if (!(window > 0))

@@ -51,11 +51,13 @@ struct PulseSettings {
   std::optional<double> interval_of_samples;               ///< s, of a table without times
   std::vector<input::Sensitivity> sensitivities;
   std::optional<injury::MeasuredImpact> impact;  ///< with its speed
-  std::optional<double> calibration;             ///< relative, k = 2
 };
 
 /// Adds to `wrong` all that is wrong with them.
 PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>& wrong);
+
+/// Of --calibration: relative, k = 2.
+std::optional<double> calibration_of(const PulseRequest& request, std::vector<std::string>& wrong);
 
 std::optional<injury::PulseFilter> filter_of(const PulseRequest& request);
 

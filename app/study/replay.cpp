@@ -38,6 +38,7 @@ struct StudyReplayRequest {
 /// A row as it was and as it is now.
 struct Replay {
   study::StoredRow stored;
+  std::vector<double> factors;  ///< as the study has them in this row
   study::Outcome again;
   ImpactCase impact;
   Options options;
@@ -61,10 +62,16 @@ study::StoredRow stored_row(const study::Store& store, const StudyReplayRequest&
 }
 
 Replay replay(const study::Store& store, const StudyReplayRequest& request) {
-  Replay result{
-      .stored = stored_row(store, request), .again = {}, .impact = {}, .options = {}, .solution = {}};
+  Replay result{.stored = stored_row(store, request),
+                .factors = {},
+                .again = {},
+                .impact = {},
+                .options = {},
+                .solution = {}};
   const study::Study study = study::stored_study(store);
   const study::Design design{study};
+  result.factors.resize(result.stored.factors.size());
+  design.factors_of(result.stored.row, result.factors);
   study::Worker worker{study, design};
   try {
     result.impact = worker.case_of(result.stored.row);
@@ -78,19 +85,25 @@ Replay replay(const study::Store& store, const StudyReplayRequest& request) {
   return result;
 }
 
+std::string with_all_digits(double value) { return std::isnan(value) ? "none" : fmt::format("{}", value); }
+
 /// The same bits, or no value both times.
 bool are_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 std::vector<std::string> differences(const Replay& of, const study::Store& store) {
   std::vector<std::string> found;
+  const auto compare = [&found](const std::vector<study::StoredColumn>& columns, const auto& before,
+                                const auto& now) {
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (!are_same(before[i], now[i]))
+        found.push_back(fmt::format("{}: stored {}, now {} {}", columns[i].name, with_all_digits(before[i]),
+                                    with_all_digits(now[i]), columns[i].unit));
+  };
+  compare(store.factors(), of.stored.factors, of.factors);
   if (of.stored.outcome.status != of.again.status)
     found.push_back(fmt::format("status: stored \"{}\", now \"{}\"", to_string(of.stored.outcome.status),
                                 to_string(of.again.status)));
-  for (std::size_t i = 0; i < of.again.values.size(); ++i)
-    if (!are_same(of.stored.outcome.values[i], of.again.values[i]))
-      found.push_back(fmt::format("{}: stored {}, now {} {}", store.responses()[i].name,
-                                  of.stored.outcome.values[i], of.again.values[i],
-                                  store.responses()[i].unit));
+  compare(store.responses(), of.stored.outcome.values, of.again.values);
   return found;
 }
 
@@ -99,7 +112,7 @@ std::string heading(const Replay& of, const study::Store& store, const UnitSyste
   for (std::size_t i = 0; i < of.stored.factors.size(); ++i)
     text += fmt::format(
         "{} {} = {}", i == 0 ? "" : ",", store.factors()[i].name,
-        output::shown_factor(store.factors()[i].unit, of.stored.factors[i], of.impact.pad.material, units));
+        output::shown_factor(store.factors()[i].unit, of.factors[i], of.impact.pad.material, units));
   return text + "\n\n";
 }
 

@@ -1,10 +1,14 @@
 // [[impacts]] of a fit file.
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <string>
+#include <utility>
 
 #include "dashpad/input/case_file.hpp"
 #include "fit/fit_tables.hpp"
+#include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::fit {
 
@@ -16,6 +20,11 @@ namespace {
 MeasuredFigure read_figure(TableReader& table, const ImpactFigureName& name) {
   MeasuredFigure figure{name.figure, 0, 0};
   figure.value = value_in(table, "value", name.unit);
+  if (figure.value < 0)
+    table.fault("value", "must not be below 0: all figures are magnitudes");
+  else if (std::isfinite(figure.value))
+    if (std::string rule = rule_of(measured_magnitudes(name.unit), figure.value, name.unit); !rule.empty())
+      table.fault("value", std::move(rule));
   figure.deviation = value_or_share(table, "deviation", name.unit, figure.value);
   table.refuse_others();
   return figure;

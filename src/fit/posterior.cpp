@@ -43,8 +43,13 @@ std::vector<std::vector<double>> laplace_sample(std::span<const double> minimum,
                                                 std::span<const double> gradient, std::size_t count,
                                                 std::uint64_t seed) {
   const auto n = static_cast<Eigen::Index>(minimum.size());
-  const Eigen::Map<const Eigen::MatrixXd> P(precision.data(), n, n);  // symmetric
-  const Eigen::Map<const Eigen::VectorXd> centre(minimum.data(), n), g(gradient.data(), n);
+  const Eigen::Map<const Eigen::VectorXd> centre(minimum.data(), n);
+  Eigen::MatrixXd P = Eigen::Map<const Eigen::MatrixXd>(precision.data(), n, n);  // symmetric
+  Eigen::VectorXd g = Eigen::Map<const Eigen::VectorXd>(gradient.data(), n);
+  if (!P.allFinite() || !g.allFinite()) {  // nothing is known but the bounds
+    P.setZero();
+    g.setZero();
+  }
   const Eigen::MatrixXd directions = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(P).eigenvectors();
   Eigen::VectorXd x = centre;
   std::vector<std::vector<double>> draws;

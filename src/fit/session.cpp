@@ -102,7 +102,10 @@ std::string sum_of(const json& pieces) { return fingerprint({pieces.dump()}); }
 
 /// Throws std::runtime_error for what is no state of this fit.
 std::map<std::string, std::string> read_state(const Fit& fit, const RunOptions& options) {
-  if (options.state.empty() || !std::filesystem::exists(options.state)) return {};
+  std::error_code error;  // what cannot be looked at is refused as it is read
+  if (options.state.empty() ||
+      std::filesystem::status(options.state, error).type() == std::filesystem::file_type::not_found)
+    return {};
   const auto refuse = [&](const std::string& why) {
     throw std::runtime_error(
         fmt::format("{}: {}; give another name, or remove it", options.state.string(), why));

@@ -73,18 +73,19 @@ InjuryFigures injury_figures(const Solution& solution) {
     return figures;
   }
   const InjuryFigures coarser = injury_figures(solution.coarser);
-  const auto error = [force](double value, double coarse, double power) {
-    return step_error(value, coarse) + power * force;
+  const auto error = [force](const char* key, double value, double coarse) {
+    return step_error(value, coarse) + acceleration_power(key) * force;
   };
   figures.errors.peak = force;
-  figures.errors.hic15 = error(figures.hic15.value, coarser.hic15.value, 2.5);
-  figures.errors.hic36 = error(figures.hic36.value, coarser.hic36.value, 2.5);
-  figures.errors.hic_unlimited = error(figures.hic_unlimited.value, coarser.hic_unlimited.value, 2.5);
-  figures.errors.hic_d = error(figures.hic_d, coarser.hic_d, 2.5);
+  figures.errors.hic15 = error("hic15", figures.hic15.value, coarser.hic15.value);
+  figures.errors.hic36 = error("hic36", figures.hic36.value, coarser.hic36.value);
+  figures.errors.hic_unlimited =
+      error("hic_unlimited", figures.hic_unlimited.value, coarser.hic_unlimited.value);
+  figures.errors.hic_d = error("hic_d", figures.hic_d, coarser.hic_d);
   figures.errors.clip_3ms = step_error(pulse, figures.clip_3ms, coarser.clip_3ms) + force;
   figures.errors.cumulative_3ms = step_error(pulse, figures.cumulative_3ms, coarser.cumulative_3ms) + force;
-  figures.errors.severity_index = error(figures.severity_index, coarser.severity_index, 2.5);
-  figures.errors.velocity_change = error(figures.velocity_change, coarser.velocity_change, 1);
+  figures.errors.severity_index = error("severity_index", figures.severity_index, coarser.severity_index);
+  figures.errors.velocity_change = error("velocity_change", figures.velocity_change, coarser.velocity_change);
   return figures;
 }
 

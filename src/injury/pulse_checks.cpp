@@ -55,9 +55,10 @@ double change_of_motion(const Contact& contact, const MeasuredImpact& impact) {
   return contact.velocity_change - impact.gravity * (contact.end - contact.begin);
 }
 
-std::optional<double> restitution(const PulseReport& report) {
-  if (!report.impact) return std::nullopt;
-  return change_of_motion(report.contact, *report.impact) / report.impact->speed - 1;
+std::optional<double> restitution(const Contact& contact, const MeasuredImpact& impact) {
+  const double value = change_of_motion(contact, impact) / impact.speed - 1;
+  const bool is_possible = value >= -rounding_of_velocity && value <= 1 + 2 * rounding_of_velocity;
+  return is_possible ? std::optional{value} : std::nullopt;
 }
 
 std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse) {
@@ -75,8 +76,8 @@ std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse) {
     const bool is_short = check->shortfall > 0;
     all.push_back({"IMPOSSIBLE VELOCITY CHANGE",
                    fmt::format("IMPOSSIBLE VELOCITY CHANGE: {} m/s is {} the impact speed, {} m/s; likely {}",
-                               brief(check->change), is_short ? "less than" : "more than twice",
-                               brief(report.impact->speed),
+                               brief(std::max(check->change, 0.0)),
+                               is_short ? "less than" : "more than twice", brief(report.impact->speed),
                                is_short ? "the pulse is cut, the unit or the sensitivity is wrong, or the "
                                           "sensor has an offset"
                                         : "the sensor has an offset, the unit or the sensitivity is wrong, "

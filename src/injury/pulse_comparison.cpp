@@ -80,9 +80,8 @@ double error_of_solver(std::string_view key, double value, const Summary& summar
   const double contact_end = summary.contact_end ? summary.contact_end->time : 0;
   if (key == "time_to_peak") return (errors.time_of_peak_force + errors.contact_end) * contact_end / value;
   if (key == "half_peak_width") return errors.contact_end;
-  if (key == "hic15") return 2.5 * errors.peak_force;
   if (key == "restitution") return (1 + 1 / value) * errors.peak_force;  // e = dV / v - 1
-  return errors.peak_force;
+  return acceleration_power(key) * errors.peak_force;
 }
 
 /// Adds to that what the steps of the history leave, by the coarser run.
@@ -129,11 +128,7 @@ PulseShape pulse_shape(const Pulse& pulse, const std::optional<MeasuredImpact>& 
   shape.width = cumulative_dwell(pulse, shape.peak.magnitude / 2);
   shape.contact = contact ? *contact : contact_of(pulse);
   shape.hic15 = hic(pulse, hic15_window).value;
-  if (impact) {
-    const double restitution = change_of_motion(shape.contact, *impact) / impact->speed - 1;
-    if (restitution >= -rounding_of_velocity && restitution <= 1 + 2 * rounding_of_velocity)
-      shape.restitution = restitution;
-  }
+  if (impact) shape.restitution = restitution(shape.contact, *impact);
   return shape;
 }
 

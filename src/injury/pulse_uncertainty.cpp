@@ -16,21 +16,12 @@ namespace dashpad::injury {
 namespace {
 
 constexpr double expanded = 2 * std::numbers::inv_sqrt3;  // k = 2, of a bound
-constexpr double of_finer = 4.0 / 3;  // half the interval takes away three quarters of the error of lines
-constexpr double margin = 20e-3;      // s beyond all windows: longer than a filter of class 60 looks
-constexpr double in_hic = 2.5;        // the power of the acceleration
+constexpr double of_finer = 4.0 / 3;   // half the interval takes away three quarters of the error of lines
+constexpr double margin = 20e-3;       // s beyond all windows: longer than a filter of class 60 looks
+constexpr std::size_t of_a_cubic = 4;  // samples
 
-struct Figure {
-  const char* key;
-  double power;  ///< of the acceleration in it
-};
-constexpr std::array<Figure, 7> known{{{"peak_acceleration", 1},
-                                       {"hic15", in_hic},
-                                       {"hic36", in_hic},
-                                       {"hic_unlimited", in_hic},
-                                       {"clip_3ms", 1},
-                                       {"cumulative_3ms", 1},
-                                       {"velocity_change", 1}}};
+constexpr std::array known{"peak_acceleration", "hic15",          "hic36",          "hic_unlimited",
+                           "clip_3ms",          "cumulative_3ms", "velocity_change"};
 using Values = std::array<double, known.size()>;
 
 /// Integral from `begin` to `end`, s, of what is linear between the samples.
@@ -52,7 +43,8 @@ double gained(const Pulse& pulse, double begin, double end) {
 double hic_within(const Pulse& pulse, const Hic& of) {
   const double duration = of.end - of.begin;
   if (!(duration > 0)) return 0;
-  return duration * std::pow(std::abs(gained(pulse, of.begin, of.end)) / duration / standard_gravity, in_hic);
+  return duration *
+         std::pow(std::abs(gained(pulse, of.begin, of.end)) / duration / standard_gravity, hic_power);
 }
 
 /// The figures of another version of the pulse of `report`, in its windows.
@@ -139,11 +131,12 @@ input::MeasuredPulse finer(const input::MeasuredPulse& measured) {
   return result;
 }
 
-/// By how much a parabola lies above the largest sample at most, m/s2; 0 at an end of the pulse.
-double hidden_peak(const Pulse& pulse) {
+/// By how much a parabola lies above the largest sample at most, m/s2. None at an end of the pulse, where it
+/// may have gone on to grow.
+std::optional<double> hidden_peak(const Pulse& pulse) {
   const auto at =
       static_cast<std::size_t>(std::ranges::find(pulse.time, peak(pulse).time) - pulse.time.begin());
-  if (at == 0 || at + 1 >= pulse.time.size()) return 0;
+  if (at == 0 || at + 1 >= pulse.time.size()) return std::nullopt;
   const double before = pulse.time[at] - pulse.time[at - 1], after = pulse.time[at + 1] - pulse.time[at];
   const double falls = (pulse.acceleration[at] - pulse.acceleration[at - 1]) / before -
                        (pulse.acceleration[at + 1] - pulse.acceleration[at]) / after;
@@ -166,7 +159,7 @@ std::optional<PulseFilter> next_filter(const PulseFilter& filter, const Pulse& p
 }  // namespace
 
 double FigureUncertainty::combined() const {
-  return std::hypot(sampling, filter.value_or(0), calibration.value_or(0));
+  return std::hypot(sampling.value_or(0), filter.value_or(0), calibration.value_or(0));
 }
 
 MeasurementUncertainty measurement_uncertainty(const PulseReport& report, std::optional<double> calibration) {
@@ -187,13 +180,16 @@ MeasurementUncertainty measurement_uncertainty(const PulseReport& report, std::o
   for (std::size_t i = 0; i < known.size(); ++i) {
     const double value = values[i];
     if (!(value > 0)) continue;
-    double hidden = of_finer * std::abs(of_finer_samples[i] - value);
-    if (i == 0) hidden = std::max(hidden, hidden_peak(report.pulse));
-    FigureUncertainty figure{.quantity = &result_quantity(known[i].key),
-                             .sampling = expanded * hidden / value};
+    FigureUncertainty figure{.quantity = &result_quantity(known[i])};
+    std::optional<double> hidden = of_finer * std::abs(of_finer_samples[i] - value);
+    if (i == 0) {
+      const std::optional<double> above = hidden_peak(report.pulse);
+      hidden = above ? std::optional{std::max(*hidden, *above)} : std::nullopt;
+    }
+    if (hidden && part.pulse.time.size() >= of_a_cubic) figure.sampling = expanded * *hidden / value;
     if (unfiltered) figure.filter = expanded * std::abs((*unfiltered)[i] - value) / value;
-    if (calibration) figure.calibration = std::pow(1 + *calibration, known[i].power) - 1;
-    result.figures.push_back(figure);
+    if (calibration) figure.calibration = std::pow(1 + *calibration, acceleration_power(known[i])) - 1;
+    if (figure.sampling || figure.filter || figure.calibration) result.figures.push_back(figure);
   }
   return result;
 }

@@ -28,7 +28,8 @@ std::string other_scale(double factor) {
 /// What would make up for a change that is off.
 std::string way_out(const SpeedCheck& check, const Contact& contact, const char* stated) {
   const bool is_short = check.shortfall > 0;
-  std::string text = fmt::format("For a velocity change that agrees with the {}", stated);
+  std::string text = fmt::format(
+      "There is no restitution between 0 and 1. For a velocity change that agrees with the {}", stated);
   if (check.least_scale && check.greatest_scale)
     text += fmt::format(
         " the scale (unit, sensitivity) would have to be {}, or the sensor to show {:.2g} g "

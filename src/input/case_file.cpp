@@ -53,32 +53,12 @@ double read_speed(TableReader& table) {
   return std::sqrt(2 * gravity * height);
 }
 
-/// Keys by which one would ask for an oblique blow, which the model does not have.
-void refuse_oblique_blow(TableReader& table) {
-  constexpr std::string_view names[] = {
-      "angle",         "impact_angle",       "angle_of_impact", "incidence",        "obliquity",
-      "oblique_angle", "angle_of_incidence", "inclination",     "tangential_speed", "friction_coefficient"};
-  for (const std::string_view name : names) {
-    const std::string key(name);
-    if (std::ranges::find(table.node().children, key, &TomlNode::key) == table.node().children.end())
-      continue;
-    static_cast<void>(table.has(key));
-    table.fault(
-        key,
-        "blows are along the normal of the pad: there is no oblique blow; with the normal part of the speed "
-        "alone, friction on the pad, the turning of the head that it brings about, and the larger contact of "
-        "a "
-        "nose that slides are left out");
-  }
-}
-
 Impactor read_impactor(TableReader& table, const std::filesystem::path& folder,
                        std::vector<InputFile>& files) {
   const Impactor impactor{.mass = read_mass(table),
                           .nose = read_nose(table, folder, files),
                           .speed = read_speed(table),
                           .gravity = read_gravity(table)};
-  refuse_oblique_blow(table);
   table.refuse_others();
   return impactor;
 }
@@ -349,7 +329,6 @@ CaseFile read_case(const std::filesystem::path& file, const std::filesystem::pat
   }
   if (auto table = top.table("blows", Presence::optional)) impact.blows = read_blows(*table);
   if (auto table = top.table("solver", Presence::optional)) result.options = read_options(*table);
-  refuse_oblique_blow(top);
   top.refuse_others();
 
   faults.add(violations_in_terms_of(root, impact, materials_of_pad, support_to_check), root);

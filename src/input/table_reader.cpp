@@ -16,6 +16,25 @@ using Kind = TomlNode::Kind;
 constexpr std::size_t longest_text = 2000;  // bytes; a title, a source or a note of a page is no text of use
 constexpr double missing_number = std::numeric_limits<double>::quiet_NaN();
 
+/// Whether one would ask by it for an oblique blow, which the model does not have: of the impactor, or of the
+/// pad or the anvil that is set at an angle.
+bool asks_for_oblique_blow(std::string key) {
+  constexpr std::string_view keys[] = {
+      "angle",       "angle_deg",          "angle_rad",      "angle_of_impact",      "angle_of_incidence",
+      "incidence",   "incidence_angle",    "impact_angle",   "anvil_angle",          "pad_angle",
+      "inclination", "inclination_angle",  "oblique",        "oblique_angle",        "obliquity",
+      "tilt",        "tilt_angle",         "velocity_angle", "friction_coefficient", "tangential_speed",
+      "slope_angle", "tangential_velocity"};
+  std::ranges::transform(key, key.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return std::ranges::count(keys, key) > 0;
+}
+
+constexpr const char* no_oblique_blow =
+    "blows are along the normal of the pad: there is no oblique blow; with the normal part of the speed "
+    "alone, friction on the pad, the turning of the head that it brings about, and the larger contact of a "
+    "nose that slides are left out";
+
 }  // namespace
 
 double read_quantity(const TomlNode& node, const std::string& key, const std::string& si_unit,
@@ -110,7 +129,9 @@ void TableReader::refuse_others() {
     if (std::ranges::count(known_, entry.key)) continue;
     const std::string meant = did_you_mean(entry.key, known_);
     faults_->add(entry.line, full_key(entry.key), entry.written(),
-                 "unknown key" + (meant.empty() ? "; known here are " + listing(known_) : meant));
+                 asks_for_oblique_blow(entry.key)
+                     ? no_oblique_blow
+                     : "unknown key" + (meant.empty() ? "; known here are " + listing(known_) : meant));
   }
 }
 

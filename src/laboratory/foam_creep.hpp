@@ -12,6 +12,9 @@
 
 namespace dashpad::laboratory {
 
+/// Of the strains that are searched: the least stress that can be stated on the stiffest foam.
+inline constexpr double least_part = 1e-30;
+
 /// Slow foam: under a constant stress p and the branches obey linear equations, which steps in which p goes
 /// evenly solve to second order. The error is estimated by steps of twice the length.
 inline std::vector<HoldPlace> crept(const ViscoelasticFoam& law, const MaxwellColumn& column, double stress,
@@ -57,7 +60,7 @@ inline std::optional<ColumnTest> creep_of(const ViscoelasticFoam& law, const Cre
   column.enter(loading);
   const auto missing = [&](double time) { return column.at(time).value - test.stress; };
   if (missing(loading.duration) < 0) return std::nullopt;
-  const double loaded_for = root(missing, 1e-12 * loading.duration, loading.duration);
+  const double loaded_for = root(missing, least_part * loading.duration, loading.duration);
   const double strain = loaded_for * test.loading_rate;
   ColumnTest loaded = drive(law, {{{loaded_for, 0, test.loading_rate, 0}}}, places);
   const std::vector<double> times = hold_times(test.hold, places);
@@ -103,7 +106,7 @@ std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int pl
     return column.stress(strain_of(strain), 0, slip_at(strain)) - test.stress;
   };
   if (missing(farthest_strain) < 0) return std::nullopt;
-  const double strain = root(missing, 1e-12, farthest_strain);
+  const double strain = root(missing, least_part, farthest_strain);
   ColumnTest loaded = drive(law, {{{strain / test.loading_rate, 0, test.loading_rate, 0}}}, places);
   const std::vector<double> times = hold_times(test.hold, places);
   constexpr int steps = 8;

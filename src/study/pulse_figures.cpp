@@ -11,10 +11,12 @@
 #include "injury/coarser_run.hpp"
 
 namespace dashpad::study {
+
+using injury::hic_power;
+
 namespace {
 
 constexpr double three_milliseconds = 3e-3;
-constexpr double hic_power = 2.5;
 
 }  // namespace
 

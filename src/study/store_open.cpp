@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -91,7 +93,26 @@ std::string insert_text(const StoreHeading& heading) {
   return "INSERT INTO samples (" + columns + ") VALUES (" + marks + ")";
 }
 
+/// SQLite takes a last page that is cut for one that ends in zeros, and a file shorter than its own heading
+/// for a new one. With a log beside it the page is whole there.
+void require_whole(const Database& database) {
+  constexpr std::string_view heading{"SQLite format 3\0", 16};
+  constexpr std::uintmax_t smallest_page = 512;  // bytes; all are multiples
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(database.name(), error);
+  if (error || size == 0) return;
+  std::string begin(heading.size(), ' ');
+  std::ifstream(database.name(), std::ios::binary)
+      .read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  if (begin != heading) database.fail(SQLITE_NOTADB);
+  if (size % smallest_page == 0) return;
+  for (const char* log : {"-wal", "-journal"})
+    if (fs::exists(database.name() + log, error)) return;
+  database.damaged("its end is missing");
+}
+
 void make_or_check(Database& database, const Study& study, StoreHeading& heading) {
+  require_whole(database);
   Transaction transaction{database, "BEGIN IMMEDIATE"};
   if (is_empty(database)) {
     create_tables(database, study, heading);
@@ -174,6 +195,7 @@ Store Store::open_to_read(const fs::path& file) {
   if (!fs::exists(file, error)) refuse(file, "there is no such file");
   if (!fs::is_regular_file(file, error)) refuse(file, "it is no file");
   Database database{file, Access::read};
+  require_whole(database);
   // One view of the file as long as the store is open, whatever a running study adds to it.
   database.execute("BEGIN");
   if (is_empty(database)) refuse(file, "it is no store of a study: it is empty");

@@ -29,7 +29,8 @@ constexpr std::uint64_t most_extrapolated =
     extrapolated_untold + extrapolated_strain + extrapolated_rate + extrapolated_otherwise;
 
 [[noreturn]] void impossible(const Database& database, const std::string& column, double value) {
-  database.damaged(fmt::format("{} = {} in a row, which cannot be", column, value));
+  database.damaged(fmt::format("{} = {} in a row, which cannot be", column,
+                               std::isnan(value) ? "none" : fmt::format("{}", value)));
 }
 
 void read_row(const Statement& from, const Database& database, const StoreHeading& heading, StoredRow& row) {

@@ -262,7 +262,7 @@ constexpr std::array all_sources{Source::continuation, Source::rate,   Source::w
 /// Eq. 77.
 FigureInterval interval_of(const FigureName& name, std::size_t figure, double nominal, const Search& search,
                            const Open& open, const Solution& solution) {
-  FigureInterval interval{.key = name.key, .level = name.level, .nominal = nominal};
+  FigureInterval interval{.key = name.key, .level = name.level, .nominal = nominal, .sources = {}};
   Deviation ranges, statistics;
   for (const Source source : all_sources) {
     Deviation alone;

@@ -12,8 +12,8 @@ namespace dashpad::uncertainty {
 
 struct Line {
   Source source = Source::continuation;
-  std::vector<double> ends;              ///< one or two, none of them 0
-  std::function<ImpactCase(double)> at;  ///< the case there
+  std::vector<double> ends = {};              ///< one or two, none of them 0
+  std::function<ImpactCase(double)> at = {};  ///< the case there
   bool is_statistical = false;   ///< ends are standard deviations of a normal distribution, +-`deviations`
   double deviations = 1.959964;  ///< at which the ends lie
 };

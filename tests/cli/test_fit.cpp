@@ -217,6 +217,16 @@ TEST_F(FitTest, RefusesAStateThatIsNoRegularFileAtOnce) {
   }
 }
 
+TEST_F(FitTest, RefusesAStateThatCannotBeLookedAtInItsOwnWords) {
+  fs::create_symlink("loop.state", file("loop.state"));
+  for (const std::string& name : {file("loop.state"), std::string(5000, 'x')}) {
+    const Outcome outcome = dashpad({"fit", file("fit.toml"), "--state", name});
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("cannot be read: "));
+    EXPECT_THAT(outcome.err, Not(HasSubstr("filesystem")));
+  }
+}
+
 TEST_F(FitTest, RefusesAStateWithANumberThatBecameText) {
   ASSERT_EQ(dashpad({"fit", file("fit.toml"), "--state", file("fit.state")}).exit_code, 0);
   std::string state = read_file(file("fit.state"));

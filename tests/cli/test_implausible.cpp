@@ -66,6 +66,21 @@ TEST_F(Implausible, SharesHaveNoDozensOfDigits) {
   EXPECT_THAT(outcome.out, Not(testing::ContainsRegex("[0-9]{12}")));
 }
 
+TEST_F(Implausible, FiguresOfImpactsAreRefused) {
+  write_file(file("case.toml"), elastic_case());
+  const std::string fit =
+      "[pad]\nlaw = \"elastic\"\nparameters = {modulus = \"100 kPa\"}\n[unknowns]\n"
+      "\"pad.parameters.modulus\" = {bounds = [\"1 kPa\", \"10 MPa\"]}\n[[impacts]]\ncase = \"case.toml\"\n";
+  for (const auto& [figure, words] :
+       {std::pair{"hic15 = {value = -1, deviation = 1}", "hic15.value = -1: must not be below 0"},
+        {"peak_force = {value = \"-1 kN\", deviation = \"5 N\"}", "must not be below 0"},
+        {"peak_force = {value = \"1e14 N\", deviation = \"5 %\"}", "must have a magnitude between"},
+        {"hic15 = {value = 1e300, deviation = \"5 %\"}", "must have a magnitude between"}}) {
+    write_file(file("fit.toml"), fit + figure + "\n");
+    expect_refused({"fit", file("fit.toml")}, words);
+  }
+}
+
 TEST_F(Implausible, OptionsAreRefused) {
   write_pulse(50, 1e-4);
   for (const auto& [option, value] : {std::pair{"--drop-height", "1e308 m"},

@@ -151,6 +151,14 @@ TEST_F(MaterialTestTest, CreepsUnderAStress) {
               HasSubstr("does not reach a stress of 500000 Pa"));
 }
 
+/// As little as can be stated, on foams by their curves as on slow ones.
+TEST_F(MaterialTestTest, CreepsUnderNextToNoStress) {
+  for (const char* card : {"vn600", "eps-22", "ensolite-aac-9", "ensolite-aac-21"}) {
+    const json small = answered({card, "--test", "creep", "--stress", "1e-14 Pa", "--rate", "1"});
+    EXPECT_LT(small["runs"][0]["creep"]["after_hold_strain"].get<double>(), 1e-17) << card;
+  }
+}
+
 TEST_F(MaterialTestTest, CyclesBetweenTwoStrains) {
   const json result = answered({"ensolite-aac-21", "--test", "cyclic", "--strain", "0.6", "--low", "20 %",
                                 "--cycles", "2", "--rate", "10"});

@@ -82,6 +82,19 @@ TEST_F(PulseDropTest, ARestitutionIsThatOfTheContactOfAResultantWithoutGravity) 
   EXPECT_NEAR(change.at("end_s").get<double>(), touch, 5e-4);
 }
 
+/// No body rebounds faster than it struck, or goes on: what it would be is not told as if it were a figure.
+TEST_F(PulseDropTest, ARestitutionThatCannotBeIsNone) {
+  std::string text = "time [s],a [g]\n";
+  for (int i = -40; i <= 100; ++i) text += fmt::format("{:.4f},{:.6f}\n", 5e-4 * i, sensed(5e-4 * i, 0.3));
+  for (const char* height : {"0.01 m", "20 m"}) {
+    const json of = result(text, {"--drop-height", height});
+    EXPECT_TRUE(of.at("impact").at("restitution").is_null()) << height;
+    EXPECT_FALSE(of.at("impact").at("check").at("agrees").get<bool>());
+    EXPECT_THAT(said, HasSubstr("IMPOSSIBLE VELOCITY CHANGE"));
+    EXPECT_THAT(said, Not(HasSubstr("Restitution")));
+  }
+}
+
 /// A logger that shows 1 g at rest for 250 ms, and 0 g in the fall and in the rebound; or 0 and -1 g.
 TEST_F(PulseDropTest, RestAndFallAreNotOfThePulse) {
   const double fall = std::sqrt(2 * drop_height / earth);

@@ -98,10 +98,11 @@ TEST_F(PulseUncertaintyTest, TimesOfAClockCountFromTheFirstSample) {
   for (const char* key : {"hic15", "clip_3ms", "velocity_change", "peak_acceleration"}) {
     const json &there = plain.at("figures").at(key), &here = clock.at("figures").at(key);
     for (const auto& [name, value] : there.items())
-      if (value.is_number())
+      if (value.is_number()) {
         EXPECT_NEAR(here.at(name).get<double>(), value.get<double>(),
                     1e-9 * std::abs(value.get<double>()) + 1e-14)
             << key << ' ' << name;
+      }
   }
 }
 

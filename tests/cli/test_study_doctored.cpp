@@ -101,6 +101,58 @@ TEST_F(StudyDoctored, writes_no_escape_codes_to_the_terminal) {
   }
 }
 
+TEST_F(StudyDoctored, replays_what_the_store_has_not_and_factors_that_were_changed) {
+  change("UPDATE samples SET peak_force = NULL WHERE row = 2");
+  Outcome outcome = dashpad({"study", "replay", file("s.db"), "2"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  EXPECT_NE(outcome.out.find("peak_force: stored none, now "), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
+  change("UPDATE samples SET \"impactor.speed\" = 7 WHERE row = 2");
+  outcome = dashpad({"study", "replay", file("s.db"), "2"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  EXPECT_NE(outcome.out.find("Row 2: impactor.speed = 3 m/s"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("impactor.speed: stored 7, now 3 m/s"), std::string::npos) << outcome.out;
+  change("UPDATE samples SET error = NULL WHERE row = 2");
+  outcome = dashpad({"study", "replay", file("s.db"), "2"});
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+}
+
+TEST_F(StudyDoctored, says_nothing_of_a_response_that_no_draw_has) {
+  write_file(file("study.toml"), R"(title = "Doctored"
+case = "case.toml"
+samples = 5
+responses = ["peak_force"]
+[factors."impactor.speed"]
+distribution = "uniform"
+low = "2 m/s"
+high = "4 m/s"
+)");
+  fs::remove(file("s.db"));
+  ASSERT_EQ(dashpad(study()).exit_code, 0);
+  test::edit(file("s.db"), "UPDATE samples SET peak_force = NULL");
+  const Outcome outcome = dashpad({"study", "summary", file("s.db")});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("Peak force: ."), std::string::npos) << outcome.out;
+}
+
+/// SQLite takes a cut page for one that ends in zeros, and a file shorter than a page for a new one.
+TEST_F(StudyDoctored, is_refused_where_its_end_is_missing) {
+  const auto size = fs::file_size(file("good.db"));
+  for (const std::uintmax_t kept : {std::uintmax_t{1}, std::uintmax_t{300}, size - 1}) {
+    fs::copy_file(file("good.db"), file("s.db"), fs::copy_options::overwrite_existing);
+    fs::resize_file(file("s.db"), kept);
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"study", "summary", file("s.db")},
+          {"study", "export", file("s.db"), "--csv", file("rows.csv")},
+          {"study", "replay", file("s.db"), "2"},
+          study()}) {
+      const Outcome outcome = dashpad(command);
+      EXPECT_EQ(outcome.exit_code, 2) << kept << " " << command[1] << outcome.out << outcome.err;
+      EXPECT_EQ(fs::file_size(file("s.db")), kept) << command[1];
+    }
+  }
+}
+
 TEST_F(StudyDoctored, is_refused_where_a_number_cannot_be) {
   for (const char* number : {"9e999", "-9e999", "-1"}) {
     change("UPDATE samples SET peak_force = " + std::string{number} + " WHERE row = 2");

@@ -110,7 +110,9 @@ inline injury::PulseReport pulse_with_numbers() {
   of.pulse = {{1, 2, 3, 4}, {0, 1, 2, 0}};
   of.figures = figures_with_numbers(made);
   of.impact = injury::MeasuredImpact{made.next(), made.next(), made.next()};
-  of.contact = {.begin = made.next(), .end = made.next(), .velocity_change = made.next()};
+  of.contact = {.begin = made.next(), .end = made.next()};
+  of.contact.velocity_change =  // of a restitution of 0.4
+      1.4 * of.impact->speed + of.impact->gravity * (of.contact.end - of.contact.begin);
   of.windows = {{made.next(), {.value = made.next(), .begin = made.next(), .end = made.next()}}};
   of.dwells = {{made.next(), made.next(), made.next()}};
   return of;

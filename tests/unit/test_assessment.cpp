@@ -492,7 +492,8 @@ Solution half_sine_between(double low, double high) {
                              .low = low * g,
                              .high = high * g,
                              .sources = {{Source::continuation, low * g, high * g}}}},
-                .sources = {{Source::continuation, "how the foam goes on beyond a strain of 0.75", ""}}};
+                .sources = {{Source::continuation, "how the foam goes on beyond a strain of 0.75", ""}},
+                .warning = {}};
   return solution;
 }
 
@@ -510,7 +511,7 @@ TEST(assessment, without_intervals_or_with_what_has_none_is_no_unqualified_pass)
   solution.summary.intervals.reset();
   EXPECT_THAT(assess_peak(150 * g, solution).reservations, ElementsAre(says(StartsWith("NO INTERVALS: "))));
   solution.summary.intervals =
-      Intervals{.figures = {}, .sources = {{Source::scatter, "how it scatters", "why"}}};
+      Intervals{.figures = {}, .sources = {{Source::scatter, "how it scatters", "why"}}, .warning = {}};
   EXPECT_THAT(assess_peak(150 * g, solution).reservations,
               ElementsAre(says("NO INTERVAL for how it scatters: why")));
 }

@@ -199,6 +199,11 @@ const std::vector<Edit> edits{
     {"weight = \"10 lbf\"",
      "weight = \"10 lbf\"\nangle = \"30 deg\"",
      {{5, "impactor.angle", "there is no oblique blow; with the normal part of the speed alone, friction"}}},
+    {"[support]\n", "[support]\nTilt = 3\n", {{10, "support.Tilt", "there is no oblique blow"}}},
+    {"thickness = ", "angle = \"30 deg\"\nthickness = ", {{7, "pad.angle", "there is no oblique blow"}}},
+    {"radius",
+     "half_angle = \"30 deg\"\nradius",
+     {{3, "impactor.half_angle", "unknown key; known here are"}}},
     // Keys.
     {"radius",
      "radus",

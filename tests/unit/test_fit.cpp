@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include "dashpad/fit/fit_file.hpp"
@@ -144,6 +145,15 @@ TEST(Posterior, IsCutOffAtTheBounds) {
   double mean = 0;
   for (const auto& draw : draws) mean += draw[0] / 4000;
   EXPECT_NEAR(mean, 0.05, 0.004);
+}
+
+TEST(Posterior, IsEvenWhereTheMisfitHasNoCurvature) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const auto draws =
+      laplace_sample(std::vector<double>{0.3}, std::vector<double>{none}, std::vector<double>{0}, 4000, 1);
+  double mean = 0;
+  for (const auto& draw : draws) mean += draw[0] / 4000;
+  EXPECT_NEAR(mean, 0.5, 0.02);
 }
 
 // --- Along a path ---

@@ -57,7 +57,8 @@ TEST(Flags, SayByHowMuchWhatIsBeyondTheTestsMovesADecisiveFigure) {
     summary.intervals = Intervals{.figures = {{.key = "peak_acceleration",
                                                .nominal = 100,
                                                .sources = {{Source::continuation, low, high}}}},
-                                  .sources = {{Source::continuation, "how it goes on", ""}}};
+                                  .sources = {{Source::continuation, "how it goes on", ""}},
+                                  .warning = {}};
     const std::vector<Flag> all = flags(summary, {"peak_acceleration"});
     return all.empty() ? std::string() : all[0].text;
   };

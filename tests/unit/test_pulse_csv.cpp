@@ -63,6 +63,7 @@ const std::vector<Style> styles{
     {"Time / ms;Acceleration / g\n0;1\n2;3\n", {}},
     {"Time/ms;Acc/g;Speed m/s\n0;1;7\n2;3;7\n", {}},
     {"Time ms\tAcc g\n0\t1\n2\t3\n", {}},
+    {"Time 1 of 2 [ms]\tAcc no 2 of 3 [g]\n0\t1\n2\t3\n", {}},
     {"t_s,accel[m/s^2]\n0,9.80665\n0.002,29.41995\n", {}},
     {"time_s,acceleration_m_per_s2\n0,9.80665\n2e-3,2.941995E1\n", {}},
     {"t [\xc2\xb5s];a [m/s\xc2\xb2]\n0;9.80665\n2000;29.41995\n", {}},
@@ -114,6 +115,21 @@ TEST(pulse_csv, every_style_gives_the_same_pulse) {
     EXPECT_EQ(measured.acceleration.size(), 1U);
     EXPECT_FALSE(measured.time.unit.empty());
     EXPECT_FALSE(measured.acceleration.front().unit.empty());
+  }
+}
+
+/// The header alone is longer than what was looked at for the separator.
+TEST(pulse_csv, a_header_of_five_thousand_columns_hides_no_separator) {
+  for (const std::string separator : {";", "\t", ","}) {
+    std::string text = "t_ms", row;
+    for (int i = 0; i < 5000; ++i) {
+      text +=
+          separator + "channel no " + std::to_string(i) + " of the logger (" + (i == 77 ? "g" : "V") + ")";
+      row += separator + std::to_string(i);
+    }
+    const input::MeasuredPulse measured = read(text + "\n0" + row + "\n2" + row + "\n", {});
+    EXPECT_EQ(measured.acceleration.front().number, 79) << separator;
+    EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {77 * g, 77 * g})) << separator;
   }
 }
 

@@ -53,9 +53,10 @@ TEST(PulseUncertainty, OfSamplingHoldsTheTruePeakAndHic) {
       const PulseReport report = report_of(shape, 0.5e-3, k / 10.0);
       const MeasurementUncertainty of = measurement_uncertainty(report, {});
       const double hidden = top / report.figures.peak.magnitude - 1;
-      const double said = figure(of, "peak_acceleration").sampling;
+      const double said = figure(of, "peak_acceleration").sampling.value();
       EXPECT_LE(hidden, 1.01 * said) << k;
-      EXPECT_LE(std::abs(hic / report.figures.hic15.value - 1), 1.01 * figure(of, "hic15").sampling) << k;
+      EXPECT_LE(std::abs(hic / report.figures.hic15.value - 1), 1.01 * figure(of, "hic15").sampling.value())
+          << k;
       most_hidden = std::max(most_hidden, hidden);
       most_said = std::max(most_said, said);
     }
@@ -70,7 +71,7 @@ TEST(PulseUncertainty, OfACalibrationIsWhatAScaleDoes) {
   EXPECT_NEAR(figure(of, "hic15").calibration.value(),
               scaled.figures.hic15.value / report.figures.hic15.value - 1, 1e-9);
   const FigureUncertainty& peak = figure(of, "peak_acceleration");
-  EXPECT_NEAR(peak.combined(), std::hypot(peak.sampling, 0.02), 1e-12);
+  EXPECT_NEAR(peak.combined(), std::hypot(peak.sampling.value(), 0.02), 1e-12);
   EXPECT_FALSE(peak.filter);
   EXPECT_FALSE(figure(measurement_uncertainty(report, {}), "hic15").calibration);
 }
@@ -84,6 +85,117 @@ TEST(PulseUncertainty, OfAFilterIsWhatTheNextClassLeaves) {
               2 / std::sqrt(3) * (next.figures.peak.magnitude / low.figures.peak.magnitude - 1), 1e-6);
   const PulseReport highest = report_of(skewed, 1e-4, 0, PulseFilter{.channel_frequency_class = 1000});
   EXPECT_EQ(measurement_uncertainty(highest, {}).compared_with, "no filter");
+}
+
+/// Two axes with one shape and one with none: the resultant is that shape, so that a factor on all is one on
+/// it.
+PulseReport resultant_of_two(double step, double phase, const std::optional<PulseFilter>& filter,
+                             std::optional<double> interval = {}) {
+  PulseReport report = report_of(skewed, step, phase);
+  const std::vector<double> shape = report.measured.pulse.acceleration;
+  for (const double share : {0.6, -0.8}) {
+    report.measured.components.push_back(shape);
+    for (double& value : report.measured.components.back()) value *= share;
+  }
+  report.measured.resultant = true;
+  report.measured.pulse.acceleration = input::resultant_of(report.measured.components);
+  report.filter = filter;
+  report.resampled_to = interval;
+  const ProcessedPulse pulse = processed_pulse(report.measured, interval, filter);
+  report.pulse = pulse.pulse;
+  report.contact = contact_of(pulse.along());
+  report.figures = injury_figures(report.pulse);
+  return report;
+}
+
+TEST(PulseUncertainty, OfAResultantOfOneShapeIsThatOfTheShape) {
+  for (const std::optional<PulseFilter>& filter :
+       {std::optional<PulseFilter>{}, std::optional{PulseFilter{.channel_frequency_class = 60}}}) {
+    const PulseReport alone = report_of(skewed, 5e-4, 0.3, filter);
+    const MeasurementUncertainty of = measurement_uncertainty(alone, 0.02);
+    const MeasurementUncertainty both = measurement_uncertainty(resultant_of_two(5e-4, 0.3, filter), 0.02);
+    ASSERT_EQ(both.figures.size(), of.figures.size());
+    for (const FigureUncertainty& each : of.figures) {
+      const FigureUncertainty& same = figure(both, each.quantity->key);
+      // A filter rings below zero, and the length of that is above: by less than a hundredth of the figure.
+      const double near = filter ? 0.01 : 1e-9;
+      EXPECT_NEAR(same.sampling.value(), each.sampling.value(), near) << each.quantity->key;
+      EXPECT_NEAR(same.calibration.value(), each.calibration.value(), 1e-12) << each.quantity->key;
+      if (filter) {
+        EXPECT_NEAR(same.filter.value(), each.filter.value(), near) << each.quantity->key;
+      }
+    }
+  }
+}
+
+/// Half a sine every 0.5 ms: the parabola through the largest sample and its neighbours is known, and so is
+/// what lies above the sample. Across it, half as much in the peak and a quarter of the time later, is
+/// another.
+TEST(PulseUncertainty, OfTwoAxesIsTheirClosedForm) {
+  constexpr double step = 5e-4;
+  PulseReport report;
+  std::vector<double> x, y;
+  for (int i = -40; i < 100; ++i) {
+    const double time = (i + 0.5) * step;
+    report.measured.pulse.time.push_back(time);
+    x.push_back(half_sine(time));
+    y.push_back(half_sine(time - duration / 4) / 2);
+  }
+  report.measured.components = {x, y};
+  report.pulse = processed_pulse(report.measured, {}, {}).pulse;
+  report.measured.pulse.acceleration = report.pulse.acceleration;
+  report.contact = contact_of(report.pulse);
+  report.figures = injury_figures(report.pulse);
+  const std::vector<double>& length = report.pulse.acceleration;
+  const auto at = static_cast<std::size_t>(std::ranges::max_element(length) - length.begin());
+  const auto squared = [&](std::size_t i) { return x[i] * x[i] + y[i] * y[i]; };
+  EXPECT_NEAR(length[at], std::sqrt(squared(at)), 1e-9);
+  const double second = std::sqrt(squared(at - 1)) - 2 * std::sqrt(squared(at)) + std::sqrt(squared(at + 1));
+  const double said = figure(measurement_uncertainty(report, {}), "peak_acceleration").sampling.value();
+  EXPECT_NEAR(said, 2 / std::sqrt(3) * std::abs(second) / 8 / length[at], 1e-9);
+}
+
+TEST(PulseUncertainty, OfAnEndOrOfThreeSamplesNothingIsKnown) {
+  PulseReport report;
+  report.measured.pulse = {{0, 1e-3, 2e-3, 3e-3, 4e-3}, {0, 100, 200, 300, 400}};
+  report.pulse = report.measured.pulse;
+  report.contact = contact_of(report.pulse);
+  report.figures = injury_figures(report.pulse);
+  MeasurementUncertainty of = measurement_uncertainty(report, {});
+  EXPECT_TRUE(std::ranges::none_of(
+      of.figures, [](const auto& each) { return each.quantity->key == std::string("peak_acceleration"); }));
+  EXPECT_TRUE(figure(of, "hic15").sampling);
+  of = measurement_uncertainty(report, 0.02);
+  EXPECT_FALSE(figure(of, "peak_acceleration").sampling);
+  EXPECT_NEAR(figure(of, "peak_acceleration").combined(), 0.02, 1e-15);
+
+  report.measured.pulse = {{0, 1e-3, 2e-3}, {0, 100, 0}};
+  report.pulse = report.measured.pulse;
+  report.contact = contact_of(report.pulse);
+  report.figures = injury_figures(report.pulse);
+  EXPECT_TRUE(measurement_uncertainty(report, {}).figures.empty());
+}
+
+/// Samples between the given ones, on the straight lines between them, change no figure; a filter beside them
+/// does what it does to the given ones.
+TEST(PulseUncertainty, OfResampledAndFilteredIsThatOfTheFiltered) {
+  const PulseFilter filter{.channel_frequency_class = 180};
+  const PulseReport given = report_of(skewed, 1e-4, 0, filter);
+  PulseReport finer = report_of(skewed, 1e-4, 0);
+  finer.filter = filter;
+  finer.resampled_to = 5e-5;
+  finer.pulse = processed_pulse(finer.measured, finer.resampled_to, filter).pulse;
+  finer.contact = contact_of(finer.pulse);
+  finer.figures = injury_figures(finer.pulse);
+  ASSERT_NEAR(finer.pulse.time[1] - finer.pulse.time[0], 5e-5, 1e-12);
+  EXPECT_NEAR(finer.figures.hic15.value / given.figures.hic15.value, 1, 1e-3);
+  const MeasurementUncertainty of = measurement_uncertainty(given, {}),
+                               resampled = measurement_uncertainty(finer, {});
+  EXPECT_EQ(resampled.compared_with, "CFC600");
+  for (const char* key : {"peak_acceleration", "hic15", "velocity_change"}) {
+    EXPECT_NEAR(figure(resampled, key).filter.value(), figure(of, key).filter.value(), 1e-3) << key;
+    EXPECT_NEAR(figure(resampled, key).sampling.value(), figure(of, key).sampling.value(), 1e-3) << key;
+  }
 }
 
 }  // namespace

@@ -98,7 +98,9 @@ TEST(refinement, does_not_believe_that_bottoming_is_suddenly_exact) {
     Figures run = figures_with(0);
     run.bottomed = Moment{0.01 * (1 + late), 1};
     refinement.add(run);
-    if (late == 0.0008) EXPECT_FALSE(refinement.settled());
+    if (late == 0.0008) {
+      EXPECT_FALSE(refinement.settled());
+    }
   }
   EXPECT_GT(refinement.errors().bottomed, 1e-9);
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 
 #include "dashpad/impact/pulse.hpp"
 #include "dashpad/impact/solution.hpp"
@@ -29,6 +30,11 @@ struct InjuryFigures {
 };
 
 InjuryFigures injury_figures(const Pulse& pulse);
+
+/// The power of the acceleration in a figure: 2.5 of each HIC and of the severity index, 1 of the others.
+constexpr double acceleration_power(std::string_view key) {
+  return key.starts_with("hic") || key == "severity_index" ? hic_power : 1;
+}
 
 /// A figure of a pulse as it is written: SI, with its relative error, and where it has its value.
 struct InjuryValue {

@@ -20,6 +20,7 @@ struct Hic {
   double end = 0;    ///< s
 };
 
+inline constexpr double hic_power = 2.5;
 inline constexpr double hic15_window = 15e-3;  // s
 inline constexpr double unlimited_window = std::numeric_limits<double>::infinity();
 

@@ -90,8 +90,9 @@ ProcessedPulse processed_pulse(const input::MeasuredPulse& measured, std::option
 /// m/s, of the velocity after and before: that over contact less what gravity gives meanwhile.
 double change_of_motion(const Contact& contact, const MeasuredImpact& impact);
 
-/// (change of motion - v) / v; absent without an impact speed.
-std::optional<double> restitution(const PulseReport& report);
+/// (change of motion - v) / v; absent where that is not between 0 and 1, to 0.1 % of the change: no body
+/// rebounds like that, and IMPOSSIBLE VELOCITY CHANGE says so.
+std::optional<double> restitution(const Contact& contact, const MeasuredImpact& impact);
 
 /// PULSE CUT: it starts or ends above 1 % of its peak and above four times the scatter of `quiet`, if there
 /// is such an interval; HIC, clips and velocity change are lower bounds then. `pulse` is the processed one

@@ -17,18 +17,19 @@ struct PulseReport;
 
 struct FigureUncertainty {
   const ResultQuantity* quantity;
-  double sampling = 0;
+  std::optional<double> sampling = {};     ///< absent for a peak at an end, and for fewer than four samples
   std::optional<double> filter = {};       ///< absent where none was applied: what was before is not known
   std::optional<double> calibration = {};  ///< absent where nobody said it
 
-  /// Root of the sum of the squares.
+  /// Root of the sum of the squares of those that are known.
   [[nodiscard]] double combined() const;
 };
 
 struct MeasurementUncertainty {
   std::optional<double> calibration = {};  ///< as stated: of an acceleration, expanded, relative
   std::string compared_with = {};          ///< "CFC1000" or "no filter", for the filter; empty without one
-  std::vector<FigureUncertainty> figures;  ///< peak, HIC, clips, velocity change; those that are not 0
+  std::vector<FigureUncertainty>
+      figures;  ///< peak, HIC, clips, velocity change; those of which something is known
 };
 
 /// A calibration is at most so much.

@@ -42,7 +42,7 @@ class Archive {
     ::archive_read_support_format_zip_seekable(archive_.get());
     ::archive_read_support_format_tar(archive_.get());
     ::archive_read_support_filter_gzip(archive_.get());
-    if (::archive_read_open_fd(archive_.get(), descriptor_, 65536) != ARCHIVE_OK) fail(reason());
+    if (::archive_read_open_fd(archive_.get(), descriptor_, 65536) != ARCHIVE_OK) fail(no_archive);
   }
   ~Archive() {
     archive_.reset();
@@ -56,7 +56,7 @@ class Archive {
     while (true) {
       const int result = ::archive_read_next_header(archive_.get(), &entry_);
       if (result == ARCHIVE_EOF) return false;
-      if (result < ARCHIVE_WARN) refuse_file(name_, reason());
+      if (result < ARCHIVE_WARN) refuse_file(name_, no_archive);
       if (++entries_ > most_entries)
         refuse_file(name_, fmt::format("holds more than {} files", most_entries));
       if ((::archive_format(archive_.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_TAR) count_size();
@@ -73,7 +73,7 @@ class Archive {
     while (content.size() < most || !cut) {
       const la_ssize_t count = ::archive_read_data(archive_.get(), block.data(), block.size());
       if (count == 0) break;
-      if (count < 0) refuse_file(name_, one_line(name) + ": " + reason());
+      if (count < 0) refuse_file(name_, one_line(name) + ": " + no_archive);
       const auto size = static_cast<std::size_t>(count);
       if (size > room)
         refuse_file(name_, fmt::format("unpacks to more than {} MiB", largest_measurement >> 20));
@@ -96,10 +96,8 @@ class Archive {
     refuse_file(name_, rule);
   }
 
-  std::string reason() {
-    const char* text = ::archive_error_string(archive_.get());
-    return "cannot be unpacked" + (text == nullptr ? "" : ": " + one_line(text));
-  }
+  static constexpr const char* no_archive =
+      "cannot be unpacked: it is no zip, tar or gzipped tar, or it is damaged, cut short or encrypted";
 
   void count_size() {
     const std::int64_t size = ::archive_entry_size_is_set(entry_) != 0 ? ::archive_entry_size(entry_) : 0;

@@ -60,7 +60,7 @@ std::vector<DeckFoam> read_radioss(std::string_view text, const UnitSystem& syst
                                    MeasurementFaults& faults);
 
 /// The material; absent after a fault.
-std::optional<DeckMaterial> material_of(const DeckFoam& foam, MeasurementFaults& faults);
+std::optional<DeckMaterial> material_of(const DeckFoam& given, MeasurementFaults& faults);
 
 /// A name for a file: letters, digits and hyphens of the title, else the number.
 std::string name_for_card(const std::string& title, long id);

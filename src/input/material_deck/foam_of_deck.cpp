@@ -1,6 +1,7 @@
 // What a deck says of a foam, as a material of ours.
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -234,8 +235,9 @@ std::optional<DeckMaterial> material_of(const DeckFoam& given, MeasurementFaults
   if (foam.density > 0) material.density = foam.density;
   const std::vector<Violation> broken = violations(material);
   for (const Violation& violation : broken)
-    faults.add(line_of(violation.key, lines), foam.card + ": " + violation.key,
-               fmt::format("{:.6g}", violation.value), violation.rule);
+    if (!std::isnan(violation.value))  // had its fault when it was read
+      faults.add(line_of(violation.key, lines), foam.card + ": " + violation.key,
+                 fmt::format("{:.6g}", violation.value), violation.rule);
   if (!broken.empty()) return std::nullopt;
 
   tell_common_differences(foam, foam.differences);
@@ -257,7 +259,7 @@ std::string name_for_card(const std::string& title, long id) {
     else if (!name.empty() && !name.ends_with('-'))
       name += '-';
   }
-  name = name.substr(0, longest);
+  name.resize(std::min(name.size(), longest));
   while (name.ends_with('-')) name.pop_back();
   return name.empty() ? fmt::format("material-{}", id) : name;
 }

@@ -7,7 +7,8 @@ namespace dashpad::input {
 
 namespace {
 
-constexpr std::size_t sample_size = 65536;  // bytes
+/// Bytes: a header of thousands of columns, and rows of numbers below it.
+constexpr std::size_t sample_size = 1 << 20;
 constexpr std::size_t sample_rows = 400;
 constexpr std::size_t longest_quoted_field = 10'000;  // more is a quote that is never closed
 
@@ -144,14 +145,18 @@ char find_separator(std::string_view text) {
   for (const char separator : {'\t', ';', ',', ' '}) {
     CsvRows rows(sample, separator);
     CsvRow row;
-    std::size_t score = 0;
+    std::size_t of_numbers = 0, of_some = 0;  // rows
     for (std::size_t count = 0; count < sample_rows && rows.next(row); ++count) {
       const auto is_number = [&](std::string_view field) {
         return read_csv_number(field, separator).kind == NumberKind::number;
       };
       const auto numbers = static_cast<std::size_t>(std::ranges::count_if(row.fields, is_number));
-      if (numbers >= 2) score += numbers == row.filled() ? 10 : 1;
+      if (numbers < 2) continue;
+      const bool all = numbers == row.filled();
+      if (all && of_numbers == 0) of_some = 0;  // what numbers stand in the header says nothing
+      ++(all ? of_numbers : of_some);
     }
+    const std::size_t score = 10 * of_numbers + of_some;
     if (score <= best_score) continue;
     best_score = score;
     best = separator;

@@ -84,7 +84,7 @@ Json impact(const injury::PulseReport& report) {
   return {{"speed_m_per_s", number(report.impact->speed)},
           {"drop_height_m", number(report.impact->drop_height)},
           {"gravity_m_per_s2", number(report.impact->gravity)},
-          {"restitution", number(injury::restitution(report))},
+          {"restitution", number(injury::restitution(report.contact, *report.impact))},
           {"check", speed_check_json(report)}};
 }
 

@@ -117,6 +117,7 @@ PanelDrawing drawing_of(const Panel& panel, Turns& turns) {
     if (PlotRun dots = lone_points(drawing); !dots.empty())
       result.series.push_back({.label = series.label,
                                .end_label = {},
+                               .of = {},
                                .looks = looks_of_dot(drawing.looks),
                                .runs = {std::move(dots)},
                                .places = {}});

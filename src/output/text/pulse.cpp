@@ -56,9 +56,10 @@ std::vector<ResultRow> further_rows(const injury::PulseReport& report, const Uni
   if (report.impact) {
     const injury::MeasuredImpact& impact = *report.impact;
     const double given = impact.gravity * (report.contact.end - report.contact.begin);
-    add("restitution", result_quantity("restitution").title, *injury::restitution(report),
-        "of an impact at " + brief_quantity(impact.speed, "m/s", units) +
-            (given > 0 ? ", without gravity's " + brief_quantity(given, "m/s", units, 3) : ""));
+    if (const std::optional<double> restitution = injury::restitution(report.contact, impact))
+      add("restitution", result_quantity("restitution").title, *restitution,
+          "of an impact at " + brief_quantity(impact.speed, "m/s", units) +
+              (given > 0 ? ", without gravity's " + brief_quantity(given, "m/s", units, 3) : ""));
   }
   for (const injury::WindowedHic& of : report.windows)
     add("hic_unlimited", "HIC of " + brief(1e3 * of.longest_window) + " ms", of.hic.value,
@@ -95,7 +96,8 @@ std::string uncertainty_words(const injury::MeasurementUncertainty& of, Detail d
     const std::string_view key = each.quantity->key;
     if (detail == Detail::main && key != "peak_acceleration" && key != "hic15") continue;
     text += fmt::format("{}{} ± {} (sampling {}", text.empty() ? "Uncertainty of the measurement: " : "; ",
-                        title_in_sentence(*each.quantity), share(each.combined()), share(each.sampling));
+                        title_in_sentence(*each.quantity), share(each.combined()),
+                        each.sampling ? share(*each.sampling) : "not known");
     if (each.filter) text += ", filter " + share(*each.filter);
     if (each.calibration) text += ", calibration " + share(*each.calibration);
     text += ")";

@@ -160,6 +160,7 @@ std::string spread_answer(const study::StudyAnswers& answers, const UnitSystem& 
   for (const auto& [probability, words] : {std::pair{0.5, "half of the draws"}, {0.95, "95 %"}})
     if (const auto found = study::quantile(of, probability); found && !std::isinf(found->value))
       parts.push_back(fmt::format("{} below {}", words, three_digits(name, found->value, units)));
+  if (of.rows == 0 && of.struck_through == 0) return "";
   const std::string of_values = fmt::format("{}: {}", title_of(name), fmt::join(parts, ", "));
   if (of.struck_through == 0) return of_values;
   const auto struck = static_cast<double>(of.struck_through);

@@ -124,7 +124,7 @@ struct Formulas<ViscoelasticFoam> {
   }
   /// What is left of them where no strain is, after a share of a step.
   template <class N>
-  DASHPAD_FORMULA void relax(N* part, N share) const {
+  [[gnu::always_inline]] inline void relax(N* part, N share) const {
     part[1] = part[1] * exp(-time.first * share);
     part[2] = part[2] * exp(-time.second * share);
   }
