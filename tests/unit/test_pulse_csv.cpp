@@ -63,6 +63,7 @@ const std::vector<Style> styles{
     {"Time / ms;Acceleration / g\n0;1\n2;3\n", {}},
     {"Time/ms;Acc/g;Speed m/s\n0;1;7\n2;3;7\n", {}},
     {"Time ms\tAcc g\n0\t1\n2\t3\n", {}},
+    {"Time 1 [ms]\tnote\tAcc 2 [g]\n0\ta\t1\n2\tb\t3\n", {}},
     {"Time 1 of 2 [ms]\tAcc no 2 of 3 [g]\n0\t1\n2\t3\n", {}},
     {"t_s,accel[m/s^2]\n0,9.80665\n0.002,29.41995\n", {}},
     {"time_s,acceleration_m_per_s2\n0,9.80665\n2e-3,2.941995E1\n", {}},

@@ -157,7 +157,8 @@ char find_separator(std::string_view text) {
       ++(all ? of_numbers : of_some);
     }
     const std::size_t score = 10 * of_numbers + of_some;
-    if (score <= best_score) continue;
+    // Blanks part tabs, too, and the words of a header: one row more says nothing.
+    if (score <= best_score + (separator == ' ' && best_score > 0 ? 1 : 0)) continue;
     best_score = score;
     best = separator;
   }
