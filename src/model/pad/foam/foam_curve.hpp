@@ -76,7 +76,10 @@ class FoamCurve {
     const double t = place.t;
     const double x = cells_.width * static_cast<double>(place.cell);
     const double y = cells_.width * t;
-    const auto mean = [&](int k) { return a / k + t * (b / (k + 1) + t * (c / (k + 2) + t * d / (k + 3))); };
+    // Clang 14 captures no structured binding.
+    const auto mean = [t, a = a, b = b, c = c, d = d](int k) {
+      return a / k + t * (b / (k + 1) + t * (c / (k + 2) + t * d / (k + 3)));
+    };
     return moment_[place.cell] +
            2 * y * (x * x * (x * mean(1) + 3 * y * mean(2)) + y * y * (3 * x * mean(3) + y * mean(4)));
   }
