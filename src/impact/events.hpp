@@ -79,7 +79,10 @@ inline double drive(const Sight& s) {
   if (s.trial.obstacle == Event::turning) return far_beyond;
   return s.trial.end.drive;
 }
-inline bool is_driven(const Sight& s) { return s.now.drive > 0 || s.trial.obstacle == Event::turning; }
+/// Not where the panel lands on its stop, with which the drive jumps: that ends the step first.
+inline bool is_driven(const Sight& s) {
+  return s.trial.obstacle == Event::turning || (s.now.drive > 0 && s.trial.end.back.struck == 0);
+}
 inline double has_unloading_step(const Sight& s) {
   if (s.trial.obstacle == Event::reloading) return far_beyond;
   return 1;

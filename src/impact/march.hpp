@@ -76,6 +76,7 @@ class March {
       if (next.moves) accept(next);
       if (next.event != Event::none) begin_phase(next.event);
       idle_ = now_.time > before ? 0 : idle_ + 1;
+      if (now_.time > before) moments_ = 0;
       if (idle_ > 1) hold_for_a_moment();
       if (now_.time > before) record(track);
       if (next.event != Event::none && phase_ != Phase::over) track.begin_stretch();
@@ -104,7 +105,7 @@ class March {
     const double strength = contact_.first_force();
     const double at_once = foundation_.force_at_once(impactor_.speed);
     phase_ = strength > at_once && !foundation_.stops_hard() ? Phase::held : Phase::loading;
-    idle_ = 0;
+    idle_ = moments_ = 0;
     foundation_.start();
     swing_ = {};
     turning_time_ = std::numeric_limits<double>::infinity();
@@ -132,7 +133,7 @@ class March {
       return true;
     }
     return track.size() > options_.most_steps || work(track) > most_work_ ||
-           idle_ > numerics.most_idle_events;
+           idle_ + moments_ > numerics.most_idle_events;
   }
 
   /// Of the run so far, s.
@@ -144,6 +145,11 @@ class March {
   // ------------------------------------------------------------------ a step
 
   Trial attempt(double step) {
+    Trial trial = attempt_as_it_is(step);
+    if (trial.overshoots && foundation_.follow_closely()) trial = attempt_as_it_is(step);
+    return trial;
+  }
+  Trial attempt_as_it_is(double step) {
     const Trial trial = phase_ == Phase::loading  ? equilibrium_.loading(step, predictor_)
                         : phase_ == Phase::held   ? equilibrium_.held(step, predictor_)
                         : phase_ == Phase::flight ? equilibrium_.released(step, predictor_)
@@ -175,7 +181,8 @@ class March {
     for (int i = 0; i < numerics.most_halvings && step > shortest; ++i) {
       const bool too_long =
           first.kind == nullptr && step > numerics.too_long * control_.longest(phase_, trial);
-      if (!too_long && first.count <= 1) break;
+      const bool may_land = trial.obstacle == Event::turning && foundation_.comes_to_stop(now_.back);
+      if (!too_long && !may_land && first.count <= 1) break;
       step /= 2;
       trial = attempt(step);
       first = first_event(sight(trial));
@@ -297,15 +304,21 @@ class March {
   /// both lead back: the pad is held for a moment.
   void hold_for_a_moment() {
     if (foundation_.stands_still(now_.back, now_.force)) return;
+    // What moves against a panel would be stopped by it at once.
+    const bool on_panel = foundation_.kind() == Foundation::Kind::panel;
+    if (on_panel && std::abs(now_.drive) > numerics.least_speed_to_stop * impactor_.speed) return;
     const double moment = numerics.held_moment * resolution_ * resolution_ * control_.usual();
     const Trial trial = equilibrium_.held(moment, predictor_);
     contact_.accept(trial.pad);
     move_to(trial.end, moment, false);
+    idle_ = 0;
+    ++moments_;
     predictor_.forget_rate();
     if (phase_ != Phase::over) enter(phase_after_holding(now_.drive, now_.force), Ending::released);
   }
 
   void begin_phase(Event event) {
+    if (foundation_.kind() == Foundation::Kind::damper) motion_.close();
     predictor_.begin_phase(event, now_);
     if (event == Event::support_turning) foundation_.turn();
     if (event == Event::release) {
@@ -440,6 +453,7 @@ class March {
   double most_work_ = 0;
   Phase phase_ = Phase::loading;
   int idle_ = 0;             ///< turns of the loop since time last went on
+  int moments_ = 0;          ///< in which the pad was held, since a step was taken
   double turning_time_ = 0;  ///< the last, s
   double left_at_ = 0;       ///< penetration at the last release, m
   Swing swing_;

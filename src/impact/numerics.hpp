@@ -78,6 +78,9 @@ struct Numerics {
   int most_idle_events = 16;
   /// Where neither phase has a solution the pad is held for this long, in rho^2 of a step.
   double held_moment = 0.1;
+  /// On a panel, with which it goes on as one body, only where the two move against each other no faster than
+  /// this, in impact speeds: rounding. (A quarter of the impact energy was lost where they did.)
+  double least_speed_to_stop = 1e-6;
   /// What comes after an impactor that has left the pad no faster than this, in impact speeds, is not waited
   /// for.
   double least_return = 1e-6;
@@ -152,6 +155,9 @@ struct Numerics {
   /// the root of it, but no more than `most_patience` times as much. A run that would exceed it is not begun.
   double most_work = 2;
   double most_patience = 10;
+  /// Runs that may be given up one after the other before no more are begun: some stall where others get
+  /// through.
+  int most_given_up = 2;
   /// Work of a step, and of a column in a trial, s: what they take on a processor of 2024, roughly. Counted,
   /// not timed, so that the same case ends alike everywhere.
   double work_of_step = 1.5e-6;

@@ -55,6 +55,7 @@ void Foundation::start() {
   damped_ = 0;
   turned_ = false;
   last_step_ = 0;
+  follows_closely_ = false;
   find_corners();
 }
 
@@ -143,15 +144,20 @@ double Foundation::deflection_at_once(double force) const {
   return curve_deflection(force);
 }
 
-BackState Foundation::after(const BackState& now, const StepForce& force) const {
+BackState Foundation::after(const BackState& now, const StepForce& force, const Strike& impactor) const {
   if (kind_ == Kind::panel) return after_swing(now, force, backing_.mass);
+  const double body_way = (now.body_velocity + inverse_body_ * force.moment * force.step) * force.step;
+  const double body_velocity = now.body_velocity + inverse_body_ * force.mean * force.step;
   BackState end = now;
-  if (kind_ == Kind::damper)
-    end = after_creep(now, force);
-  else
+  if (kind_ == Kind::damper) {
+    const bool follows = follows_closely_ && now.deflection > stop_;
+    const double ahead = impactor.velocity - body_velocity - (impactor.way - body_way) / force.step;
+    end = after_creep(now, force, follows ? ahead : 0);
+  } else {
     end.deflection = deflection(force.end);
-  end.body_motion += (now.body_velocity + inverse_body_ * force.moment * force.step) * force.step;
-  end.body_velocity += inverse_body_ * force.mean * force.step;
+  }
+  end.body_motion += body_way;
+  end.body_velocity = body_velocity;
   end.transmitted = force.end;
   return end;
 }
@@ -159,14 +165,15 @@ BackState Foundation::after(const BackState& now, const StepForce& force) const 
 /// Backwards, of second order after a step that went on smoothly: the creep that a step does not resolve dies
 /// out in it.
 Foundation::Backward Foundation::backward(const BackState& now, double step) const {
-  if (last_step_ == 0) return {1 / step, now.deflection / step};
+  if (last_step_ == 0 || follows_closely_) return {1 / step, now.deflection / step};
   const double w = step / last_step_;
   return {(1 + 2 * w) / ((1 + w) * step),
           ((1 + w) * now.deflection - w * w / (1 + w) * last_deflection_) / step};
 }
 
-BackState Foundation::after_creep(const BackState& now, const StepForce& force) const {
-  const Backward rate = backward(now, force.step);
+BackState Foundation::after_creep(const BackState& now, const StepForce& force, double ahead) const {
+  Backward rate = backward(now, force.step);
+  rate.rest -= ahead;
   BackState end = now;
   end.struck = 0;
   end.deflection = balanced(damping_ * rate.slope, force.end + damping_ * rate.rest);
@@ -302,6 +309,13 @@ double Foundation::moving_retreat(const BackState& end, double force, double of_
   return end.velocity();
 }
 
+double Foundation::growth_of_rate(const BackState& end, double velocity, double acceleration,
+                                  double force_rate) const {
+  const double of_masses = damping_ * (acceleration - inverse_body_ * end.transmitted);
+  const double of_springs = stiffness(end.deflection) * (velocity - end.body_velocity) - force_rate;
+  return (of_masses + of_springs) * support_.compliance(0);
+}
+
 void Foundation::accept(const BackState& now, const BackState& end, double force, double step, bool smooth) {
   if (bare_) return;
   if (kind_ != Kind::at_once) {
@@ -310,6 +324,7 @@ void Foundation::accept(const BackState& now, const BackState& end, double force
     damped_ += end.struck * end.struck * backing_.mass * share_of_panel() / 2;
     last_deflection_ = now.deflection;
     last_step_ = smooth ? step : 0;
+    follows_closely_ = false;
   }
   const bool at_once = kind_ == Kind::at_once;
   if (!crushes_ || !(at_once ? force > yield_force_ : end.deflection > yield_)) return;

@@ -7,7 +7,9 @@
 /// may be a free body. Compression positive, SI units.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "dashpad/model/support/backing.hpp"
@@ -37,6 +39,12 @@ struct StepForce {
   double mean = 0;
   double moment = 0;
   double step = 0;
+};
+
+/// Of the impactor over a step: its way, m, and its velocity at the end, m/s.
+struct Strike {
+  double way = 0;
+  double velocity = 0;
 };
 
 class Foundation {
@@ -82,7 +90,7 @@ class Foundation {
     return bare_ ? support_.deflection(force) : deflection_at_once(force);
   }
   /// The end of a step.
-  [[nodiscard]] BackState after(const BackState& now, const StepForce& force) const;
+  [[nodiscard]] BackState after(const BackState& now, const StepForce& force, const Strike& impactor) const;
   /// The same where an impactor sticks to the back; `weight` of it presses, N. Not for a support at once.
   [[nodiscard]] BackState after_with(const BackState& now, double impactor_mass, double weight,
                                      double step) const;
@@ -109,11 +117,23 @@ class Foundation {
     if (plain_) return support_.compliance(force) * force_rate;
     return moving_retreat(end, force, of_pad, force_rate);
   }
+  /// Of the rate of a pad on a damper, dY/dt = V - v_body - (F - Fs) / c, were it 0: how fast it grows with the
+  /// `acceleration` of the impactor, m/s2, and what the pad gains in force while it is held, N/s; times the
+  /// time of damper and support, m/s.
+  [[nodiscard]] double growth_of_rate(const BackState& end, double velocity, double acceleration,
+                                      double force_rate) const;
+  /// Until a step is taken a damper goes along with the impactor but for the mean rate of the pad, which a
+  /// backward difference of second order may overshoot where the rate comes down to 0. Whether that is new.
+  bool follow_closely() { return !std::exchange(follows_closely_, true); }
   /// From where the motion of an impactor is counted that meets the back of the pad, m.
   [[nodiscard]] double origin(const BackState& back) const {
     return kind_ == Kind::at_once ? back.body_motion : back.motion();
   }
 
+  /// Whether the panel moves towards its stop.
+  [[nodiscard]] bool comes_to_stop(const BackState& now) const {
+    return kind_ == Kind::panel && now.rate < 0 && now.deflection > stop_ && std::isfinite(stop_);
+  }
   /// Takes a step; `smooth`: it did not end with an event.
   void accept(const BackState& now, const BackState& end, double force, double step, bool smooth);
   /// Whether the support is being crushed further in this state; not after turn() until it is again.
@@ -163,7 +183,7 @@ class Foundation {
   [[nodiscard]] double moving_compliance(const BackState& now, double force, double step, double share) const;
   [[nodiscard]] double moving_retreat(const BackState& end, double force, double of_pad,
                                       double force_rate) const;
-  [[nodiscard]] BackState after_creep(const BackState& now, const StepForce& force) const;
+  [[nodiscard]] BackState after_creep(const BackState& now, const StepForce& force, double ahead) const;
   [[nodiscard]] BackState after_swing(const BackState& now, const StepForce& force, double mass) const;
   [[nodiscard]] bool rests_on_stop(const BackState& of) const {
     return of.deflection <= stop_ && of.rate <= 0;
@@ -202,6 +222,7 @@ class Foundation {
   bool turned_ = false;
   double last_deflection_ = 0;    ///< before the last step
   double last_step_ = 0;          ///< 0: after an event
+  bool follows_closely_ = false;
   std::vector<double> of_curve_;  ///< its corners
   std::vector<double> corners_;   ///< those that are ahead, and those that crushing moves
 };
