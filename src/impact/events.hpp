@@ -102,6 +102,9 @@ inline double support_goes_on(const Sight& s) {
 }
 inline bool is_crushing(const Sight& s) { return s.foundation.is_crushing(s.now.back, s.now.force); }
 inline double is_apart(const Sight& s) { return s.is_pressed ? -1 : 1; }
+/// In flight: the columns below the nose follow it, and their law has a corner where they turn.
+inline double speed_apart(const Sight& s) { return -s.trial.end.drive; }
+inline bool is_parting(const Sight& s) { return s.recovers && s.now.drive < 0; }
 
 inline double over_rate_corner(const Sight& s) { return s.over_rate_corner; }
 inline double penetration_to_joint(const Sight& s) { return s.joint - s.trial.end.penetration; }
@@ -112,7 +115,7 @@ inline bool is_before_joint(const Sight& s) {
 }  // namespace event_rules
 
 /// In the order in which they count when they coincide. From loading, unloading, held, flight.
-inline constexpr std::array<EventKind, 11> event_table{{
+inline constexpr std::array<EventKind, 12> event_table{{
     {Event::release, false, true, true, false, event_rules::force, event_rules::always, true},
     {Event::touch, false, false, false, true, event_rules::is_apart, event_rules::always, true},
     {Event::unlock, false, false, true, false, event_rules::force_over_held_pad, event_rules::pad_recovers,
@@ -129,6 +132,7 @@ inline constexpr std::array<EventKind, 11> event_table{{
     {Event::joining, true, false, false, false, event_rules::penetration_to_joint,
      event_rules::is_before_joint, true},
     {Event::rate_corner, true, false, false, false, event_rules::over_rate_corner, event_rules::always, true},
+    {Event::closing, false, false, false, true, event_rules::speed_apart, event_rules::is_parting, true},
 }};
 
 /// The first event of a trial, in the order of the table.

@@ -52,10 +52,7 @@ class March {
         motion_(impactor_, foundation_, contact, Sheet(impact.pad.sheet, sections_of(impact))),
         equilibrium_(contact, foundation_, motion_, thickness_),
         control_(impactor_.mass, sections_of(impact), thickness_, foundation_) {
-    if constexpr (RemembersBlows<Contact>) {
-      crater_ = contact_.crater();
-      joint_ = contact_.joint();
-    }
+    if constexpr (RemembersBlows<Contact>) crater_ = contact_.crater();
   }
   March(const March&) = delete;
   March& operator=(const March&) = delete;
@@ -110,6 +107,7 @@ class March {
     swing_ = {};
     turning_time_ = std::numeric_limits<double>::infinity();
     contact_.start(resolution, expected);
+    if constexpr (RemembersBlows<Contact>) joint_ = contact_.joint();
     motion_.start(impactor_.speed, phase_ == Phase::held ? at_once : strength);
     figures_.peak_pad_rate = now_.velocity;
     equilibrium_.start(resolution);
@@ -329,6 +327,10 @@ class March {
     if (event == Event::reloading && now_.drive > numerics.least_drive * impactor_.speed)
       ++figures_.reloadings;
     const Phase next = phase_after(event, phase_, now_.drive, conditions());
+    if constexpr (FollowsRate<Contact> && RemembersBlows<Contact>) {
+      if (event == Event::turning) joint_ = std::max(joint_, now_.penetration);
+      if (event == Event::touch) contact_.meet_again();
+    }
     if (event == Event::turning) {
       turning_time_ = now_.time;
       // A rigid foam on a firm support has brought the impactor to rest on it.
@@ -385,7 +387,7 @@ class March {
     h.velocity.push_back(now_.velocity);
     h.motion.push_back(now_.motion);
     // In flight the nose is above the pad.
-    const double in_pad = foundation_.swings() ? std::max(now_.penetration, 0.0) : now_.penetration;
+    const double in_pad = phase_ == Phase::flight ? std::max(now_.penetration, 0.0) : now_.penetration;
     h.penetration.push_back(crater_ + in_pad);
     h.support_deflection.push_back(foundation_.is_plain() ? now_.motion - now_.penetration
                                                           : now_.back.deflection);

@@ -30,7 +30,8 @@ enum class Event {
   support_turning,
   corner,
   joining,
-  rate_corner
+  rate_corner,
+  closing
 };
 
 /// A step tried from the state now. Nothing has happened until it is accepted.
