@@ -161,6 +161,7 @@ class March {
         phase_ == Phase::flight &&
         (contact_.recovers() ? contact_.largest_stress(trial.pad) > 0 : trial.end.penetration > left_at_);
     Sight sight{phase_, now_, trial, foundation_, contact_.recovers(), corner, joint_, is_pressed};
+    sight.least_return = numerics.least_return * impactor_.speed;
     sight.is_closed = now_.penetration >= (1 - numerics.at_joint) * contact_.lock_penetration();
     if constexpr (HasRateCorners<Contact>) {
       // The force may have its peak there; where it does not, a step passes the corner without loss of order.
@@ -283,7 +284,6 @@ class March {
     contact_.accept(next.trial.pad);
     predictor_.learn(phase_, now_, next.trial, next.event);
     move_to(next.trial.end, next.trial.step, next.event == Event::none);
-    if (phase_ == Phase::flight && !may_return()) enter(Phase::over, Ending::released);
   }
 
   void move_to(const State& end, double step, bool smooth) {

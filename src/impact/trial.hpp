@@ -31,7 +31,8 @@ enum class Event {
   corner,
   joining,
   rate_corner,
-  closing
+  closing,
+  parting
 };
 
 /// A step tried from the state now. Nothing has happened until it is accepted.

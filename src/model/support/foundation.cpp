@@ -342,7 +342,7 @@ Foundation::Energy Foundation::energy(const BackState& now, double force) const 
   energy.damped = damped_;
   const double x = kind_ == Kind::at_once ? deflection(force) : now.deflection;
   if (crushes_) {
-    const double left = x < yield_ ? spring(x) : yield_force_;
+    const double left = spring(x);
     const double held = holding();
     energy.stored = (left * left - held * held) / (2 * backing_.unloading_stiffness);
     energy.crushed = crushed() - crushed_before_;
