@@ -48,6 +48,9 @@ struct Numerics {
 
   /// Change of the pad's stiffness from one step to the next that a guess may assume.
   double most_stiffening = 2;
+  /// Steps in a row that may have no other stiffness than a guess before it stays what it is. (Steps of a pad
+  /// without memory became shorter by a factor of 1.4 each, down to nothing.)
+  int most_guesses = 6;
   /// Share of the gap that a guess after an event may open or close.
   double guess_of_gap = 0.1;
   /// A rate that fell to less than this share of the last is the breakdown towards the turning point: the
