@@ -35,6 +35,7 @@ inline Phase phase_after(Event event, Phase now, double drive, BranchConditions 
     case Event::corner:
     case Event::joining:
     case Event::rate_corner:
+    case Event::landing:
     case Event::closing:
     case Event::none: break;
   }

@@ -180,12 +180,13 @@ class Equilibrium {
     const double rate = contact_.force_rate_when_held(trial.pad);
     trial.end.drive =
         trial.end.velocity - foundation_.retreat(trial.end.back, trial.end.force, trial.pad.force, rate);
-    if (foundation_.kind() == Foundation::Kind::damper && !foundation_.is_firm(trial.end.back, trial.end.force))
+    if (foundation_.kind() == Foundation::Kind::damper &&
+        !foundation_.is_firm(trial.end.back, trial.end.force))
       follow_damper(trial, rate);
     if (foundation_.crushes()) trial.force_rate = motion_.force_rate_after(trial.end.force, trial.step);
     if constexpr (FollowsRate<Contact>) {
       trial.lasting_stiffness = contact_.lasting_stiffness(trial.pad);
-      if (trial.pad.advance < 0 || is_loaded_again())
+      if (trial.pad.advance < 0 || (trial.pad.advance > 0 && is_loaded_again()))
         trial.lasting_stiffness =
             std::max(trial.lasting_stiffness, (trial.pad.force - now().force) / trial.pad.advance);
     }
@@ -203,8 +204,8 @@ class Equilibrium {
   }
 
   /// On a damper the force tells the rate of the pad, and the first drive is that rate. One that is about 0
-  /// changes its sign only as it grows: that is the drive where the two differ, and a trial in which they do is
-  /// off by its backward difference.
+  /// changes its sign only as it grows: that is the drive where the two differ, and a trial in which they do
+  /// is off by its backward difference.
   void follow_damper(Trial& trial, double force_rate) const {
     State& end = trial.end;
     const double rate = end.drive;

@@ -138,8 +138,7 @@ inline constexpr std::array<EventKind, 13> event_table{{
     {Event::joining, true, false, false, false, event_rules::penetration_to_joint,
      event_rules::is_before_joint, true},
     {Event::rate_corner, true, false, false, false, event_rules::over_rate_corner, event_rules::always, true},
-    {Event::parting, false, false, false, true, event_rules::return_speed, event_rules::has_not_landed,
-     true},
+    {Event::parting, false, false, false, true, event_rules::return_speed, event_rules::has_not_landed, true},
     {Event::closing, false, false, false, true, event_rules::speed_apart, event_rules::is_parting, true},
 }};
 

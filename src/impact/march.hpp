@@ -172,7 +172,14 @@ class March {
     return sight;
   }
 
+  /// A panel about to land, with which the pad turns: no loading step may reach as far.
+  [[nodiscard]] bool lands_now() const {
+    const double soon = numerics.event_precision * resolution_ * resolution_ * control_.usual();
+    return phase_ == Phase::loading && foundation_.time_to_stop(now_.back) < soon;
+  }
+
   Stretch next_stretch(double step) {
+    if (lands_now()) return {{}, Event::landing, false};
     Trial trial = attempt(step);
     FirstEvent first = first_event(sight(trial));
     const double shortest = numerics.shortest_step * std::max(now_.time, step);
@@ -180,7 +187,8 @@ class March {
     for (int i = 0; i < numerics.most_halvings && step > shortest; ++i) {
       const bool too_long =
           first.kind == nullptr && step > numerics.too_long * control_.longest(phase_, trial);
-      const bool may_land = trial.obstacle == Event::turning && foundation_.comes_to_stop(now_.back);
+      const bool may_land =
+          trial.obstacle == Event::turning && std::isfinite(foundation_.time_to_stop(now_.back));
       if (!too_long && !may_land && first.count <= 1) break;
       step /= 2;
       trial = attempt(step);
@@ -316,9 +324,10 @@ class March {
   }
 
   void begin_phase(Event event) {
-    if (foundation_.kind() == Foundation::Kind::damper) motion_.close();
+    if (foundation_.kind() != Foundation::Kind::at_once) motion_.close();
     predictor_.begin_phase(event, now_);
     if (event == Event::support_turning) foundation_.turn();
+    if (event == Event::landing) motion_.land(foundation_.land(now_.back));
     if (event == Event::release) {
       figures_.release = Moment{now_.time, now_.velocity};
       left_at_ = now_.penetration;

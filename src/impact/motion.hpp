@@ -62,12 +62,16 @@ class Motion {
     learn_work();
   }
   void stop() { now_.velocity = 0; }
+  /// The back strikes its stop, and the nose is what it was.
+  void land(const BackState& back) {
+    now_.back = back;
+    now_.drive = now_.velocity - back.velocity();
+    smooth_ = false;
+  }
   /// What the last root has left over of Eq. 25 would be the rate of a very short step: none of it is left.
   void close() { now_.motion = now_.penetration + now_.back.motion(); }
   /// Of the impactor, by the force of the pad, m/s2.
-  [[nodiscard]] double acceleration(double force) const {
-    return (mass_ * gravity_ - force) / moving_mass();
-  }
+  [[nodiscard]] double acceleration(double force) const { return (mass_ * gravity_ - force) / moving_mass(); }
   /// The nose meets foam that stayed crushed: the force jumps.
   void begin_crushing(double penetration, double force) {
     now_.penetration = penetration;

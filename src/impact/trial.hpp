@@ -31,6 +31,7 @@ enum class Event {
   corner,
   joining,
   rate_corner,
+  landing,
   closing,
   parting
 };

@@ -235,13 +235,23 @@ BackState Foundation::after_swing(const BackState& now, const StepForce& force, 
   const double sum = now.transmitted + end.transmitted;
   end.body_motion = now.body_motion + dt * (now.body_velocity + dt * inverse_body_ * sum / 4);
   end.body_velocity = now.body_velocity + dt * inverse_body_ * sum / 2;
-  if (end.deflection <= stop_) {
-    // It has landed, and goes on with the body.
-    end.struck = std::min(end.rate, 0.0);
-    end.body_velocity += end.struck * (1 - share_of_panel());
-    end.rate = 0;
-    end.transmitted = pushed;
-  }
+  return end.deflection <= stop_ ? landed(end) : end;
+}
+
+/// The panel goes on with the body.
+BackState Foundation::landed(BackState panel) const {
+  panel.deflection = stop_;
+  panel.struck = std::min(panel.rate, 0.0);
+  panel.body_velocity += panel.struck * (1 - share_of_panel());
+  panel.rate = 0;
+  panel.transmitted = spring(stop_);
+  return panel;
+}
+
+BackState Foundation::land(const BackState& now) {
+  const BackState end = landed(now);
+  damped_ += lost_by(end.struck);
+  last_step_ = 0;
   return end;
 }
 
@@ -321,7 +331,7 @@ void Foundation::accept(const BackState& now, const BackState& end, double force
   if (kind_ != Kind::at_once) {
     const double rate = end.rate + end.struck;
     damped_ += damping_ * step * (now.rate * now.rate + now.rate * rate + rate * rate) / 3;
-    damped_ += end.struck * end.struck * backing_.mass * share_of_panel() / 2;
+    damped_ += lost_by(end.struck);
     last_deflection_ = now.deflection;
     last_step_ = smooth ? step : 0;
     follows_closely_ = false;

@@ -70,7 +70,9 @@ class Foundation {
   }
   /// Whether the back does not give way at all.
   [[nodiscard]] bool stands_still(const BackState& now, double force) const {
-    return support_.is_rigid() || (kind_ != Kind::panel && force < holding() && now.deflection <= stop_);
+    if (support_.is_rigid()) return true;
+    const bool is_held = force < holding() && now.deflection <= stop_;
+    return is_held && (kind_ != Kind::panel || (now.rate == 0 && inverse_body_ == 0));
   }
   /// Whether a force without limit would be needed to stop a pad that is fully compressed.
   [[nodiscard]] bool stops_hard() const { return support_.is_rigid() || kind_ == Kind::panel; }
@@ -117,9 +119,9 @@ class Foundation {
     if (plain_) return support_.compliance(force) * force_rate;
     return moving_retreat(end, force, of_pad, force_rate);
   }
-  /// Of the rate of a pad on a damper, dY/dt = V - v_body - (F - Fs) / c, were it 0: how fast it grows with the
-  /// `acceleration` of the impactor, m/s2, and what the pad gains in force while it is held, N/s; times the
-  /// time of damper and support, m/s.
+  /// Of the rate of a pad on a damper, dY/dt = V - v_body - (F - Fs) / c, were it 0: how fast it grows with
+  /// the `acceleration` of the impactor, m/s2, and what the pad gains in force while it is held, N/s; times
+  /// the time of damper and support, m/s.
   [[nodiscard]] double growth_of_rate(const BackState& end, double velocity, double acceleration,
                                       double force_rate) const;
   /// Until a step is taken a damper goes along with the impactor but for the mean rate of the pad, which a
@@ -130,10 +132,13 @@ class Foundation {
     return kind_ == Kind::at_once ? back.body_motion : back.motion();
   }
 
-  /// Whether the panel moves towards its stop.
-  [[nodiscard]] bool comes_to_stop(const BackState& now) const {
-    return kind_ == Kind::panel && now.rate < 0 && now.deflection > stop_ && std::isfinite(stop_);
+  /// How long the panel takes to its stop if it goes on as it does, s; without end if it does not go there.
+  [[nodiscard]] double time_to_stop(const BackState& now) const {
+    const bool comes = kind_ == Kind::panel && std::isfinite(stop_) && now.rate < 0 && now.deflection > stop_;
+    return comes ? (now.deflection - stop_) / -now.rate : std::numeric_limits<double>::infinity();
   }
+  /// It strikes its stop now.
+  BackState land(const BackState& now);
   /// Takes a step; `smooth`: it did not end with an event.
   void accept(const BackState& now, const BackState& end, double force, double step, bool smooth);
   /// Whether the support is being crushed further in this state; not after turn() until it is again.
@@ -197,6 +202,11 @@ class Foundation {
                                     double mass) const;
   /// Of the speed with which the panel strikes its stop, what it loses: the rest is the body's then.
   [[nodiscard]] double share_of_panel() const { return 1 / (1 + backing_.mass * inverse_body_); }
+  [[nodiscard]] BackState landed(BackState panel) const;
+  /// J, by a panel that strikes its stop with a speed.
+  [[nodiscard]] double lost_by(double speed) const {
+    return speed * speed * backing_.mass * share_of_panel() / 2;
+  }
   /// Way of the panel behind which the support carries it, if no preload is left, m.
   [[nodiscard]] double free_way() const;
   /// Lost for good up to now, J: the rest comes back on the way to the stop.
@@ -220,8 +230,8 @@ class Foundation {
   double yield_force_ = 0;
   double damped_ = 0;  ///< J
   bool turned_ = false;
-  double last_deflection_ = 0;    ///< before the last step
-  double last_step_ = 0;          ///< 0: after an event
+  double last_deflection_ = 0;  ///< before the last step
+  double last_step_ = 0;        ///< 0: after an event
   bool follows_closely_ = false;
   std::vector<double> of_curve_;  ///< its corners
   std::vector<double> corners_;   ///< those that are ahead, and those that crushing moves
