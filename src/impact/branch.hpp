@@ -22,6 +22,7 @@ inline Phase phase_after(Event event, Phase now, double drive, BranchConditions 
   const Phase by_drive = drive > 0 ? Phase::loading : Phase::unloading;
   switch (event) {
     case Event::release: return conditions.may_return ? Phase::flight : Phase::over;
+    case Event::parting: return Phase::over;
     case Event::lock: return conditions.stops_hard ? Phase::over : Phase::held;
     case Event::turning:
       if (conditions.pad_recovers) return Phase::unloading;
@@ -34,6 +35,8 @@ inline Phase phase_after(Event event, Phase now, double drive, BranchConditions 
     case Event::corner:
     case Event::joining:
     case Event::rate_corner:
+    case Event::landing:
+    case Event::closing:
     case Event::none: break;
   }
   return now;

@@ -180,10 +180,13 @@ class Equilibrium {
     const double rate = contact_.force_rate_when_held(trial.pad);
     trial.end.drive =
         trial.end.velocity - foundation_.retreat(trial.end.back, trial.end.force, trial.pad.force, rate);
+    if (foundation_.kind() == Foundation::Kind::damper &&
+        !foundation_.is_firm(trial.end.back, trial.end.force))
+      follow_damper(trial, rate);
     if (foundation_.crushes()) trial.force_rate = motion_.force_rate_after(trial.end.force, trial.step);
     if constexpr (FollowsRate<Contact>) {
       trial.lasting_stiffness = contact_.lasting_stiffness(trial.pad);
-      if (trial.pad.advance < 0 || is_loaded_again())
+      if (trial.pad.advance < 0 || (trial.pad.advance > 0 && is_loaded_again()))
         trial.lasting_stiffness =
             std::max(trial.lasting_stiffness, (trial.pad.force - now().force) / trial.pad.advance);
     }
@@ -198,6 +201,19 @@ class Equilibrium {
       }
     }
     return trial;
+  }
+
+  /// On a damper the force tells the rate of the pad, and the first drive is that rate. One that is about 0
+  /// changes its sign only as it grows: that is the drive where the two differ, and a trial in which they do
+  /// is off by its backward difference.
+  void follow_damper(Trial& trial, double force_rate) const {
+    State& end = trial.end;
+    const double rate = end.drive;
+    const double growth =
+        foundation_.growth_of_rate(end.back, end.velocity, motion_.acceleration(end.force), force_rate);
+    const bool comes_back = trial.pad.advance < 0;
+    trial.overshoots = comes_back ? rate > 0 && growth < 0 : rate < 0 && growth > 0;
+    end.drive = std::max(rate, growth);
   }
 
   /// Residual of Eq. 25 at the end of a trial, m; at the lock it is positive before the pad locks.
@@ -216,12 +232,11 @@ class Equilibrium {
  private:
   static constexpr bool memoryless = HasEnergy<Contact>;
 
-  /// Up to where earlier blows went the pad may be stiffer than its base curve.
+  /// Up to where it has been, in this blow or before, the pad may be stiffer than its base curve.
   [[nodiscard]] bool is_loaded_again() const {
-    if constexpr (RemembersBlows<Contact>)
-      return contact_.joint() > 0 && now().penetration < contact_.joint();
-    else
-      return false;
+    double deepest = motion_.deepest();
+    if constexpr (RemembersBlows<Contact>) deepest = std::max(deepest, contact_.joint());
+    return now().penetration < deepest;
   }
   [[nodiscard]] const State& now() const { return motion_.now(); }
   /// Of the advance: after an event the pad is taken as a spring.

@@ -24,6 +24,7 @@ struct Sight {
   double corner = 0;        ///< of the support: a force, N, or a deflection, m
   double joint = 0;         ///< penetration at which a pad that was struck before is loaded anew, m; 0: none
   bool is_pressed = false;  ///< a column is under pressure at the end, in flight
+  double least_return = 0;  ///< speed from which on the back is waited for in flight, m/s
   bool is_closed = false;   ///< the pad, now: it gives way no further
   /// By how much the pad's rate is above the next corner of its force at the end, in shares of that rate.
   double over_rate_corner = 1;
@@ -79,7 +80,11 @@ inline double drive(const Sight& s) {
   if (s.trial.obstacle == Event::turning) return far_beyond;
   return s.trial.end.drive;
 }
-inline bool is_driven(const Sight& s) { return s.now.drive > 0 || s.trial.obstacle == Event::turning; }
+/// The panel has landed on its stop, with which its speed jumps: that ends the step first.
+inline bool has_landed(const Sight& s) { return s.trial.end.back.struck != 0; }
+inline bool is_driven(const Sight& s) {
+  return s.trial.obstacle == Event::turning || (s.now.drive > 0 && !has_landed(s));
+}
 inline double has_unloading_step(const Sight& s) {
   if (s.trial.obstacle == Event::reloading) return far_beyond;
   return 1;
@@ -99,6 +104,13 @@ inline double support_goes_on(const Sight& s) {
 }
 inline bool is_crushing(const Sight& s) { return s.foundation.is_crushing(s.now.back, s.now.force); }
 inline double is_apart(const Sight& s) { return s.is_pressed ? -1 : 1; }
+/// In flight: the columns below the nose follow it, and their law has a corner where they turn.
+inline double return_speed(const Sight& s) {
+  return s.foundation.fastest_return(s.trial.end.back) + s.trial.end.velocity - s.least_return;
+}
+inline bool has_not_landed(const Sight& s) { return !has_landed(s); }
+inline double speed_apart(const Sight& s) { return -s.trial.end.drive; }
+inline bool is_parting(const Sight& s) { return s.recovers && s.now.drive < 0; }
 
 inline double over_rate_corner(const Sight& s) { return s.over_rate_corner; }
 inline double penetration_to_joint(const Sight& s) { return s.joint - s.trial.end.penetration; }
@@ -109,7 +121,7 @@ inline bool is_before_joint(const Sight& s) {
 }  // namespace event_rules
 
 /// In the order in which they count when they coincide. From loading, unloading, held, flight.
-inline constexpr std::array<EventKind, 11> event_table{{
+inline constexpr std::array<EventKind, 13> event_table{{
     {Event::release, false, true, true, false, event_rules::force, event_rules::always, true},
     {Event::touch, false, false, false, true, event_rules::is_apart, event_rules::always, true},
     {Event::unlock, false, false, true, false, event_rules::force_over_held_pad, event_rules::pad_recovers,
@@ -126,6 +138,8 @@ inline constexpr std::array<EventKind, 11> event_table{{
     {Event::joining, true, false, false, false, event_rules::penetration_to_joint,
      event_rules::is_before_joint, true},
     {Event::rate_corner, true, false, false, false, event_rules::over_rate_corner, event_rules::always, true},
+    {Event::parting, false, false, false, true, event_rules::return_speed, event_rules::has_not_landed, true},
+    {Event::closing, false, false, false, true, event_rules::speed_apart, event_rules::is_parting, true},
 }};
 
 /// The first event of a trial, in the order of the table.

@@ -53,10 +53,7 @@ class March {
         motion_(impactor_, foundation_, contact, Sheet(impact.pad.sheet, sections_of(impact))),
         equilibrium_(contact, foundation_, motion_, thickness_),
         control_(impactor_.mass, sections_of(impact), thickness_, foundation_) {
-    if constexpr (RemembersBlows<Contact>) {
-      crater_ = contact_.crater();
-      joint_ = contact_.joint();
-    }
+    if constexpr (RemembersBlows<Contact>) crater_ = contact_.crater();
   }
   March(const March&) = delete;
   March& operator=(const March&) = delete;
@@ -77,6 +74,7 @@ class March {
       if (next.moves) accept(next);
       if (next.event != Event::none) begin_phase(next.event);
       idle_ = now_.time > before ? 0 : idle_ + 1;
+      if (now_.time > before) moments_ = 0;
       if (idle_ > 1) hold_for_a_moment();
       if (now_.time > before) record(track);
       if (next.event != Event::none && phase_ != Phase::over) track.begin_stretch();
@@ -105,11 +103,12 @@ class March {
     const double strength = contact_.first_force();
     const double at_once = foundation_.force_at_once(impactor_.speed);
     phase_ = strength > at_once && !foundation_.stops_hard() ? Phase::held : Phase::loading;
-    idle_ = 0;
+    idle_ = moments_ = 0;
     foundation_.start();
     swing_ = {};
     turning_time_ = std::numeric_limits<double>::infinity();
     contact_.start(resolution, expected);
+    if constexpr (RemembersBlows<Contact>) joint_ = contact_.joint();
     motion_.start(impactor_.speed, phase_ == Phase::held ? at_once : strength);
     figures_.peak_pad_rate = now_.velocity;
     equilibrium_.start(resolution);
@@ -133,7 +132,7 @@ class March {
       return true;
     }
     return track.size() > options_.most_steps || work(track) > most_work_ ||
-           contact_.stations() >= most_stations || idle_ > numerics.most_idle_events;
+           contact_.stations() >= most_stations || idle_ + moments_ > numerics.most_idle_events;
   }
 
   /// Of the run so far, s.
@@ -145,6 +144,11 @@ class March {
   // ------------------------------------------------------------------ a step
 
   Trial attempt(double step) {
+    Trial trial = attempt_as_it_is(step);
+    if (trial.overshoots && foundation_.follow_closely()) trial = attempt_as_it_is(step);
+    return trial;
+  }
+  Trial attempt_as_it_is(double step) {
     const Trial trial = phase_ == Phase::loading  ? equilibrium_.loading(step, predictor_)
                         : phase_ == Phase::held   ? equilibrium_.held(step, predictor_)
                         : phase_ == Phase::flight ? equilibrium_.released(step, predictor_)
@@ -158,6 +162,7 @@ class March {
         phase_ == Phase::flight &&
         (contact_.recovers() ? contact_.largest_stress(trial.pad) > 0 : trial.end.penetration > left_at_);
     Sight sight{phase_, now_, trial, foundation_, contact_.recovers(), corner, joint_, is_pressed};
+    sight.least_return = numerics.least_return * impactor_.speed;
     sight.is_closed = now_.penetration >= (1 - numerics.at_joint) * contact_.lock_penetration();
     if constexpr (HasRateCorners<Contact>) {
       // The force may have its peak there; where it does not, a step passes the corner without loss of order.
@@ -168,7 +173,14 @@ class March {
     return sight;
   }
 
+  /// A panel about to land, with which the pad turns: no loading step may reach as far.
+  [[nodiscard]] bool lands_now() const {
+    const double soon = numerics.event_precision * resolution_ * resolution_ * control_.usual();
+    return phase_ == Phase::loading && foundation_.time_to_stop(now_.back) < soon;
+  }
+
   Stretch next_stretch(double step) {
+    if (lands_now()) return {{}, Event::landing, false};
     Trial trial = attempt(step);
     FirstEvent first = first_event(sight(trial));
     const double shortest = numerics.shortest_step * std::max(now_.time, step);
@@ -176,7 +188,9 @@ class March {
     for (int i = 0; i < numerics.most_halvings && step > shortest; ++i) {
       const bool too_long =
           first.kind == nullptr && step > numerics.too_long * control_.longest(phase_, trial);
-      if (!too_long && first.count <= 1) break;
+      const bool may_land =
+          trial.obstacle == Event::turning && std::isfinite(foundation_.time_to_stop(now_.back));
+      if (!too_long && !may_land && first.count <= 1) break;
       step /= 2;
       trial = attempt(step);
       first = first_event(sight(trial));
@@ -279,7 +293,6 @@ class March {
     contact_.accept(next.trial.pad);
     predictor_.learn(phase_, now_, next.trial, next.event);
     move_to(next.trial.end, next.trial.step, next.event == Event::none);
-    if (phase_ == Phase::flight && !may_return()) enter(Phase::over, Ending::released);
   }
 
   void move_to(const State& end, double step, bool smooth) {
@@ -298,17 +311,24 @@ class March {
   /// both lead back: the pad is held for a moment.
   void hold_for_a_moment() {
     if (foundation_.stands_still(now_.back, now_.force)) return;
+    // What moves against a panel would be stopped by it at once.
+    const bool on_panel = foundation_.kind() == Foundation::Kind::panel;
+    if (on_panel && std::abs(now_.drive) > numerics.least_speed_to_stop * impactor_.speed) return;
     const double moment = numerics.held_moment * resolution_ * resolution_ * control_.usual();
     const Trial trial = equilibrium_.held(moment, predictor_);
     contact_.accept(trial.pad);
     move_to(trial.end, moment, false);
+    idle_ = 0;
+    ++moments_;
     predictor_.forget_rate();
     if (phase_ != Phase::over) enter(phase_after_holding(now_.drive, now_.force), Ending::released);
   }
 
   void begin_phase(Event event) {
+    if (foundation_.kind() != Foundation::Kind::at_once) motion_.close();
     predictor_.begin_phase(event, now_);
     if (event == Event::support_turning) foundation_.turn();
+    if (event == Event::landing) motion_.land(foundation_.land(now_.back));
     if (event == Event::release) {
       figures_.release = Moment{now_.time, now_.velocity};
       left_at_ = now_.penetration;
@@ -317,6 +337,10 @@ class March {
     if (event == Event::reloading && now_.drive > numerics.least_drive * impactor_.speed)
       ++figures_.reloadings;
     const Phase next = phase_after(event, phase_, now_.drive, conditions());
+    if constexpr (FollowsRate<Contact> && RemembersBlows<Contact>) {
+      if (event == Event::turning) joint_ = std::max(joint_, now_.penetration);
+      if (event == Event::touch) contact_.meet_again();
+    }
     if (event == Event::turning) {
       turning_time_ = now_.time;
       // A rigid foam on a firm support has brought the impactor to rest on it.
@@ -373,7 +397,7 @@ class March {
     h.velocity.push_back(now_.velocity);
     h.motion.push_back(now_.motion);
     // In flight the nose is above the pad.
-    const double in_pad = foundation_.swings() ? std::max(now_.penetration, 0.0) : now_.penetration;
+    const double in_pad = phase_ == Phase::flight ? std::max(now_.penetration, 0.0) : now_.penetration;
     h.penetration.push_back(crater_ + in_pad);
     h.support_deflection.push_back(foundation_.is_plain() ? now_.motion - now_.penetration
                                                           : now_.back.deflection);
@@ -441,6 +465,7 @@ class March {
   double most_work_ = 0;
   Phase phase_ = Phase::loading;
   int idle_ = 0;             ///< turns of the loop since time last went on
+  int moments_ = 0;          ///< in which the pad was held, since a step was taken
   double turning_time_ = 0;  ///< the last, s
   double left_at_ = 0;       ///< penetration at the last release, m
   Swing swing_;

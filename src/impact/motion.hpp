@@ -37,11 +37,13 @@ class Motion {
     sheet_.start();
     now_.velocity = now_.drive = speed * mass_ / moving_mass();
     now_.back.transmitted = force;
-    last_step_ = mean_stiffness_ = stiffness_ = 0;
+    deepest_ = last_step_ = mean_stiffness_ = stiffness_ = 0;
     is_held_ = false;
     jump_to(force);
   }
   [[nodiscard]] const State& now() const { return now_; }
+  /// Largest penetration so far, m.
+  [[nodiscard]] double deepest() const { return deepest_; }
   /// Of the last step, N/s and s.
   [[nodiscard]] double force_rate() const { return force_rate_; }
   [[nodiscard]] double last_step() const { return last_step_; }
@@ -56,9 +58,20 @@ class Motion {
     last_step_ = step;
     smooth_ = smooth;
     now_ = end;
+    deepest_ = std::max(deepest_, end.penetration);
     learn_work();
   }
   void stop() { now_.velocity = 0; }
+  /// The back strikes its stop, and the nose is what it was.
+  void land(const BackState& back) {
+    now_.back = back;
+    now_.drive = now_.velocity - back.velocity();
+    smooth_ = false;
+  }
+  /// What the last root has left over of Eq. 25 would be the rate of a very short step: none of it is left.
+  void close() { now_.motion = now_.penetration + now_.back.motion(); }
+  /// Of the impactor, by the force of the pad, m/s2.
+  [[nodiscard]] double acceleration(double force) const { return (mass_ * gravity_ - force) / moving_mass(); }
   /// The nose meets foam that stayed crushed: the force jumps.
   void begin_crushing(double penetration, double force) {
     now_.penetration = penetration;
@@ -100,7 +113,7 @@ class Motion {
       move(end, over.mean, over.moment, mass_, gravity_, step);
     }
     if (foundation_.is_plain()) return penetration + foundation_.deflection(force) - end.motion;
-    end.back = foundation_.after(now_.back, over);
+    end.back = foundation_.after(now_.back, over, {end.motion - now_.motion, end.velocity});
     return penetration + end.back.motion() - end.motion;
   }
   /// N: what slows the impactor down, of the pad and of a sheet on it.
@@ -122,7 +135,8 @@ class Motion {
     const double way = (now_.velocity - force * step / (2 * mass_) + gravity_ * step / 2) * step;
     if (foundation_.is_plain()) return way;
     const StepForce over{force, force, force, force / 2, step};
-    return way - (foundation_.after(now_.back, over).motion() - now_.back.motion());
+    const double velocity = now_.velocity - force * step / mass_ + gravity_ * step;
+    return way - (foundation_.after(now_.back, over, {way, velocity}).motion() - now_.back.motion());
   }
   /// dF/dt at the end of a step.
   [[nodiscard]] double force_rate_after(double force, double step) const {
@@ -208,6 +222,7 @@ class Motion {
   State now_;
   double force_rate_ = 0;
   double last_step_ = 0;
+  double deepest_ = 0;
   bool smooth_ = false;
   double way_ = 0;   ///< m
   double work_ = 0;  ///< J

@@ -48,6 +48,9 @@ struct Numerics {
 
   /// Change of the pad's stiffness from one step to the next that a guess may assume.
   double most_stiffening = 2;
+  /// Steps in a row that may have no other stiffness than a guess before it stays what it is. (Steps of a pad
+  /// without memory became shorter by a factor of 1.4 each, down to nothing.)
+  int most_guesses = 6;
   /// Share of the gap that a guess after an event may open or close.
   double guess_of_gap = 0.1;
   /// A rate that fell to less than this share of the last is the breakdown towards the turning point: the
@@ -78,6 +81,9 @@ struct Numerics {
   int most_idle_events = 16;
   /// Where neither phase has a solution the pad is held for this long, in rho^2 of a step.
   double held_moment = 0.1;
+  /// On a panel, with which it goes on as one body, only where the two move against each other no faster than
+  /// this, in impact speeds: rounding. (A quarter of the impact energy was lost where they did.)
+  double least_speed_to_stop = 1e-6;
   /// What comes after an impactor that has left the pad no faster than this, in impact speeds, is not waited
   /// for.
   double least_return = 1e-6;
@@ -155,6 +161,9 @@ struct Numerics {
   /// the root of it, but no more than `most_patience` times as much. A run that would exceed it is not begun.
   double most_work = 2;
   double most_patience = 10;
+  /// Runs that may be given up one after the other before no more are begun: some stall where others get
+  /// through.
+  int most_given_up = 2;
   /// Work of a step, and of a column in a trial, s: what they take on a processor of 2024, roughly. Counted,
   /// not timed, so that the same case ends alike everywhere.
   double work_of_step = 1.5e-6;

@@ -56,8 +56,11 @@ class Predictor {
       spring_ = trial.stiffness_to_resolve();
     pad_rate_ = rate;
     if (phase != Phase::held) {
-      const double most = numerics.most_stiffening;
-      stiffening_ = trend_.is_known() ? std::clamp(trial.pad_stiffness / pad_stiffness_, 1 / most, most) : 1;
+      // What a first trial is left with is a guess, and must not go on to grow by itself.
+      guesses_ = trial.pad_stiffness == next_stiffness() ? guesses_ + 1 : 0;
+      const double least = 1 / numerics.most_stiffening;
+      const double most = guesses_ > numerics.most_guesses ? 1 : numerics.most_stiffening;
+      stiffening_ = trend_.is_known() ? std::clamp(trial.pad_stiffness / pad_stiffness_, least, most) : 1;
       pad_stiffness_ = trial.pad_stiffness;
       stiffness_to_resolve_ = trial.stiffness_to_resolve();
     }
@@ -92,6 +95,7 @@ class Predictor {
   double stiffness_to_resolve_ = 0;
   double spring_ = 0;      ///< stiffness before the rate broke down towards the turning point
   double stiffening_ = 1;  ///< of the pad from the step before to the last
+  int guesses_ = 0;        ///< of the stiffness, one after the other
   double drive_rate_ = 0;
   double tried_step_ = 0;  ///< the last that was tried from the state now and had a solution; 0: none
   double tried_rate_ = 0;

@@ -54,7 +54,10 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
   double expected = impact.pad.thickness;
   double left =
       numerics.most_work * std::clamp(std::sqrt(1e-3 / options.tolerance), 1.0, numerics.most_patience);
-  double before = 0;  // work of the run before
+  double cost = 0;    // of the next run, as far as the runs so far tell, s
+  double steps = 0;   // likewise
+  double before = 0;  // work of the run before that got through
+  int given_up = 0;   // runs since then
   runs.finest.clear();
   runs.coarser.time.clear();
   runs.coarser.acceleration.clear();
@@ -70,11 +73,19 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
     if (run.peak_penetration > 0) expected = run.peak_penetration;
     if (options.fixed_runs > 0 ? refinement.runs() >= options.fixed_runs : refinement.settled()) break;
     if (options.fixed_runs > 0) continue;
-    // What the next run will cost: twice the steps, and of columns up to twice as many each.
+    // What the next run will cost: twice the steps, and of columns up to twice as many each. A run that
+    // stalls says nothing of it, and one that is finer may get through.
     left -= run.work;
-    const double next = run.work * (before > 0 ? std::clamp(run.work / before, 2.0, 4.0) : 2.0);
-    if (next > left || 2 * run.steps > options.most_steps) break;
-    before = run.work;
+    const double growth = before > 0 ? std::clamp(run.work / before, 2.0, 4.0) : 2.0;
+    if (run.ending == Ending::too_many_steps) {
+      if (++given_up > numerics.most_given_up) break;
+      cost *= 4, steps *= 2;
+    } else {
+      given_up = 0;
+      cost = run.work * growth, steps = 2.0 * double(run.steps);
+      before = run.work;
+    }
+    if (cost > left || steps > double(options.most_steps)) break;
   }
   return refinement;
 }

@@ -77,7 +77,8 @@ class StepControl {
                             double since_turning) const {
     const State& now = motion.now();
     double step = usual_;
-    const bool firm = foundation_.is_firm(now.back, now.force);
+    const bool firm =
+        foundation_.kind() == Foundation::Kind::damper || foundation_.is_firm(now.back, now.force);
     if (phase == Phase::loading && firm)
       step = std::min(step, turning_limit(now, predictor, FollowsRate<Contact>));
     if (phase == Phase::unloading && firm && FollowsRate<Contact> && since_turning > 0)

@@ -30,7 +30,10 @@ enum class Event {
   support_turning,
   corner,
   joining,
-  rate_corner
+  rate_corner,
+  landing,
+  closing,
+  parting
 };
 
 /// A step tried from the state now. Nothing has happened until it is accepted.
@@ -42,6 +45,7 @@ struct Trial {
   double lasting_stiffness = 0;  ///< without what a change of the rate adds at once; 0: the same
   double force_rate = 0;         ///< dF/dt at the end, N/s, by the parabola of Eq. 23; of supports that crush
   Event obstacle = Event::none;  ///< why Eq. 25 has no solution over this step in this phase
+  bool overshoots = false;       ///< on a damper: the rate at the end has a sign that it cannot have come to
 
   /// Which steps must resolve, N/m.
   [[nodiscard]] double stiffness_to_resolve() const {

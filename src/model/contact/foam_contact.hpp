@@ -85,6 +85,7 @@ class FoamContact {
     edge_ = 0;
     penetration_ = crater_;
     largest_ = earlier_;
+    left_ = 0;
     pressing_ = -1;
     slip_ = {};
     rate_ = rate_step_ = 0;
@@ -147,6 +148,9 @@ class FoamContact {
     last_ = {};
   }
 
+  /// The nose comes again to a pad that it had left: what it met before is now as after an earlier blow.
+  void meet_again() { left_ = largest_; }
+
   /// Outer radius of the stressed area, m.
   [[nodiscard]] double contact_radius() const { return pressing_ >= 0 ? nose_.radius(pressing_) : 0; }
 
@@ -175,7 +179,8 @@ class FoamContact {
   /// Whether columns may stand below the nose that it does not touch, since it has gone no deeper than
   /// before.
   [[nodiscard]] bool is_in_crater(double largest) const {
-    return earlier_ > 0 && largest <= earlier_ && stress_.stays_crushed();
+    const double before = std::max(earlier_, left_);
+    return before > 0 && largest <= before && stress_.stays_crushed();
   }
   /// dF/dY by the base curve's stress, of a nose of one piece.
   [[nodiscard]] double stiffness_of_piece(const FoamStress::Place& inner) const {
@@ -585,6 +590,7 @@ class FoamContact {
   double thin_ = 0;
   double panels_ = 8;
   double earlier_ = 0;      ///< largest penetration of earlier blows, m
+  double left_ = 0;         ///< and of this one, when the nose left the pad
   double crater_ = 0;       ///< depth at which the nose meets the foam, m
   double penetration_ = 0;  ///< below the surface of the new pad, as all that follow
   double largest_ = 0;      ///< penetration so far

@@ -55,6 +55,7 @@ void Foundation::start() {
   damped_ = 0;
   turned_ = false;
   last_step_ = 0;
+  follows_closely_ = false;
   find_corners();
 }
 
@@ -143,15 +144,20 @@ double Foundation::deflection_at_once(double force) const {
   return curve_deflection(force);
 }
 
-BackState Foundation::after(const BackState& now, const StepForce& force) const {
+BackState Foundation::after(const BackState& now, const StepForce& force, const Strike& impactor) const {
   if (kind_ == Kind::panel) return after_swing(now, force, backing_.mass);
+  const double body_way = (now.body_velocity + inverse_body_ * force.moment * force.step) * force.step;
+  const double body_velocity = now.body_velocity + inverse_body_ * force.mean * force.step;
   BackState end = now;
-  if (kind_ == Kind::damper)
-    end = after_creep(now, force);
-  else
+  if (kind_ == Kind::damper) {
+    const bool follows = follows_closely_ && now.deflection > stop_;
+    const double ahead = impactor.velocity - body_velocity - (impactor.way - body_way) / force.step;
+    end = after_creep(now, force, follows ? ahead : 0);
+  } else {
     end.deflection = deflection(force.end);
-  end.body_motion += (now.body_velocity + inverse_body_ * force.moment * force.step) * force.step;
-  end.body_velocity += inverse_body_ * force.mean * force.step;
+  }
+  end.body_motion += body_way;
+  end.body_velocity = body_velocity;
   end.transmitted = force.end;
   return end;
 }
@@ -159,14 +165,15 @@ BackState Foundation::after(const BackState& now, const StepForce& force) const 
 /// Backwards, of second order after a step that went on smoothly: the creep that a step does not resolve dies
 /// out in it.
 Foundation::Backward Foundation::backward(const BackState& now, double step) const {
-  if (last_step_ == 0) return {1 / step, now.deflection / step};
+  if (last_step_ == 0 || follows_closely_) return {1 / step, now.deflection / step};
   const double w = step / last_step_;
   return {(1 + 2 * w) / ((1 + w) * step),
           ((1 + w) * now.deflection - w * w / (1 + w) * last_deflection_) / step};
 }
 
-BackState Foundation::after_creep(const BackState& now, const StepForce& force) const {
-  const Backward rate = backward(now, force.step);
+BackState Foundation::after_creep(const BackState& now, const StepForce& force, double ahead) const {
+  Backward rate = backward(now, force.step);
+  rate.rest -= ahead;
   BackState end = now;
   end.struck = 0;
   end.deflection = balanced(damping_ * rate.slope, force.end + damping_ * rate.rest);
@@ -228,13 +235,23 @@ BackState Foundation::after_swing(const BackState& now, const StepForce& force, 
   const double sum = now.transmitted + end.transmitted;
   end.body_motion = now.body_motion + dt * (now.body_velocity + dt * inverse_body_ * sum / 4);
   end.body_velocity = now.body_velocity + dt * inverse_body_ * sum / 2;
-  if (end.deflection <= stop_) {
-    // It has landed, and goes on with the body.
-    end.struck = std::min(end.rate, 0.0);
-    end.body_velocity += end.struck * (1 - share_of_panel());
-    end.rate = 0;
-    end.transmitted = pushed;
-  }
+  return end.deflection <= stop_ ? landed(end) : end;
+}
+
+/// The panel goes on with the body.
+BackState Foundation::landed(BackState panel) const {
+  panel.deflection = stop_;
+  panel.struck = std::min(panel.rate, 0.0);
+  panel.body_velocity += panel.struck * (1 - share_of_panel());
+  panel.rate = 0;
+  panel.transmitted = spring(stop_);
+  return panel;
+}
+
+BackState Foundation::land(const BackState& now) {
+  const BackState end = landed(now);
+  damped_ += lost_by(end.struck);
+  last_step_ = 0;
   return end;
 }
 
@@ -302,14 +319,22 @@ double Foundation::moving_retreat(const BackState& end, double force, double of_
   return end.velocity();
 }
 
+double Foundation::growth_of_rate(const BackState& end, double velocity, double acceleration,
+                                  double force_rate) const {
+  const double of_masses = damping_ * (acceleration - inverse_body_ * end.transmitted);
+  const double of_springs = stiffness(end.deflection) * (velocity - end.body_velocity) - force_rate;
+  return (of_masses + of_springs) * support_.compliance(0);
+}
+
 void Foundation::accept(const BackState& now, const BackState& end, double force, double step, bool smooth) {
   if (bare_) return;
   if (kind_ != Kind::at_once) {
     const double rate = end.rate + end.struck;
     damped_ += damping_ * step * (now.rate * now.rate + now.rate * rate + rate * rate) / 3;
-    damped_ += end.struck * end.struck * backing_.mass * share_of_panel() / 2;
+    damped_ += lost_by(end.struck);
     last_deflection_ = now.deflection;
     last_step_ = smooth ? step : 0;
+    follows_closely_ = false;
   }
   const bool at_once = kind_ == Kind::at_once;
   if (!crushes_ || !(at_once ? force > yield_force_ : end.deflection > yield_)) return;
@@ -327,7 +352,7 @@ Foundation::Energy Foundation::energy(const BackState& now, double force) const 
   energy.damped = damped_;
   const double x = kind_ == Kind::at_once ? deflection(force) : now.deflection;
   if (crushes_) {
-    const double left = x < yield_ ? spring(x) : yield_force_;
+    const double left = spring(x);
     const double held = holding();
     energy.stored = (left * left - held * held) / (2 * backing_.unloading_stiffness);
     energy.crushed = crushed() - crushed_before_;

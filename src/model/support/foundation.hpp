@@ -7,7 +7,9 @@
 /// may be a free body. Compression positive, SI units.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "dashpad/model/support/backing.hpp"
@@ -39,6 +41,12 @@ struct StepForce {
   double step = 0;
 };
 
+/// Of the impactor over a step: its way, m, and its velocity at the end, m/s.
+struct Strike {
+  double way = 0;
+  double velocity = 0;
+};
+
 class Foundation {
  public:
   enum class Kind { at_once, damper, panel };
@@ -62,7 +70,9 @@ class Foundation {
   }
   /// Whether the back does not give way at all.
   [[nodiscard]] bool stands_still(const BackState& now, double force) const {
-    return support_.is_rigid() || (kind_ != Kind::panel && force < holding() && now.deflection <= stop_);
+    if (support_.is_rigid()) return true;
+    const bool is_held = force < holding() && now.deflection <= stop_;
+    return is_held && (kind_ != Kind::panel || (now.rate == 0 && inverse_body_ == 0));
   }
   /// Whether a force without limit would be needed to stop a pad that is fully compressed.
   [[nodiscard]] bool stops_hard() const { return support_.is_rigid() || kind_ == Kind::panel; }
@@ -82,7 +92,7 @@ class Foundation {
     return bare_ ? support_.deflection(force) : deflection_at_once(force);
   }
   /// The end of a step.
-  [[nodiscard]] BackState after(const BackState& now, const StepForce& force) const;
+  [[nodiscard]] BackState after(const BackState& now, const StepForce& force, const Strike& impactor) const;
   /// The same where an impactor sticks to the back; `weight` of it presses, N. Not for a support at once.
   [[nodiscard]] BackState after_with(const BackState& now, double impactor_mass, double weight,
                                      double step) const;
@@ -109,11 +119,26 @@ class Foundation {
     if (plain_) return support_.compliance(force) * force_rate;
     return moving_retreat(end, force, of_pad, force_rate);
   }
+  /// Of the rate of a pad on a damper, dY/dt = V - v_body - (F - Fs) / c, were it 0: how fast it grows with
+  /// the `acceleration` of the impactor, m/s2, and what the pad gains in force while it is held, N/s; times
+  /// the time of damper and support, m/s.
+  [[nodiscard]] double growth_of_rate(const BackState& end, double velocity, double acceleration,
+                                      double force_rate) const;
+  /// Until a step is taken a damper goes along with the impactor but for the mean rate of the pad, which a
+  /// backward difference of second order may overshoot where the rate comes down to 0. Whether that is new.
+  bool follow_closely() { return !std::exchange(follows_closely_, true); }
   /// From where the motion of an impactor is counted that meets the back of the pad, m.
   [[nodiscard]] double origin(const BackState& back) const {
     return kind_ == Kind::at_once ? back.body_motion : back.motion();
   }
 
+  /// How long the panel takes to its stop if it goes on as it does, s; without end if it does not go there.
+  [[nodiscard]] double time_to_stop(const BackState& now) const {
+    const bool comes = kind_ == Kind::panel && std::isfinite(stop_) && now.rate < 0 && now.deflection > stop_;
+    return comes ? (now.deflection - stop_) / -now.rate : std::numeric_limits<double>::infinity();
+  }
+  /// It strikes its stop now.
+  BackState land(const BackState& now);
   /// Takes a step; `smooth`: it did not end with an event.
   void accept(const BackState& now, const BackState& end, double force, double step, bool smooth);
   /// Whether the support is being crushed further in this state; not after turn() until it is again.
@@ -163,7 +188,7 @@ class Foundation {
   [[nodiscard]] double moving_compliance(const BackState& now, double force, double step, double share) const;
   [[nodiscard]] double moving_retreat(const BackState& end, double force, double of_pad,
                                       double force_rate) const;
-  [[nodiscard]] BackState after_creep(const BackState& now, const StepForce& force) const;
+  [[nodiscard]] BackState after_creep(const BackState& now, const StepForce& force, double ahead) const;
   [[nodiscard]] BackState after_swing(const BackState& now, const StepForce& force, double mass) const;
   [[nodiscard]] bool rests_on_stop(const BackState& of) const {
     return of.deflection <= stop_ && of.rate <= 0;
@@ -177,6 +202,11 @@ class Foundation {
                                     double mass) const;
   /// Of the speed with which the panel strikes its stop, what it loses: the rest is the body's then.
   [[nodiscard]] double share_of_panel() const { return 1 / (1 + backing_.mass * inverse_body_); }
+  [[nodiscard]] BackState landed(BackState panel) const;
+  /// J, by a panel that strikes its stop with a speed.
+  [[nodiscard]] double lost_by(double speed) const {
+    return speed * speed * backing_.mass * share_of_panel() / 2;
+  }
   /// Way of the panel behind which the support carries it, if no preload is left, m.
   [[nodiscard]] double free_way() const;
   /// Lost for good up to now, J: the rest comes back on the way to the stop.
@@ -200,8 +230,9 @@ class Foundation {
   double yield_force_ = 0;
   double damped_ = 0;  ///< J
   bool turned_ = false;
-  double last_deflection_ = 0;    ///< before the last step
-  double last_step_ = 0;          ///< 0: after an event
+  double last_deflection_ = 0;  ///< before the last step
+  double last_step_ = 0;        ///< 0: after an event
+  bool follows_closely_ = false;
   std::vector<double> of_curve_;  ///< its corners
   std::vector<double> corners_;   ///< those that are ahead, and those that crushing moves
 };
