@@ -167,7 +167,7 @@ TEST(RandomCases, OnSupportsThatMoveAreSolved) {
 /// Every blow of every support that a case may have is solved or said not to be, and no magnitude is below 0.
 TEST(RandomCases, OnAnySupportHaveFiguresThatMakeSense) {
   int not_met = 0;
-  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 45; ++seed) {
     const ImpactCase impact = support_case(seed);
     SCOPED_TRACE(impact.title);
     ASSERT_TRUE(violations(impact).empty());
@@ -185,7 +185,7 @@ TEST(RandomCases, OnAnySupportHaveFiguresThatMakeSense) {
         EXPECT_LE(s.support->set.value_or(0), 1.001 * s.support->peak_deflection + 1e-12);
     }
   }
-  EXPECT_LE(not_met, 2);
+  EXPECT_EQ(not_met, 0);
 }
 
 TEST(RandomCases, AreSolvedOrSaidNotToBe) {
