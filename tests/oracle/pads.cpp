@@ -74,10 +74,11 @@ class FoamPad final : public PadModel {
  public:
   template <class Law>
   FoamPad(Outline nose, double thickness, int fineness, const Law& law, double earlier)
-      : PadModel(std::move(nose), thickness, fineness), law_(law), earlier_(earlier) {
+      : PadModel(std::move(nose), thickness, fineness), law_(law), earlier_(earlier), left_at_(earlier) {
     begin_struck(earlier);
   }
   [[nodiscard]] std::size_t unknowns() const override { return 1; }
+  void left() override { left_at_ = largest(); }
   double begin(double* memory, double) override {
     double free = 0, met = earlier_;
     if (law_.stays_crushed() && earlier_ > 0) {
@@ -94,7 +95,7 @@ class FoamPad final : public PadModel {
   }
   [[nodiscard]] Pressed pressed(double y, const double* memory, bool with_area) const override {
     const double u = slip_rate(y, memory), before = ahead(y);
-    const bool in_crater = law_.stays_crushed() && earlier_ > 0 && largest() <= earlier_ && before > 0;
+    const bool in_crater = law_.stays_crushed() && left_at_ > 0 && largest() <= left_at_ && before > 0;
     std::vector<double> corners{law_.last_strain()};
     if (before > 0)
       for (const double largest : law_.corners()) corners.push_back(largest - before);
@@ -120,6 +121,7 @@ class FoamPad final : public PadModel {
   }
   FoamFormulas law_;
   double earlier_;
+  double left_at_;  ///< largest penetration when the nose last left it, of any blow
 };
 
 /// Laws 2 and `viscoelastic-foam`: a branch is q = g (p - r) with dr/dt = (p - r) / tau at columns of fixed

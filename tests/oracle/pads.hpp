@@ -56,6 +56,8 @@ class PadModel {
     largest_ = std::max(largest_, y);
     remember(y, memory);
   }
+  /// The nose has left it, and may come again.
+  virtual void left() {}
   void set_loading(bool loading) { loading_ = loading; }
   [[nodiscard]] bool is_loading() const { return loading_; }
   [[nodiscard]] double largest() const { return largest_; }
