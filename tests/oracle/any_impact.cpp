@@ -333,10 +333,10 @@ class Impact final : public OdeSystem {
     }
     if (crossed[event_release] != 0) {
       touches_ = crossed[event_release] > 0;
-      if (touches_)
+      if (!touches_) pad_->left();
+      // Of a release alone only the last counts.
+      if (touches_ && answer_.force_below_weight && answer_.force_below_weight->velocity > 0)
         answer_.force_below_weight.reset();
-      else
-        pad_->left();
       if (!touches_) answer_.rebound_speed = std::fmax(-state[velocity], 0);
       if (!touches_ && !answer_.force_below_weight) answer_.force_below_weight = moment;
       changed = true;
