@@ -104,13 +104,14 @@ inline double support_goes_on(const Sight& s) {
 }
 inline bool is_crushing(const Sight& s) { return s.foundation.is_crushing(s.now.back, s.now.force); }
 inline double is_apart(const Sight& s) { return s.is_pressed ? -1 : 1; }
-/// In flight: the columns below the nose follow it, and their law has a corner where they turn.
+/// In flight: by how much the panel can still be faster than what would be waited for.
 inline double return_speed(const Sight& s) {
   return s.foundation.fastest_return(s.trial.end.back) + s.trial.end.velocity - s.least_return;
 }
 inline bool has_not_landed(const Sight& s) { return !has_landed(s); }
+/// In flight: the columns below the nose follow it, and their law has a corner where they turn.
 inline double speed_apart(const Sight& s) { return -s.trial.end.drive; }
-inline bool is_parting(const Sight& s) { return s.recovers && s.now.drive < 0; }
+inline bool moves_apart(const Sight& s) { return s.recovers && s.now.drive < 0; }
 
 inline double over_rate_corner(const Sight& s) { return s.over_rate_corner; }
 inline double penetration_to_joint(const Sight& s) { return s.joint - s.trial.end.penetration; }
@@ -139,7 +140,7 @@ inline constexpr std::array<EventKind, 13> event_table{{
      event_rules::is_before_joint, true},
     {Event::rate_corner, true, false, false, false, event_rules::over_rate_corner, event_rules::always, true},
     {Event::parting, false, false, false, true, event_rules::return_speed, event_rules::has_not_landed, true},
-    {Event::closing, false, false, false, true, event_rules::speed_apart, event_rules::is_parting, true},
+    {Event::closing, false, false, false, true, event_rules::speed_apart, event_rules::moves_apart, true},
 }};
 
 /// The first event of a trial, in the order of the table.
