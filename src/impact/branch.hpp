@@ -42,10 +42,4 @@ inline Phase phase_after(Event event, Phase now, double drive, BranchConditions 
   return now;
 }
 
-/// After a moment in which the pad was held because neither branch went on. Without force contact is lost.
-inline Phase phase_after_holding(double drive, double force) {
-  if (force <= 0) return Phase::over;
-  return drive > 0 ? Phase::loading : Phase::unloading;
-}
-
 }  // namespace dashpad

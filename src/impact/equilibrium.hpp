@@ -170,8 +170,9 @@ class Equilibrium {
   [[nodiscard]] bool is_solved(const Trial& trial) const {
     const State& end = trial.end;
     const double flexibility = motion_.flexibility(end.back, end.force, trial.step);
-    return trial.obstacle == Event::none && std::abs(trial.pad.force - end.force) * flexibility <=
-                                                allowed_residual(std::max(reach(now()), reach(end)));
+    return trial.obstacle == Event::none &&
+           std::abs(trial.pad.force - end.force) * flexibility <=
+               allowed_residual(std::max(reach(now()), reach(end)), end.force, trial.pad_stiffness);
   }
 
   /// The trial with its drive (Eq. 26) at the end of the step, m/s. Steps that resolved as a spring what a
@@ -191,7 +192,9 @@ class Equilibrium {
             std::max(trial.lasting_stiffness, (trial.pad.force - now().force) / trial.pad.advance);
     }
     if constexpr (MayForget<Contact>) {
-      if (contact_.forgets(trial.pad) && trial.pad.advance != 0) {
+      // Against a panel the pad turns at rate zero, where a change of the rate adds without bound.
+      const bool turns_at_rest = foundation_.kind() == Foundation::Kind::panel;
+      if ((turns_at_rest || contact_.forgets(trial.pad)) && trial.pad.advance != 0) {
         // By a little more of the same rate.
         const double more = numerics.more_of_the_same;
         const PadTrial& pad = trial.pad;
@@ -223,10 +226,14 @@ class Equilibrium {
   [[nodiscard]] double reach(const State& state) const {
     return state.motion - foundation_.origin(state.back);
   }
-  /// Residual at which a trial of a pad with memory is solved, m; `scale`: the reach, m.
-  [[nodiscard]] double allowed_residual(double scale) const {
-    return std::max(numerics.solved_residual * resolution_ * resolution_ * resolution_, numerics.rounding) *
-           scale;
+  /// Residual at which a trial of a pad with memory is solved, m; `scale`: the reach, m. Close to full
+  /// compression what the motion allows may be more than the gap over which the force grows.
+  [[nodiscard]] double allowed_residual(double scale, double force, double pad_stiffness) const {
+    const double gap = std::abs(contact_.lock_penetration() - now().penetration);
+    const double growing = pad_stiffness * gap > std::abs(force) ? gap : std::abs(force) / pad_stiffness;
+    const double share = numerics.solved_residual * resolution_ * resolution_ * resolution_;
+    return std::max(share * std::min(scale, numerics.solved_residual_of_gap * growing),
+                    numerics.rounding * scale);
   }
 
  private:
@@ -273,8 +280,6 @@ class Equilibrium {
       const State& now = of.now();
       trial.step = step;
       trial.pad_stiffness = predictor.next_stiffness();
-      // A foam that was struck before may carry nothing for a while, and 0 / 0 is no trend.
-      if (FollowsRate<Contact> && std::isnan(trial.pad_stiffness)) trial.pad_stiffness = 0;
       scale = std::max(std::abs(of.reach(now)), std::abs(of.farthest(step)));
       slope = 1 + trial.pad_stiffness * of.motion_.flexibility(now.back, now.force, step);
     }
@@ -300,7 +305,8 @@ class Equilibrium {
       if constexpr (memoryless) return is_rounding(left, scale);
       const double flexibility = of_.motion_.flexibility(end.back, end.force, trial.step);
       const double missing = -left / (1 + trial.pad_stiffness * flexibility);
-      const double allowed = of_.allowed_residual(scale) * (trials_ > 1 ? 1 : numerics.solved_first_trial);
+      const double allowed = of_.allowed_residual(scale, end.force, trial.pad_stiffness) *
+                             (trials_ > 1 ? 1 : numerics.solved_first_trial);
       if (std::abs(left) > allowed) return false;
       if (std::abs(missing) > numerics.largest_take_up * of_.resolution_ * std::abs(trial.pad.advance))
         return is_rounding(left, scale) ||

@@ -202,9 +202,4 @@ double work_on_pad(const Track& track) {
   return work_of(track, h.force_of_pad(), h.penetration);
 }
 
-double work_on_sheet(const Track& track) {
-  const History& h = track.history;
-  return work_of(track, h.force, h.motion) - work_of(track, h.pad_force, h.motion);
-}
-
 }  // namespace dashpad

@@ -58,7 +58,5 @@ void read_contact_end(const Track& track, const Impactor& impactor, Figures& fig
 /// Integral of F dY over the track, by local parabolas of F(t) and Y(t) within each smooth stretch: of higher
 /// order than the step, so that it audits the step's energy (theory.md, Eq. 30).
 double work_on_pad(const Track& track);
-/// Of what a sheet on the pad takes from the impactor, over its motion, likewise.
-double work_on_sheet(const Track& track);
 
 }  // namespace dashpad

@@ -160,7 +160,8 @@ class March {
   [[nodiscard]] Sight sight(const Trial& trial, double corner = 0) {
     const bool is_pressed =
         phase_ == Phase::flight &&
-        (contact_.recovers() ? contact_.largest_stress(trial.pad) > 0 : trial.end.penetration > left_at_);
+        (contact_.recovers() ? contact_.largest_stress(trial.pad) > 0
+                             : trial.end.penetration > (1 + numerics.at_crater) * left_at_);
     Sight sight{phase_, now_, trial, foundation_, contact_.recovers(), corner, joint_, is_pressed};
     sight.least_return = numerics.least_return * impactor_.speed;
     sight.is_closed = now_.penetration >= (1 - numerics.at_joint) * contact_.lock_penetration();
@@ -321,7 +322,10 @@ class March {
     idle_ = 0;
     ++moments_;
     predictor_.forget_rate();
-    if (phase_ != Phase::over) enter(phase_after_holding(now_.drive, now_.force), Ending::released);
+    if (phase_ == Phase::over) return;
+    // Without force contact is lost.
+    if (now_.force <= 0) return begin_phase(Event::release);
+    enter(now_.drive > 0 ? Phase::loading : Phase::unloading, Ending::released);
   }
 
   void begin_phase(Event event) {
@@ -329,6 +333,7 @@ class March {
     predictor_.begin_phase(event, now_);
     if (event == Event::support_turning) foundation_.turn();
     if (event == Event::landing) motion_.land(foundation_.land(now_.back));
+    if (event == Event::closing) turning_time_ = now_.time;
     if (event == Event::release) {
       figures_.release = Moment{now_.time, now_.velocity};
       left_at_ = now_.penetration;
@@ -382,7 +387,8 @@ class March {
     const double rate = std::abs(predictor_.pad_rate());
     const double elapsed = track.history.time.back() - track.history.time[track.size() - 2];
     if (elapsed > numerics.least_step_with_rate * resolution_ * control_.usual() &&
-        rate * elapsed > equilibrium_.allowed_residual(equilibrium_.reach(now_)))
+        rate * elapsed >
+            equilibrium_.allowed_residual(equilibrium_.reach(now_), now_.force, predictor_.pad_stiffness()))
       figures_.peak_pad_rate = std::max(figures_.peak_pad_rate, rate);
   }
 
@@ -442,7 +448,7 @@ class March {
       const double left = track.history.velocity.front();
       figures_.speed_to_sheet = impactor_.speed - left;
       figures_.sheet_energy =
-          impactor_.mass * figures_.speed_to_sheet * (impactor_.speed + left) / 2 + work_on_sheet(track);
+          impactor_.mass * figures_.speed_to_sheet * (impactor_.speed + left) / 2 + motion_.work_on_sheet();
     }
     return figures_;
   }
@@ -466,7 +472,7 @@ class March {
   Phase phase_ = Phase::loading;
   int idle_ = 0;             ///< turns of the loop since time last went on
   int moments_ = 0;          ///< in which the pad was held, since a step was taken
-  double turning_time_ = 0;  ///< the last, s
+  double turning_time_ = 0;  ///< of the nose against the back of the pad, the last, s
   double left_at_ = 0;       ///< penetration at the last release, m
   Swing swing_;
   Figures figures_;

@@ -36,8 +36,8 @@ class Motion {
     now_ = {};
     sheet_.start();
     now_.velocity = now_.drive = speed * mass_ / moving_mass();
-    now_.back.transmitted = force;
-    deepest_ = last_step_ = mean_stiffness_ = stiffness_ = 0;
+    now_.back.transmitted = foundation_.transmitted_at_first(force);
+    deepest_ = last_step_ = mean_stiffness_ = stiffness_ = work_on_sheet_ = 0;
     is_held_ = false;
     jump_to(force);
   }
@@ -51,6 +51,10 @@ class Motion {
   /// Takes the end of a step; `smooth`: the force goes on from it without a kink.
   void accept(const State& end, double step, bool smooth) {
     if (sheet_.has_mass()) {
+      // Step by step, since the drag jumps at the rim of a nose.
+      const Sheet::Load sheet = sheet_.load(now_.penetration, end.penetration, step);
+      work_on_sheet_ +=
+          (sheet.drag + sheet.mass * (end.velocity - now_.velocity) / step) * (end.motion - now_.motion);
       learn_stiffness(end, step);
       sheet_.accept(contact_.contact_radius(), end.penetration < now_.penetration, step);
     }
@@ -61,6 +65,8 @@ class Motion {
     deepest_ = std::max(deepest_, end.penetration);
     learn_work();
   }
+  /// What the impactor has given a sheet since it met the first of it, J.
+  [[nodiscard]] double work_on_sheet() const { return work_on_sheet_; }
   void stop() { now_.velocity = 0; }
   /// The back strikes its stop, and the nose is what it was.
   void land(const BackState& back) {
@@ -230,6 +236,7 @@ class Motion {
   bool is_held_ = false;
   double mean_stiffness_ = 0;
   double stiffness_ = 0;
+  double work_on_sheet_ = 0;
 };
 
 }  // namespace dashpad

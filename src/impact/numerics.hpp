@@ -13,9 +13,11 @@ namespace dashpad {
 struct Numerics {
   // --- The step (Eq. 25) ---
 
-  /// Residual of Eq. 25, in rho^3 of the motion, at which a trial of a pad with memory counts as solved. The
-  /// force takes up the rest; the error is of third order, below that of the step.
+  /// Residual of Eq. 25, in rho^3 of the motion, or of so many times the gap above the lock, at which a trial
+  /// of a pad with memory counts as solved. The force takes up the rest; the error is of third order, below
+  /// that of the step. (The force grows over the gap: of the motion alone it was more than the gap itself.)
   double solved_residual = 0.1;
+  double solved_residual_of_gap = 10;
   /// Share of it that a first trial must reach: its slope is a guess, and so is what the force takes up.
   double solved_first_trial = 0.2;
   /// What the force takes up may move the penetration by this much, in rho of its advance, before the
@@ -48,8 +50,9 @@ struct Numerics {
 
   /// Change of the pad's stiffness from one step to the next that a guess may assume.
   double most_stiffening = 2;
-  /// Steps in a row that may have no other stiffness than a guess before it stays what it is. (Steps of a pad
-  /// without memory became shorter by a factor of 1.4 each, down to nothing.)
+  /// Steps in a row that may have no other stiffness than a guess before it is no more than what the step
+  /// shows. (Steps of a pad without memory became shorter by a factor of 1.4 each, down to nothing; those of
+  /// law 4 on a panel stayed at 3e-10 s.)
   int most_guesses = 6;
   /// Share of the gap that a guess after an event may open or close.
   double guess_of_gap = 0.1;
@@ -73,6 +76,9 @@ struct Numerics {
   double at_corner = 1e-9;
   /// A penetration this near to that of earlier blows, relative, has reached it.
   double at_joint = 1e-12;
+  /// In flight, crushed foam is met this far beyond where it was left, relative: what goes on with a panel
+  /// without force would meet it by rounding.
+  double at_crater = 1e-9;
   /// Halvings of a step that met several events at once, or proved far too long: down to rounding.
   int most_halvings = 60;
   /// A step is taken again at half its length if it is this many times as long as what it found allows.
@@ -97,8 +103,12 @@ struct Numerics {
   /// The gap closes in a step by at most this many rho of it, but no more than `most_closing`.
   double closing = 4;
   double most_closing = 0.5;
-  /// And by this many rho^2 of the thickness at least: a pad may lock.
-  double least_closing = 1e-2;
+  /// And by this many rho^2 of the thickness at least: a pad may lock. (With 1e-2 the last step into the lock
+  /// passed over much of the work where the force has no bound.)
+  double least_closing = 1e-6;
+  double least_closing_if_bounded = 1e-2;
+  /// Growth of the force over the gap, in shares of it, below which it has a bound there.
+  double bounded = 0.1;
   /// While the end of contact is to come, a step takes the force down by this many rho of it; after it, and
   /// at the most, by `most_fall` of it. The end of contact is read between the entries.
   double fall = 7;
@@ -134,13 +144,14 @@ struct Numerics {
   /// The error of the rebound speed is at least this share of that before. At second order it falls to an
   /// eighth; to less, by chance: the places of events in their steps are left in it.
   double fastest_fall_of_error = 0.25;
-  /// The same of bottoming on what yields, where the last step into the lock is long (of 8,800 such figures
-  /// of plausible cases 6 were beyond 1e-4 with a quarter).
-  double fastest_fall_of_bottoming = 0.5;
+  /// The same of bottoming.
+  double fastest_fall_of_bottoming = 0.25;
   /// Rounding of an extrapolated figure, relative.
   double rounding_of_figures = 1e-12;
   /// Speeds below this share of the impact speed are held to the tolerance relative to it.
   double least_speed = 1e-3;
+  /// Deflections and sets below this share of the impactor's motion are held to the tolerance relative to it.
+  double least_deflection = 1e-3;
   /// Largest error of the time of the peak force, relative to the time at which contact ends.
   double loosest_time_of_peak = 0.01;
 
@@ -167,7 +178,7 @@ struct Numerics {
   /// Work of a step, and of a column in a trial, s: what they take on a processor of 2024, roughly. Counted,
   /// not timed, so that the same case ends alike everywhere.
   double work_of_step = 1.5e-6;
-  double work_of_column = 1.5e-8;
+  double work_of_column = 8e-9;
   double work_of_layered_column = 1.5e-7;
 };
 

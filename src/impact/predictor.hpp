@@ -59,10 +59,19 @@ class Predictor {
       // What a first trial is left with is a guess, and must not go on to grow by itself.
       guesses_ = trial.pad_stiffness == next_stiffness() ? guesses_ + 1 : 0;
       const double least = 1 / numerics.most_stiffening;
-      const double most = guesses_ > numerics.most_guesses ? 1 : numerics.most_stiffening;
-      stiffening_ = trend_.is_known() ? std::clamp(trial.pad_stiffness / pad_stiffness_, least, most) : 1;
+      const bool is_mere_guess = guesses_ > numerics.most_guesses;
+      const double most = is_mere_guess ? 1 : numerics.most_stiffening;
+      // A pad of constant force has none, and 0 / 0 is no trend.
+      const bool has_trend = trend_.is_known() && pad_stiffness_ > 0;
+      stiffening_ = has_trend ? std::clamp(trial.pad_stiffness / pad_stiffness_, least, most) : 1;
       pad_stiffness_ = trial.pad_stiffness;
       stiffness_to_resolve_ = trial.stiffness_to_resolve();
+      if (is_mere_guess && trial.pad.advance != 0) {
+        const double shown = (trial.end.force - before.force) / trial.pad.advance;
+        pad_stiffness_ = std::clamp(shown, 0.0, pad_stiffness_);
+        stiffness_to_resolve_ =
+            std::min(stiffness_to_resolve_, std::max(pad_stiffness_, trial.lasting_stiffness));
+      }
     }
     if (event == Event::none && rate != 0)
       trend_.add(rate, trial.step);
@@ -79,6 +88,8 @@ class Predictor {
       pad_stiffness_ = stiffness_to_resolve_ = spring_;
       stiffening_ = 1;
     }
+    // What the last step of the unloading had may be the quotient of two roundings.
+    if (event == Event::reloading) pad_stiffness_ = stiffness_to_resolve_ = spring_, stiffening_ = 1;
     if (event == Event::reloading || event == Event::yielding || event == Event::touch)
       pad_rate_ = std::max(approach, 0.0);
     if (event == Event::unlock || event == Event::release) pad_rate_ = approach;

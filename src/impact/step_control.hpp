@@ -53,7 +53,7 @@ class StepControl {
       return std::min(oscillation_limit(phase, state, 0), resolution_ * thickness_ / std::abs(pad_rate));
     double step = oscillation_limit(phase, state, pad_stiffness);
     if (phase != Phase::held && pad_rate != 0)
-      step = std::min({step, strain_limit(state, pad_rate), gap_limit(state, pad_rate)});
+      step = std::min({step, strain_limit(state, pad_rate), gap_limit(state, pad_stiffness, pad_rate)});
     return step;
   }
   [[nodiscard]] double longest(Phase phase, const Trial& trial) const {
@@ -71,7 +71,7 @@ class StepControl {
   void learn_force(double force) { largest_force_ = std::max(largest_force_, force); }
 
   /// The next step: grown from the last by no more than a half, and shorter where something is approached.
-  /// `since_turning`: time since the loading ended last, below 0 if it has not.
+  /// `since_turning`: time since the nose last turned against the back of the pad, below 0 if it has not.
   template <class Contact>
   [[nodiscard]] double next(Phase phase, const Motion<Contact>& motion, const Predictor& predictor,
                             double since_turning) const {
@@ -87,6 +87,9 @@ class StepControl {
       step = std::min(step, end_of_unloading_limit(now, predictor));
       if (motion.force_rate() < 0) step = std::min(step, release_limit(now, motion.force_rate(), step));
     }
+    // From rest against the panel the nose comes back at a rate that grows with the time.
+    if (phase == Phase::flight && now.drive > 0 && since_turning > 0)
+      step = std::min(step, std::max(numerics.closing * resolution_ * since_turning, resolution_ * usual_));
     // On a firm support the pad turns at rate zero, about which the force has a power of the time.
     const double last = since_turning == 0 && firm ? 0 : motion.last_step();
     return std::min(numerics.growth * std::max(last, resolution_ * usual_), step);
@@ -112,10 +115,13 @@ class StepControl {
     return share_of_side_ > 0 ? (nose_.depth + penetration) / share_of_side_
                               : std::numeric_limits<double>::infinity();
   }
-  [[nodiscard]] double gap_limit(const State& state, double pad_rate) const {
+  [[nodiscard]] double gap_limit(const State& state, double pad_stiffness, double pad_rate) const {
+    const double gap = lock_ - state.penetration;
     const double share = std::min(numerics.most_closing, numerics.closing * resolution_);
-    const double least = numerics.least_closing * resolution_ * resolution_ * thickness_;
-    return (share * (lock_ - state.penetration) + least) / std::abs(pad_rate);
+    // Where the force has a bound it grows over more than the gap that is left.
+    const bool is_bounded = pad_stiffness * gap < numerics.bounded * state.force;
+    const double least = is_bounded ? numerics.least_closing_if_bounded : numerics.least_closing;
+    return (share * gap + least * resolution_ * resolution_ * thickness_) / std::abs(pad_rate);
   }
   [[nodiscard]] double turning_limit(const State& now, const Predictor& predictor, bool follows_rate) const {
     const double left = predictor.time_to_turning(now);

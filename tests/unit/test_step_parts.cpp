@@ -111,9 +111,6 @@ TEST(Branch, FollowsTheEventPadAndSupport) {
   EXPECT_EQ(phase_after(Event::reloading, Phase::unloading, -1, foam), Phase::loading);
   EXPECT_EQ(phase_after(Event::corner, Phase::unloading, 1, foam), Phase::unloading);
   EXPECT_EQ(phase_after(Event::release, Phase::held, -1, foam), Phase::over);
-  EXPECT_EQ(phase_after_holding(1, 5), Phase::loading);
-  EXPECT_EQ(phase_after_holding(-1, 5), Phase::unloading);
-  EXPECT_EQ(phase_after_holding(1, 0), Phase::over);
 }
 
 /// Accepts a step of the given length and advance.
@@ -188,7 +185,7 @@ TEST(StepControl, ResolvesStrainAndGap) {
   state.penetration = 0.999 * thickness;
   const double gap = 0.001 * thickness;
   EXPECT_NEAR(control.longest(Phase::loading, state, 1, 5),
-              (4 * resolution * gap + 1e-2 * resolution * resolution * thickness) / 5, 1e-12);
+              (4 * resolution * gap + 1e-6 * resolution * resolution * thickness) / 5, 1e-12);
 }
 
 TEST(StepControl, BeginsWithAQuarterOfWhatItsOwnStiffnessAllows) {

@@ -38,6 +38,18 @@ TEST(Sheet, StruckByADiscIsAPlasticBlowAndThenASpring) {
   EXPECT_NEAR(s.energy.sheet, mass * (speed * speed - after * after) / 2, 1e-5 * s.energy.impact);
 }
 
+/// Where a nose grows no wider the drag ends at once, within a step.
+TEST(Sheet, MetUpToARimKeepsTheLedger) {
+  ImpactCase impact = under_sheet(20, Elastic{.modulus = 3e5});
+  impact.impactor.nose = Rod{.radius = 0.05, .tip_radius = 0.2};
+  impact.impactor.speed = 5;
+  impact.pad.thickness = 0.06;
+  const Summary s = solve(impact, {.tolerance = 1e-4}).summary;
+  ASSERT_TRUE(s.trustworthy());
+  ASSERT_GT(s.peak_penetration, 2 * sections_of(impact.impactor.nose).depth);
+  EXPECT_LT(std::abs(s.energy.residual), 1e-5 * s.energy.impact);
+}
+
 /// Nothing but the sheet slows it down: its momentum is shared with what it has met.
 TEST(Sheet, OnAPadThatGivesNoForceSharesTheMomentum) {
   for (const Nose& nose : {Nose(Sphere{0.08}), Nose(Cone{0.2, 1.2, 0.02})}) {

@@ -12,9 +12,8 @@
 namespace dashpad {
 namespace {
 
-/// Gap for which stations are laid, at least, of the thickness: with the weight A the stress over A changes
-/// little over smaller ones.
-constexpr double least_gap = 0.02;
+/// Gap for which stations are laid, of the thickness, as long as none is known.
+constexpr double first_gap = 0.02;
 
 /// Mean of max(g, 0) over a cell in which g is linear, and how it changes with g at its ends.
 struct PositiveMean {
@@ -48,9 +47,8 @@ void LayeredContact::set(const Parts& parts, const Sections& nose) {
 void LayeredContact::start(double resolution, double expected) {
   const double thickness = series_.thickness();
   columns_.clear();
-  lay_stations(nose_,
-               {resolution, expected, thickness,
-                std::max(thickness - std::min(expected, thickness), least_gap * thickness)},
+  const double gap = expected < thickness ? thickness - expected : first_gap * thickness;
+  lay_stations(nose_, {resolution, expected, thickness, gap},
                [this](double depth) { columns_.append(depth); });
   for (std::size_t j = 0; j + 1 < columns_.size(); ++j) {
     const Sections::Weights weights = nose_.weights(columns_.depth()[j], columns_.depth()[j + 1]);
@@ -183,8 +181,8 @@ double LayeredContact::integrate() const {
   if (trial_live_ == 0) return 0;
   double sum = 0;
   for_each_cell([&](const Cell& cell) {
-    sum += cell.width *
-           positive_mean_of(g(cell.inner, cell.weights.inner), g(cell.outer, cell.weights.outer)).value;
+    const auto [inner, outer] = g(cell);
+    sum += cell.width * positive_mean_of(inner, outer).value;
   });
   return nose_.tip * std::max(columns_.next_moment.stress[0], 0.0) +
          2 * std::numbers::pi * series_.thickness() * sum;
@@ -204,8 +202,17 @@ void LayeredContact::for_each_cell(Visit&& visit) const {
              columns_.measure[last] - edge_of_contact().work});
 }
 
-double LayeredContact::g(std::size_t j, double weight) const {
-  return columns_.next_moment.stress[j] / columns_.shape[j] * weight;
+LayeredContact::Ends LayeredContact::g(const Cell& cell) const {
+  const LayerColumns::Moment& next = columns_.next_moment;
+  double inner = next.stress[cell.inner], outer = next.stress[cell.outer];
+  // How far a column is off the nose goes on smoothly beyond what presses, its own flexibility does not.
+  const auto with_flexibility_of = [&](std::size_t j, std::size_t free) {
+    return next.flexibility[free] / std::max(next.flexibility[j], std::numeric_limits<double>::min());
+  };
+  if (inner > 0 && outer < 0) outer *= with_flexibility_of(cell.inner, cell.outer);
+  if (outer > 0 && inner < 0) inner *= with_flexibility_of(cell.outer, cell.inner);
+  return {inner / columns_.shape[cell.inner] * cell.weights.inner,
+          outer / columns_.shape[cell.outer] * cell.weights.outer};
 }
 
 FoamCurve::Point LayeredContact::edge_of_contact() const {
@@ -237,10 +244,10 @@ double LayeredContact::force_rate_when_held(const PadTrial& trial) {
   double inner_rate = axis;
   for_each_cell([&](const Cell& cell) {
     const double outer_rate = cell.outer == cell.inner ? inner_rate : rate_of(cell.outer);
-    const auto [inner_weight, outer_weight] = cell.weights;
-    const PositiveMean mean = positive_mean_of(g(cell.inner, inner_weight), g(cell.outer, outer_weight));
-    sum += cell.width * (mean.by_inner * inner_weight * inner_rate / columns_.shape[cell.inner] +
-                         mean.by_outer * outer_weight * outer_rate / columns_.shape[cell.outer]);
+    const auto [inner, outer] = g(cell);
+    const PositiveMean mean = positive_mean_of(inner, outer);
+    sum += cell.width * (mean.by_inner * cell.weights.inner * inner_rate / columns_.shape[cell.inner] +
+                         mean.by_outer * cell.weights.outer * outer_rate / columns_.shape[cell.outer]);
     inner_rate = outer_rate;
   });
   return (next.stress[0] > 0 ? nose_.tip * axis : 0) + 2 * std::numbers::pi * series_.thickness() * sum;
@@ -265,8 +272,11 @@ double LayeredContact::lasting_stiffness(const PadTrial& trial) {
     stiffness += nose_.tip * (series_.slow_curve().at(beyond).stress - columns_.shape[0]) /
                  (change * series_.thickness());
   }
-  const double ratio = columns_.next_moment.stress[0] / columns_.shape[0];
-  return std::max(stiffness * ratio, last_.force / series_.thickness());
+  const LayerColumns::Moment& next = columns_.next_moment;
+  const double ratio = next.stress[0] / columns_.shape[0];
+  // The slow curve of layers that close at a stress with a bound goes on as if there were none.
+  const double most = nose_.area(trial_penetration_) / next.flexibility[0];
+  return std::max(std::min(stiffness * ratio, most), last_.force / series_.thickness());
 }
 
 double LayeredContact::largest_stress(const PadTrial& trial) {

@@ -77,7 +77,12 @@ class LayeredContact {
   };
   template <class Visit>
   void for_each_cell(Visit&& visit) const;
-  [[nodiscard]] double g(std::size_t j, double weight) const;
+  /// g at its ends, Pa m.
+  struct Ends {
+    double inner = 0;
+    double outer = 0;
+  };
+  [[nodiscard]] Ends g(const Cell& cell) const;
   /// A and w there.
   [[nodiscard]] FoamCurve::Point edge_of_contact() const;
   [[nodiscard]] Strain pad_strain(const Shortening& of) const;

@@ -87,6 +87,11 @@ class Foundation {
     return kind_ == Kind::damper ? holding() + damping_ * speed : holding();
   }
 
+  /// Of the pad's `force` at first contact, N: a panel takes it up, but for what it rests on.
+  [[nodiscard]] double transmitted_at_first(double force) const {
+    return kind_ == Kind::panel ? std::min(force * share_of_panel(), holding()) : force;
+  }
+
   /// m, of a support at once.
   [[nodiscard]] double deflection(double force) const {
     return bare_ ? support_.deflection(force) : deflection_at_once(force);
