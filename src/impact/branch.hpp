@@ -14,14 +14,14 @@ struct BranchConditions {
   bool pad_recovers = true;  ///< the pad follows its law back; if not, it holds its deformation
   bool stops_hard = false;   ///< Foundation::stops_hard()
   bool rigid_support = false;
-  bool may_return = false;  ///< the back of the pad may come after the impactor
+  bool back_is_waited_for = false;  ///< it may come after the impactor, or still goes away from it
 };
 
 /// `drive` is that of the state now, m/s. Phase::over: the run ends.
 inline Phase phase_after(Event event, Phase now, double drive, BranchConditions conditions) {
   const Phase by_drive = drive > 0 ? Phase::loading : Phase::unloading;
   switch (event) {
-    case Event::release: return conditions.may_return ? Phase::flight : Phase::over;
+    case Event::release: return conditions.back_is_waited_for ? Phase::flight : Phase::over;
     case Event::parting: return Phase::over;
     case Event::lock: return conditions.stops_hard ? Phase::over : Phase::held;
     case Event::turning:

@@ -2,6 +2,7 @@
 /// The table of events (theory.md, section 4): from which phases, how a trial tells that one has happened,
 /// and on which side of it a step ends.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -104,9 +105,13 @@ inline double support_goes_on(const Sight& s) {
 }
 inline bool is_crushing(const Sight& s) { return s.foundation.is_crushing(s.now.back, s.now.force); }
 inline double is_apart(const Sight& s) { return s.is_pressed ? -1 : 1; }
-/// In flight: by how much the panel can still be faster than what would be waited for.
-inline double return_speed(const Sight& s) {
-  return s.foundation.fastest_return(s.trial.end.back) + s.trial.end.velocity - s.least_return;
+/// In flight: by how much the panel can still be faster than what would be waited for; or than that it still
+/// goes away, when it has not done all yet that it will do to the support.
+inline double speed_to_wait_for(const Foundation& foundation, const State& state, double least) {
+  return std::max(foundation.fastest_return(state.back) + state.velocity, state.back.rate) - least;
+}
+inline double is_waited_for(const Sight& s) {
+  return speed_to_wait_for(s.foundation, s.trial.end, s.least_return);
 }
 inline bool has_not_landed(const Sight& s) { return !has_landed(s); }
 /// In flight: the columns below the nose follow it, and their law has a corner where they turn.
@@ -139,7 +144,8 @@ inline constexpr std::array<EventKind, 13> event_table{{
     {Event::joining, true, false, false, false, event_rules::penetration_to_joint,
      event_rules::is_before_joint, true},
     {Event::rate_corner, true, false, false, false, event_rules::over_rate_corner, event_rules::always, true},
-    {Event::parting, false, false, false, true, event_rules::return_speed, event_rules::has_not_landed, true},
+    {Event::parting, false, false, false, true, event_rules::is_waited_for, event_rules::has_not_landed,
+     true},
     {Event::closing, false, false, false, true, event_rules::speed_apart, event_rules::moves_apart, true},
 }};
 

@@ -128,7 +128,10 @@ class March {
 
   bool limit_is_reached(const Track& track) {
     if (now_.time >= options_.time_limit) {
-      figures_.ending = Ending::time_limit;
+      // What has been left for good is left, though the panel still has to go through its gap.
+      const bool has_left =
+          phase_ == Phase::flight && foundation_.fastest_return(now_.back) + now_.velocity <= least_return();
+      figures_.ending = has_left ? Ending::released : Ending::time_limit;
       return true;
     }
     return track.size() > options_.most_steps || work(track) > most_work_ ||
@@ -163,7 +166,7 @@ class March {
         (contact_.recovers() ? contact_.largest_stress(trial.pad) > 0
                              : trial.end.penetration > (1 + numerics.at_crater) * left_at_);
     Sight sight{phase_, now_, trial, foundation_, contact_.recovers(), corner, joint_, is_pressed};
-    sight.least_return = numerics.least_return * impactor_.speed;
+    sight.least_return = least_return();
     sight.is_closed = now_.penetration >= (1 - numerics.at_joint) * contact_.lock_penetration();
     if constexpr (HasRateCorners<Contact>) {
       // The force may have its peak there; where it does not, a step passes the corner without loss of order.
@@ -365,11 +368,10 @@ class March {
     return {.pad_recovers = contact_.recovers(),
             .stops_hard = foundation_.stops_hard(),
             .rigid_support = foundation_.stands_still(now_.back, now_.force),
-            .may_return = foundation_.swings() && may_return()};
+            .back_is_waited_for = foundation_.swings() &&
+                                  event_rules::speed_to_wait_for(foundation_, now_, least_return()) > 0};
   }
-  [[nodiscard]] bool may_return() const {
-    return foundation_.fastest_return(now_.back) + now_.velocity > numerics.least_return * impactor_.speed;
-  }
+  [[nodiscard]] double least_return() const { return numerics.least_return * impactor_.speed; }
 
   void enter(Phase phase, Ending if_over) {
     const bool was_in_flight = phase_ == Phase::flight;

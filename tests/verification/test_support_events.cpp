@@ -140,6 +140,22 @@ ImpactCase platen_on_panel_in_gap() {
   return impact;
 }
 
+TEST(Panel, GoesAsFarAsItGoesAfterTheImpactorHasLeft) {
+  // Two bodies against each other, elastic; then the heavier one alone through its gap and against the
+  // spring.
+  ImpactCase impact = impact_on(Elastic{.modulus = 3e5}, Support::linear(4e4));
+  impact.impactor = {.mass = 1, .nose = FlatDisc{0.08}, .speed = 3};
+  impact.backing.mass = 4;
+  impact.backing.gap = 0.03;
+  const double panel = 2.0 / 5 * 3, way = panel * std::sqrt(4 / 4e4);
+  const Summary s = solve(impact, {.tolerance = 1e-4}).summary;
+  ASSERT_EQ(s.status, Status::released);
+  EXPECT_NEAR(*s.rebound_speed, 3.0 / 5 * 3, 1e-5);
+  EXPECT_NEAR(s.support->peak_deflection, 0.03 + way, 1e-5 * way);
+  EXPECT_NEAR(*s.support->peak_transmitted, 4e4 * way, 1e-5 * 4e4 * way);
+  EXPECT_LT(std::abs(s.energy.residual), 1e-5 * s.energy.impact);
+}
+
 TEST(Panel, TakesTheFirstForceOfAPadUpByItsInertia) {
   const ImpactCase impact = platen_on_panel_in_gap();
   const double mass = impact.impactor.mass, panel = impact.backing.mass, speed = impact.impactor.speed;

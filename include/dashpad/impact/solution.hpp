@@ -20,7 +20,7 @@ inline constexpr double standard_gravity = 9.80665;
 struct Options {
   double tolerance = 1e-4;           ///< relative error asked for, in [1e-8, 1e-2]
   double time_limit = 10;            ///< s after first contact at which an impact is given up, > 0
-  std::size_t most_steps = 100'000;  ///< of one run; more means that the tolerance cannot be met
+  std::size_t most_steps = 400'000;  ///< of one run; more means that the tolerance cannot be met
   /// Computes column by column, without vectors and short cuts: many times slower, to check the fast path
   /// against.
   bool plain = false;
