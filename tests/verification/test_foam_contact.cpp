@@ -15,6 +15,7 @@
 #include "dashpad/impact/solve.hpp"
 #include "model/contact/foam_contact.hpp"
 #include "property/random_case.hpp"
+#include "shared/run_once.hpp"
 #include "shared/samples.hpp"
 #include "verification/order.hpp"
 
@@ -296,6 +297,24 @@ TEST(FoamContactForce, SeesTheWavesBetweenThePointsOfTestedCurves) {
         EXPECT_LT(relative_error(force_at(resolution), exact), error)
             << count << " points, at a resolution of " << resolution;
     }
+}
+
+/// A pad that a damper stops at once gives way in far less time than the whole takes.
+TEST(FoamOrder, OfTheStepsIsTwoOnADamperAsWell) {
+  for (const double lag : {0.005, 0.05}) {
+    ImpactCase impact;
+    impact.impactor = {.mass = 0.3, .nose = FlatDisc{0.05}, .speed = 7};
+    Foam law = smooth_foam();
+    law.lag_strain = lag;
+    impact.pad.material.law = law;
+    impact.pad.thickness = 0.05;
+    impact.support = Support::linear(4e4);
+    impact.backing.damping = 20;
+    const auto peak_at = [&](double resolution) { return run_once(impact, resolution).figures.peak_force; };
+    const double exact = peak_at(0.0015625);
+    EXPECT_LT(relative_error(peak_at(0.05), exact), 2.5e-4) << "lag strain " << lag;
+    EXPECT_LT(relative_error(peak_at(0.0125), exact), 2e-5) << "lag strain " << lag;
+  }
 }
 
 }  // namespace
