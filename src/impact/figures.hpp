@@ -25,6 +25,8 @@ struct Figures {
   std::optional<Moment> bottomed;
   std::optional<Moment> rest;
   double left_to_sink = 0;  ///< m, of an impactor at rest on a pad that creeps
+  /// Fastest speeds of an impactor that came to rest, m/s: in its last swing, and in the slowest before it.
+  double last_swing = 0, slowest_swing = 0;
   double final_velocity = 0;
   double support_energy = 0;    ///< J, stored at the end
   double support_loss = 0;      ///< J, crushed and damped

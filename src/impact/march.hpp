@@ -307,6 +307,8 @@ class March {
     if (const std::optional<double> left = swing_.rest(before, now_, step, impactor_)) {
       figures_.rest = Moment{now_.time, now_.velocity};
       figures_.left_to_sink = *left;
+      figures_.last_swing = swing_.last();
+      figures_.slowest_swing = swing_.slowest();
       enter(Phase::over, Ending::at_rest);
     }
   }

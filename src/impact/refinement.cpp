@@ -31,6 +31,8 @@ void for_each_number(Visit&& visit, Run&... runs) {
   visit(runs.body_velocity...);
   visit(runs.pad_work...);
   visit(runs.sheet_energy...);
+  visit(runs.last_swing...);
+  visit(runs.slowest_swing...);
   const auto moment = [&](auto&... moments) {
     if (!(moments.has_value() && ...)) return;
     visit(moments->time...);
@@ -181,6 +183,14 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   // The small difference of large numbers has their rounding.
   errors_.energy_absorbed =
       std::max(error(absorbed(now), absorbed(before), absorbed(run), 1), numerics.rounding_of_figures);
+  // Nor is it known what the last swing adds where that is not told from one with more to come.
+  const double slow = numerics.speed_at_rest * speed_;
+  const auto is_beyond = [&](double side, double x, double x_before, double x_run) {
+    return x_run == 0 || side * (x - slow) > std::max(std::abs(x - x_before), std::abs(x - x_run));
+  };
+  if (!is_beyond(-1, now.last_swing, before.last_swing, run.last_swing) ||
+      !is_beyond(1, now.slowest_swing, before.slowest_swing, run.slowest_swing))
+    errors_.energy_absorbed = unknown;
   const double residual = std::abs(absorbed(now) - (now.pad_work + now.sheet_energy) / energy_);
   // The absorbed share, a small difference of large numbers, is held to ten times the tolerance relative to
   // itself, down to a twentieth of the impact energy.

@@ -81,6 +81,9 @@ class StepControl {
         foundation_.kind() == Foundation::Kind::damper || foundation_.is_firm(now.back, now.force);
     if (phase == Phase::loading && firm)
       step = std::min(step, turning_limit(now, predictor, FollowsRate<Contact>));
+    if (phase == Phase::loading && foundation_.kind() == Foundation::Kind::damper && FollowsRate<Contact> &&
+        motion.force_rate() > 0)
+      step = std::min(step, damped_limit(predictor));
     if (phase == Phase::unloading && firm && FollowsRate<Contact> && since_turning > 0)
       step = std::min(step, logarithm_limit(since_turning));
     if (phase == Phase::unloading) {
@@ -133,6 +136,11 @@ class StepControl {
   /// About the turning point the force has the logarithm of the time to it: steps that grow with its root
   /// keep the error of second order.
   [[nodiscard]] double logarithm_limit(double time) const { return std::sqrt(resolution_ * usual_ * time); }
+  /// While the force rises a pad on a damper gives way in a time of its own, far below that of an
+  /// oscillation.
+  [[nodiscard]] double damped_limit(const Predictor& predictor) const {
+    return resolution_ * std::max(numerics.damped * predictor.time_scale(), usual_);
+  }
   /// Where the unloading may end any moment, the pad's rate changes with the square root of the time left.
   [[nodiscard]] double end_of_unloading_limit(const State& now, const Predictor& predictor) const {
     if (now.drive <= 0) return std::numeric_limits<double>::infinity();

@@ -20,11 +20,16 @@ class Swing {
   std::optional<double> rest(double before, const State& now, double step, const Impactor& impactor) {
     const double slow = numerics.speed_at_rest * impactor.speed;
     const bool turns = (before > 0) != (now.velocity > 0);
-    const bool had_little_left = turns_ > 0 && fastest_ < slow;
+    const bool has_swung = turns && turns_ > 0;
+    const double swing = fastest_;
     fastest_ = turns ? std::abs(now.velocity) : std::max(fastest_, std::abs(now.velocity));
     if (turns) ++turns_;
     if (std::abs(now.back.velocity()) > slow || turns_ == 0) return std::nullopt;
-    if (turns && had_little_left) return 0;
+    if (has_swung && swing < slow) {
+      last_ = swing;
+      return 0;
+    }
+    if (has_swung) slowest_ = slowest_ > 0 ? std::min(slowest_, swing) : swing;
     const double weight = impactor.mass * impactor.gravity;
     const bool creeps = std::abs(now.velocity) < numerics.creep_at_rest * impactor.speed &&
                         std::abs(now.force - weight) < numerics.creep_at_rest * weight;
@@ -34,8 +39,15 @@ class Swing {
     return slows > 0 ? now.velocity * now.velocity / slows : std::numeric_limits<double>::infinity();
   }
 
+  /// The fastest speed of the swing with which it came to rest, and of the slowest of all others, m/s; 0:
+  /// there was none.
+  [[nodiscard]] double last() const { return last_; }
+  [[nodiscard]] double slowest() const { return slowest_; }
+
  private:
   double fastest_ = 0;  ///< since the last turn, m/s
+  double last_ = 0;
+  double slowest_ = 0;
   int turns_ = 0;
 };
 

@@ -123,6 +123,20 @@ TEST(FoamSlip, IsExactAtAConstantRate) {
       }
 }
 
+TEST(FoamSlip, IsExactWhereTheRateGoesEvenly) {
+  const SlipScale scale{2.5e-4, 1e-3};
+  for (const double start : {0.0, 2e-4, 2e-3, -2e-3})
+    for (const double from : {0.0, 1e-3, 0.1, 10.0, -0.1, -10.0})
+      for (const double to : {0.0, -1e-3, 0.05, 0.1, 4.0, 10.0, -0.2, -20.0})
+        for (const double lags : {1e-4, 1e-2, 0.5, 3.0, 30.0}) {
+          const double u = std::abs(from) + std::abs(to) + std::abs(scale.slip_rate(start)) + scale.rate;
+          const double time = lags * scale.strain / u;
+          const double expected = slip_by_steps(scale, start, from, to, time);
+          EXPECT_NEAR(scale.after(start, from, to, time), expected, 1e-6 * scale.strain)
+              << "from " << start << " at " << from << " to " << to << " for " << time;
+        }
+}
+
 /// Two parts of a stretch are the whole.
 TEST(FoamSlip, GoesOnFromWhereItIs) {
   for (const SlipScale scale : {SlipScale{2.5e-4, 1e-5}, SlipScale{5e-6, 1e-7}, SlipScale{2.5e-3, 1e-2}})

@@ -254,6 +254,28 @@ TEST(refinement, a_reloading_that_only_one_run_has_asks_for_a_fourth) {
   }
 }
 
+/// Swings this much slower than the speed of rest, or faster, in shares of it; second order.
+TEST(refinement, an_impactor_is_at_rest_only_once_its_last_swing_is_told_from_one_with_more_to_come) {
+  const double slow = numerics.speed_at_rest * impactor.speed;
+  const auto runs_until_settled = [&](double last, double slowest, double error) {
+    Refinement refinement(impactor, 1e-2);
+    for (int k = 0; k < numerics.most_fixed_runs; ++k, error /= 4) {
+      Figures run = figures_with(0);
+      run.ending = Ending::at_rest;
+      run.last_swing = slow * (last - error);
+      run.slowest_swing = slow * (slowest - error);
+      refinement.add(run);
+      EXPECT_EQ(refinement.settled(), std::isfinite(refinement.errors().energy_absorbed)) << k;
+      if (refinement.settled()) return k + 1;
+    }
+    return 0;
+  };
+  EXPECT_EQ(runs_until_settled(0.5, 1.5, 1e-2), 2);
+  EXPECT_GT(runs_until_settled(0.999, 1.5, 1e-2), 2);
+  EXPECT_GT(runs_until_settled(0.5, 1.001, 1e-2), 2);
+  EXPECT_EQ(runs_until_settled(1.001, 1.5, 1e-2), 0) << "all runs would have to end a swing later";
+}
+
 TEST(refinement, does_not_settle_while_energy_is_missing) {
   Refinement refinement(impactor, 1e-3);
   for (int k = 0; k < numerics.most_fixed_runs; ++k) {

@@ -9,11 +9,13 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dashpad/impact/solve.hpp"
 #include "model/contact/foam_contact.hpp"
 #include "property/random_case.hpp"
+#include "shared/run_once.hpp"
 #include "shared/samples.hpp"
 #include "verification/order.hpp"
 
@@ -267,6 +269,51 @@ TEST(FoamOrder, OfThePanelsIsThatOfTheSteps) {
     EXPECT_LT(coarse, 1e-5);
     EXPECT_GT(coarse, 0) << "no panel was needed";
     EXPECT_LT(error_at(law, 0.001, back), coarse / 50);
+  }
+}
+
+/// Between the points of a tested curve the ratio to the base curve waves; panels as wide as some of the
+/// waves see them by chance.
+TEST(FoamContactForce, SeesTheWavesBetweenThePointsOfTestedCurves) {
+  const Sections nose = Sphere{0.08}.sections();
+  for (const bool linear : {true, false})
+    for (const int count : {12, 20}) {
+      Foam law = smooth_foam();
+      const auto& base = std::get<GibsonAshbyCurve>(law.curves.base);
+      TableCurve points;
+      for (int i = 1; i <= count; ++i) {
+        const double strain = base.highest_strain * i * i / (count * count);
+        points.strain.push_back(strain);
+        points.stress.push_back(1.5 * base.stress(strain));
+      }
+      law.curves.rate_effect = CurvesRateEffect{{{100, points}}, linear};
+      const auto force_at = [&](double resolution) {
+        FoamContact contact(law, thickness, nose);
+        contact.start(resolution, thickness);
+        return contact.trial(0.6 * thickness, 0, 0.01).force;
+      };
+      const double exact = force_at(1e-6);
+      for (const auto& [resolution, error] : {std::pair{0.05, 6e-6}, {0.0125, 1e-6}})
+        EXPECT_LT(relative_error(force_at(resolution), exact), error)
+            << count << " points, at a resolution of " << resolution;
+    }
+}
+
+/// A pad that a damper stops at once gives way in far less time than the whole takes.
+TEST(FoamOrder, OfTheStepsIsTwoOnADamperAsWell) {
+  for (const double lag : {0.005, 0.05}) {
+    ImpactCase impact;
+    impact.impactor = {.mass = 0.3, .nose = FlatDisc{0.05}, .speed = 7};
+    Foam law = smooth_foam();
+    law.lag_strain = lag;
+    impact.pad.material.law = law;
+    impact.pad.thickness = 0.05;
+    impact.support = Support::linear(4e4);
+    impact.backing.damping = 20;
+    const auto peak_at = [&](double resolution) { return run_once(impact, resolution).figures.peak_force; };
+    const double exact = peak_at(0.0015625);
+    EXPECT_LT(relative_error(peak_at(0.05), exact), 2.5e-4) << "lag strain " << lag;
+    EXPECT_LT(relative_error(peak_at(0.0125), exact), 2e-5) << "lag strain " << lag;
   }
 }
 

@@ -123,6 +123,9 @@ class FoamStress {
     return at.even && !has_tested_way_back_;
   }
 
+  /// Whether the ratio goes through the points of tested curves.
+  [[nodiscard]] bool has_points() const { return has_tested_way_back_ || overstress_.has_points(); }
+
   [[nodiscard]] const FoamCurve& curve() const { return curve_; }
   [[nodiscard]] const Overstress& overstress() const { return overstress_; }
   [[nodiscard]] const SlipScale& slip() const { return slip_; }

@@ -42,6 +42,8 @@ class Overstress {
   [[nodiscard]] double strain_of_corner() const {
     return kind_ == Kind::power && exponent_slope_ < 0 ? -exponent_ / exponent_slope_ : 0;
   }
+  /// Whether it follows tested curves from point to point.
+  [[nodiscard]] bool has_points() const { return !tables_.empty(); }
   /// The highest tested rate below a slip rate, 1/s, at which q has a corner; 0: none.
   [[nodiscard]] double corner_below(double slip_rate) const;
   [[nodiscard]] Value of(const AtRate& rate, double strain, CellPlace place) const {

@@ -4,11 +4,19 @@
 ///   dg/dt = rate - u,   u = u0 (exp(|g| / c) - 1) sgn g                          (theory.md, Eq. 34)
 ///
 /// g is the elastic strain of the rate's stress, the same for all columns below a nose. c is a twentieth of
-/// the lag strain, u0 a thousandth of the slowest tested rate. At a constant rate the equation is linear in
-/// exp(-|g| / c), and its solution exact. Rates in 1/s.
+/// the lag strain, u0 a thousandth of the slowest tested rate. The equation is linear in z = exp(-|g| / c),
+/// and its solution exact while the rate goes evenly from one value to another. Rates in 1/s.
+
+// Boost 1.74 calls isnan without a namespace.
+#include <math.h>  // NOLINT(modernize-deprecated-headers)
 
 #include <algorithm>
+#include <array>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
 
 namespace dashpad {
 
@@ -34,9 +42,7 @@ struct SlipScale {
 
   /// g after a time at a constant strain rate.
   [[nodiscard]] double after(double g, double strain_rate, double time) const {
-    State state = state_of(g);
-    advance(state, strain_rate, time);
-    return strain_of(state);
+    return after(g, strain_rate, strain_rate, time);
   }
   /// The same while the rate goes evenly from one value to another.
   [[nodiscard]] double after(double g, double from_rate, double to_rate, double time) const {
@@ -52,60 +58,78 @@ struct SlipScale {
     return after(state, 2 * mean_rate - at_end, at_end, time);
   }
   [[nodiscard]] State after(State state, double from_rate, double to_rate, double time) const {
-    if (state.z == 1) state.side = from_rate < 0 ? -1 : 1;
-    const double from = state.side * from_rate + rate;
-    const double to = state.side * to_rate + rate;
-    const double change = strain * (to - from) / time;
-    constexpr double most = 0.01;
-    if (std::min(from, to) >= rate && std::abs(change) <= most * std::min(from * from, to * to)) {
-      const double z = following(to, change) +
-                       (state.z - following(from, change)) * std::exp(-(from + to) / 2 * time / strain);
-      return {std::min(z, 1.0), state.side};
+    if (!(time > 0)) return state;
+    const auto rate_at = [&](double t) { return from_rate + (to_rate - from_rate) * (t / time); };
+    if (from_rate * to_rate < 0) {
+      const double turn = from_rate / (from_rate - to_rate) * time;
+      return after(after(state, from_rate, 0, turn), 0, to_rate, time - turn);
     }
-    return after_parts(state, from_rate, to_rate, time);
+    const double direction = from_rate + to_rate;
+    if (state.z == 1) state.side = direction < 0 ? -1 : 1;
+    const double z = followed(state, from_rate, to_rate, time);
+    if (z <= 1 || state.side * direction >= 0) return {std::min(z, 1.0), state.side};
+    // g comes to 0 on the way, and goes on to the other side.
+    const auto over = [&](double t) { return std::log(followed(state, from_rate, rate_at(t), t)); };
+    std::uintmax_t most = 100;
+    const double zero = boost::math::tools::toms748_solve(over, 0.0, time, std::log(state.z), std::log(z),
+                                                          boost::math::tools::eps_tolerance<double>(30), most)
+                            .second;
+    state = {1, -state.side};
+    return {std::min(followed(state, rate_at(zero), to_rate, time - zero), 1.0), state.side};
   }
 
  private:
-  /// Where the pull changes little while z follows it, z is a series in that change, but for what it was
-  /// before, which dies away: z = u0 / pull int exp(-y + x y^2 / 2) dy over y > 0.
-  [[nodiscard]] double following(double pull, double change) const {
-    const double x = change / (pull * pull);
-    return rate / pull * (1 + x * (1 + x * (3 + x * (15 + x * 105))));
+  /// z where dz/dt = (u0 - pull z) / c with pull = side rate + u0; above 1 once g has come to 0.
+  [[nodiscard]] double followed(State state, double from_rate, double to_rate, double time) const {
+    const double from = state.side * from_rate + rate;
+    const double to = state.side * to_rate + rate;
+    if (from * to >= 0) return followed(state.z, from, to, time);
+    const double share = from / (from - to);
+    return followed(followed(state.z, from, 0, share * time), 0, to, (1 - share) * time);
   }
-  /// In parts of a constant rate. In a time that is long against the lag the last ones are short, so that g
-  /// follows the rate to its end.
-  [[nodiscard]] State after_parts(State state, double from_rate, double to_rate, double time) const {
-    const double change = (to_rate - from_rate) / 2;
-    const double shortest = 0.25 * strain / (std::abs(from_rate) + std::abs(to_rate) + rate);
-    double left = time;
-    while (left > shortest && left > time / 512) {
-      advance(state, from_rate + change * left / 2 / time, left / 2);
-      left /= 2;
-      from_rate += change * 2 * left / time;
+  /// The same for pulls of one sign.
+  [[nodiscard]] double followed(double z, double from, double to, double time) const {
+    const double lags = (from + to) / 2 * time / strain;
+    const double change = (to - from) * time / strain;
+    constexpr double most_growth = 600;  // a double holds it
+    const double left = std::exp(std::min(-lags, most_growth));
+    if (std::abs(lags) < 1e-3)
+      return z * left + rate * time / strain * (1 - lags / 2 + lags * lags / 6 - change / 12);
+    const double growth = strain * (to - from) / time;
+    const double sign = lags < 0 ? -1 : 1;
+    return steady(to, growth, sign) + (z - steady(from, growth, sign)) * left;
+  }
+  /// A solution z of that equation for a pull that grows by growth / c in a time: the one that follows the
+  /// pull where that changes little over a lag. `sign`: of all pulls of a step.
+  [[nodiscard]] double steady(double pull, double growth, double sign) const {
+    constexpr double little = 0.01;
+    if (std::abs(growth) <= little * pull * pull) {
+      // u0 / pull int exp(-y + x y^2 / 2) dy over y > 0
+      const double x = growth / (pull * pull);
+      return rate / pull * (1 + x * (1 + x * (3 + x * (15 + x * 105))));
     }
-    advance(state, (from_rate + to_rate) / 2, left);
-    return state;
+    const double unit = sign * std::sqrt(2 * std::abs(growth));
+    const double x = pull / unit;
+    if (growth > 0) return 2 * rate / unit * dawson(x);
+    return rate / (unit * std::numbers::inv_sqrtpi) * std::exp(x * x) * std::erfc(x);
   }
-
-  /// dz/dt = (u0 - pull z) / c with pull = side rate + u0.
-  void advance(State& state, double strain_rate, double time) const {
-    if (state.side * strain_rate < 0) {
-      const double crossing = time_to_zero(state.z, state.side * strain_rate + rate);
-      if (crossing < time) {
-        time -= crossing;
-        state = {1, -state.side};
-      }
+  /// exp(-x^2) int exp(y^2) dy from 0 to x >= 0, to 2e-7: Rybicki's sum over odd multiples of h.
+  [[nodiscard]] static double dawson(double x) {
+    constexpr double h = 0.4;
+    constexpr std::array weights{0.85214378896621135,    0.23692775868212165,    0.018315638888734179,
+                                 0.00039366904065507759, 2.3525752000097709e-06, 3.90893843426485e-09};
+    const double even = 2 * std::floor(x / (2 * h) + 0.5);
+    const double off = x - even * h;
+    double power = std::exp(2 * off * h);
+    const double square = power * power;
+    double sum = 0;
+    double odd = 1;
+    for (const double weight : weights) {
+      sum += weight * (power * power * (even - odd) + even + odd) / ((even * even - odd * odd) * power);
+      power *= square;
+      odd += 2;
     }
-    const double pull = state.side * strain_rate + rate;
-    const double exponent = pull * time / strain;
-    state.z = std::abs(exponent) < 1e-8 ? state.z + (rate - pull * state.z) * time / strain
-                                        : rate / pull + (state.z - rate / pull) * std::exp(-exponent);
-    state.z = state.z < 1 ? state.z : 1;
-  }
-  /// From z to 1, for a pull below u0.
-  [[nodiscard]] double time_to_zero(double z, double pull) const {
-    if (std::abs(pull) < 1e-9 * rate) return (1 - z) * strain / rate;
-    return strain / pull * std::log((pull * z - rate) / (pull - rate));
+    return std::numbers::inv_sqrtpi * std::exp(-off * off) * sum;
   }
 };
 
