@@ -1,5 +1,5 @@
-/// The solver against the oracle of the tests (oracle/any_impact.hpp, and oracle/cvode_impact.hpp for laws 4
-/// and 5), which shares nothing with it but the numbers of the case, over random cases.
+/// The solver against the oracle of the tests (oracle/any_impact.hpp), which shares nothing with it but the
+/// numbers of the case, over random cases.
 ///
 ///   compare_with_oracle --kind practice --cases 200 --tolerance 1e-4
 ///
@@ -26,7 +26,6 @@
 #include "dashpad/impact/blows.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "oracle/any_impact.hpp"
-#include "oracle/cvode_impact.hpp"
 
 namespace dashpad::test {
 namespace {
@@ -38,28 +37,6 @@ struct Settings : CaseSettings {
   oracle::AnyOptions oracle;
   std::string file;
 };
-
-/// Laws 4 and 5 below a sphere on a plain support: what the oracle of these is for.
-bool is_of_report(const ImpactCase& impact) {
-  const PadLaw& law = impact.pad.material.law;
-  const bool is_plain = impact.backing == Backing{} && !impact.support.is_rigid() &&
-                        impact.impactor.gravity == 0 && impact.pad.sheet == 0 && !impact.pad.area;
-  return is_plain && impact.pad.layers.empty() && std::holds_alternative<Sphere>(impact.impactor.nose) &&
-         (std::holds_alternative<NineParameter>(law) || std::holds_alternative<TwentyOneParameter>(law));
-}
-
-oracle::AnyImpact report_law(const ImpactCase& impact) {
-  const oracle::CvodeImpact of = oracle::solve_with_cvode(impact);
-  oracle::AnyImpact answer;
-  answer.ending = of.ending == oracle::Ending::released       ? Ending::released
-                  : of.ending == oracle::Ending::bottomed_out ? Ending::bottomed_out
-                                                              : Ending::failed;
-  answer.peak_force = of.peak_force, answer.peak_motion = of.peak_motion;
-  answer.peak_penetration = of.peak_penetration;
-  if (of.release) answer.rebound_speed = std::fmax(-of.release->velocity, 0);
-  answer.force_below_weight = of.weight, answer.contact_end = of.contact_end, answer.bottomed = of.bottomed;
-  return answer;
-}
 
 /// The oracle may itself be off by so much of the tolerance.
 constexpr double own_error = 0.1;
@@ -125,8 +102,7 @@ class Comparison {
       std::optional<oracle::AnyImpact> truth;
       std::string why_not;
       try {
-        truth = is_of_report(blow.impact) ? report_law(blow.impact)
-                                          : oracle::solve_any(blow.impact, settings_.oracle);
+        truth = oracle::solve_any(blow.impact, settings_.oracle);
       } catch (const std::invalid_argument& error) {
         why_not = error.what();
       }
