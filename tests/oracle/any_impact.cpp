@@ -234,12 +234,15 @@ AnyImpact solve_any(const ImpactCase& impact, const AnyOptions& options) {
       std::holds_alternative<ViscoelasticFoam>(law) || std::holds_alternative<LinearViscoelastic>(law) ||
       std::holds_alternative<NineParameter>(law) || std::holds_alternative<TwentyOneParameter>(law);
   AnyOptions rough = options;
-  rough.relative = 1e-5;
+  rough.relative = 1e-5, rough.most_seconds /= 4;
   const bool has_side = outline_of(impact.impactor.nose, impact.pad.area).end > 0;
-  if (impact.pad.layers.empty() ? by_columns : has_side)
-    deepest = std::fmin(1.02 * Impact(impact, deepest, rough).way_in(), deepest);
+  if (impact.pad.layers.empty() ? by_columns : has_side) {
+    const double reached = Impact(impact, deepest, rough).way_in();
+    deepest = std::fmin(1.02 * reached, (reached + deepest) / 2);
+  }
   AnyOptions last = options;
-  if (!impact.pad.layers.empty() && has_side) last.relative *= 100;  // many columns with a kink each
+  if (!impact.pad.layers.empty() && has_side)  // many columns with kinks
+    last.relative *= 100, last.most_steps *= 4;
   return Impact(impact, deepest, last).run();
 }
 

@@ -25,7 +25,7 @@ class LawLoading {
         nose_(nose),
         thickness_(thickness),
         fineness_(fineness),
-        grid_(40 + 8 * fineness, {std::clamp(gap, 1e-5, 0.02), 5}),
+        grid_(40 + 8 * fineness, {std::clamp(4 * gap, 1e-5, 0.02), 5}),
         inner_(nose.end > 0 ? grid_.points.size() - 1 : 1) {
     for (std::size_t i = 0; i < inner_; ++i) {
       log_rest_.push_back(std::log(grid_.points[i].rest));
