@@ -12,7 +12,8 @@
 ///
 ///   c dv/dt = c (dV/dt - dvb/dt) + Fs' (V - vb - v) - dF/dt(v)
 ///
-/// and they turn where that is below 0 at v = 0 (Eqs. 26 and 78), to the fastest speed back that there is.
+/// or, below 1e-11 of the impact speed, the v at which that is 0; and they turn where it is below 0 at v = 0
+/// (Eqs. 26 and 78), to the fastest speed back that there is.
 ///
 /// All noses, areas of the pad, laws, layers, earlier blows, sheets, gravity. Layers on a support without
 /// mass and damper lie on a damper of a millionth of its stiffness times thickness over speed. Not covered: a

@@ -56,7 +56,7 @@ class AnyMotion : public OdeSystem {
     if (pad_->has_rates()) slope[depth] = creeps_ ? closing : 0;
     if (pad_->has_rates())
       slope[log_speed] =
-          creeps_ && kind_ == Kind::damper
+          creeps_ && kind_ == Kind::damper && !is_in_balance(state)
               ? pace_.way() *
                     pace_.surplus(state[log_speed], pace_.way(), gain(state, now), support_slope()) /
                     (footing_.damping() * std::fabs(closing))
@@ -188,7 +188,7 @@ class AnyMotion : public OdeSystem {
   /// dY/dt; on a massless support from d(F - Fs)/dt = 0.
   [[nodiscard]] double closing_speed(const double* state, const Now& now) {
     const double approach = this->approach(state);
-    if (creeps_ && !stands_ && kind_ == Kind::at_once)
+    if (creeps_ && !stands_ && (kind_ == Kind::at_once || is_in_balance(state)))
       return pace_.balanced(gain(state, now), support_slope());
     if (kind_ != Kind::at_once || stands_) return approach - now.rate;
     if (footing_.is_rigid() || now.x <= 0) return approach;
@@ -207,6 +207,10 @@ class AnyMotion : public OdeSystem {
     return (stiffness * approach - by_time) / (stiffness + std::fmax(by_way, 0));
   }
 
+  /// On a damper, so slow that it follows the balance at once.
+  [[nodiscard]] bool is_in_balance(const double* state) const {
+    return kind_ == Kind::damper && pace_.way() > 0 && state[log_speed] < std::log(1e-11 * speed_);
+  }
   [[nodiscard]] bool is_on_curve() const { return crushes_on_ || !footing_.crushes(); }
   /// The slope of the support the way it goes, N/m.
   [[nodiscard]] double support_slope() const {
@@ -281,7 +285,8 @@ class AnyMotion : public OdeSystem {
     if (sheet_ == 0) return gravity_ - force / mass_;
     double drag = 0;
     if (now.y >= pad_->largest() && now.y > 0 && now.y < pad_->nose().end) {
-      const double closing = std::fmax(closing_speed(state, now), 0);
+      const bool by_damper = kind_ == Kind::damper;
+      const double closing = std::fmax(by_damper ? approach(state) - now.rate : closing_speed(state, now), 0);
       drag = sheet_ * pad_->nose().widening(now.y) * closing * closing;
     }
     return (mass_ * gravity_ - force - drag) / (mass_ + sheet_ * now.pad.area);

@@ -25,7 +25,7 @@ class LawUnloading {
                double deepest)
       : law_(law), nose_(nose), thickness_(thickness), turned_(turned) {
     const double first = std::fmin(nose.end, turned), last = std::fmin(nose.end, deepest);
-    const int cells = first > 0 ? 200 * fineness : 0,
+    const int cells = first > 0 ? 320 * fineness : 0,
               more = last > first ? static_cast<int>(300 * fineness * (1 - first / last)) + 8 : 0;
     const Grading grading{std::clamp((thickness - turned) / turned, 1e-6, 0.02), 3};
     for (int i = 0; i <= cells + more; ++i)
