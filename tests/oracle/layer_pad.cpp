@@ -43,7 +43,7 @@ class LayerPad final : public PadModel {
     moments_.resize(depth_.size());
   }
   [[nodiscard]] std::size_t unknowns() const override { return depth_.size() * layers_.count(); }
-  [[nodiscard]] bool needs_speed() const override { return true; }
+  [[nodiscard]] bool needs_speed() const override { return depth_.size() > 1; }
   [[nodiscard]] Pressed pressed(double y, const double* memory, bool with_area) const override {
     look(y, memory);
     Pressed all;
