@@ -3,14 +3,22 @@
 /// from theory.md alone (Eqs. 1 to 6, 41 to 43, 61 to 64, 71, 76), on CVODE. Clear rather than fast.
 ///
 ///   (M + m) dV/dt = M g - F - D,  F = F(Y, what the pad remembers)
-///   massless support:  Y is the root of F(Y) = Fs(X - Y - xb)
+///   massless support:  Y is the root of F(Y) = Fs(X - Y - xb); laws 4 and 5: dY/dt is that of dF/dt = dFs/dt
 ///   with a damper:     c dx/dt = F - Fs(x),          Y = X - x - xb
 ///   with a panel:      m d2(x + xb)/dt2 = F - T,     T = Fs(x) + c dx/dt,  Mb d2xb/dt2 = T
 ///
-/// All noses, areas of the pad, laws, layers below a flat face, earlier blows, sheets, gravity. Not covered:
-/// laws 4 and 5 on a support without mass (cvode_impact.hpp has them below a sphere on a spring), layers
-/// below a nose with a side, a panel under preload on a free body, what comes after a pad is fully
-/// compressed.
+/// Laws 4 and 5 hardly move on a damper while they turn; from a thousandth of the impact speed on what is
+/// integrated is the logarithm of their speed v,
+///
+///   c dv/dt = c (dV/dt - dvb/dt) + Fs' (V - vb - v) - dF/dt(v)
+///
+/// or, below 1e-11 of the impact speed, the v at which that is 0; and they turn where it is below 0 at v = 0
+/// (Eqs. 26 and 78), to the fastest speed back that there is.
+///
+/// All noses, areas of the pad, laws, layers, earlier blows, sheets, gravity. Layers on a support without
+/// mass and damper lie on a damper of a millionth of its stiffness times thickness over speed. Not covered: a
+/// panel under preload on a free body, what comes after a pad is fully compressed, and laws 4 and 5 that load
+/// again on a support without mass and damper, or are met again where the nose had left them.
 
 #include <optional>
 

@@ -28,6 +28,7 @@ class Footing {
   }
   [[nodiscard]] bool is_rigid() const { return points_.size() == 1; }
   [[nodiscard]] double damping() const { return damping_; }
+  void set_damping(double damping) { damping_ = damping; }
   [[nodiscard]] bool crushes() const { return backing_.unloading_stiffness > 0; }
 
   /// Fs, N, and its slope, N/m, at the deflection x.
@@ -39,6 +40,18 @@ class Footing {
   [[nodiscard]] double slope(double x) const {
     const double z = x + offset_;
     return z >= yield_ || !crushes() ? slope_at(z) : backing_.unloading_stiffness;
+  }
+  /// x at a force that it has not had before, m.
+  [[nodiscard]] double deflection_at(double force) const { return deflection(force) - offset_; }
+  /// By the number of the straight piece of the curve that is in force: the slope, N/m, and how far it goes
+  /// on up and down, m.
+  [[nodiscard]] std::size_t piece(double x) const { return segment(x + offset_); }
+  [[nodiscard]] double slope_of(std::size_t piece) const { return slope_at(points_[piece].deflection); }
+  [[nodiscard]] double up(std::size_t piece, double x) const {
+    return piece + 2 < points_.size() ? points_[piece + 1].deflection - offset_ - x : 1;
+  }
+  [[nodiscard]] double down(std::size_t piece, double x) const {
+    return piece > 0 ? x + offset_ - points_[piece].deflection : 1;
   }
   /// The end of a step, and where the support turns.
   void reached(double x) { yield_ = std::fmax(yield_, x + offset_); }

@@ -1,118 +1,89 @@
 #include "oracle/law_pad.hpp"
 
-#include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "oracle/law_formulas.hpp"
+#include "oracle/law_loading.hpp"
+#include "oracle/law_unloading.hpp"
+#include "oracle/speed_root.hpp"
 
 namespace dashpad::oracle {
 namespace {
 
-/// Until the pad first turns what is remembered is the stress over A, which is smooth where a column is just
-/// touched; from then on the stress.
+/// Until the pad first turns what is remembered is the stress over A, from then on the stress.
 template <class Formulas>
 class LawPad final : public PadModel {
  public:
   LawPad(const Formulas& law, Outline nose, double thickness, int fineness, double deepest)
-      : PadModel(std::move(nose), thickness, fineness), law_(law), scale_(law.edge(law.at_rate(0))) {
-    const int cells = 160 * fineness;
-    const double last = std::fmin(this->nose().end, deepest);
-    const int count = last > 0 ? cells : 0;
-    for (int i = 0; i <= count; ++i) {
-      // Close at both ends: the axis closes, and at the edge the stress is a power of the depth.
-      depth_.push_back(count > 0 ? last * (1 - std::cos(std::numbers::pi * i / count)) / 2 : 0);
-      area_.push_back(this->nose().area(depth_.back()));
-    }
+      : PadModel(std::move(nose), thickness, fineness),
+        law_(law),
+        scale_(law.edge(law.at_rate(0))),
+        deepest_(deepest),
+        loading_(law, this->nose(), thickness, fineness, 1 - deepest / thickness) {}
+  [[nodiscard]] std::size_t unknowns() const override {
+    return back_ ? back_->depths().size() : loading_.unknowns();
   }
-  [[nodiscard]] std::size_t unknowns() const override { return depth_.size(); }
   [[nodiscard]] bool needs_speed() const override { return true; }
+  [[nodiscard]] bool has_rates() const override { return true; }
   double begin(double* memory, double speed) override {
-    std::fill_n(memory, depth_.size(), law_.edge(law_.at_rate(speed / thickness())));
-    return 0;
+    std::fill_n(memory, unknowns(), law_.edge(law_.at_rate(speed / thickness())));
+    return 1e-9 * thickness();
   }
-  void turned(double y, double* memory) override {
-    if (turned_) return;
-    turned_ = true;
-    for (std::size_t j = 0; j < depth_.size(); ++j)
-      memory[j] = y > depth_[j] ? memory[j] * point(y, depth_[j]).shape : 0;
+  [[nodiscard]] std::vector<double> turned(double y, const double* memory) override {
+    if (back_) return {};
+    back_.emplace(law_, nose(), thickness(), fineness(), y, std::fmax(y, deepest_));
+    std::vector<double> stresses;
+    for (const double depth : back_->depths()) stresses.push_back(loading_.stress(y, depth, memory));
+    return stresses;
   }
-  [[nodiscard]] Pressed pressed(double y, const double* memory, bool with_area) const override {
-    if (turned_) return by_stresses(y, memory);
-    return pressed_by(
-        nose(), y, thickness(), {}, true, with_area, fineness(), [&](double strain, double complement) {
-          if (strain <= 0) return 0.0;
-          const double depth = y - strain * thickness();
-          const auto [j, share] = between(depth_, depth);
-          const double ratio = share > 0 ? memory[j] + share * (memory[j + 1] - memory[j]) : memory[j];
-          return strain_point(strain, complement, law_.m(), law_.n()).shape * ratio;
-        });
+  [[nodiscard]] Pressed pressed(double y, const double* memory, bool) const override {
+    if (!(y > 0)) return {0, 0, std::min(y / thickness(), -1e-300)};
+    if (back_) return back_->pressed(y, memory);
+    loading_.prepare(y, memory, {});
+    return {loading_.force(), nose().area(y), loading_.stress(y, 0, memory)};
   }
   void rates(double y, double speed, double time, const double* memory, double* slope) const override {
-    const auto rate = law_.at_rate(turned_ ? speed / thickness() : std::fmax(speed, 0) / thickness());
-    for (std::size_t j = 0; j < depth_.size(); ++j)
-      slope[j] = turned_ ? rate_of_stress(y, depth_[j], rate, time, memory[j])
-                         : rate_of_ratio(y, depth_[j], rate, time, memory[j]);
+    if (back_) {
+      back_->prepare(y, largest(), time);
+      const auto rate = law_.at_rate(speed / thickness());
+      for (std::size_t j = 0; j < unknowns(); ++j) slope[j] = back_->rate(j, rate, memory);
+    } else {
+      loading_.rates(y, time, law_.at_rate(std::fmax(speed, 0) / thickness()), memory, slope);
+    }
   }
-  void allowances(double relative, double* allowance) const override {
-    std::fill_n(allowance, unknowns(), relative * scale_);
+  void prepare(double y, double time, const double* memory) const override {
+    memory_ = memory;
+    if (back_)
+      back_->prepare(y, largest(), time);
+    else
+      loading_.prepare(y, memory, time);
+  }
+  [[nodiscard]] double force_rate(double log_speed, int way) const override {
+    const double speed = log_speed <= log_of_no_speed ? 0 : std::exp(log_speed);
+    const auto rate = speed == 0 ? law_.at_rate(0)
+                      : way > 0  ? law_.at_rate(speed / thickness(), log_speed - std::log(thickness()))
+                                 : law_.at_rate(-speed / thickness());
+    return back_ ? back_->force_rate(rate, memory_) : loading_.force_rate(rate, way * speed);
+  }
+  void allowances(double relative, const double* memory, double* allowance) const override {
+    constexpr double let_go = 1e4;  // less of columns that have
+    for (std::size_t j = 0; j < unknowns(); ++j)
+      allowance[j] = !back_ || memory[j] > 0 ? relative * scale_ : let_go * relative * scale_;
+  }
+
+ protected:
+  void remember(double y, const double*) override {
+    if (back_) back_->note(y);
   }
 
  private:
-  using Rate = typename Formulas::Rate;
-  static constexpr double least = 1e-4;  ///< strain from which on a column counts as touched
-
-  [[nodiscard]] StrainPoint point(double y, double depth) const {
-    const double strain = std::fmax((y - depth) / thickness(), 1e-9);
-    return strain_point(strain, (thickness() - y + depth) / thickness(), law_.m(), law_.n());
-  }
-  [[nodiscard]] double rate_of_ratio(double y, double depth, const Rate& rate, double time,
-                                     double ratio) const {
-    const double edge = law_.edge(rate);
-    if (y <= depth) return (edge - ratio) * std::fabs(rate.rate) / least;
-    const StrainPoint at = point(y, depth);
-    const double steep = std::fmin(at.log_slope, 1 / least);
-    return (edge - ratio) * steep * rate.rate +
-           law_.regular(at, law_.at_strain(at), rate, ratio, relaxation(time, at));
-  }
-  [[nodiscard]] double rate_of_stress(double y, double depth, const Rate& rate, double time,
-                                      double stress) const {
-    if (y <= depth) return 0;
-    const StrainPoint at = point(y, depth);
-    const double before = (largest() - depth) / thickness();
-    const Envelope envelope = law_.envelope(at, law_.at_strain(at), rate, before);
-    // A column that has let go does not press again of itself (Eq. 7).
-    if (stress <= 0 && envelope.value < 0) return 0;
-    return law_.envelope_rate(envelope, rate) + relaxation(time, at) * (envelope.value - stress);
-  }
-  [[nodiscard]] double relaxation(double time, const StrainPoint& at) const {
-    return law_.relaxation(std::fmax(time, 1e-9), at.strain);
-  }
-  [[nodiscard]] Pressed by_stresses(double y, const double* memory) const {
-    if (y <= 0) return {0, 0, std::min(y / thickness(), -1e-300)};
-    Pressed all;
-    double here = memory[0];
-    all.most = here;
-    if (nose().tip > 0 && here > 0) all.force = nose().tip * here, all.area = nose().tip;
-    for (std::size_t j = 0; j + 1 < depth_.size() && depth_[j] < y; ++j) {
-      const double share = std::fmin((y - depth_[j]) / (depth_[j + 1] - depth_[j]), 1);
-      const double next = share < 1 ? 0 : memory[j + 1], met = share * (area_[j + 1] - area_[j]);
-      all.most = std::fmax(all.most, next);
-      if (here > 0 && next > 0)
-        all.force += met * (here + next) / 2, all.area += met;
-      else if (here > 0 || next > 0) {
-        const double part = std::fmax(here, next) / (std::fabs(here) + std::fabs(next));
-        all.force += met * part * std::fmax(here, next) / 2, all.area += met * part;
-      }
-      here = next;
-    }
-    return all;
-  }
-
   Formulas law_;
-  double scale_;
-  std::vector<double> depth_, area_;
-  bool turned_ = false;
+  double scale_, deepest_;
+  mutable LawLoading<Formulas> loading_;
+  mutable std::optional<LawUnloading<Formulas>> back_;
+  mutable const double* memory_ = nullptr;
 };
 
 }  // namespace

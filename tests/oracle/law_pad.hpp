@@ -1,6 +1,7 @@
 #pragma once
-/// Laws 4 and 5 in the general oracle, where the support tells how fast the pad is pressed: rigid, damped or
-/// with a panel. Columns at fixed depths follow the rate form of law_formulas.hpp.
+/// Laws 4 and 5 in the general oracle: columns that follow the rate form of law_formulas.hpp, at fixed shares
+/// of the contact until the pad turns (law_loading.hpp) and at fixed depths from there on
+/// (law_unloading.hpp).
 
 #include <memory>
 

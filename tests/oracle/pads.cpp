@@ -111,7 +111,9 @@ class FoamPad final : public PadModel {
   void rates(double y, double, double, const double* memory, double* slope) const override {
     slope[0] = slip_rate(y, memory);
   }
-  void allowances(double relative, double* allowance) const override { allowance[0] = relative * law_.lag(); }
+  void allowances(double relative, const double*, double* allowance) const override {
+    allowance[0] = relative * law_.lag();
+  }
   [[nodiscard]] double little() const override { return 1e-3 * law_.lag() * thickness(); }
 
  private:
@@ -160,7 +162,7 @@ class MaxwellPad final : public PadModel {
         slope[i * depth_.size() + j] = (lasting - memory[i * depth_.size() + j]) / branches_[i].time;
     }
   }
-  void allowances(double relative, double* allowance) const override {
+  void allowances(double relative, const double*, double* allowance) const override {
     std::fill_n(allowance, unknowns(), relative * lasting_(0.3));
   }
 
@@ -228,7 +230,7 @@ struct Maker {
 std::unique_ptr<PadModel> pad_model(const ImpactCase& impact, double deepest, int fineness) {
   const Pad& pad = impact.pad;
   Outline nose = outline_of(impact.impactor.nose, pad.area);
-  if (!pad.layers.empty()) return layer_pad(pad, std::move(nose), fineness);
+  if (!pad.layers.empty()) return layer_pad(pad, std::move(nose), fineness, deepest);
   return std::visit(Maker{impact, std::move(nose), deepest, fineness},
                     scaled(pad.material.law, stress_factor(pad.condition, pad.material)));
 }

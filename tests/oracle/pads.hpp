@@ -40,10 +40,16 @@ class PadModel {
   virtual void rates(double /*y*/, double /*speed*/, double /*time*/, const double* /*memory*/,
                      double* /*slope*/) const {}
   [[nodiscard]] virtual bool needs_speed() const { return false; }
-  /// Where the pad turns.
-  virtual void turned(double /*y*/, double* /*memory*/) {}
+  /// Whether it is laws 4 and 5, whose stress has a rate that depends on the speed.
+  [[nodiscard]] virtual bool has_rates() const { return false; }
+  /// dF/dt, N/s, of such a pad at a speed dY/dt: exp(log_speed) the way it goes, +1 or -1. Of many at one
+  /// moment: after prepare().
+  virtual void prepare(double /*y*/, double /*time*/, const double* /*memory*/) const {}
+  [[nodiscard]] virtual double force_rate(double /*log_speed*/, int /*way*/) const { return 0; }
+  /// Where the pad turns; what is remembered from there on, if that is another thing.
+  [[nodiscard]] virtual std::vector<double> turned(double /*y*/, const double* /*memory*/) { return {}; }
   /// Error that each may have a step, at a relative one.
-  virtual void allowances(double /*relative*/, double* /*allowance*/) const {}
+  virtual void allowances(double /*relative*/, const double* /*memory*/, double* /*allowance*/) const {}
   /// Where the nose meets it at a speed, m/s, and what is remembered then.
   [[nodiscard]] virtual double begin(double* /*memory*/, double /*speed*/) { return 0; }
   /// Whether it stays as deep as it was pressed, and gives nothing back.
@@ -85,8 +91,7 @@ class PadModel {
   double largest_ = 0;
 };
 
-/// `deepest`: a penetration that is not exceeded, m, for pads of columns at fixed depths. Throws
-/// std::invalid_argument for layers below anything but a flat face.
+/// `deepest`: a penetration that is not exceeded, m, for pads of columns at fixed depths.
 std::unique_ptr<PadModel> pad_model(const ImpactCase& impact, double deepest, int fineness);
 
 }  // namespace dashpad::oracle

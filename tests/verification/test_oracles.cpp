@@ -11,6 +11,7 @@
 
 #include "dashpad/model/pad/law.hpp"
 #include "model/pad/column_law.hpp"
+#include "oracle/any_impact.hpp"
 #include "oracle/closed_forms.hpp"
 #include "oracle/column_history.hpp"
 #include "oracle/contact_grid.hpp"
@@ -396,6 +397,48 @@ TEST(CvodeOracle, KeepsPadAndSupportInEquilibrium) {
   const CvodeImpact oracle = solve_with_cvode(reference_case(reference_file, "c3").impact);
   EXPECT_LT(oracle.drift, 1e-5);
   EXPECT_LT(oracle.turning_speed, -0.01);  // the finite jump
+}
+
+// --- The general oracle
+// -----------------------------------------------------------------------------------------
+
+TEST(AnyOracle, FollowsLawsFourAndFiveOnASpringToTheReference) {
+  for (const char* id : {"c1", "c2", "c3"}) {
+    const ReferenceCase reference = reference_case(reference_file, id);
+    const AnyImpact oracle = solve_any(reference.impact);
+    ASSERT_EQ(oracle.ending, AnyImpact::Ending::released) << id;
+    expect_relative(oracle.peak_force, reference.peak_force, 1e-5, id);
+    expect_relative(oracle.peak_motion, reference.peak_motion, 1e-5, id);
+    expect_relative(oracle.peak_penetration, reference.peak_penetration, 1e-5, id);
+    expect_relative(oracle.rebound_speed, -reference.release.velocity, 2e-5, id);
+    expect_relative(oracle.contact_end.value().time, reference.contact_end.time, 2e-5, id);
+  }
+}
+
+TEST(AnyOracle, OfElasticLayersIsThatOfOneLayerBelowAnyNose) {
+  for (const Nose& nose : {Nose{Sphere{0.05}}, Nose{Cone{0.05, 0.9, 0.01}}}) {
+    ImpactCase impact;
+    impact.impactor = {2, nose, 2};
+    impact.pad.thickness = 0.06;
+    impact.support = Support::linear(5e5);
+    for (const auto& [thickness, modulus] : {std::pair{0.02, 2e5}, std::pair{0.04, 8e5}}) {
+      PadLayer layer;
+      layer.thickness = thickness;
+      layer.material.law = Elastic{modulus};
+      impact.pad.layers.push_back(layer);
+    }
+    const AnyImpact layers = solve_any(impact);
+    impact.pad.layers.clear();
+    impact.pad.material.law = Elastic{0.06 / (0.02 / 2e5 + 0.04 / 8e5)};
+    const AnyImpact one = solve_any(impact);
+    ASSERT_EQ(layers.ending, AnyImpact::Ending::released);
+    ASSERT_EQ(one.ending, AnyImpact::Ending::released);
+    expect_relative(layers.peak_force, one.peak_force, 1e-5, "peak force");
+    expect_relative(layers.peak_penetration, one.peak_penetration, 1e-5, "peak penetration");
+    // On the way back the edge of the contact lies between two columns.
+    expect_relative(layers.rebound_speed, one.rebound_speed, 1e-4, "rebound speed");
+    expect_relative(layers.contact_end.value().time, one.contact_end.value().time, 2e-4, "end of contact");
+  }
 }
 
 TEST(Compare, GivesRelativeDifferencesOfWhatBothHave) {
