@@ -152,7 +152,10 @@ void read_peaks(const Track& track, Figures& figures) {
     figures.peak_deflection = peak_of(h.support_deflection, track).value;
   }
   figures.peak_penetration = *std::max_element(h.penetration.begin(), h.penetration.end());
-  figures.peak_motion = *std::max_element(h.motion.begin(), h.motion.end());
+  // What leaves a pad on a free body may go on behind it for good.
+  const auto left =
+      figures.release ? std::upper_bound(h.time.begin(), h.time.end(), figures.release->time) : h.time.end();
+  figures.peak_motion = *std::max_element(h.motion.begin(), h.motion.begin() + (left - h.time.begin()));
   for (std::size_t i = 1; i < h.size(); ++i) {
     if (!(h.velocity[i - 1] > 0 && h.velocity[i] <= 0)) continue;
     // The velocity crosses zero in the step: cubic through motion and velocity of both ends.

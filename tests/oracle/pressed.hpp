@@ -76,7 +76,7 @@ Pressed pressed_by(const Outline& nose, double y, double thickness, const std::v
   // Where the stress is asked for its sign: evenly, and at peaks between two looks of the other sign, as the
   // ring on which alone a crushed foam presses at last.
   std::vector<double> place, value;
-  const auto look = [&](double x, double stress) { place.push_back(x), value.push_back(stress); };
+  const auto look = [&](double x, double found) { place.push_back(x), value.push_back(found); };
   double before = 0, here = 0;
   for (int i = 0; i <= looks + 1; ++i) {
     const double step = (1 - low) / looks, x = low + step * std::fmax(i, 1e-6);

@@ -157,7 +157,7 @@ TEST_F(StoredStudyTest, CountsThatNoStudyHasAreRefused) {
            {"\"method\": 2", "\"method\": 7"},
            {"\"samples\": 1", "\"samples\": -1"},
            {"\"seed\": 1", "\"seed\": 1e300"},
-           {"100000", "1e300"},
+           {"400000", "1e300"},
            {"\"correlations\": []", "\"correlations\": [[1e300, 0, 0.5]]"}}) {
     fs::copy_file(file("good.db"), file("bad.db"), fs::copy_options::overwrite_existing);
     edit(file("bad.db"),
