@@ -105,8 +105,8 @@ inline double support_goes_on(const Sight& s) {
 }
 inline bool is_crushing(const Sight& s) { return s.foundation.is_crushing(s.now.back, s.now.force); }
 inline double is_apart(const Sight& s) { return s.is_pressed ? -1 : 1; }
-/// In flight: by how much the panel can still be faster than what would be waited for; or than that it still
-/// goes away, when it has not done all yet that it will do to the support.
+/// In flight: by how much the panel can still come back, or is still going away, faster than what is waited
+/// for, m/s. Only when it has gone as far as it goes has it done all that it will do to the support.
 inline double speed_to_wait_for(const Foundation& foundation, const State& state, double least) {
   return std::max(foundation.fastest_return(state.back) + state.velocity, state.back.rate) - least;
 }
