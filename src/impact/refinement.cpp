@@ -157,7 +157,8 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   errors_.force_below_weight =
       moment(now.force_below_weight, before.force_below_weight, run.force_below_weight);
   const double bottomed = moment(now.bottomed, before.bottomed, run.bottomed);
-  errors_.bottomed = std::max(bottomed, numerics.fastest_fall_of_bottoming * bottomed_error_);
+  const double fall = ended_in_lock ? numerics.fastest_fall_of_error : numerics.fastest_fall_of_bottoming;
+  errors_.bottomed = std::max(bottomed, fall * bottomed_error_);
   bottomed_error_ = bottomed;
   worst = std::max(
       {worst, errors_.rebound_speed, errors_.contact_end, errors_.force_below_weight, errors_.bottomed});
@@ -203,8 +204,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
     return enough && worst <= allowed && of_energy <= (runs_ > 2 ? tolerance_ : allowed) &&
            errors_.time_of_peak_force <= numerics.loosest_time_of_peak;
   };
-  // Where a pad bottoms out the last step to infinite stress is chance: more runs do not make it less.
-  const bool is_enough_once = runs_ > 2 && (tolerance_ >= numerics.least_tolerance_in_full || ended_in_lock);
+  const bool is_enough_once = runs_ > 2 && tolerance_ >= numerics.least_tolerance_in_full;
   settled_ = is_within(is_enough_once || is_met_ ? tolerance_ : tolerance_ / 2);
   is_met_ = is_within(tolerance_);
   for (double* of : all(errors_)) *of *= numerics.safety_factor;

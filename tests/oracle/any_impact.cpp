@@ -127,7 +127,8 @@ class Impact final : public AnyMotion {
     force_.add(time, shown);
     pulse_.add(time, gravity_ * time - state[velocity], shown / mass_);
     transmitted_.add(time, now.behind);
-    motion_.add(time, state[motion] - origin_);
+    // What leaves a pad on a free body may go on behind it for good.
+    if (touches_) motion_.add(time, state[motion] - origin_);
     penetration_.add(time, now.y);
     deflection_.add(time, now.x);
     pad_->reached(now.y, state + memory_);
