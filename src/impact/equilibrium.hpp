@@ -230,7 +230,7 @@ class Equilibrium {
   /// compression what the motion allows may be more than the gap over which the force grows.
   [[nodiscard]] double allowed_residual(double scale, double force, double pad_stiffness) const {
     const double gap = std::abs(contact_.lock_penetration() - now().penetration);
-    const double growing = pad_stiffness * gap > std::abs(force) ? gap : std::abs(force) / pad_stiffness;
+    const double growing = std::max(gap, std::abs(force) / pad_stiffness);
     const double share = numerics.solved_residual * resolution_ * resolution_ * resolution_;
     return std::max(share * std::min(scale, numerics.solved_residual_of_gap * growing),
                     numerics.rounding * scale);

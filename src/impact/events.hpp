@@ -110,7 +110,7 @@ inline double is_apart(const Sight& s) { return s.is_pressed ? -1 : 1; }
 inline double speed_to_wait_for(const Foundation& foundation, const State& state, double least) {
   return std::max(foundation.fastest_return(state.back) + state.velocity, state.back.rate) - least;
 }
-inline double is_waited_for(const Sight& s) {
+inline double left_to_wait_for(const Sight& s) {
   return speed_to_wait_for(s.foundation, s.trial.end, s.least_return);
 }
 inline bool has_not_landed(const Sight& s) { return !has_landed(s); }
@@ -144,7 +144,7 @@ inline constexpr std::array<EventKind, 13> event_table{{
     {Event::joining, true, false, false, false, event_rules::penetration_to_joint,
      event_rules::is_before_joint, true},
     {Event::rate_corner, true, false, false, false, event_rules::over_rate_corner, event_rules::always, true},
-    {Event::parting, false, false, false, true, event_rules::is_waited_for, event_rules::has_not_landed,
+    {Event::parting, false, false, false, true, event_rules::left_to_wait_for, event_rules::has_not_landed,
      true},
     {Event::closing, false, false, false, true, event_rules::speed_apart, event_rules::moves_apart, true},
 }};

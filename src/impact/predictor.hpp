@@ -83,13 +83,12 @@ class Predictor {
   void begin_phase(Event event, const State& now) {
     tried_step_ = 0;
     const double approach = now.velocity - now.back.velocity();
-    if (event == Event::turning) {
-      pad_rate_ = std::min(approach, 0.0);
+    if (event == Event::turning || event == Event::reloading) {
+      // What the last step had may be the quotient of two roundings.
       pad_stiffness_ = stiffness_to_resolve_ = spring_;
       stiffening_ = 1;
     }
-    // What the last step of the unloading had may be the quotient of two roundings.
-    if (event == Event::reloading) pad_stiffness_ = stiffness_to_resolve_ = spring_, stiffening_ = 1;
+    if (event == Event::turning) pad_rate_ = std::min(approach, 0.0);
     if (event == Event::reloading || event == Event::yielding || event == Event::touch)
       pad_rate_ = std::max(approach, 0.0);
     if (event == Event::unlock || event == Event::release) pad_rate_ = approach;

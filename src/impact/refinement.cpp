@@ -171,16 +171,16 @@ void Refinement::judge(const Figures& run, const Figures& before) {
     return scale > 0 ? error(x, x_before, x_run, scale) : unknown;
   };
   // What moves and stays is small against what comes and goes; of bodies, against the impact speed.
-  const auto of_support_to = [&](double deflection) {
-    return std::max({of_support(now.peak_transmitted, before.peak_transmitted, run.peak_transmitted,
-                                now.peak_transmitted),
-                     of_support(now.peak_deflection, before.peak_deflection, run.peak_deflection, deflection),
-                     of_support(now.set, before.set, run.set, deflection),
-                     of_support(now.body_velocity, before.body_velocity, run.body_velocity, speed_)});
+  const auto of_ways = [&](double scale) {
+    return std::max(of_support(now.peak_deflection, before.peak_deflection, run.peak_deflection, scale),
+                    of_support(now.set, before.set, run.set, scale));
   };
-  errors_.support = of_support_to(now.peak_deflection);
-  worst = std::max(worst,
-                   of_support_to(std::max(now.peak_deflection, numerics.least_deflection * now.peak_motion)));
+  const double of_others = std::max(
+      of_support(now.peak_transmitted, before.peak_transmitted, run.peak_transmitted, now.peak_transmitted),
+      of_support(now.body_velocity, before.body_velocity, run.body_velocity, speed_));
+  errors_.support = std::max(of_others, of_ways(now.peak_deflection));
+  worst = std::max({worst, of_others,
+                    of_ways(std::max(now.peak_deflection, numerics.least_deflection * now.peak_motion))});
   // The small difference of large numbers has their rounding.
   errors_.energy_absorbed =
       std::max(error(absorbed(now), absorbed(before), absorbed(run), 1), numerics.rounding_of_figures);
