@@ -120,7 +120,11 @@ class March {
     add_entry(track);
     double stiffness = 0;
     const auto force_of = [&](double y, double step) { return contact_.trial(y, 0, step).force - strength; };
-    const double step = control_.first_step(phase_, impactor_.speed, force_of, stiffness);
+    // A pad on a damper may give way, as to a shock, long before the two have come anywhere.
+    const bool gives_way_first = !memoryless && foundation_.kind() == Foundation::Kind::damper;
+    const double most_force =
+        gives_way_first ? resolution * at_once : std::numeric_limits<double>::infinity();
+    const double step = control_.first_step(phase_, impactor_.speed, most_force, force_of, stiffness);
     predictor_.start(impactor_.speed, stiffness);
     control_.learn(phase_, now_, predictor_);
     return step;

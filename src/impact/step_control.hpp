@@ -34,14 +34,16 @@ class StepControl {
   }
 
   /// The first step, short against what the pad's stiffness over it allows; that is left in `pad_stiffness`.
-  /// `force_of(penetration, step)` is by how much the pad's force grows.
+  /// `force_of(penetration, step)` is by how much the pad's force grows, which `most_force` bounds, N.
   template <class ForceOf>
-  [[nodiscard]] double first_step(Phase phase, double speed, ForceOf&& force_of,
+  [[nodiscard]] double first_step(Phase phase, double speed, double most_force, ForceOf&& force_of,
                                   double& pad_stiffness) const {
     double y = resolution_ * std::min(thickness_, widening(0));
     for (int i = 0; i < numerics.most_first_halvings; ++i, y /= 2) {
       const double step = y / speed;
-      pad_stiffness = 2 * force_of(y, step) / y;
+      const double force = force_of(y, step);
+      pad_stiffness = 2 * force / y;
+      if (force > most_force && i < numerics.most_halvings) continue;
       if (!(step > numerics.first_step * longest(phase, {}, pad_stiffness, speed))) return step;
     }
     return y / speed;
@@ -50,8 +52,8 @@ class StepControl {
   /// The longest step from a state: it resolves the momentary oscillation, the strain and the closing gap.
   [[nodiscard]] double longest(Phase phase, const State& state, double pad_stiffness, double pad_rate) const {
     if (phase == Phase::flight)
-      return std::min(oscillation_limit(phase, state, 0), resolution_ * thickness_ / std::abs(pad_rate));
-    double step = oscillation_limit(phase, state, pad_stiffness);
+      return std::min(oscillation_limit(phase, state, 0, 0), resolution_ * thickness_ / std::abs(pad_rate));
+    double step = oscillation_limit(phase, state, pad_stiffness, pad_rate);
     if (phase != Phase::held && pad_rate != 0)
       step = std::min({step, strain_limit(state, pad_rate), gap_limit(state, pad_stiffness, pad_rate)});
     return step;
@@ -81,9 +83,10 @@ class StepControl {
         foundation_.kind() == Foundation::Kind::damper || foundation_.is_firm(now.back, now.force);
     if (phase == Phase::loading && firm)
       step = std::min(step, turning_limit(now, predictor, FollowsRate<Contact>));
-    if (phase == Phase::loading && foundation_.kind() == Foundation::Kind::damper && FollowsRate<Contact> &&
-        motion.force_rate() > 0)
-      step = std::min(step, damped_limit(predictor));
+    const bool is_damped = foundation_.kind() == Foundation::Kind::damper &&
+                           (FollowsRate<Contact> || (!HasEnergy<Contact> && now.time < usual_));
+    if (phase == Phase::loading && is_damped && motion.force_rate() > 0)
+      step = std::min(step, damped_limit(predictor, now.time));
     if (phase == Phase::unloading && firm && FollowsRate<Contact> && since_turning > 0)
       step = std::min(step, logarithm_limit(since_turning));
     if (phase == Phase::unloading) {
@@ -99,11 +102,13 @@ class StepControl {
   }
 
  private:
-  [[nodiscard]] double oscillation_limit(Phase phase, const State& state, double pad_stiffness) const {
+  [[nodiscard]] double oscillation_limit(Phase phase, const State& state, double pad_stiffness,
+                                         double pad_rate) const {
     const bool held = phase == Phase::held;
     if (!foundation_.is_plain()) {
-      const double squared =
-          foundation_.square_frequency(state.back, state.force, pad_stiffness, held, mass_);
+      double squared = foundation_.square_frequency(state.back, state.force, pad_stiffness, held, mass_);
+      if (!held)
+        squared = std::max(squared, foundation_.square_settling(state.back, pad_stiffness, pad_rate));
       return squared > 0 ? resolution_ / std::sqrt(squared) : std::numeric_limits<double>::infinity();
     }
     const double compliance = foundation_.static_compliance(state.back, state.force);
@@ -137,9 +142,11 @@ class StepControl {
   /// keep the error of second order.
   [[nodiscard]] double logarithm_limit(double time) const { return std::sqrt(resolution_ * usual_ * time); }
   /// While the force rises a pad on a damper gives way in a time of its own, far below that of an
-  /// oscillation.
-  [[nodiscard]] double damped_limit(const Predictor& predictor) const {
-    return resolution_ * std::max(numerics.damped * predictor.time_scale(), usual_);
+  /// oscillation; at first contact in one that is as short as the time since then.
+  [[nodiscard]] double damped_limit(const Predictor& predictor, double time) const {
+    const double scale = predictor.time_scale();
+    if (!std::isfinite(scale)) return numerics.growth * time;
+    return resolution_ * std::max(numerics.damped * scale, std::min(usual_, time));
   }
   /// Where the unloading may end any moment, the pad's rate changes with the square root of the time left.
   [[nodiscard]] double end_of_unloading_limit(const State& now, const Predictor& predictor) const {

@@ -192,12 +192,16 @@ TEST(StepControl, BeginsWithAQuarterOfWhatItsOwnStiffnessAllows) {
   const StepControl control = control_on(rigid);
   constexpr double speed = 2, slope = 3e9;
   double stiffness = 0;
-  const double step = control.first_step(
-      Phase::loading, speed, [](double y, double) { return slope * y / 2; }, stiffness);
+  const auto force_of = [](double y, double) { return slope * y / 2; };
+  const auto first_step = [&](double most_force) {
+    return control.first_step(Phase::loading, speed, most_force, force_of, stiffness);
+  };
+  const double step = first_step(std::numeric_limits<double>::infinity());
   EXPECT_NEAR(stiffness, slope, 1e-3);
   const double allowed = numerics.first_step * control.longest(Phase::loading, {}, slope, speed);
   EXPECT_LE(step, allowed);
   EXPECT_GT(2 * step, allowed);
+  EXPECT_LE(force_of(first_step(10) * speed, 0), 10);
 }
 
 TEST(StepControl, GrowsByHalf) {

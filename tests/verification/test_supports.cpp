@@ -177,6 +177,31 @@ TEST(Damper, WithoutMassIsALinearSystem) {
   }
 }
 
+/// A pad of constant force P: V = v - P t / M, dx/dt = P / c exp(-k t / c), and it turns where they meet. The
+/// pad itself sets no time in which a step would have to be short.
+TEST(Damper, SettlesBelowAPadOfConstantForce) {
+  ImpactCase impact = disc_on_spring();
+  const double damping = 850, force = 2300, stiffness = support_stiffness(impact);
+  impact.backing.damping = damping;
+  impact.pad.thickness = 0.3;
+  const double stress = force / sections_of(impact).area_beyond();
+  impact.pad.material.law =
+      RigidFoam{.crush_stress = stress, .crush_strain = 0.8, .second_stress = stress, .second_strain = 0.9};
+  const auto rate = [&](double t) {
+    return 3 - force * t / 5 - force / damping * std::exp(-stiffness * t / damping);
+  };
+  // Its pad first goes faster, then comes to a stop.
+  double before = 2.8e-3, after = 3 * 5 / force;
+  ASSERT_GT(rate(before), 0);
+  for (int i = 0; i < 60; ++i) (rate((before + after) / 2) > 0 ? before : after) = (before + after) / 2;
+  const double t = after;
+  const double penetration =
+      3 * t - force * t * t / 10 - force / stiffness * (1 - std::exp(-stiffness * t / damping));
+  for (const double resolution : {0.05, 0.0125})
+    expect_relative(run_once(impact, resolution).figures.peak_penetration, penetration,
+                    2 * resolution * resolution, "penetration");
+}
+
 TEST(Damper, MayBeGivenAsALossFactor) {
   ImpactCase impact = disc_on_spring();
   impact.backing.mass = 2;

@@ -306,6 +306,15 @@ double Foundation::square_frequency(const BackState& now, double force, double p
   return pad_stiffness / impactor_mass + (pad_stiffness + spring) / backing_.mass + spring * inverse_body_;
 }
 
+double Foundation::square_settling(const BackState& now, double pad_stiffness, double pad_rate) const {
+  if (kind_ != Kind::damper || pad_rate == 0) return 0;
+  const double spring = stiffness(now.deflection);
+  const double of_back = std::abs(now.rate), of_pad = std::abs(pad_rate);
+  const double beyond = spring * of_back - 2 * pad_stiffness * std::max(of_back, of_pad);
+  if (!(beyond > 0)) return 0;
+  return spring * std::min(beyond / of_pad, spring) / (damping_ * damping_);
+}
+
 double Foundation::moving_retreat(const BackState& end, double force, double of_pad,
                                   double force_rate) const {
   switch (kind_) {

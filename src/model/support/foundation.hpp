@@ -117,6 +117,9 @@ class Foundation {
   /// Square of the momentary frequency of an impactor and what it swings on, 1/s2. Held: the pad is stiff.
   [[nodiscard]] double square_frequency(const BackState& now, double force, double pad_stiffness, bool held,
                                         double impactor_mass) const;
+  /// Square of the rate at which a damper and its spring settle, 1/s2, by the share that they have in the
+  /// `pad_rate`, m/s. A pad that is not much softer than the spring settles with them, and it is 0.
+  [[nodiscard]] double square_settling(const BackState& now, double pad_stiffness, double pad_rate) const;
   /// Speed by which the back outruns a pad that is held still, but for that of the impactor: theory.md, Eq.
   /// 26. `force` is that at the end of a step, `of_pad` and `force_rate` are what the pad carries and loses
   /// while it is held, N and N/s.
