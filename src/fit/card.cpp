@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include "dashpad/impact/case_quantity.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "fit/card_uncertainty.hpp"
+#include "fit/discrepancy.hpp"
 #include "fit/impact_residuals.hpp"
 #include "fit/problem.hpp"
 #include "fit/reservations.hpp"
@@ -160,6 +162,15 @@ PadLaw rounded(const PadLaw& exact) {
   return violations(result).empty() ? result : exact;
 }
 
+/// Whether what neighbouring columns do in impacts is in the numbers of the law.
+bool rests_on_strikes(const Fit& fit) {
+  const auto counts = [](const auto& of) { return !of.is_held_out; };
+  return std::ranges::none_of(fit.tests, counts) && std::ranges::any_of(fit.impacts, counts) &&
+         std::ranges::none_of(fit.unknowns, [](const Unknown& of) { return of.key == "pad.neighbours"; }) &&
+         std::ranges::all_of(fit.impacts,
+                             [](const ImpactMeasurement& of) { return of.impact.pad.neighbours == 0; });
+}
+
 }  // namespace
 
 bool is_stated(const Material& material) {
@@ -186,6 +197,8 @@ Material card_of(const Fit& fit, std::span<const double> values, const FitReport
   material.source = origin_of(fit, report);
   material.reservations = reservations_of(fit, written, report);
   material.fitted = range_of_data(fit, written, material);
+  if (rests_on_strikes(fit))
+    material.nose_over_pad = nose_over_pad_of(fit, std::numeric_limits<double>::infinity());
   material.name = "fitted";
   material.title = fit.title.empty() ? "Fitted foam" : fit.title;
   material.basis = "test";

@@ -124,8 +124,7 @@ std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& pr
   return all;
 }
 
-std::optional<double> nose_over_pad_of(const Fit& fit) {
-  constexpr double alike = 1.1;
+std::optional<double> nose_over_pad_of(const Fit& fit, double alike) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const ImpactMeasurement& measured : fit.impacts) {
     const ImpactCase& impact = measured.impact;

@@ -39,8 +39,8 @@ inline constexpr std::size_t most_left_out = 8;
 std::optional<Misfit> misfit_of(std::span<const PredictedFigure> predicted,
                                 std::span<const ImpactComparison> fitted);
 
-/// Radius of a round nose over the thickness of the pad, where that is nearly the same in all impacts of the
-/// fit.
-std::optional<double> nose_over_pad_of(const Fit& fit);
+/// Radius of a round nose over the thickness of the pad, where that differs among the impacts of the fit by
+/// no more than the factor `alike`.
+std::optional<double> nose_over_pad_of(const Fit& fit, double alike = 1.1);
 
 }  // namespace dashpad::fit

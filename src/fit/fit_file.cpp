@@ -109,6 +109,17 @@ void add_broken_rules(const std::vector<Violation>& broken, const TomlNode& root
   }
 }
 
+/// Impacts alone tell the law and what neighbouring columns do as one: unless a case says otherwise, it is
+/// all in the law, and the card says so.
+void leave_neighbours_to_law(Fit& fit) {
+  const bool is_unknown = std::ranges::count(fit.unknowns, "pad.neighbours", &Unknown::key) > 0;
+  if (is_unknown || std::ranges::any_of(fit.tests, [](const auto& test) { return !test.is_held_out; }))
+    return;
+  for (ImpactMeasurement& impact : fit.impacts)
+    if (!impact.states_neighbours) impact.impact.pad.neighbours = 0;
+  if (std::ranges::none_of(fit.impacts, &ImpactMeasurement::states_neighbours)) fit.base.pad.neighbours = 0;
+}
+
 }  // namespace
 
 FitFile read_fit(const std::filesystem::path& file, const std::filesystem::path& materials) {
@@ -129,6 +140,7 @@ FitFile read_fit(const std::filesystem::path& file, const std::filesystem::path&
   read_each(top, "impacts", lines,
             [&](TableReader& table) { fit.impacts.push_back(read_impact(table, folders, result.files)); });
   read_search(top, fit);
+  leave_neighbours_to_law(fit);
   top.refuse_others();
   if (has_base) fit.recoil_is_stated = states_recoil(root, of_base);
   if (faults.size() == 0) seek_recoil(fit);

@@ -41,6 +41,7 @@ ImpactMeasurement read_impact(TableReader& table, const FitFolders& folders,
       input::CaseFile read = input::read_case(folders.of_fit / impact.file, folders.materials);
       impact.impact = std::move(read.impact);
       impact.options = read.options;
+      impact.states_neighbours = read.states_neighbours;
       std::ranges::move(read.files, std::back_inserter(files));
     } catch (const input::InputError& error) {
       table.faults().add(error.faults());

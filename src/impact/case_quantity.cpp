@@ -112,6 +112,8 @@ void add_pad(const ImpactCase& base, std::vector<CaseQuantity>& into) {
   if (base.pad.sheet > 0)
     into.push_back(quantity_at(
         "pad.sheet_mass_per_area", "kg/m2", [](auto& impact) -> auto& { return impact.pad.sheet; }));
+  into.push_back(quantity_at(
+      "pad.neighbours", "1", [](auto& impact) -> auto& { return impact.pad.neighbours; }));
   if (!is_layered)
     add_material(
         base, "pad.", [](auto& impact) -> auto& { return impact.pad; }, into);

@@ -8,11 +8,13 @@
 
 #include "dashpad/impact/impact_case.hpp"
 #include "impact/layers.hpp"
+#include "impact/neighbours.hpp"
 #include "model/contact/column_field.hpp"
 #include "model/contact/curve_contact.hpp"
 #include "model/contact/foam_contact.hpp"
 #include "model/contact/layered_contact.hpp"
 #include "model/contact/nine_parameter_contact.hpp"
+#include "model/contact/with_neighbours.hpp"
 
 namespace dashpad {
 
@@ -21,13 +23,25 @@ class Contacts {
   /// Whether the last foam was this one. To see whether the curves of a foam are sound takes up to a third of
   /// the time of an impact; one that has been in contact is.
   [[nodiscard]] bool know(const PadLaw& law) const { return foam_ && foam_->is_of(law); }
-  /// Returns visit(contact). Plain: columns computed one by one, without short cuts.
+  /// Returns visit(contact), of the columns with what their neighbours do. Plain: columns computed one by
+  /// one, without short cuts.
   template <class Visit>
   auto visit(const ImpactCase& impact, ColumnMath math, Visit&& visit) {
+    const ColumnFactor factor = factor_of_columns(impact);
+    return visit_columns(impact, math, [&]<class Columns>(Columns& columns) {
+      static_assert(hands_on_all<Columns>);
+      WithNeighbours contact(columns, factor);
+      return visit(contact);
+    });
+  }
+
+ private:
+  template <class Visit>
+  auto visit_columns(const ImpactCase& impact, ColumnMath math, Visit&& visit) {
     if (!impact.pad.layers.empty())
       return visit(renewed(layered_, layers_of(impact.pad), sections_of(impact)));
     const double thickness = impact.pad.thickness;
-    const double factor = stress_factor(impact.pad.condition, impact.pad.material);
+    const double scale = stress_factor(impact.pad.condition, impact.pad.material);
     const Sections sections = sections_of(impact);
     const double earlier = impact.pad.earlier_penetration;
     const auto of_law = [&](const auto& law) {
@@ -36,7 +50,7 @@ class Contacts {
         CurveContact contact(law.curve(), Law::recovers, thickness, sections, earlier);
         return visit(contact);
       } else if constexpr (SharesSlip<Law>) {
-        return visit(renewed(foam_, law, thickness, sections, factor, math, earlier));
+        return visit(renewed(foam_, law, thickness, sections, scale, math, earlier));
       } else {
         if constexpr (std::is_same_v<Law, NineParameter>)
           if (math == ColumnMath::vector && !sections.shape)
@@ -46,10 +60,9 @@ class Contacts {
     };
     const PadLaw& law = impact.pad.material.law;
     // The curves of a foam are made ready once; the contact multiplies its force itself.
-    return has_curves(law) || factor == 1 ? std::visit(of_law, law) : std::visit(of_law, scaled(law, factor));
+    return has_curves(law) || scale == 1 ? std::visit(of_law, law) : std::visit(of_law, scaled(law, scale));
   }
 
- private:
   template <class Contact, class... Arguments>
   static Contact& renewed(std::optional<Contact>& contact, const Arguments&... arguments) {
     if (contact)

@@ -227,6 +227,8 @@ std::vector<Violation> violations_with(std::vector<Violation> of_material, const
   if (std::ranges::all_of(impact.pad.layers, [](const PadLayer& layer) { return layer.thickness > 0; }))
     check(broken, "pad.thickness", impact.pad.thickness, lengths);
   if (impact.pad.area) check(broken, "pad.area", *impact.pad.area, areas);
+  if (const double c = impact.pad.neighbours; !(c >= 0 && c <= 2))
+    broken.push_back({"pad.neighbours", c, "must be from 0 (columns alone) to 2"});
   if (impact.pad.sheet != 0) check_sheet(broken, impact);
   if (impact.pad.layers.empty()) {
     add(broken, std::move(of_material), "pad.");

@@ -144,6 +144,7 @@ struct PadEntry {
   Pad pad;
   std::vector<MaterialEntry> materials;  ///< of the pad, or of each of its layers
   std::vector<std::filesystem::path> cards;
+  bool states_neighbours = false;
 };
 
 /// `table`: [pad] or a layer of it.
@@ -191,6 +192,12 @@ void read_layers(TableReader& table, const Folders& folders, PadEntry& into) {
   set_layers(into.pad, std::move(layers));
 }
 
+Floor read_floor(TableReader& table) {
+  std::vector<std::string> names;
+  for (const Floor floor : floors) names.push_back(name_of(floor));
+  return floor_named(table.choice("floor", names)).value_or(Floor::bonded);
+}
+
 PadEntry read_pad(TableReader& table, const Folders& folders) {
   PadEntry entry;
   if (table.has("area")) entry.pad.area = table.quantity("area", "m2");
@@ -201,6 +208,7 @@ PadEntry read_pad(TableReader& table, const Folders& folders) {
   }
   if (table.has("earlier_penetration"))
     entry.pad.earlier_penetration = table.quantity("earlier_penetration", "m");
+  if (table.has("floor")) entry.pad.floor = read_floor(table);
   if (table.has("layers")) {
     read_layers(table, folders, entry);
   } else {
@@ -209,6 +217,8 @@ PadEntry read_pad(TableReader& table, const Folders& folders) {
     entry.pad.material = entry.materials.front().material;
     entry.pad.condition = entry.materials.front().condition;
   }
+  entry.states_neighbours = table.has("neighbours");
+  entry.pad.neighbours = entry.states_neighbours ? table.number("neighbours") : nominal_neighbours(entry.pad);
   table.refuse_others();
   return entry;
 }
@@ -240,7 +250,8 @@ Options read_options(TableReader& table) {
 /// Whether the key of a broken rule is of a case, and not of the card that it names.
 bool is_of_case(std::string_view key) {
   return key == "thickness" || key == "area" || key == "layers" || key == "scale" || key == "density" ||
-         key == "temperature" || key == "earlier_penetration" || key == "sheet_mass_per_area";
+         key == "temperature" || key == "earlier_penetration" || key == "sheet_mass_per_area" ||
+         key == "neighbours";
 }
 
 /// What a layer may not have is, of a layer with a card, the choice of that card.
@@ -273,7 +284,7 @@ std::vector<Violation> violations_in_terms_of(const TomlNode& root, const Impact
   if (materials.empty())
     std::erase_if(broken, [](const Violation& violation) {
       return violation.key.starts_with("pad.") && violation.key != "pad.area" &&
-             violation.key != "pad.sheet_mass_per_area";
+             violation.key != "pad.sheet_mass_per_area" && violation.key != "pad.neighbours";
     });
   for (Violation& violation : broken)
     if (violation.key == "impactor.mass" && root.nearest("impactor.weight").key == "weight") {
@@ -316,6 +327,7 @@ CaseFile read_case(const std::filesystem::path& file, const std::filesystem::pat
   if (auto table = top.table("pad")) {
     PadEntry entry = read_pad(*table, {file.parent_path(), materials});
     impact.pad = std::move(entry.pad);
+    result.states_neighbours = entry.states_neighbours;
     materials_of_pad = std::move(entry.materials);
     for (std::filesystem::path& card : entry.cards)
       result.files.push_back({"the material card", std::move(card)});

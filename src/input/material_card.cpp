@@ -39,6 +39,15 @@ TemperatureTable read_temperatures(TableReader& table) {
   return result;
 }
 
+/// Of a law that was found from strikes by a sphere.
+double read_strikes(TableReader& table) {
+  table.choice("nose", {"sphere"});
+  const double radius = table.number("nose_over_pad");
+  if (radius <= 0 || radius > 1e6) table.fault("nose_over_pad", "must be more than 0 and at most 1e6");
+  table.refuse_others();
+  return radius;
+}
+
 std::vector<std::string> read_reservations(TableReader& card) {
   std::vector<std::string> all;
   if (!card.has("reservations")) return all;
@@ -74,6 +83,8 @@ Material read_material(const std::filesystem::path& file) {
   const auto law = read_law(card);
   material.law = law.value_or(PadLaw());
   material.fitted = read_fitted(card);
+  if (auto table = card.table("measured_by", Presence::optional))
+    material.nose_over_pad = read_strikes(*table);
   material.uncertainty = read_uncertainty(card, material.law);
   material.also_published = read_also_published(card);
   card.refuse_others();

@@ -80,11 +80,16 @@ bool is_of_law(const std::string& key) {
 
 Application::Application(const Study& study) {
   const std::vector<CaseQuantity> quantities = quantities_of(study.base);
+  // What is nominal for one material may not be for another.
+  const bool is_nominal = study.base.pad.neighbours == nominal_neighbours(study.base.pad) &&
+                          std::ranges::count(study.factors, "pad.neighbours", &Factor::key) == 0;
   for (const Factor& factor : study.factors) {
     if (factor.key == "pad.material") {
-      steps_.emplace_back([&study](ImpactCase& into, double value) {
+      steps_.emplace_back([&study, is_nominal](ImpactCase& into, double value) {
         const Material& chosen = study.materials.at(static_cast<std::size_t>(value));
-        if (into.pad.material.name != chosen.name) into.pad.material = chosen;
+        if (into.pad.material.name == chosen.name) return;
+        into.pad.material = chosen;
+        if (is_nominal) into.pad.neighbours = nominal_neighbours(into.pad);
       });
       continue;
     }

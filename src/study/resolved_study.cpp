@@ -32,6 +32,7 @@ Json material_json(const Material& of) {
   if (of.density_exponent) json["density_exponent"] = *of.density_exponent;
   if (const auto& [temperature, factor] = of.temperature_table; !temperature.empty())
     json["temperature"] = {numbers(temperature), numbers(factor)};
+  if (of.nose_over_pad) json["nose_over_pad"] = *of.nose_over_pad;
   if (of.fitted)
     json["fitted"] = {of.fitted->highest_strain, of.fitted->lowest_rate, of.fitted->highest_rate};
   return json;
@@ -64,6 +65,10 @@ Json case_json(const ImpactCase& of) {
   if (of.pad.area) json["area"] = *of.pad.area;
   if (of.pad.earlier_penetration > 0) json["earlier_penetration"] = of.pad.earlier_penetration;
   if (of.pad.sheet > 0) json["sheet"] = of.pad.sheet;
+  if (of.pad.neighbours > 0) {
+    json["floor"] = name_of(of.pad.floor);
+    json["neighbours"] = of.pad.neighbours;
+  }
   if (of.blows) json["blows"] = {of.blows->count, of.blows->recovery};
   if (of.impactor.gravity != 0) json["impactor"]["gravity"] = of.impactor.gravity;
   if (of.backing != Backing{})

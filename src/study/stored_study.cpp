@@ -75,6 +75,7 @@ Material material_of(const Json& json) {
     material.temperature_table = {json["temperature"].at(0).get<Numbers>(),
                                   json["temperature"].at(1).get<Numbers>()};
   if (json.contains("curves")) set_curves(material.law, json["curves"]);
+  if (json.contains("nose_over_pad")) material.nose_over_pad = json["nose_over_pad"].get<double>();
   if (json.contains("fitted")) {
     const Numbers range = json["fitted"].get<Numbers>();
     material.fitted = FittedRange{range.at(0), range.at(1), range.at(2)};
@@ -133,7 +134,9 @@ ImpactCase case_of(const Json& json) {
                        .gravity = impactor.value("gravity", 0.0)},
           .pad = {json.at("thickness"), material_of(json.at("material")), condition_of(json),
                   json.contains("area") ? bound_of(json["area"]) : std::nullopt,
-                  json.value("earlier_penetration", 0.0), json.value("sheet", 0.0), layers_of(json)},
+                  json.value("earlier_penetration", 0.0), json.value("sheet", 0.0),
+                  floor_named(json.value("floor", "")).value_or(Floor::bonded), json.value("neighbours", 0.0),
+                  layers_of(json)},
           .support = points.empty() ? Support::rigid() : Support::through(points),
           .backing = backing_of(json),
           .blows = blows_of(json)};

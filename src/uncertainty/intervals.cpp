@@ -238,6 +238,7 @@ Deviation deviation_of(const Shares& shares, const FigureName& name, double nomi
       const double of_figure =
           solution.summary.peak_penetration > 0 ? scale / solution.summary.peak_penetration : 0;
       deviation.down = std::hypot(deviation.down, shares.shallower * of_figure);
+      deviation.up = std::hypot(deviation.up, shares.deeper * of_figure);
       return deviation;
     }
     case Kind::dwell: {
@@ -295,7 +296,7 @@ void add_intervals(const ImpactCase& impact, const Options& options, Solution& s
   add_rate(impact, summary, open);
   add_way_back(impact, summary, open);
   add_statistics(impact, summary, open);
-  add_neighbours(impact, open);
+  add_neighbours(impact, summary, open);
   Intervals intervals{.figures = {}, .sources = std::move(open.sources), .warning = warning_of_model(impact)};
   if (!bottomed_on_rigid_support(summary) && !is_cut(summary)) {
     const std::vector<FigureName> names = figure_names(dwell_levels);

@@ -25,8 +25,8 @@ struct Shares {
   double hic = 0;           ///< of every window, and of the severity index
   double rebound = 0;
   double penetration = 0;
-  /// Metres by which a penetration may be less, at 95 %: columns go too deep.
-  double shallower = 0;
+  /// Metres by which a penetration may be less, and more, at 95 %: columns alone go too deep.
+  double shallower = 0, deeper = 0;
 };
 
 /// All that is open.
@@ -61,7 +61,7 @@ void add_continuation(const ImpactCase& impact, const Summary& summary, Open& op
 void add_rate(const ImpactCase& impact, const Summary& summary, Open& open);
 void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open);
 void add_statistics(const ImpactCase& impact, const Summary& summary, Open& open);
-void add_neighbours(const ImpactCase& impact, Open& open);
+void add_neighbours(const ImpactCase& impact, const Summary& summary, Open& open);
 
 /// "SMALL NOSE: ...", with the size of the error; empty where the nose is not small against the pad.
 std::string warning_of_model(const ImpactCase& impact);

@@ -317,6 +317,7 @@ radius = "80 mm"
 drop_height = "0.5 m"
 [pad]
 thickness = "15 mm"
+neighbours = 0
 law = "foam"
 [pad.parameters]
 unloading_factor = 0.3

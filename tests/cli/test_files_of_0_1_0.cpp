@@ -36,7 +36,8 @@ class FilesOf010Test : public CommandTest {
 TEST_F(FilesOf010Test, ACaseWithACardOfAFitIsSolved) {
   const Outcome outcome = dashpad({"run", file("case.toml"), "--json", "-"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NEAR(nlohmann::json::parse(outcome.out)["peak_acceleration_g"].get<double>(), 37.66, 0.01);
+  // 37.66 g by the program of 0.1.0, whose columns did not help each other.
+  EXPECT_NEAR(nlohmann::json::parse(outcome.out)["peak_acceleration_g"].get<double>(), 36.135, 0.01);
   EXPECT_EQ(dashpad({"materials", file("card.toml")}).exit_code, 0);
 }
 

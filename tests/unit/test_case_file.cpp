@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "dashpad/input/case_file.hpp"
+#include "dashpad/input/fault.hpp"
 #include "sample_case.hpp"
 #include "shared/temporary_folder.hpp"
 
@@ -21,7 +22,7 @@ using test::read;
 using test::source;
 
 TEST(case_file, good_case_is_read_into_si) {
-  const auto [impact, options, files] = read(good_case);
+  const auto [impact, options, states_neighbours, files] = read(good_case);
   EXPECT_EQ(impact.title, "A case");
   EXPECT_DOUBLE_EQ(std::get<Sphere>(impact.impactor.nose).radius, 0.0762);
   EXPECT_DOUBLE_EQ(impact.impactor.mass, 4.5359237);
@@ -37,7 +38,7 @@ TEST(case_file, good_case_is_read_into_si) {
 }
 
 TEST(case_file, solver_and_title_may_be_left_out) {
-  const auto [impact, options, files] =
+  const auto [impact, options, states_neighbours, files] =
       read(edited(good_case.substr(0, good_case.find("[solver]")), "title = \"A case\"", ""));
   EXPECT_EQ(impact.title, "");
   EXPECT_EQ(options.tolerance, Options().tolerance);
@@ -79,6 +80,22 @@ TEST(case_file, supports_of_each_type_are_read) {
   ASSERT_EQ(curve.points().size(), 2U);
   EXPECT_DOUBLE_EQ(curve.points()[1].deflection, 0.002);
   EXPECT_DOUBLE_EQ(curve.points()[1].force, 5000);
+}
+
+TEST(case_file, neighbours_are_nominal_for_foams_by_uniaxial_tests_alone) {
+  const auto pad_with = [](const std::string& text) {
+    return read(edited(good_case, "material = \"ensolite-aac-9\"", text)).impact.pad;
+  };
+  EXPECT_EQ(pad_with("material = \"ensolite-aac-9\"").neighbours, 0);
+  EXPECT_EQ(pad_with("material = \"vn600\"").neighbours, 0.8);
+  EXPECT_EQ(pad_with("material = \"vn600\"").floor, Floor::bonded);
+  EXPECT_EQ(pad_with("material = \"ensolite-33-tests\"").neighbours, 0) << "measured by strikes of a sphere";
+  EXPECT_EQ(pad_with("material = \"vn600\"\nneighbours = 0").neighbours, 0);
+  EXPECT_EQ(pad_with("material = \"ensolite-aac-9\"\nneighbours = 0.7").neighbours, 0.7);
+  EXPECT_EQ(pad_with("material = \"vn600\"\nfloor = \"frictionless\"").floor, Floor::frictionless);
+  EXPECT_THROW(pad_with("material = \"vn600\"\nfloor = \"glued\""), input::InputError);
+  EXPECT_THROW(pad_with("material = \"vn600\"\nneighbours = -0.1"), input::InputError);
+  EXPECT_THROW(pad_with("material = \"vn600\"\nneighbours = 2.5"), input::InputError);
 }
 
 TEST(case_file, examples_are_good) {

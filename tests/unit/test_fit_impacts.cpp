@@ -64,6 +64,7 @@ speed = "4 m/s"
 thickness = "50 mm"
 material = "foam.toml"
 scale = SCALE
+neighbours = 0
 [support]
 type = "linear"
 stiffness = "STIFFNESS N/mm"
@@ -262,6 +263,21 @@ TEST_F(FitImpactsTest, AScaleGoesIntoTheStressesOfTheCard) {
   const auto scale = std::ranges::find(report.unknowns, "pad.scale", &FittedUnknown::key);
   const double relative = scale->standard_error.value() / scale->value;
   EXPECT_NEAR(*report.material.uncertainty.scatter, relative, 0.005 * relative);
+}
+
+TEST_F(FitImpactsTest, LeavesWhatNeighboursDoToTheLawUnlessACaseSaysOtherwise) {
+  folder_.write("drop.toml", with(drop(1, 300), "neighbours = 0\n", ""));
+  const FitFile silent = read(fit_of_scale(1, 300));
+  EXPECT_EQ(silent.fit.impacts.front().impact.pad.neighbours, 0);
+  EXPECT_EQ(silent.fit.base.pad.neighbours, 0);
+  const FitReport report = run_fit(silent.fit);
+  ASSERT_TRUE(report.material.nose_over_pad);
+  EXPECT_NEAR(*report.material.nose_over_pad, 80.0 / 50, 1e-6);
+  EXPECT_THAT(output::card_toml(report.material), HasSubstr("[measured_by]"));
+  folder_.write("drop.toml", with(drop(1, 300), "neighbours = 0", "neighbours = 0.7"));
+  const FitFile told = read(fit_of_scale(1, 300));
+  EXPECT_EQ(told.fit.impacts.front().impact.pad.neighbours, 0.7);
+  EXPECT_FALSE(run_fit(told.fit).material.nose_over_pad);
 }
 
 TEST_F(FitImpactsTest, ImpactsTestRatesButNoStrains) {

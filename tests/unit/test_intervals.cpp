@@ -218,7 +218,7 @@ TEST(Intervals, ColumnsAreOffByTheNoseOverThePad) {
   EXPECT_EQ(with_intervals(impact).summary.intervals->warning, "");
   impact.impactor.nose = Sphere{0.0125};
   EXPECT_THAT(with_intervals(impact).summary.intervals->warning,
-              HasSubstr("SMALL NOSE: the radius is 0.5 times"));
+              HasSubstr("SMALL NOSE: the nose has a radius of 0.5 times"));
   impact.impactor.nose = FlatDisc{0.04};
   EXPECT_THAT(with_intervals(impact).summary.intervals->warning,
               HasSubstr("SMALL NOSE: the flat face has a radius of 1.6"));

@@ -107,6 +107,7 @@ struct ImpactMeasurement {
   std::vector<MeasuredFigure> figures;
   std::optional<MeasuredDeceleration> pulse;
   bool is_held_out = false;
+  bool states_neighbours = false;  ///< its case says what they are, and does not leave it to what is nominal
 };
 
 struct Fit {

@@ -1,8 +1,10 @@
 #pragma once
 /// One impact: what strikes what, how fast. SI throughout.
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dashpad/model/nose/nose.hpp"
@@ -28,6 +30,18 @@ struct PadLayer {
   PadCondition condition = {};
 };
 
+/// What the back of a pad lies on, where that is told to slip or not.
+enum class Floor {
+  bonded,        ///< it does not slip
+  resting,       ///< it does not slip, and may lift off
+  frictionless,  ///< it slips
+};
+inline constexpr std::array floors{Floor::bonded, Floor::resting, Floor::frictionless};
+/// "bonded", "resting", "frictionless".
+std::string name_of(Floor floor);
+/// Nothing for another name.
+std::optional<Floor> floor_named(std::string_view name);
+
 struct Pad {
   double thickness = 0;  ///< m, > 0; of a pad of layers, their sum (set_layers)
   Material material;     ///< of a pad of layers, none
@@ -41,6 +55,10 @@ struct Pad {
   /// Mass per area of a sheet on the struck face, kg/m2, 0 (none) or in [1e-3, 1e3]; it has no stiffness
   /// (theory.md, Eq. 76).
   double sheet = 0;
+  Floor floor = Floor::bonded;
+  /// By how much the columns of the pad are helped by their neighbours, c of Eq. 79 (theory.md), in [0, 2];
+  /// 0: not at all, as in the report.
+  double neighbours = 0;
   /// From the struck face on; none: the pad is of one foam, `material` under `condition`.
   std::vector<PadLayer> layers = {};
 };
@@ -51,6 +69,10 @@ struct Blows {
   /// Share of the pad's memory that is gone after each rest, in [0, 1]; 0 for foams that stay crushed.
   double recovery = 0;
 };
+
+/// What `neighbours` is where nobody says it: 0.8 for the laws of foams, 0 for those of the report and where
+/// the numbers of a layer come from strikes by a sphere, in which what neighbours do is.
+double nominal_neighbours(const Pad& pad);
 
 /// Gives the pad these layers, and their thickness.
 void set_layers(Pad& pad, std::vector<PadLayer> layers);

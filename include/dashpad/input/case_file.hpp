@@ -14,7 +14,8 @@ namespace dashpad::input {
 struct CaseFile {
   ImpactCase impact;
   Options options;
-  std::vector<InputFile> files;  ///< the case file, then those that it names: a profile, a card
+  bool states_neighbours = false;  ///< not left to what is nominal for the material of the pad
+  std::vector<InputFile> files;    ///< the case file, then those that it names: a profile, a card
 };
 
 /// Reads and checks a case. `materials` is the folder in which material names are looked up.

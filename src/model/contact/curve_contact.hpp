@@ -64,6 +64,13 @@ class CurveContact {
       sum += kink.slope_change / thickness_ * nose_.volume(y - kink.strain * thickness_);
     return sum;
   }
+  /// The force of the new pad integrated n times from 0 to y, n >= 1: 1 is the work, J.
+  [[nodiscard]] double integral(double y, int n) const {
+    double sum = curve_.initial_stress * nose_.integral(y, n);
+    for (const auto& kink : curve_)
+      sum += kink.slope_change / thickness_ * nose_.integral(y - kink.strain * thickness_, n + 1);
+    return sum;
+  }
   /// Work done on the pad from first contact, J, at a penetration since then.
   [[nodiscard]] double energy(double y) const { return work(crater_ + y) - work_before_; }
 

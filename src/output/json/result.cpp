@@ -64,7 +64,9 @@ Json pad(const Pad& of) {
   Json json{{"thickness_m", number(of.thickness)},
             {"area_m2", number(of.area)},
             {"earlier_penetration_m", number(of.earlier_penetration)},
-            {"sheet_mass_per_area_kg_per_m2", number(of.sheet)}};
+            {"sheet_mass_per_area_kg_per_m2", number(of.sheet)},
+            {"floor", name_of(of.floor)},
+            {"neighbours", number(of.neighbours)}};
   json.update(condition(of.condition));
   json.update(material_json(of.material));
   json["layers"] = Json::array();

@@ -67,6 +67,9 @@ std::string condition_text(const Pad& pad, const UnitSystem& units) {
   if (pad.sheet > 0) text += ", under a sheet of " + brief_quantity(pad.sheet, "kg/m2", units);
   if (pad.earlier_penetration > 0)
     text += ", struck before to a depth of " + brief_quantity(pad.earlier_penetration, "m", units);
+  if (pad.neighbours > 0)
+    text += pad.floor == Floor::frictionless ? ", on a frictionless floor"
+                                             : fmt::format(", {}", name_of(pad.floor));
   return text.empty() ? text : text + ",";
 }
 
@@ -153,6 +156,8 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
   if (impact.pad.sheet > 0) line("pad.sheet_mass_per_area", impact.pad.sheet, "kg/m2");
   if (impact.pad.earlier_penetration > 0)
     line("pad.earlier_penetration", impact.pad.earlier_penetration, "m");
+  text += fmt::format("  pad.floor = {}\n", name_of(impact.pad.floor));
+  line("pad.neighbours", impact.pad.neighbours, "1");
   const auto material_lines = [&](const std::string& prefix, const PadCondition& condition,
                                   const Material& material) {
     if (condition.scale != 1) line(prefix + "scale", condition.scale, "1");

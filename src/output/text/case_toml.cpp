@@ -62,6 +62,8 @@ std::string pad_toml(const Pad& pad) {
   if (pad.area) text += toml_line("area", *pad.area, "m2");
   if (pad.sheet > 0) text += toml_line("sheet_mass_per_area", pad.sheet, "kg/m2");
   if (pad.earlier_penetration > 0) text += toml_line("earlier_penetration", pad.earlier_penetration, "m");
+  if (pad.floor != Floor::bonded) text += toml_line("floor", name_of(pad.floor));
+  text += toml_line("neighbours", pad.neighbours, "1");
   if (pad.layers.empty()) text += material_toml(pad.material, pad.condition, "pad.");
   for (const PadLayer& layer : pad.layers)
     text += "\n[[pad.layers]]\n" + toml_line("thickness", layer.thickness, "m") +

@@ -182,6 +182,11 @@ std::string material_text(const Material& material, const UnitSystem& units) {
                      brief(range->highest_strain), brief(range->lowest_rate), brief(range->highest_rate)));
   else
     line("Fitted", "range not stated: no result can be called extrapolated");
+  if (material.nose_over_pad)
+    line("Strikes",
+         fmt::format("measured by strikes of a sphere with {} times the radius that the pad was thick: what "
+                     "neighbouring columns do is in its numbers",
+                     brief(*material.nose_over_pad)));
   text += "\n";
   text += std::visit(
       [&]<class Law>(const Law& law) {

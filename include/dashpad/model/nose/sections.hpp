@@ -67,6 +67,20 @@ struct Sections {
            (volume(depth) + area_beyond() * beyond / 2) * beyond;
   }
 
+  /// a integrated n times from 0 to y, n >= 0; of a shape, once or twice.
+  [[nodiscard]] double integral(double y, int n) const {
+    if (shape) [[unlikely]]
+      return n == 1 ? volume_of_shape(y) : volume_integral_of_shape(y);
+    if (!(y > 0)) return 0;
+    const double beyond = std::max(y - depth, 0.0);
+    double sum = integral_within(std::min(y, depth), n);
+    // A polynomial beyond d: Taylor's, whose highest derivative is the area there.
+    double power = 1;
+    for (int k = 1; beyond > 0 && k <= n; ++k)
+      sum += (power *= beyond / k) * (k == n ? area_beyond() : integral_within(depth, n - k));
+    return sum;
+  }
+
   /// Radius of the circle that has the area of the section at a depth s >= 0, m.
   [[nodiscard]] double radius(double s) const {
     if (shape) [[unlikely]]
@@ -103,6 +117,12 @@ struct Sections {
   }
 
  private:
+  [[nodiscard]] double integral_within(double y, int n) const {
+    double power = 1;
+    for (int k = 1; k <= n; ++k) power *= y / k;
+    const double rise = y / (n + 1), bend = rise * y / (n + 2);
+    return power * (tip + 2 * std::numbers::pi * (width * rise - taper * bend));
+  }
   // The same of a shape, out of the way of all other noses.
   [[nodiscard]] double rate_of_shape(double s) const;
   [[nodiscard]] Weights weights_of_shape(double from, double to) const;

@@ -40,6 +40,9 @@ struct Material {
   std::vector<std::string> reservations = {};  ///< what to keep in mind, a sentence each
   PadLaw law = {};
   std::optional<FittedRange> fitted = {};
+  /// Of a law that was measured by strikes of a sphere alone: its radius over the thickness of the pad, > 0.
+  /// What neighbouring columns did is in its numbers.
+  std::optional<double> nose_over_pad = {};
   Uncertainty uncertainty = {};
   /// Published values that the law does not use: name and value as the card has them.
   std::vector<std::pair<std::string, std::string>> also_published = {};
