@@ -79,8 +79,13 @@ void add_neighbours(const ImpactCase& impact, const Summary& summary, Open& open
                                       : "what columns leave out that do not help each other";
   const std::optional<Tip> tip = tip_of(impact);
   if (!tip) {
-    open.sources.push_back({Source::neighbours, words,
-                            fmt::format("it was not computed for a {}", name_of(impact.impactor.nose))});
+    ImpactCase without_rim = impact;
+    without_rim.pad.area.reset();
+    const std::string what = tip_of(without_rim) ? "block whose rim the contact reaches"
+                             : std::holds_alternative<Ellipsoid>(impact.impactor.nose)
+                                 ? "long ellipsoid"
+                                 : name_of(impact.impactor.nose);
+    open.sources.push_back({Source::neighbours, words, fmt::format("it was not computed for a {}", what)});
     return;
   }
   if (is_in_misfit(impact, *tip)) return;
