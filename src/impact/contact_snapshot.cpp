@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "impact/layers.hpp"
+#include "impact/neighbours.hpp"
 #include "model/contact/column_field.hpp"
 #include "model/contact/curve_contact.hpp"
 #include "model/contact/foam_contact.hpp"
@@ -48,10 +49,11 @@ std::vector<std::size_t> chosen_entries(const History& history) {
   return entries;
 }
 
-ContactSnapshot empty_snapshot(const History& history, std::size_t entry) {
+/// Its force is that of the columns, which their neighbours help.
+ContactSnapshot empty_snapshot(const ImpactCase& impact, const History& history, std::size_t entry) {
   ContactSnapshot snapshot;
   snapshot.time = history.time[entry];
-  snapshot.force = history.force_of_pad()[entry];
+  snapshot.force = history.force_of_pad()[entry] / factor_of_columns(impact)(history.penetration[entry]);
   const auto peak = std::max_element(history.force.begin(), history.force.end()) - history.force.begin();
   const auto place = static_cast<std::ptrdiff_t>(entry) - peak;
   snapshot.when = place < 0 ? "loading" : place == 0 ? "peak force" : "unloading";
@@ -104,7 +106,7 @@ std::vector<ContactSnapshot> replayed(const Law& law, const ImpactCase& impact, 
   std::size_t now = 0;
   for (const std::size_t entry : chosen_entries(history)) {
     replay(history, now, entry, field);
-    ContactSnapshot snapshot = empty_snapshot(history, entry);
+    ContactSnapshot snapshot = empty_snapshot(impact, history, entry);
     snapshot.determined = history.penetration[entry] < field.lock_penetration() * (1 - 1e-12);
     look_at(field, history.penetration[entry], nose, thickness, snapshot);
     if (snapshot.radius.size() > 1) snapshots.push_back(std::move(snapshot));
@@ -122,7 +124,7 @@ std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const Impact
   std::size_t now = 0;
   for (const std::size_t entry : chosen_entries(history)) {
     replay(history, now, entry, contact);
-    ContactSnapshot snapshot = empty_snapshot(history, entry);
+    ContactSnapshot snapshot = empty_snapshot(impact, history, entry);
     snapshot.determined =
         history.penetration[entry] < (contact.crater() + contact.lock_penetration()) * (1 - 1e-12);
     const double edge = contact.contact_radius();
@@ -144,7 +146,7 @@ std::vector<ContactSnapshot> from_layers(const ImpactCase& impact, const History
   std::size_t now = 0;
   for (const std::size_t entry : chosen_entries(history)) {
     replay(history, now, entry, contact);
-    ContactSnapshot snapshot = empty_snapshot(history, entry);
+    ContactSnapshot snapshot = empty_snapshot(impact, history, entry);
     snapshot.determined = history.penetration[entry] < contact.lock_penetration() * (1 - 1e-12);
     // Below a flat tip all is as on the axis.
     if (nose.tip > 0 && contact.column(0).stress > 0)
@@ -172,7 +174,7 @@ std::vector<ContactSnapshot> from_curve(const StressCurve& curve, const ImpactCa
   for (const std::size_t entry : chosen_entries(history)) {
     const double penetration = history.penetration[entry];
     if (!(penetration > 0)) continue;
-    ContactSnapshot snapshot = empty_snapshot(history, entry);
+    ContactSnapshot snapshot = empty_snapshot(impact, history, entry);
     const double share = snapshot.force / contact.force(penetration);
     snapshot.determined = std::abs(share - 1) < 1e-6;
     for (int k = 0; k <= most_points; ++k) {

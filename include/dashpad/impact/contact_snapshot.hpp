@@ -15,7 +15,7 @@ namespace dashpad {
 
 struct ContactSnapshot {
   double time = 0;   ///< s
-  double force = 0;  ///< of the pad, N
+  double force = 0;  ///< of the pad's columns, N
   std::string when;  ///< "loading", "peak force", "unloading"
   /// False where the law does not say how the force is shared out: a locked pad, whose stress is that of the
   /// foam before the lock; rigid foam while it is held, whose crush stress is scaled to the force.
