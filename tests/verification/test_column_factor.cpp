@@ -110,7 +110,7 @@ TEST(ColumnFactor, MeetsFiniteElementsBelowASphere) {
     const auto pads = pads_where([&](const Pressed& pad) { return is_bonded_sphere(pad, material); });
     ASSERT_EQ(pads.size(), 3U) << material;
     const double with = error_of_forces(pads, 0.7).value(), without = error_of_forces(pads, 0.7, 0).value();
-    // Fitted: A0 and B0. Nearly half as good with Poisson's ratio 0.1, of which nothing is in the factor.
+    // Fitted: A0 and B0. As good with a Poisson's ratio of 0.1 (A1, B1), of which nothing is in the factor.
     EXPECT_LT(with, material == std::string("TS") ? 0.05 : 0.065) << material;
     EXPECT_LT(with, without / 1.7) << material;
   }
