@@ -1,7 +1,9 @@
 // The command dashpad: reads the command line and hands over to a subcommand.
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <iterator>
 #include <new>
 #include <sstream>
 #include <stdexcept>
@@ -148,6 +150,18 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
   return code == 0 ? exit_done : exit_refused;
 }
 
+/// One complaint for each option that was given an empty text, as by a script whose variable is not set: it
+/// would count as 0 or as not given.
+std::vector<std::string> given_empty(const CLI::App& app) {
+  std::vector<std::string> complaints;
+  for (const CLI::Option* option : app.get_options())
+    if (std::ranges::count(option->results(), "") > 0)
+      complaints.push_back(option->get_name() + ": must not be empty");
+  for (const CLI::App* sub : app.get_subcommands())
+    std::ranges::move(given_empty(*sub), std::back_inserter(complaints));
+  return complaints;
+}
+
 int command(int argument_count, char** arguments) {
   CLI::App app{description, "dashpad"};
   app.footer(main_footer);
@@ -166,6 +180,8 @@ int command(int argument_count, char** arguments) {
   } catch (const CLI::ParseError& error) {
     return answer(app, error);
   }
+  if (const std::vector<std::string> complaints = given_empty(app); !complaints.empty())
+    return refuse(complaints, app);
   return perform(action, app);
 }
 

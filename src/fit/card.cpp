@@ -164,8 +164,7 @@ PadLaw rounded(const PadLaw& exact) {
 
 /// Whether what neighbouring columns do in impacts is in the numbers of the law.
 bool rests_on_strikes(const Fit& fit) {
-  const auto counts = [](const auto& of) { return !of.is_held_out; };
-  return std::ranges::none_of(fit.tests, counts) && std::ranges::any_of(fit.impacts, counts) &&
+  return rests_on_impacts_alone(fit) &&
          std::ranges::none_of(fit.unknowns, [](const Unknown& of) { return of.key == "pad.neighbours"; }) &&
          std::ranges::all_of(fit.impacts,
                              [](const ImpactMeasurement& of) { return of.impact.pad.neighbours == 0; });

@@ -188,11 +188,11 @@ dashpad::Uncertainty uncertainty_of(const Fit& fit, const Problem& problem, cons
     of.recoil = range;
   else if (assumes_recoil(fit))
     of.recoil = whole;
-  const bool has_way_back =
-      std::ranges::any_of(
-          report.tests,
-          [](const MetTest& test) { return !test.is_held_out && test.rms_unloading.has_value(); }) ||
-      std::ranges::any_of(fit.impacts, [](const ImpactMeasurement& impact) { return !impact.is_held_out; });
+  const bool has_way_back = std::ranges::any_of(report.tests,
+                                                [](const MetTest& test) {
+                                                  return !test.is_held_out && test.rms_unloading.has_value();
+                                                }) ||
+                            has_fitted(fit.impacts);
   // What is known to both sides is in the axes already.
   const auto sought =
       std::ranges::find(report.unknowns, "pad.parameters.unloading_factor", &FittedUnknown::key);

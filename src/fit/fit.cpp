@@ -35,8 +35,7 @@ void check_key_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
   }
   if (&*std::ranges::find(fit.unknowns, unknown.key, &Unknown::key) != &unknown)
     broken.push_back({key, input::no_value, "is given twice"});
-  const bool has_impact = std::ranges::any_of(fit.impacts, [](const auto& of) { return !of.is_held_out; });
-  if (!study::is_of_law(unknown.key) && !has_impact)
+  if (!study::is_of_law(unknown.key) && !has_fitted(fit.impacts))
     broken.push_back({key, input::no_value,
                       "is no number of the pad's law, which is all that material tests see: it needs "
                       "[[impacts]]"});

@@ -113,8 +113,7 @@ void add_broken_rules(const std::vector<Violation>& broken, const TomlNode& root
 /// all in the law, and the card says so.
 void leave_neighbours_to_law(Fit& fit) {
   const bool is_unknown = std::ranges::count(fit.unknowns, "pad.neighbours", &Unknown::key) > 0;
-  if (is_unknown || std::ranges::any_of(fit.tests, [](const auto& test) { return !test.is_held_out; }))
-    return;
+  if (is_unknown || !rests_on_impacts_alone(fit)) return;
   for (ImpactMeasurement& impact : fit.impacts)
     if (!impact.states_neighbours) impact.impact.pad.neighbours = 0;
   if (std::ranges::none_of(fit.impacts, &ImpactMeasurement::states_neighbours)) fit.base.pad.neighbours = 0;

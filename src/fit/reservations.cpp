@@ -96,8 +96,7 @@ void add_company(const Fit& fit, const FitReport& report, Sentences& all) {
       all.push_back(fmt::format("Found together with {} = {}, which a card does not hold.", of.key,
                                 value_words(of, of.value)));
   }
-  const bool has_tests = std::ranges::any_of(fit.tests, [](const auto& of) { return !of.is_held_out; });
-  if (is_scaled && has_tests)
+  if (is_scaled && has_fitted(fit.tests))
     all.emplace_back(
         "The scale that impacts asked for is in all stresses: the tests were fitted without it.");
   for (const MetTest& test : report.tests)
@@ -108,7 +107,7 @@ void add_company(const Fit& fit, const FitReport& report, Sentences& all) {
 
 /// Where the card says that it was tested, if no compression test says so.
 void add_range(const Fit& fit, std::span<const double> values, Sentences& all) {
-  const bool has_tests = std::ranges::any_of(fit.tests, [](const auto& of) { return !of.is_held_out; });
+  const bool has_tests = has_fitted(fit.tests);
   const Material& base = fit.base.pad.material;
   if (!has_tests && !is_stated(base)) {
     all.emplace_back(
@@ -146,8 +145,8 @@ Sentences reservations_of(const Fit& fit, std::span<const double> values, const 
   add_company(fit, report, all);
   const bool unloads = std::ranges::any_of(
       report.tests, [](const MetTest& test) { return !test.is_held_out && test.rms_unloading.has_value(); });
-  const bool strikes = std::ranges::any_of(fit.impacts, [](const auto& of) { return !of.is_held_out; });
-  if (!unloads && !strikes) all.emplace_back("Fitted to loading only: the way back is assumed.");
+  if (!unloads && !has_fitted(fit.impacts))
+    all.emplace_back("Fitted to loading only: the way back is assumed.");
   if (assumes_recoil(fit))
     all.emplace_back(
         "How much of the stress that the rate adds resists the way back (recoil) was not tested: 1 is "

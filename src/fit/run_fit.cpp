@@ -85,11 +85,10 @@ FitReport run_fit(const Fit& fit, const RunOptions& options) {
   throw_if_broken(fit);
   Session session(fit, options);
   std::atomic<std::size_t> evaluations = 0;
-  const bool has_impacts = std::ranges::any_of(fit.impacts, [](const auto& of) { return !of.is_held_out; });
   FitReport report;
   report.title = fit.title;
   Minimum minimum;
-  for (int runs = has_impacts ? first_runs : 0;; ++runs) {
+  for (int runs = has_fitted(fit.impacts) ? first_runs : 0;; ++runs) {
     report.solver_runs = runs;
     Problem problem = problem_of(fit, runs);
     const LeastSquares residuals = least_squares_of(problem, session, evaluations);
@@ -97,7 +96,7 @@ FitReport run_fit(const Fit& fit, const RunOptions& options) {
     if (runs <= first_runs) minimum = search(fit, problem, residuals, session, report);
     if (minimum.converged) minimum = minimise(residuals, minimum.x);
     session.throw_if_stopped();
-    if (minimum.converged && has_impacts && runs < most_runs &&
+    if (minimum.converged && has_fitted(fit.impacts) && runs < most_runs &&
         !runs_suffice(fit, problem, problem.values(minimum.x), runs))
       continue;
     const Solved solved = determine(problem, residuals, minimum, session, report);

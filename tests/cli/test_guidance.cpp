@@ -43,6 +43,18 @@ TEST_F(GuidanceTest, MaterialsShowsACardFromAFile) {
   EXPECT_EQ(dashpad({"materials", card}).out, dashpad({"materials", "ensolite-aac-9"}).out);
 }
 
+TEST_F(GuidanceTest, AnEmptyArgumentDoesNotCountAsNoneOrZero) {
+  for (const auto& [arguments, name] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"validate", "--data", ""}, "--data"},
+           {{"run", case_file(), "--materials", ""}, "--materials"},
+           {{"pulse", "pulse.csv", "--window", "", "--dwell", "80"}, "--window"}}) {
+    const Outcome outcome = dashpad(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << name;
+    EXPECT_THAT(outcome.err, StartsWith(name + ": must not be empty\n1 fault; nothing was run"));
+    EXPECT_EQ(outcome.out, "") << name;
+  }
+}
+
 TEST_F(GuidanceTest, MaterialsNamesTheCardsThatThereAre) {
   const Outcome outcome = dashpad({"materials", "unobtainium"});
   EXPECT_EQ(outcome.exit_code, 2);

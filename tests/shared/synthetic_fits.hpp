@@ -176,6 +176,35 @@ inline SyntheticFit nine_parameter_impacts(std::uint64_t seed) {
   return made;
 }
 
+/// An elastic pad and what neighbours do in it, from the depths of noses of three radii at two speeds: what
+/// goes with 1/R tells the two apart.
+inline SyntheticFit neighbours_of_noses(std::uint64_t seed) {
+  SyntheticFit made{"neighbours and modulus from noses of three radii", {}, {}};
+  made.fit.base = case_with(Elastic{.modulus = 300e3});
+  made.fit.base.pad.neighbours = 0.7;
+  made.fit.has_case = true;
+  add_unknown(made, "pad.parameters.modulus", 30e3, 3e6);
+  add_unknown(made, "pad.neighbours", 0, 2);
+  NormalNumbers normal(seed);
+  for (const double radius : {0.05, 0.1, 0.3})
+    for (const double speed : {0.5, 1.0}) {
+      fit::ImpactMeasurement impact;
+      impact.file = "made-up.toml";
+      impact.impact = made.fit.base;
+      impact.impact.impactor.nose = Sphere{radius};
+      impact.impact.impactor.mass = 2;
+      impact.impact.impactor.speed = speed;
+      const double depth = solve(impact.impact, impact.options).summary.peak_penetration;
+      const double deviation = 0.01 * depth;
+      impact.figures.push_back(
+          {fit::ImpactFigure::peak_penetration, depth + deviation * normal.next(), deviation});
+      made.fit.impacts.push_back(impact);
+    }
+  made.fit.starts = 2;
+  made.fit.seed = seed;
+  return made;
+}
+
 /// An impact that is held out, of which the peak force is predicted; `speed` in m/s.
 inline void hold_out_an_impact(SyntheticFit& made, double speed) {
   fit::ImpactMeasurement impact;

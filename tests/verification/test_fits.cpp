@@ -38,13 +38,14 @@ TEST_P(FitsOfMadeUpData, FindTheTruthFromElsewhere) {
 }
 
 std::string name_of_kind(const testing::TestParamInfo<Make>& of) {
-  static const std::vector<std::string> names{"avalle", "hyperfoam", "nine_parameter", "drifting", "pulses"};
+  static const std::vector<std::string> names{"avalle",   "hyperfoam", "nine_parameter",
+                                              "drifting", "pulses",    "neighbours"};
   return names[of.index];
 }
 
 INSTANTIATE_TEST_SUITE_P(Fits, FitsOfMadeUpData,
                          testing::Values(avalle_loops, hyperfoam_rates, nine_parameter_impacts,
-                                         drifting_avalle_loops, nine_parameter_pulses),
+                                         drifting_avalle_loops, nine_parameter_pulses, neighbours_of_noses),
                          name_of_kind);
 
 /// A disc on an elastic pad: the peak force is v sqrt(E A m / h), so that its error is half that of the

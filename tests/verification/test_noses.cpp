@@ -78,7 +78,7 @@ TEST(Sections, OfAConeAreThoseOfItsGeometry) {
       expect_relative(sections.volume(s), pi * s / 3 * (low * low + low * radius + radius * radius), 1e-13,
                       "volume");
       const double third = slope * s;
-      expect_relative(sections.volume_integral(s),
+      expect_relative(sections.integral(s, 2),
                       pi * s * s * (low * low / 2 + low * third / 3 + third * third / 12), 1e-13,
                       "integral of the volume");
     }
@@ -143,7 +143,7 @@ TEST(Noses, OnAnElasticPadTurnWhereItsEnergyIsThatOfTheImpact) {
     double low = 0, high = 1;
     for (int i = 0; i < 200; ++i) {
       const double middle = (low + high) / 2;
-      (stiffness * sections.volume_integral(middle) < energy ? low : high) = middle;
+      (stiffness * sections.integral(middle, 2) < energy ? low : high) = middle;
     }
     const Summary s = solve(impact, {.tolerance = tolerance}).summary;
     if (low > impact.pad.thickness) {

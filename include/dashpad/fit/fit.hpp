@@ -137,6 +137,16 @@ bool is_of_card(const std::string& key);
 /// Whether an unknown is none of those, as the stiffness of a support: a case holds it.
 bool finds_more_than_a_card(const Fit& fit);
 
+/// Whether some test or impact is fitted to, and not all of them are held out.
+template <class Measurement>
+bool has_fitted(const std::vector<Measurement>& of) {
+  return std::ranges::any_of(of, [](const Measurement& one) { return !one.is_held_out; });
+}
+/// Whether the unknowns are told by impacts alone.
+inline bool rests_on_impacts_alone(const Fit& fit) {
+  return !has_fitted(fit.tests) && has_fitted(fit.impacts);
+}
+
 /// Whether a strain counts in the fit.
 inline bool counts(const MaterialMeasurement& test, std::size_t i) {
   return test.strain[i] >= test.lowest_strain && test.strain[i] <= test.highest_strain;

@@ -65,7 +65,7 @@ Pulse cfc_filtered(const Pulse& pulse, double channel_frequency_class, Corner co
 
 /// Samples at even intervals by linear interpolation, from the first time on, for filters of uneven pulses.
 /// The last is at or less than an interval before the end. `interval` in s, > 0 and no longer than the pulse;
-/// at most 50 million samples, std::invalid_argument otherwise.
+/// at most 10 million samples, std::invalid_argument otherwise.
 Pulse resampled(const Pulse& pulse, double interval);
 
 }  // namespace dashpad::injury

@@ -24,7 +24,7 @@ class CurveContact {
   CurveContact(const StressCurve& curve, bool recovers, double thickness, const Sections& nose,
                double crater = 0)
       : curve_(curve), recovers_(recovers), thickness_(thickness), nose_(nose), crater_(crater) {
-    if (crater > 0) work_before_ = work(crater);
+    if (crater > 0) work_before_ = integral(crater, 1);
   }
 
   /// Whether the pad follows its curve back on unloading; if not, it holds its deformation.
@@ -72,17 +72,9 @@ class CurveContact {
     return sum;
   }
   /// Work done on the pad from first contact, J, at a penetration since then.
-  [[nodiscard]] double energy(double y) const { return work(crater_ + y) - work_before_; }
+  [[nodiscard]] double energy(double y) const { return integral(crater_ + y, 1) - work_before_; }
 
  private:
-  /// Work done on the new pad, J.
-  [[nodiscard]] double work(double y) const {
-    double sum = curve_.initial_stress * nose_.volume(y);
-    for (const auto& kink : curve_)
-      sum += kink.slope_change / thickness_ * nose_.volume_integral(y - kink.strain * thickness_);
-    return sum;
-  }
-
   StressCurve curve_;
   bool recovers_;
   double thickness_;

@@ -20,6 +20,7 @@ class WithNeighbours {
   void start(double resolution, double expected) {
     contact_.start(resolution, expected);
     penetration_ = depth_at_first();
+    if constexpr (HasEnergy<Contact>) work_before_ = is_one_ ? 0 : work(penetration_);
   }
   PadTrial trial(double advance, double from, double step) {
     PadTrial trial = contact_.trial(advance, from, step);
@@ -45,7 +46,7 @@ class WithNeighbours {
   /// J, at a penetration since first contact.
   [[nodiscard]] double energy(double y) const requires HasEnergy<Contact> {
     if (is_one_) return contact_.energy(y);
-    return work(depth_at_first() + y) - work(depth_at_first());
+    return work(depth_at_first() + y) - work_before_;
   }
 
   [[nodiscard]] double crater() const requires RemembersBlows<Contact> { return contact_.crater(); }
@@ -91,6 +92,7 @@ class WithNeighbours {
   ColumnFactor factor_;
   bool is_one_;
   double penetration_ = 0;  ///< below the surface of the new pad, m
+  double work_before_ = 0;  ///< up to the crater of an earlier blow, J
 };
 
 /// That nothing which the solver asks a contact for is lost on the way: a concept that fails does so

@@ -57,17 +57,7 @@ struct Sections {
     const double beyond = std::max(y - depth, 0.0);
     return tip * c + 2 * std::numbers::pi * c * c * (width / 2 - taper * c / 6) + area_beyond() * beyond;
   }
-  /// Integral of volume() from 0 to y, m4.
-  [[nodiscard]] double volume_integral(double y) const {
-    if (shape) [[unlikely]]
-      return volume_integral_of_shape(y);
-    const double c = std::clamp(y, 0.0, depth);
-    const double beyond = std::max(y - depth, 0.0);
-    return tip * c * c / 2 + 2 * std::numbers::pi * c * c * c * (width / 6 - taper * c / 24) +
-           (volume(depth) + area_beyond() * beyond / 2) * beyond;
-  }
-
-  /// a integrated n times from 0 to y, n >= 0; of a shape, once or twice.
+  /// a integrated n times from 0 to y, n >= 1, as twice for m4; of a shape no more than twice.
   [[nodiscard]] double integral(double y, int n) const {
     if (shape) [[unlikely]]
       return n == 1 ? volume_of_shape(y) : volume_integral_of_shape(y);

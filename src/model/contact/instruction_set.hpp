@@ -1,0 +1,42 @@
+#pragma once
+/// The best of a function's versions that this processor has, by Highway's tables but without its library:
+/// that one measures a clock whenever it is loaded, for six milliseconds.
+
+#include <cstddef>
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+namespace dashpad {
+
+/// Instruction sets that the processor and the system have, as Highway's bits; besides x86 those that the
+/// compiler was told of.
+inline std::int64_t instruction_sets() {
+  std::int64_t sets = HWY_ENABLED_BASELINE;
+#if HWY_ARCH_X86
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("ssse3")) sets |= HWY_SSSE3;
+  if (__builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("aes"))
+    sets |= HWY_SSE4;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"))
+    sets |= HWY_AVX2;
+  // What AVX3_DL adds is of no use to doubles.
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw"))
+    sets |= HWY_AVX3;
+#endif
+  return sets;
+}
+
+/// In a table of the versions: DASHPAD_VERSIONS_OF(function).
+template <class Function, std::size_t size>
+Function* for_this_processor(Function* const (&versions)[size]) {
+  hwy::ChosenTarget chosen;
+  chosen.Update(instruction_sets());
+  return versions[chosen.GetIndex()];
+}
+
+}  // namespace dashpad
+
+#define DASHPAD_VERSIONS_OF(function) \
+  { nullptr, HWY_CHOOSE_TARGET_LIST(function), HWY_CHOOSE_FALLBACK(function) }
