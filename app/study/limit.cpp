@@ -16,7 +16,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-/// What UDUNITS-2 reads: it has no g of acceleration, which g is a gram.
+/// With a g of acceleration, which elsewhere is a gram.
 double value_in_si(const std::string& text, const std::string& si_unit) {
   if (si_unit == "m/s2" && text.size() > 1 && text.ends_with("g"))
     return standard_gravity * stated_si(trimmed(text.substr(0, text.size() - 1)), "1");

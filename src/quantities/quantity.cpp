@@ -7,8 +7,7 @@
 #include <cmath>
 
 #include "quantities/dimension.hpp"
-#include "quantities/unit_factor.hpp"
-#include "quantities/unit_text.hpp"
+#include "quantities/unit.hpp"
 
 namespace dashpad {
 namespace {
@@ -73,12 +72,12 @@ std::string other_capitals(const std::string& unit, const Dimension& wanted) {
 
 std::string wrong_dimension(const std::string& unit, const Dimension& wanted) {
   const auto fits = [](const std::string& text, std::string_view si_unit) {
-    return unit_factor(text, std::string(si_unit)).match == UnitMatch::same_dimension;
+    return unit_factor(text, si_unit).match == UnitMatch::same_dimension;
   };
   std::string rule = name_of(wanted) + " is needed";
   if (!wanted.examples[0].empty())
     rule += fmt::format(" ({})", examples_of_units(std::string(wanted.si_unit)));
-  // To the database an angle is a pure number, and a pure number an angle.
+  // An angle counts as a pure number, and a pure number as an angle.
   for (const Dimension& dimension : known_dimensions())
     if (dimension.si_unit != "rad" && fits(unit, dimension.si_unit))
       rule += fmt::format(", but \"{}\" gives {}", unit, dimension.name);
@@ -87,21 +86,26 @@ std::string wrong_dimension(const std::string& unit, const Dimension& wanted) {
   return rule + other_capitals(unit, wanted);
 }
 
+std::string unknown_unit(const std::string& unit, const Dimension& wanted) {
+  if (const std::string_view advice = advice_on_unit(unit); !advice.empty())
+    return fmt::format("\"{}\" has several sizes: {}", unit, advice);
+  return fmt::format("unknown unit \"{}\"; use {}{}", unit, examples_of_units(std::string(wanted.si_unit)),
+                     other_capitals(unit, wanted));
+}
+
 double factor_of(const std::string& unit, const Dimension& wanted) {
   const std::string si_unit(wanted.si_unit);
-  switch (kind_of_unit_text(unit)) {
-    case UnitText::holds_number:
+  const auto [match, factor] = unit_factor(unit, si_unit);
+  switch (match) {
+    case UnitMatch::same_dimension: break;
+    case UnitMatch::other_dimension: throw UnitError(wrong_dimension(unit, wanted));
+    case UnitMatch::holds_number:
       throw UnitError(
           fmt::format("one number and one unit are needed, but \"{}\" holds another number", unit));
-    case UnitText::not_a_unit:
+    case UnitMatch::not_a_unit:
       throw UnitError(fmt::format("\"{}\" is not a unit; use {}", unit, examples_of_units(si_unit)));
-    case UnitText::plain: break;
+    case UnitMatch::unknown: throw UnitError(unknown_unit(unit, wanted));
   }
-  const auto [match, factor] = unit_factor(unit, si_unit);
-  if (match == UnitMatch::unknown)
-    throw UnitError(fmt::format("unknown unit \"{}\"; use {}{}", unit, examples_of_units(si_unit),
-                                other_capitals(unit, wanted)));
-  if (match == UnitMatch::other_dimension) throw UnitError(wrong_dimension(unit, wanted));
   return factor;
 }
 

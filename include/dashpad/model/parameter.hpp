@@ -35,7 +35,7 @@ template <class Owner>
 struct Parameter {
   const char* key;     ///< name in case files and in results
   const char* symbol;  ///< symbol in theory.md
-  const char* unit;    ///< SI unit as text that UDUNITS-2 reads; "1" for a pure number
+  const char* unit;    ///< SI unit as text, as "N s/m"; "1" for a pure number
   double Owner::*member;
   Bounds bounds;
   const char* meaning;

@@ -14,16 +14,10 @@ class UnitError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The units database of UDUNITS-2 is missing or unusable: the installation's fault, not the user's.
-class UnitDatabaseError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// Value of `text` ("20 mph", "7.96 psi", "1.05 kN/cm") in the SI unit `si_unit` ("m/s", "Pa", "N/m"; "1" for
 /// a pure number). Any unit of that dimension is accepted. Throws UnitError: no number, no unit (the message
-/// names units that it could have), unknown unit, wrong dimension, not finite. What the units are is settled
-/// by UDUNITS-2, with the pound (lb) a mass, the pound-force (lbf) a force and g a gram.
+/// names units that it could have), unknown unit, wrong dimension, not finite. The pound (lb)
+/// is a mass, the pound-force (lbf) a force and g a gram.
 double to_si(std::string_view text, const std::string& si_unit);
 
 /// An SI value in another unit of its dimension ("m/s" to "mph"). Throws UnitError for a wrong unit.

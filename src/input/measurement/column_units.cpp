@@ -9,8 +9,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "input/measurement/measurement_text.hpp"
-#include "quantities/unit_factor.hpp"
-#include "quantities/unit_text.hpp"
+#include "quantities/unit.hpp"
 
 namespace dashpad::input {
 
@@ -71,17 +70,12 @@ bool ends_in_unit(std::string_view before) {
 
 /// As to_si() sees it, but without a message: a table may have thousands of columns.
 bool is_unit_of(const std::string& text, const char* si_unit) {
-  const std::string unit = tidy_unit(text);
-  if (unit.empty() || kind_of_unit_text(unit) != UnitText::plain) return false;
-  const auto [match, factor] = unit_factor(unit, si_unit);
-  return match == UnitMatch::same_dimension && factor > 0;
+  return unit_factor(tidy_unit(text), si_unit).match == UnitMatch::same_dimension;
 }
 
 /// A unit, but neither of time nor of acceleration: the column of degrees called T.
 bool is_other_unit(const std::string& text) {
-  const std::string unit = tidy_unit(standard_unit(text));
-  return !unit.empty() && kind_of_unit_text(unit) == UnitText::plain &&
-         unit_factor(unit, "s").match == UnitMatch::other_dimension;
+  return unit_factor(tidy_unit(standard_unit(text)), "s").match == UnitMatch::other_dimension;
 }
 
 bool begins_with_word(const std::string& name, std::initializer_list<std::string_view> words) {
