@@ -221,7 +221,7 @@ task_lint() {
   cpp_files | xargs -r clang-format --dry-run --Werror
 
   say "Running shellcheck ..."
-  shellcheck ./do ./.ci/run tests/soak/*.sh
+  shellcheck ./do ./.ci/run tests/soak/*.sh tests/regression/*.sh
 
   # Ninja goes on from what has passed: the first time takes an hour, later ones what has changed.
   say "Building with clang-tidy, warnings are errors ..."

@@ -3,16 +3,17 @@
 #include "study/study.hpp"
 
 #include <chrono>
+#include <cstdlib>
 #include <memory>
 
 #include <fmt/format.h>
 
 #include "dashpad/study/run_study.hpp"
 #include "dashpad/study/study_file.hpp"
+#include "mpi/study_ranks.hpp"
 #include "streams.hpp"
 #include "study/progress.hpp"
 #include "study/stop_signal.hpp"
-#include "study/study_ranks.hpp"
 
 namespace dashpad::app {
 
@@ -38,6 +39,14 @@ Under mpirun each rank computes on one core. docs/studies.md tells all.
 Exit codes: 0 all rows are there, 1 a result could not be written, 2 refused and nothing was run, 3 all rows
 are there but some are doubtful (tolerance missed, no valid case, a figure missing), 130 or 143 stopped by
 Ctrl-C or SIGTERM: the same command goes on.)";
+
+/// Whether mpirun or a batch system started this process as one of several ranks. Asks the environment, so
+/// that a plain command never pays for MPI.
+bool is_one_of_several_ranks() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+    if (const char* size = std::getenv(name); size != nullptr && std::atoi(size) > 1) return true;
+  return false;
+}
 
 int run_here(const StudyRequest& request, const fs::path& materials) {
   // Before the store is there: who sees its file may stop the study, and is told how it goes on.

@@ -1,6 +1,7 @@
 #include "input/text_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -47,12 +48,15 @@ std::string read_text_file(const std::filesystem::path& file) {
   require_regular(file);
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse_file(file, std::string("cannot be read: ") + std::strerror(errno));
-  // One byte more than allowed, whatever the file system says of the size: some files grow while they are
-  // read.
-  std::string content(largest_size + 1, '\0');
-  stream.read(content.data(), static_cast<std::streamsize>(content.size()));
+  // No more than a piece beyond what is allowed, whatever the file system says of the size: some files grow
+  // while they are read.
+  std::string content;
+  std::array<char, 16384> piece;
+  while (content.size() <= largest_size && stream) {
+    stream.read(piece.data(), piece.size());
+    content.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+  }
   if (stream.bad()) refuse_file(file, "cannot be read to its end");
-  content.resize(static_cast<std::size_t>(stream.gcount()));
   if (content.size() > largest_size) refuse_file(file, "is larger than 1 MiB");
   require_text(file, content);
   return content;

@@ -141,10 +141,12 @@ TEST(InlineSvgs, TellTextsFromWhatIsDrawn) {
   EXPECT_FALSE(differ_in_texts_only(metric, moved));
 }
 
-/// The known digest of the empty text, and of "abc" (FIPS 180-2).
+/// The known digests of FIPS 180-2, of one block and of two, and that of the empty text.
 TEST(PolicyHash, IsThatOfTheStandard) {
   EXPECT_EQ(policy_hash(""), "sha256-47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU=");
   EXPECT_EQ(policy_hash("abc"), "sha256-ungWv48Bz+pBQUDeXa4iI7ADYaOWF3qctBD/YfIAFa0=");
+  EXPECT_EQ(policy_hash("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "sha256-JI1qYdIGOLjlwCaTDD5gOaM85Flk/yFn9uzt1BnbBsE=");
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <memory>
 #include <set>
 
@@ -131,17 +130,6 @@ class Archive {
 };
 
 }  // namespace
-
-bool is_archive(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return false;
-  std::array<char, 512> begin{};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(begin.data(), begin.size());
-  const std::string_view bytes(begin.data(), static_cast<std::size_t>(stream.gcount()));
-  const bool is_zip = bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06");
-  return is_zip || bytes.starts_with("\x1f\x8b") || (bytes.size() == 512 && bytes.substr(257, 5) == "ustar");
-}
 
 std::vector<std::string> names_in_archive(const std::filesystem::path& archive) {
   Archive opened(archive);

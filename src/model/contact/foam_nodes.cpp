@@ -24,13 +24,12 @@ FoamNodeMath with_lanes() { return {fill_within, fill_beyond}; }
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace dashpad {
-namespace {
-HWY_EXPORT(with_lanes);
-}
+#include "model/contact/instruction_set.hpp"
 
+namespace dashpad {
 const FoamNodeMath& foam_node_math() {
-  static const FoamNodeMath result = HWY_DYNAMIC_DISPATCH(with_lanes)();
+  constexpr decltype(&HWY_STATIC_DISPATCH(with_lanes)) versions[] = DASHPAD_VERSIONS_OF(with_lanes);
+  static const FoamNodeMath result = for_this_processor(versions)();
   return result;
 }
 

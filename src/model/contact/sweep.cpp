@@ -26,6 +26,8 @@ void fill_with_lanes(Sweeps* sweeps) { fill<Lanes>(sweeps->of_laws, *sweeps); }
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "model/contact/instruction_set.hpp"
+
 namespace dashpad {
 namespace scalar {
 namespace {
@@ -35,14 +37,12 @@ namespace {
 }  // namespace
 }  // namespace scalar
 
-namespace {
-HWY_EXPORT(fill_with_lanes);
-}
-
 const Sweeps& sweeps(ColumnMath math) {
   static const Sweeps with_lanes = [] {
     Sweeps result;
-    HWY_DYNAMIC_DISPATCH(fill_with_lanes)(&result);
+    constexpr decltype(&HWY_STATIC_DISPATCH(fill_with_lanes)) versions[] =
+        DASHPAD_VERSIONS_OF(fill_with_lanes);
+    for_this_processor(versions)(&result);
     return result;
   }();
   static const Sweeps one_by_one = [] {

@@ -1,6 +1,4 @@
-#ifdef DASHPAD_HAS_MPI
-
-#include "study/ranks.hpp"
+#include "mpi/ranks.hpp"
 
 #include <cstdlib>
 
@@ -80,5 +78,3 @@ void Ranks::abort(int exit_code) {
 }
 
 }  // namespace dashpad::app
-
-#endif

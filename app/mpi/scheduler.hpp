@@ -11,7 +11,7 @@
 
 #include "dashpad/study/batch.hpp"
 #include "dashpad/study/run_study.hpp"
-#include "study/ranks.hpp"
+#include "mpi/ranks.hpp"
 
 namespace dashpad::app {
 

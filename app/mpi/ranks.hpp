@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "study/rank_messages.hpp"
+#include "mpi/rank_messages.hpp"
 
 namespace dashpad::app {
 

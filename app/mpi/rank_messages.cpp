@@ -1,4 +1,4 @@
-#include "study/rank_messages.hpp"
+#include "mpi/rank_messages.hpp"
 
 #include <bit>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// HDF5 of a store, through the C interface.
+// HDF5 of a store, through the C interface: a part that is loaded when it is used.
 
 #include "study/hdf5.hpp"
 
@@ -12,6 +12,7 @@
 #include <hdf5.h>
 
 #include "dashpad/study/export_csv.hpp"
+#include "parts/parts.hpp"
 
 namespace dashpad::app {
 
@@ -198,3 +199,8 @@ void write_hdf5(const study::Store& store, const std::filesystem::path& file, co
 }
 
 }  // namespace dashpad::app
+
+extern "C" const dashpad::app::Hdf5Part* dashpad_part() {
+  static constexpr dashpad::app::Hdf5Part part{dashpad::app::write_hdf5};
+  return &part;
+}

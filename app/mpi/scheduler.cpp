@@ -1,6 +1,4 @@
-#ifdef DASHPAD_HAS_MPI
-
-#include "study/scheduler.hpp"
+#include "mpi/scheduler.hpp"
 
 #include <chrono>
 #include <stdexcept>
@@ -124,5 +122,3 @@ bool StudyScheduler::serve(const std::function<void(const study::Progress&)>& pr
 }
 
 }  // namespace dashpad::app
-
-#endif

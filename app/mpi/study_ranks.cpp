@@ -1,8 +1,4 @@
-#include "study/study_ranks.hpp"
-
-#include <cstdlib>
-
-#ifdef DASHPAD_HAS_MPI
+#include "mpi/study_ranks.hpp"
 
 #include <chrono>
 #include <optional>
@@ -13,31 +9,13 @@
 #include "dashpad/study/resolved_study.hpp"
 #include "dashpad/study/study_file.hpp"
 #include "dashpad/version.hpp"
+#include "mpi/ranks.hpp"
+#include "mpi/scheduler.hpp"
 #include "streams.hpp"
 #include "study/progress.hpp"
-#include "study/ranks.hpp"
-#include "study/scheduler.hpp"
 #include "study/stop_signal.hpp"
 
-#endif
-
 namespace dashpad::app {
-
-bool is_one_of_several_ranks() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
-    if (const char* size = std::getenv(name); size != nullptr && std::atoi(size) > 1) return true;
-  return false;
-}
-
-#ifndef DASHPAD_HAS_MPI
-
-int run_on_ranks(const StudyRequest&, const std::filesystem::path&) {
-  throw Refused(
-      {"this dashpad was built without MPI and cannot run under mpirun; build it where an MPI is "
-       "installed (Debian: libopenmpi-dev)"});
-}
-
-#else
 
 namespace {
 
@@ -144,7 +122,5 @@ int run_on_ranks(const StudyRequest& request, const std::filesystem::path& mater
   const Ranks ranks;
   return run_on(ranks, request, materials);
 }
-
-#endif
 
 }  // namespace dashpad::app
