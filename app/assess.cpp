@@ -54,7 +54,7 @@ Exit codes: 0 pass, also with reservations; 4 fail, also where the tolerance is 
 undecided.)";
 
 struct AssessRequest {
-  std::string case_file;
+  GivenCase given;
   std::vector<std::string> standards;
   std::optional<std::string> mass, radius, speed, drop_height;
   injury::Kept kept;
@@ -150,8 +150,8 @@ AssessInput read_and_check(const AssessRequest& request, const AssessFolders& fo
            .standard = {},
            .impact = {}});
     });
-  std::optional<input::CaseFile> given = read_case(request.case_file, folders.materials, wrong);
-  std::ranges::move(files_of(request.case_file, given), std::back_inserter(files));
+  std::optional<input::CaseFile> given = read_case(request.given, folders.materials, wrong);
+  std::ranges::move(files_of(request.given.file, given), std::back_inserter(files));
   judge_targets(targets(request), files, request.force, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
 
@@ -161,7 +161,7 @@ AssessInput read_and_check(const AssessRequest& request, const AssessFolders& fo
     of.standard = injury::with_kept(of.own, input.given.impact.impactor, request.kept);
     of.impact = injury::with_impactor_of(of.standard, input.given.impact);
     for (const Violation& violation : violations(of.impact))
-      wrong.push_back(fmt::format("{}, with the impactor of {}: {} = {}: {}", request.case_file,
+      wrong.push_back(fmt::format("{}, with the impactor of {}: {} = {}: {}", request.given.file,
                                   of.standard.name, violation.key, violation.value, violation.rule));
   }
   if (!wrong.empty()) throw Refused(std::move(wrong));
@@ -219,7 +219,7 @@ int run_assessment(const AssessRequest& request, const AssessFolders& folders) {
 void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::App* sub = app.add_subcommand("assess", "Compare a case with the limits of a test standard");
   const auto request = std::make_shared<AssessRequest>();
-  sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
+  add_case(*sub, request->given);
   sub->add_option("--standard", request->standards,
                   "Preset, with variants if any (dashpad standards lists them); may be given again")
       ->required()

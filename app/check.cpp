@@ -23,14 +23,14 @@ Shows what strikes what, and every value in SI as it would be computed with. Eac
 Exit codes: 0 the case can be run, 2 it cannot.)";
 
 struct CheckRequest {
-  std::string case_file;
+  GivenCase given;
   std::string units;
   std::string materials;
 };
 
 int check(const CheckRequest& request, const std::filesystem::path& materials) {
-  const input::CaseFile input = input::read_case(request.case_file, materials);
-  write_output(fmt::format("{}: OK\n\n{}\nIn SI:\n{}", request.case_file,
+  const input::CaseFile input = input::read_case(request.given.file, materials, request.given.settings);
+  write_output(fmt::format("{}: OK\n\n{}\nIn SI:\n{}", request.given.file,
                            output::case_text(input.impact, unit_system(request.units)),
                            output::case_in_si(input.impact, input.options)));
   return exit_done;
@@ -41,7 +41,7 @@ int check(const CheckRequest& request, const std::filesystem::path& materials) {
 void add_check(CLI::App& app, Action& action, const std::filesystem::path& executable) {
   CLI::App* sub = app.add_subcommand("check", "Say how a case is understood, or what is wrong with it");
   const auto request = std::make_shared<CheckRequest>();
-  sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
+  add_case(*sub, request->given);
   add_units(*sub, request->units);
   add_material_folder(*sub, request->materials);
   sub->footer(check_footer);

@@ -110,10 +110,18 @@ std::filesystem::path chosen_standards(const std::string& folder, const std::fil
   return folder.empty() ? standard_folder(executable) : std::filesystem::path{folder};
 }
 
-std::optional<input::CaseFile> read_case(const std::string& file, const std::filesystem::path& materials,
+CLI::Option* add_case(CLI::App& app, GivenCase& given) {
+  app.add_option("--set", given.settings,
+                 "In place of what the case has, such as pad.thickness=\"30 mm\"; may be given again")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
+  return app.add_option("CASE", given.file, "Case file (TOML)")->required()->type_name("");
+}
+
+std::optional<input::CaseFile> read_case(const GivenCase& given, const std::filesystem::path& materials,
                                          std::vector<std::string>& wrong) {
   try {
-    return input::read_case(file, materials);
+    return input::read_case(given.file, materials, given.settings);
   } catch (const input::InputError& error) {
     add_lines(error.faults(), wrong);
     return std::nullopt;
@@ -121,12 +129,12 @@ std::optional<input::CaseFile> read_case(const std::string& file, const std::fil
 }
 
 input::CaseFile case_to_solve(
-    const std::string& file, const std::filesystem::path& materials,
+    const GivenCase& given, const std::filesystem::path& materials,
     const std::optional<std::string>& tolerance, std::vector<std::string> wrong,
     const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge) {
   const std::optional<double> chosen = tolerance_of(tolerance, wrong);
-  std::optional<input::CaseFile> input = read_case(file, materials, wrong);
-  judge(files_of(file, input), wrong);
+  std::optional<input::CaseFile> input = read_case(given, materials, wrong);
+  judge(files_of(given.file, input), wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
   if (chosen) input->options.tolerance = *chosen;
   return *std::move(input);

@@ -82,14 +82,22 @@ std::filesystem::path chosen_standards(const std::string& folder, const std::fil
 /// The card of that name in a folder; a name that ends in .toml is a file. Refused names the cards there are.
 std::filesystem::path find_card(const std::string& name, const std::filesystem::path& folder);
 
+/// A case file, and what is set in place of its values.
+struct GivenCase {
+  std::string file;
+  std::vector<std::string> settings;  ///< "KEY=VALUE"
+};
+/// Adds CASE and --set; gives back CASE.
+CLI::Option* add_case(CLI::App& app, GivenCase& given);
+
 /// The case of that file; absent where it has faults, of which `wrong` is told.
-std::optional<input::CaseFile> read_case(const std::string& file, const std::filesystem::path& materials,
+std::optional<input::CaseFile> read_case(const GivenCase& given, const std::filesystem::path& materials,
                                          std::vector<std::string>& wrong);
 
 /// The case to solve, with the tolerance of --tolerance in place of its own. `judge` sees the files that it
 /// was read from, and may add to `wrong`. Throws Refused with all that is wrong then.
 input::CaseFile case_to_solve(
-    const std::string& file, const std::filesystem::path& materials,
+    const GivenCase& given, const std::filesystem::path& materials,
     const std::optional<std::string>& tolerance, std::vector<std::string> wrong,
     const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge);
 

@@ -62,7 +62,7 @@ constexpr Format formats[] = {{"ls-dyna", output::ls_dyna_text, false, false},
                               {"iso-mme", output::iso_mme_zip, false, true}};
 
 struct ExportRequest {
-  std::string case_file;
+  GivenCase given;
   std::string format;
   std::string out;
   std::vector<std::string> curves;  ///< empty: all that the format takes
@@ -136,7 +136,7 @@ std::string account(const ExportRequest& request, const output::CurveFile& file)
 
 int export_curves(const ExportRequest& request, const std::filesystem::path& materials) {
   const input::CaseFile input =
-      case_to_solve(request.case_file, materials, request.tolerance, wrong_curves(request),
+      case_to_solve(request.given, materials, request.tolerance, wrong_curves(request),
                     [&](const auto& files, auto& wrong) {
                       judge_targets({{"--out", request.out}}, files, request.force, wrong);
                     });
@@ -152,7 +152,7 @@ void add_options(CLI::App& sub, ExportRequest& request) {
   std::vector<std::string> format_names, system_names;
   for (const Format& format : formats) format_names.emplace_back(format.name);
   for (const UnitSystem& system : consistent_systems()) system_names.push_back(system.name);
-  sub.add_option("CASE", request.case_file, "Case file (TOML)")->required()->type_name("");
+  add_case(sub, request.given);
   sub.add_option("--format", request.format, "ls-dyna, radioss, csv or iso-mme")
       ->required()
       ->check(CLI::IsMember(format_names))

@@ -30,7 +30,7 @@ Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was r
 tolerance or there is no rebound.)";
 
 struct PostImpactRequest {
-  std::string case_file;
+  GivenCase given;
   std::optional<std::string> other_mass, other_velocity, json;
   std::string units, materials;
   bool force = false;
@@ -53,15 +53,15 @@ PostImpactInput read_and_check(const PostImpactRequest& request, const std::file
   input.second.velocity = quantity_of("--other-velocity", request.other_velocity, "m/s", wrong).value_or(0);
   if (!(input.second.mass > 0))
     wrong.push_back(fmt::format("--other-mass {}: must be more than 0", *request.other_mass));
-  std::optional<input::CaseFile> file = read_case(request.case_file, materials, wrong);
-  judge_targets(targets(request), files_of(request.case_file, file), request.force, wrong);
+  std::optional<input::CaseFile> file = read_case(request.given, materials, wrong);
+  judge_targets(targets(request), files_of(request.given.file, file), request.force, wrong);
   if (file) {
     input.file = *std::move(file);
     if (input.file.impact.blows)
-      wrong.push_back(request.case_file + ": blows: two bodies meet once; leave the table out");
+      wrong.push_back(request.given.file + ": blows: two bodies meet once; leave the table out");
     if (input.file.impact.backing != Backing{} || input.file.impact.impactor.gravity != 0)
       wrong.push_back(
-          request.case_file +
+          request.given.file +
           ": here a support has nothing beside its curve, and there is no gravity; give the other body as "
           "support.body_mass, and dashpad run has the velocities of both");
     const Impactor& impactor = input.file.impact.impactor;
@@ -102,7 +102,7 @@ void add_post_impact(CLI::App& app, Action& action, const std::filesystem::path&
   CLI::App* sub =
       app.add_subcommand("post-impact", "Velocities of two bodies after the impact, and its energy");
   const auto request = std::make_shared<PostImpactRequest>();
-  sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
+  add_case(*sub, request->given);
   sub->add_option("--other-mass", request->other_mass, "Mass of the other body (default: held in place)")
       ->type_name("MASS");
   sub->add_option("--other-velocity", request->other_velocity, "Its velocity before (default: 0)")

@@ -18,6 +18,7 @@ namespace {
 constexpr const char* run_footer = R"(Examples:
   dashpad run examples/dashboard-20mph.toml
   dashpad run examples/dashboard-20mph.toml --units us
+  dashpad run examples/dashboard-20mph.toml --set pad.thickness="30 mm" --set impactor.speed="15 mph"
   dashpad run examples/dashboard-20mph.toml --json result.json --csv history.csv
   dashpad run examples/dashboard-20mph.toml --report result.html --png result.png
   dashpad run examples/dashboard-20mph.toml --drawing dashboard.svg
@@ -42,7 +43,7 @@ Exit codes: 0 done (also when the pad bottomed out or the time limit was reached
 tolerance, of a pad that did not bottom out.)";
 
 struct RunRequest {
-  std::string case_file;
+  GivenCase given;
   ResultFiles files;
   std::optional<std::string> tolerance;
   std::string materials;
@@ -51,7 +52,7 @@ struct RunRequest {
 
 int run(const RunRequest& request, const std::filesystem::path& materials) {
   const input::CaseFile input =
-      case_to_solve(request.case_file, materials, request.tolerance, {},
+      case_to_solve(request.given, materials, request.tolerance, {},
                     [&](const auto& files, auto& wrong) { judge_result_files(request.files, files, wrong); });
   std::vector<Blow> blows = solve_blows_with_progress(input.impact, input.options);
   Solution& solution = blows.back().solution;
@@ -67,7 +68,7 @@ int run(const RunRequest& request, const std::filesystem::path& materials) {
 void add_run(CLI::App& app, Action& action, const std::filesystem::path& executable) {
   CLI::App* sub = app.add_subcommand("run", "Solve one case and show or write the result");
   const auto request = std::make_shared<RunRequest>();
-  sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
+  add_case(*sub, request->given);
   add_result_files(*sub, request->files);
   add_tolerance(*sub, request->tolerance);
   add_no_intervals(*sub, request->no_intervals);

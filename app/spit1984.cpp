@@ -55,7 +55,7 @@ std::string footer_with_defects() {
 }
 
 struct Spit1984Request {
-  std::string case_file;
+  GivenCase given;
   bool interactive = false;
   std::string arithmetic = "pdp10";
   std::vector<std::string> repair;
@@ -106,16 +106,16 @@ std::ostream& terminal(const Spit1984Request& request) {
 /// The deck of the case, or the answers at the terminal. Throws Refused with all that is wrong.
 Deck deck_for(const Spit1984Request& request, const std::filesystem::path& materials) {
   std::vector<std::string> wrong;
-  if (request.interactive == !request.case_file.empty())
+  if (request.interactive == !request.given.file.empty())
     wrong.emplace_back(request.interactive ? "--interactive: asks for everything itself; leave CASE out"
                                            : "CASE is missing; --interactive asks at the terminal instead");
   std::ranges::move(what_is_no_number(request), std::back_inserter(wrong));
   std::optional<input::CaseFile> input;
-  if (!request.case_file.empty()) input = read_case(request.case_file, materials, wrong);
-  judge_targets(targets(request), files_of(request.case_file, input), request.force, wrong);
+  if (!request.given.file.empty()) input = read_case(request.given, materials, wrong);
+  judge_targets(targets(request), files_of(request.given.file, input), request.force, wrong);
   if (input)
     for (const Violation& violation : what_a_deck_cannot_say(input->impact))
-      wrong.push_back(fmt::format("{}: {}: {}", request.case_file, violation.key, violation.rule));
+      wrong.push_back(fmt::format("{}: {}: {}", request.given.file, violation.key, violation.rule));
   if (!wrong.empty()) throw Refused(std::move(wrong));
   if (request.interactive) {
     const std::optional<Deck> answers = ensol(std::cin, terminal(request));
@@ -187,7 +187,7 @@ void add_spit1984(CLI::App& app, Action& action, const std::filesystem::path& ex
   const auto request = std::make_shared<Spit1984Request>();
   std::vector<std::string> repairs{"all"};
   for (const Defect& defect : defects) repairs.emplace_back(defect.name);
-  sub->add_option("CASE", request->case_file, "Case file (TOML)")->type_name("");
+  add_case(*sub, request->given)->required(false);
   CLI::Option* interactive =
       sub->add_flag("--interactive", request->interactive, "Ask at the terminal, as ENSOL did")
           ->disable_flag_override();

@@ -47,11 +47,11 @@ input::CaseFile read_and_check(const CompareRequest& request, const std::filesys
   std::vector<std::string> wrong;
   judge_picture(request.picture, wrong);
   if (std::isnan(request.time_step_ms)) wrong.emplace_back("--time-step nan: must be a number");
-  std::optional<input::CaseFile> input = read_case(request.case_file, materials, wrong);
-  judge_targets(targets(request), files_of(request.case_file, input), request.force, wrong);
+  std::optional<input::CaseFile> input = read_case(request.given, materials, wrong);
+  judge_targets(targets(request), files_of(request.given.file, input), request.force, wrong);
   if (input)
     for (const Violation& violation : spit1984::what_a_deck_cannot_say(input->impact))
-      wrong.push_back(fmt::format("{}: {}: {}", request.case_file, violation.key, violation.rule));
+      wrong.push_back(fmt::format("{}: {}: {}", request.given.file, violation.key, violation.rule));
   if (!wrong.empty()) throw Refused(std::move(wrong));
   return *std::move(input);
 }
@@ -84,7 +84,7 @@ void add_compare(CLI::App& app, Action& action, const std::filesystem::path& exe
   CLI::App* sub =
       app.add_subcommand("compare", "A case beside a measured pulse, or beside the program of 1984");
   const auto request = std::make_shared<CompareRequest>();
-  sub->add_option("CASE", request->case_file, "Case file (TOML)")->required()->type_name("");
+  add_case(*sub, request->given);
   sub->add_option("--picture", request->picture, "Draw the curves over time (.svg, .png, .pdf)")
       ->type_name("FILE");
   sub->add_option("--json", request->json, "Write the table as JSON, SI (- for standard output)")

@@ -46,7 +46,7 @@ std::vector<Target> targets(const CompareRequest& request) {
 int compare_with_pulse(const CompareRequest& request, const std::filesystem::path& materials) {
   std::vector<std::string> wrong;
   judge_picture(request.picture, wrong);
-  const std::optional<input::CaseFile> input = read_case(request.case_file, materials, wrong);
+  const std::optional<input::CaseFile> input = read_case(request.given, materials, wrong);
   PulseRequest asked = request.pulse;
   injury::MeasuredImpact impact;
   if (input) {
@@ -54,7 +54,7 @@ int compare_with_pulse(const CompareRequest& request, const std::filesystem::pat
     asked.case_impact = impact;
   }
   const injury::PulseReport pulse = pulse_report(asked, std::move(wrong), [&](auto files, auto& faults) {
-    std::ranges::move(files_of(request.case_file, input), std::back_inserter(files));
+    std::ranges::move(files_of(request.given.file, input), std::back_inserter(files));
     judge_targets(targets(request), files, request.force, faults);
   });
   const injury::Alignment alignment = alignment_of(request.align);
@@ -62,7 +62,7 @@ int compare_with_pulse(const CompareRequest& request, const std::filesystem::pat
   Solution solution = solve_with_progress(input->impact, input->options);
   add_intervals_with_progress(input->impact, input->options, solution);
   const injury::PulseComparison comparison = injury::compare_pulses(pulse, solution, impact, alignment);
-  const output::PulseComparisonReport report{request.case_file, input->impact, solution, pulse, comparison};
+  const output::PulseComparisonReport report{request.given.file, input->impact, solution, pulse, comparison};
   const UnitSystem& units = unit_system(request.units);
   const auto text_of = [&](const Target& target) {
     if (target.option == "--json") return output::pulse_comparison_json(report);

@@ -15,7 +15,7 @@
 namespace dashpad::app {
 
 struct CompareRequest {
-  std::string case_file;
+  GivenCase given;
   std::optional<std::string> picture;
   std::optional<std::string> json;
   std::optional<std::string> report;

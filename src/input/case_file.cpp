@@ -11,6 +11,7 @@
 #include "input/nose_table.hpp"
 #include "input/pad_table.hpp"
 #include "input/parameter_table.hpp"
+#include "input/settings.hpp"
 #include "input/spelling.hpp"
 #include "input/support_table.hpp"
 #include "model/pad/layer/layer_law.hpp"
@@ -313,9 +314,11 @@ PadMaterial read_pad_material(TableReader& pad, const std::filesystem::path& fol
   return of;
 }
 
-CaseFile read_case(const std::filesystem::path& file, const std::filesystem::path& materials) {
-  const TomlNode root = read_toml(file);
+CaseFile read_case(const std::filesystem::path& file, const std::filesystem::path& materials,
+                   const std::vector<std::string>& settings) {
+  TomlNode root = read_toml(file);
   FaultList faults(file.string());
+  const std::vector<LaterSetting> later = put_settings(settings, root, faults);
   TableReader top(root, "", faults);
   CaseFile result;
   result.files.push_back({"the case file", file});
@@ -343,6 +346,7 @@ CaseFile read_case(const std::filesystem::path& file, const std::filesystem::pat
   if (auto table = top.table("solver", Presence::optional)) result.options = read_options(*table);
   top.refuse_others();
 
+  if (faults.size() == 0) put_later(later, impact, faults);
   faults.add(violations_in_terms_of(root, impact, materials_of_pad, support_to_check), root);
   faults.throw_if_any();
   return result;

@@ -6,9 +6,16 @@
 #include "input/table_reader.hpp"
 
 namespace dashpad::input {
+namespace {
+
+constexpr const char* option = "--set";  ///< by which a value was given that is in no file
+
+}  // namespace
 
 void FaultList::add(int line, std::string key, std::string value, std::string rule) {
-  faults_.push_back({file_, line, std::move(key), std::move(value), std::move(rule)});
+  const bool is_set = line == set_by_option;
+  faults_.push_back(
+      {is_set ? option : file_, is_set ? 0 : line, std::move(key), std::move(value), std::move(rule)});
 }
 
 void FaultList::add(const std::vector<Fault>& faults) {
@@ -26,7 +33,8 @@ void FaultList::add(const std::vector<Violation>& violations, const TomlNode& ro
 
 bool FaultList::explains(std::string_view key) const {
   return std::ranges::any_of(faults_, [&](const Fault& fault) {
-    return fault.file == file_ && !fault.key.empty() && key.starts_with(fault.key) &&
+    return (fault.file == file_ || fault.file == option) && !fault.key.empty() &&
+           key.starts_with(fault.key) &&
            (key.size() == fault.key.size() || key[fault.key.size()] == '.' || key[fault.key.size()] == '[');
   });
 }

@@ -111,6 +111,23 @@ std::string TomlNode::written() const {
   return kind == Kind::text ? '"' + shown + '"' : shown;
 }
 
+TomlNode toml_value(const std::string& value) {
+  TomlNode node{.kind = TomlNode::Kind::text, .text = value};
+  if (value.find('\n') == std::string::npos && line_of_overlong_name(value) == 0) {
+    try {
+      const toml::table table = toml::parse("value = " + value);
+      if (table.size() == 1) node = convert(*table.get("value"), "");
+    } catch (const toml::parse_error&) {  // text
+    }
+  }
+  const auto mark = [](TomlNode& of, const auto& again) -> void {
+    of.line = set_by_option;
+    for (TomlNode& child : of.children) again(child, again);
+  };
+  mark(node, mark);
+  return node;
+}
+
 TomlNode read_toml(const std::filesystem::path& file) {
   const std::string text = read_text_file(file);
   if (const int line = line_of_overlong_name(text))

@@ -8,15 +8,18 @@
 
 namespace dashpad::input {
 
+/// In place of a line: not in the file, but set by an option of the command.
+inline constexpr int set_by_option = -1;
+
 struct TomlNode {
   enum class Kind { table, array, text, number, other };
 
   Kind kind = Kind::other;
   int line = 0;
-  std::string key;    ///< in its table; "[1]", "[2]", ... in an array
-  std::string text;   ///< of a text; of other kinds, what stands there in the user's words
-  double number = 0;  ///< of a number, whole or not
-  std::vector<TomlNode> children;
+  std::string key = {};   ///< in its table; "[1]", "[2]", ... in an array
+  std::string text = {};  ///< of a text; of other kinds, what stands there in the user's words
+  double number = 0;      ///< of a number, whole or not
+  std::vector<TomlNode> children = {};
 
   /// The entry of a table, or null.
   [[nodiscard]] const TomlNode* child(std::string_view name) const;
@@ -28,5 +31,8 @@ struct TomlNode {
 
 /// Throws InputError if the file cannot be read (input/text_file.hpp) or is not TOML.
 TomlNode read_toml(const std::filesystem::path& file);
+
+/// A value as a command line gives it: in TOML, or else a text without quotes, as 30 mm. Set by an option.
+TomlNode toml_value(const std::string& value);
 
 }  // namespace dashpad::input

@@ -18,9 +18,13 @@ struct CaseFile {
   std::vector<InputFile> files;    ///< the case file, then those that it names: a profile, a card
 };
 
-/// Reads and checks a case. `materials` is the folder in which material names are looked up.
-/// Throws InputError with every fault that was found in the case and in the card that it names.
-CaseFile read_case(const std::filesystem::path& file, const std::filesystem::path& materials);
+/// Reads and checks a case. `materials` is the folder in which material names are looked up. `settings` are
+/// "KEY=VALUE" each, with keys of the file ("pad.thickness=30 mm", "pad.layers[2].material=vn600") or of what
+/// studies vary ("pad.curve.modulus=2 MPa"), and go before what the file has.
+/// Throws InputError with every fault that was found in the case and in the card that it names; those of
+/// settings have "--set" for a file.
+CaseFile read_case(const std::filesystem::path& file, const std::filesystem::path& materials,
+                   const std::vector<std::string>& settings = {});
 
 /// Reads and checks one material card. Throws InputError.
 Material read_material(const std::filesystem::path& file);

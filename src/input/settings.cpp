@@ -1,0 +1,143 @@
+#include "input/settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/quantities/quantity.hpp"
+#include "input/spelling.hpp"
+
+namespace dashpad::input {
+namespace {
+
+constexpr std::size_t longest_setting = 1000;
+
+using Keys = std::pair<std::string_view, std::string_view>;
+/// The one takes the place of the other.
+constexpr std::array instead{Keys{"mass", "weight"},        Keys{"weight", "mass"},
+                             Keys{"speed", "drop_height"},  Keys{"drop_height", "speed"},
+                             Keys{"material", "law"},       Keys{"material", "parameters"},
+                             Keys{"material", "curve"},     Keys{"material", "rate"},
+                             Keys{"material", "unloading"}, Keys{"material", "uncertainty"}};
+
+/// "pad.layers[2].thickness" as pad, layers, [2], thickness.
+std::vector<std::string> parts_of(std::string_view key) {
+  std::vector<std::string> parts;
+  while (!key.empty()) {
+    const auto end = std::min(key.find_first_of(".[", 1), key.size());
+    parts.emplace_back(key.substr(0, end));
+    key.remove_prefix(end);
+    if (key.starts_with('.')) key.remove_prefix(1);
+  }
+  return parts;
+}
+
+TomlNode* entry(TomlNode& of, std::string_view name) {
+  const auto found = std::ranges::find(of.children, name, &TomlNode::key);
+  return found != of.children.end() ? &*found : nullptr;
+}
+
+/// Whether the table above the last two parts of a key names a card, which then holds the number.
+bool is_of_card(const TomlNode& above, std::string_view table) {
+  return above.child("material") != nullptr && (table == "parameters" || table == "curve" || table == "rate");
+}
+
+/// Puts a value at the end of a path; false if it waits for the case. Throws the rule that the key breaks.
+bool put(TomlNode& root, const std::vector<std::string>& path, TomlNode value) {
+  TomlNode* at = &root;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (i + 2 == path.size() && is_of_card(*at, path[i])) return false;
+    TomlNode* next = entry(*at, path[i]);
+    if (next == nullptr && at->kind == TomlNode::Kind::array)
+      throw std::runtime_error(fmt::format("there are {} of them", at->children.size()));
+    if (next == nullptr) {
+      at->children.push_back({.kind = TomlNode::Kind::table, .line = set_by_option, .key = path[i]});
+      next = &at->children.back();
+    }
+    if (next->kind != TomlNode::Kind::table && next->kind != TomlNode::Kind::array)
+      throw std::runtime_error(fmt::format("{} is a value and has no entries", path[i]));
+    at = next;
+  }
+  for (const auto& [one, other] : instead)
+    if (path.back() == one)
+      std::erase_if(at->children, [&other = other](const TomlNode& of) { return of.key == other; });
+  value.key = path.back();
+  if (TomlNode* there = entry(*at, path.back()))
+    *there = std::move(value);
+  else if (at->kind == TomlNode::Kind::array)
+    throw std::runtime_error(fmt::format("there are {} of them", at->children.size()));
+  else
+    at->children.push_back(std::move(value));
+  return true;
+}
+
+/// The material whose number a key is, as that of pad.layers[2].curve.modulus; null for other keys.
+Material* material_of(std::string_view key, ImpactCase& impact) {
+  const auto is_number_of = [&](std::string_view pad) {
+    return key.starts_with(pad) &&
+           std::ranges::any_of(std::array{".parameters.", ".curve.", ".rate."}, [&](std::string_view table) {
+             return key.substr(pad.size()).starts_with(table);
+           });
+  };
+  for (std::size_t i = 0; i < impact.pad.layers.size(); ++i)
+    if (is_number_of(fmt::format("pad.layers[{}]", i + 1))) return &impact.pad.layers[i].material;
+  return is_number_of("pad") ? &impact.pad.material : nullptr;
+}
+
+}  // namespace
+
+std::vector<LaterSetting> put_settings(const std::vector<std::string>& settings, TomlNode& root,
+                                       FaultList& faults) {
+  std::vector<LaterSetting> later;
+  for (const std::string& setting : settings) {
+    const auto sign = std::min(setting.find('='), setting.size());
+    const std::string key = setting.substr(0, sign);
+    const std::string value = sign < setting.size() ? setting.substr(sign + 1) : "";
+    if (key.empty() || value.empty() || setting.size() > longest_setting) {
+      faults.add(set_by_option, "", "",
+                 fmt::format("{} must be KEY=VALUE of at most {} characters, such as pad.thickness=\"30 mm\"",
+                             setting.substr(0, 40), longest_setting));
+      continue;
+    }
+    try {
+      const auto path = parts_of(key);
+      if (key == "support.scale" || !put(root, path, toml_value(value))) later.push_back({key, value});
+    } catch (const std::runtime_error& error) {
+      faults.add(set_by_option, key, value, error.what());
+    }
+  }
+  return later;
+}
+
+void put_later(const std::vector<LaterSetting>& settings, ImpactCase& impact, FaultList& faults) {
+  if (settings.empty()) return;
+  const std::vector<CaseQuantity> quantities = quantities_of(impact);
+  std::vector<std::string> keys;
+  for (const CaseQuantity& quantity : quantities) keys.push_back(quantity.key);
+  for (const auto& [key, value] : settings) {
+    const auto found = std::ranges::find(quantities, key, &CaseQuantity::key);
+    if (found == quantities.end()) {
+      faults.add(set_by_option, key, value, "is no number of this case" + did_you_mean(key, keys));
+      continue;
+    }
+    try {
+      found->set(impact, to_si(value, found->unit));
+      // The card has its name for other numbers.
+      if (Material* material = material_of(key, impact))
+        material->name += fmt::format(" with {} = {}", key.substr(key.rfind('.') + 1), value);
+    } catch (const std::exception& error) {
+      faults.add(set_by_option, key, value, error.what());
+    }
+  }
+  for (const Violation& violation : violations(impact))
+    for (const auto& [key, value] : settings)
+      if (violation.key == key) faults.add(set_by_option, key, value, violation.rule);
+}
+
+}  // namespace dashpad::input
