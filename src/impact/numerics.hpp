@@ -174,8 +174,9 @@ struct Numerics {
   /// Mass of a panel, over that of the impactor and the tolerance, below which it is none.
   double lightest_panel = 0.05;
 
-  /// Work of all runs of an impact together after which it is given up, s; for tolerances below 1e-3 more, by
-  /// the root of it, but no more than `most_patience` times as much. A run that would exceed it is not begun.
+  /// Work of all runs of an impact together after which it is given up, s; for a tolerance t below 1e-3 more,
+  /// by (1e-3 / t)^(3/4), but no more than `most_patience` times as much. A run that would exceed it is not
+  /// begun.
   double most_work = 2;
   double most_patience = 10;
   /// Runs that may be given up one after the other before no more are begun: some stall where others get
