@@ -61,7 +61,6 @@ const char* stream_into(const fs::path& file) {
 
 /// Empty if nothing forbids it.
 std::string complaint(const Target& target, bool force) {
-  if (target.file.empty()) return "needs the name of a file, or - for standard output";
   const fs::path path{target.file};
   std::error_code error;
   if (fs::is_directory(path, error) || !path.has_filename()) return "is a folder; name a file";

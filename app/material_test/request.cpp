@@ -107,10 +107,6 @@ void judge_rates(const laboratory::MaterialTest& test, Wrong& wrong) {
 }
 
 void read_history(const std::string& file, laboratory::MaterialTest& test, Wrong& wrong) {
-  if (file.empty()) {
-    wrong.emplace_back("--history: needs the name of a file");
-    return;
-  }
   test.history_name = file;
   try {
     input::StrainTable table = input::read_strain_csv(file);

@@ -177,7 +177,7 @@ TEST_F(ComparePulseTest, RefusesAPulseWithoutATriggerOrWithFaults) {
               HasSubstr("bad.csv:4: time_ms = 1: is earlier"));
   EXPECT_THAT(refused("time_ms,ax_g,ay_g\n0,0,0\n1,30,40\n2,0,0\n"), HasSubstr("--acceleration"));
   EXPECT_THAT(compare(file("missing.csv")).err, HasSubstr("missing.csv: no such file"));
-  EXPECT_THAT(compare("").err, HasSubstr("no such file"));
+  EXPECT_THAT(compare("").err, HasSubstr("--pulse: must not be empty"));
 }
 
 TEST_F(ComparePulseTest, FaultsOfCaseAndPulseAreToldTogether) {

