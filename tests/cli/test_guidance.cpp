@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "command.hpp"
 
 namespace dashpad::test {
@@ -53,6 +55,15 @@ TEST_F(GuidanceTest, AnEmptyArgumentDoesNotCountAsNoneOrZero) {
     EXPECT_THAT(outcome.err, StartsWith(name + ": must not be empty\n1 fault; nothing was run"));
     EXPECT_EQ(outcome.out, "") << name;
   }
+}
+
+/// Those of pictures, archives, HDF5 and MPI are loaded when they are used (docs/decisions/0019): to load a
+/// hundred takes ten times as long as to solve an impact.
+TEST_F(GuidanceTest, TheCommandLoadsFewLibraries) {
+  const Outcome outcome = run_program({"/usr/bin/ldd", DASHPAD_COMMAND});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_LE(std::ranges::count(outcome.out, '\n'), 15) << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr("libsqlite3"));
 }
 
 TEST_F(GuidanceTest, MaterialsNamesTheCardsThatThereAre) {

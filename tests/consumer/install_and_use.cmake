@@ -13,8 +13,8 @@ run("${CMAKE_COMMAND}" -S "${CONSUMER_DIR}" -B "${WORK_DIR}/build" -G "${GENERAT
 run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build")
 run("${WORK_DIR}/build/consumer")
 
-# The installed command finds the installed cards and examples, wherever the prefix lies.
+# The installed command finds the installed cards, examples and parts, wherever the prefix lies.
 if(EXISTS "${prefix}/bin/dashpad")
   run("${CMAKE_COMMAND}" -E env --unset=DASHPAD_MATERIALS "${prefix}/bin/dashpad" run
-      "${prefix}/share/dashpad/examples/dashboard-20mph.toml")
+      "${prefix}/share/dashpad/examples/dashboard-20mph.toml" --png "${WORK_DIR}/picture.png")
 endif()
