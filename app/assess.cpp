@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/injury/standard_file.hpp"
 #include "dashpad/input/case_file.hpp"
+#include "dashpad/input/standard_file.hpp"
 #include "dashpad/output/assessment.hpp"
 #include "output.hpp"
 #include "streams.hpp"
@@ -142,9 +142,9 @@ AssessInput read_and_check(const AssessRequest& request, const AssessFolders& fo
   std::vector<input::InputFile> files;
   for (const std::string& name : request.standards)
     noting_faults(wrong, [&] {
-      const injury::StandardChoice choice = injury::standard_choice(name);
-      files.push_back({"the standard", injury::find_standard(choice.name, folders.standards)});
-      const injury::Standard standard = injury::read_standard(files.back().file);
+      const input::StandardChoice choice = input::standard_choice(name);
+      files.push_back({"the standard", input::find_standard(choice.name, folders.standards)});
+      const injury::Standard standard = input::read_standard(files.back().file);
       input.all.push_back(
           {.own = injury::with_user_values(injury::with_variants(standard, choice.variants), values),
            .standard = {},

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/injury/standard_file.hpp"
+#include "dashpad/input/standard_file.hpp"
 #include "dashpad/output/assessment.hpp"
 #include "streams.hpp"
 
@@ -34,8 +34,8 @@ struct StandardsRequest {
 };
 
 int show(const StandardsRequest& request, const fs::path& folder) {
-  const injury::StandardChoice choice = injury::standard_choice(request.name);
-  const injury::Standard standard = injury::read_standard(injury::find_standard(choice.name, folder));
+  const input::StandardChoice choice = input::standard_choice(request.name);
+  const injury::Standard standard = input::read_standard(input::find_standard(choice.name, folder));
   try {
     write_output(
         output::standard_text(injury::with_variants(standard, choice.variants), unit_system(request.units)));
@@ -46,8 +46,8 @@ int show(const StandardsRequest& request, const fs::path& folder) {
 }
 
 int list_all_standards(const fs::path& folder) {
-  return list_cards(fmt::format("Standards in {}:\n", folder.string()), injury::list_standards(folder),
-                    [](const fs::path& file) { return output::standard_line(injury::read_standard(file)); });
+  return list_cards(fmt::format("Standards in {}:\n", folder.string()), input::list_standards(folder),
+                    [](const fs::path& file) { return output::standard_line(input::read_standard(file)); });
 }
 
 }  // namespace

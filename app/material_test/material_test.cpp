@@ -9,6 +9,7 @@
 
 #include "command.hpp"
 #include "dashpad/output/material_test.hpp"
+#include "dashpad/spit1984/column.hpp"
 #include "material_test/request.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
@@ -91,7 +92,7 @@ laboratory::MaterialTestReport run_test(const MaterialTestCommand& request, cons
   if (!wrong.empty()) throw Refused(std::move(wrong));
   try {
     const ProgressLine line{"Testing the material"};
-    return laboratory::run_material_test(*material, test);
+    return laboratory::run_material_test(*material, test, spit1984::stresses_of_update);
   } catch (const std::invalid_argument& error) {
     throw Refused({fmt::format("--test {}: {}", request.test.test, error.what())});
   }

@@ -105,7 +105,7 @@ std::string list_of(const PulseRequest& request) {
     text = fmt::format("{:>4}  {:<16}  {:<8}  {:>8}  {}\n", "No.", "code", "unit", "samples", "name") + text;
   } else {
     text = fmt::format("{:>4}  {:<30}  {}\n", "No.", "column", "unit");
-    for (const input::MeasuredColumn& column : input::pulse_csv_columns(request.file))
+    for (const injury::MeasuredColumn& column : input::pulse_csv_columns(request.file))
       text += fmt::format("{:>4}  {:<30}  {}\n", column.number, column.name,
                           column.unit.empty() ? "not said" : column.unit);
   }

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double usual_speed = 15e6;  // bytes of a table read and computed in a second, on one core of 2020
 
-input::MeasuredPulse read(const PulseRequest& request, const PulseSettings& settings, bool is_test) {
+input::PulseFile read(const PulseRequest& request, const PulseSettings& settings, bool is_test) {
   if (is_test)
     return input::read_iso_mme(request.file, {request.channel, request.table.acceleration_unit,
                                               request.resultant, settings.sensitivities});
@@ -35,7 +35,7 @@ input::MeasuredPulse read(const PulseRequest& request, const PulseSettings& sett
 }
 
 /// Resampled and filtered as asked for; `wrong` is told where that cannot be.
-injury::ProcessedPulse processed(const input::MeasuredPulse& measured, const PulseSettings& settings,
+injury::ProcessedPulse processed(const injury::MeasuredPulse& measured, const PulseSettings& settings,
                                  const std::optional<injury::PulseFilter>& filter,
                                  std::vector<std::string>& wrong) {
   try {
@@ -50,10 +50,10 @@ injury::ProcessedPulse processed(const input::MeasuredPulse& measured, const Pul
 
 /// The offset in the interval of --zero, else in the quiet part before the impact; `wrong` is told where
 /// --zero wants one and there is none. Leaves out what shows another level than the quiet part.
-std::optional<input::SensorOffset> offset_of(const PulseRequest& request, const PulseSettings& settings,
-                                             input::MeasuredPulse& measured,
-                                             std::vector<std::string>& wrong) {
-  std::optional<input::SensorOffset> offset = input::offset_before_impact(measured);
+std::optional<injury::SensorOffset> offset_of(const PulseRequest& request, const PulseSettings& settings,
+                                              injury::MeasuredPulse& measured,
+                                              std::vector<std::string>& wrong) {
+  std::optional<injury::SensorOffset> offset = injury::offset_before_impact(measured);
   const std::optional<double> begin = offset && offset->rest ? std::optional{offset->begin} : std::nullopt;
   if (!settings.zero_interval) {
     if (request.zero && !offset)
@@ -61,14 +61,15 @@ std::optional<input::SensorOffset> offset_of(const PulseRequest& request, const 
           "--zero auto: there is no quiet part before the impact; give its interval, --zero BEGIN,END");
   } else {
     try {
-      offset = input::offset_between(measured, settings.zero_interval->first, settings.zero_interval->second);
+      offset =
+          injury::offset_between(measured, settings.zero_interval->first, settings.zero_interval->second);
     } catch (const std::invalid_argument& error) {
       const std::vector<double>& time = measured.pulse.time;
       wrong.push_back(fmt::format("--zero {}: {}; the samples are from {:.6g} to {:.6g} ms", *request.zero,
                                   error.what(), 1e3 * time.front(), 1e3 * time.back()));
     }
   }
-  if (begin) input::leave_out_before(measured, *begin);
+  if (begin) injury::leave_out_before(measured, *begin);
   return offset;
 }
 
@@ -113,20 +114,22 @@ injury::PulseReport pulse_report(
                              .uncertainty = {}};
   ProgressLine waiting("Reading " + request.file);
   if (wrong.empty()) waiting.expect(expected_time(request.file));
+  std::vector<input::InputFile> files{{"the measurement", request.file}};
   try {
-    report.measured = read(request, settings, is_test);
+    input::PulseFile read_pulse = read(request, settings, is_test);
+    report.measured = std::move(read_pulse.measured);
+    files = std::move(read_pulse.files);
   } catch (const input::InputError& error) {
-    report.measured.files.push_back({"the measurement", request.file});
     add_lines(error.faults(), wrong);
   }
-  judge(report.measured.files, wrong);
+  judge(files, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
   waiting.now(fmt::format("Computing figures of {} samples", report.measured.pulse.time.size()));
-  const std::optional<input::SensorOffset> offset = offset_of(request, settings, report.measured, wrong);
+  const std::optional<injury::SensorOffset> offset = offset_of(request, settings, report.measured, wrong);
   injury::ProcessedPulse pulse = processed(report.measured, settings, report.filter, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
   injury::ProcessedPulse zero =
-      offset ? processed(input::zeroed(report.measured, *offset), settings, report.filter, wrong) : pulse;
+      offset ? processed(injury::zeroed(report.measured, *offset), settings, report.filter, wrong) : pulse;
   if (request.zero) std::swap(pulse, zero);
   const double hic15_of_other = offset ? injury::hic(zero.pulse, injury::hic15_window).value : 0;
   report.contact = injury::contact_of(

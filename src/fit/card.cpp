@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "fit/card_uncertainty.hpp"
 #include "fit/discrepancy.hpp"

@@ -7,7 +7,7 @@
 
 #include <Eigen/Dense>
 
-#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/study/application.hpp"
 #include "fit/card.hpp"
 #include "fit/impact_residuals.hpp"

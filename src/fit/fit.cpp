@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/study/application.hpp"
 #include "fit/met.hpp"
 #include "fit/problem.hpp"
-#include "input/special_numbers.hpp"
+#include "quantities/special_numbers.hpp"
 
 namespace dashpad::fit {
 
@@ -27,23 +27,23 @@ void check_key_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
     return std::ranges::count(quantities_of(impact), unknown.key, &CaseQuantity::key) > 0;
   };
   if (!has(fit.base)) {
-    broken.push_back({key, input::no_value,
+    broken.push_back({key, no_value,
                       unknown.key == "pad.material"
                           ? "is no number; its numbers are, such as pad.curve.modulus"
                           : study::rule_for_unknown(unknown.key, fit.base)});
     return;
   }
   if (&*std::ranges::find(fit.unknowns, unknown.key, &Unknown::key) != &unknown)
-    broken.push_back({key, input::no_value, "is given twice"});
+    broken.push_back({key, no_value, "is given twice"});
   if (!study::is_of_law(unknown.key) && !has_fitted(fit.impacts))
-    broken.push_back({key, input::no_value,
+    broken.push_back({key, no_value,
                       "is no number of the pad's law, which is all that material tests see: it needs "
                       "[[impacts]]"});
   for (const ImpactMeasurement& impact : fit.impacts) {
     ImpactCase of = impact.impact;
     of.pad.material = fit.base.pad.material;
     if (!has(of))
-      broken.push_back({key, input::no_value,
+      broken.push_back({key, no_value,
                         impact.file + " has no such quantity: " + study::rule_for_unknown(unknown.key, of)});
   }
 }
@@ -69,7 +69,7 @@ void check_numbers_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
   if (!(std::isfinite(unknown.lowest) && std::isfinite(unknown.highest) && unknown.lowest < unknown.highest))
     return add(".bounds", unknown.lowest, "must be two values, the lower one first");
   if (unknown.is_logarithmic && !(unknown.lowest > 0))
-    return add(".scale", input::no_value, "needs bounds above 0 for \"log\"");
+    return add(".scale", no_value, "needs bounds above 0 for \"log\"");
   for (const double bound : {unknown.lowest, unknown.highest})
     if (const std::string rule = rule_at(fit, unknown, bound); !rule.empty())
       add(".bounds", bound,
@@ -100,7 +100,7 @@ void check_amount(const Fit& fit, Broken& broken) {
   for (const ImpactMeasurement& impact : fit.impacts)
     if (!impact.is_held_out) data += impact.figures.size() + (impact.pulse ? impact.pulse->time.size() : 0);
   if (data == 0) {
-    broken.push_back({"tests", input::no_value,
+    broken.push_back({"tests", no_value,
                       "there is nothing to fit: give [[tests]] or [[impacts]] "
                       "that are not held out"});
     return;
@@ -108,7 +108,7 @@ void check_amount(const Fit& fit, Broken& broken) {
   for (const Unknown& unknown : fit.unknowns) data += unknown.prior ? 1 : 0;
   if (data < unknowns)
     broken.push_back(
-        {"unknowns", input::no_value,
+        {"unknowns", no_value,
          fmt::format("are {} with the offsets and shifts, for {} measured numbers and priors: there must "
                      "be as many data at least",
                      unknowns, data)});
@@ -121,7 +121,7 @@ bool is_of_the_rate(const std::string& key) {
 
 /// One rate says nothing about a rate effect.
 void check_rates(const Fit& fit, Broken& broken) {
-  double lowest = input::infinite;
+  double lowest = infinite;
   double highest = 0;
   for (const ImpactMeasurement& impact : fit.impacts)
     if (!impact.is_held_out) return;
@@ -134,7 +134,7 @@ void check_rates(const Fit& fit, Broken& broken) {
   if (!(highest < one_rate * lowest)) return;
   for (const Unknown& unknown : fit.unknowns)
     if (is_of_the_rate(unknown.key) && !unknown.prior)
-      broken.push_back({"unknowns." + unknown.key, input::no_value,
+      broken.push_back({"unknowns." + unknown.key, no_value,
                         fmt::format("all tests have one rate, {:.3g} 1/s: they say nothing about how the "
                                     "stress depends on it; leave it fixed, give a prior, or add a test at "
                                     "another rate",
@@ -159,9 +159,9 @@ void check_test(const MaterialMeasurement& test, std::size_t i, Broken& broken) 
     broken.push_back({key + ".noise", *test.noise, "must be more than 0"});
   if (test.strain.size() < 2 || test.strain.size() != test.stress.size() ||
       test.strain.size() != test.time.size())
-    broken.push_back({key + ".file", input::no_value, "needs two points or more, each with its time"});
+    broken.push_back({key + ".file", no_value, "needs two points or more, each with its time"});
   else if (points_of(test) < 2)
-    broken.push_back({key + ".range", input::no_value,
+    broken.push_back({key + ".range", no_value,
                       fmt::format("fewer than two points have a strain from {:g} to {:g}", test.lowest_strain,
                                   test.highest_strain)});
 }
@@ -172,7 +172,7 @@ void check_pulse(const MeasuredDeceleration& pulse, const std::string& key, Brok
   check_deviation(key + ".deviation", pulse.deviation, pulse.peak, broken);
   if (pulse.time.size() < 2 || pulse.time.size() != pulse.deceleration.size() ||
       !(pulse.half_peak_width > 0) || !(pulse.peak > 0))
-    broken.push_back({key, input::no_value, "needs samples with their times, a peak and a width"});
+    broken.push_back({key, no_value, "needs samples with their times, a peak and a width"});
 }
 
 }  // namespace
@@ -194,8 +194,7 @@ bool is_natural_bound(const Fit& fit, const Unknown& unknown, double bound) {
 
 std::vector<Violation> violations(const Fit& fit) {
   Broken broken;
-  if (fit.unknowns.empty())
-    broken.push_back({"unknowns", input::no_value, "a fit needs one unknown or more"});
+  if (fit.unknowns.empty()) broken.push_back({"unknowns", no_value, "a fit needs one unknown or more"});
   for (const Unknown& unknown : fit.unknowns) {
     check_key_of(fit, unknown, broken);
     check_numbers_of(fit, unknown, broken);
@@ -204,7 +203,7 @@ std::vector<Violation> violations(const Fit& fit) {
   for (std::size_t i = 0; i < fit.impacts.size(); ++i) {
     const std::string key = fmt::format("impacts[{}]", i + 1);
     if (fit.impacts[i].figures.empty() && !fit.impacts[i].pulse)
-      broken.push_back({key, input::no_value, "names no measured figure, such as peak_force, and no pulse"});
+      broken.push_back({key, no_value, "names no measured figure, such as peak_force, and no pulse"});
     if (fit.impacts[i].pulse) check_pulse(*fit.impacts[i].pulse, key + ".pulse", broken);
     for (const MeasuredFigure& figure : fit.impacts[i].figures) {
       check_deviation(key, figure.deviation, figure.value, broken);

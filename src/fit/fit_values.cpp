@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fit/fit_tables.hpp"
-#include "input/special_numbers.hpp"
+#include "quantities/special_numbers.hpp"
 
 namespace dashpad::fit {
 
@@ -21,13 +21,13 @@ double value_of(const TomlNode& node, const std::string& key, const std::string&
   if (unit != "1") return read_quantity(node, key, unit, faults);
   if (node.kind == TomlNode::Kind::number && std::isfinite(node.number)) return node.number;
   faults.add(node.line, key, node.written(), "must be a plain number, without quotes and unit");
-  return input::no_value;
+  return no_value;
 }
 
 double value_in(TableReader& table, const std::string& key, const std::string& unit) {
   if (!table.has(key)) {
     table.fault(key, "is missing");
-    return input::no_value;
+    return no_value;
   }
   return value_of(*table.node().child(key), table.full_key(key), unit, table.faults());
 }
@@ -35,7 +35,7 @@ double value_in(TableReader& table, const std::string& key, const std::string& u
 double value_or_share(TableReader& table, const std::string& key, const std::string& unit, double whole) {
   if (!table.has(key)) {
     table.fault(key, "is missing");
-    return input::no_value;
+    return no_value;
   }
   const TomlNode& node = *table.node().child(key);
   if (node.kind == TomlNode::Kind::text && node.text.ends_with('%'))

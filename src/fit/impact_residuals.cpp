@@ -9,7 +9,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <boost/math/tools/minima.hpp>
 
-#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/solver.hpp"
 #include "dashpad/injury/clip.hpp"

@@ -58,9 +58,9 @@ std::optional<MeasuredDeceleration> read_pulse(TableReader& table, const FitFold
     const std::filesystem::path file = folders.of_fit / name;
     files.push_back({"the measurements", file});
     try {
-      input::MeasuredPulse measured = input::read_pulse_csv(file, options);
-      const std::optional<input::SensorOffset> offset = input::offset_before_impact(measured);
-      if (offset && offset->rest) input::leave_out_before(measured, offset->begin);
+      injury::MeasuredPulse measured = input::read_pulse_csv(file, options).measured;
+      const std::optional<injury::SensorOffset> offset = injury::offset_before_impact(measured);
+      if (offset && offset->rest) injury::leave_out_before(measured, offset->begin);
       const Pulse processed = injury::processed_pulse(measured, std::nullopt, filter).pulse;
       pulse = offset ? deceleration_of(processed, injury::Stretch{offset->begin, offset->end})
                      : deceleration_of(processed);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/result/result_quantity.hpp"
 #include "dashpad/study/application.hpp"
 #include "fit/card.hpp"
 #include "fit/impact_residuals.hpp"

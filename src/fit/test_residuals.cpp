@@ -6,7 +6,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/laboratory/column_test.hpp"
 #include "dashpad/study/application.hpp"
 #include "fit/problem.hpp"

@@ -5,7 +5,7 @@
 
 #include "dashpad/input/measurement/stress_strain_csv.hpp"
 #include "fit/fit_tables.hpp"
-#include "input/special_numbers.hpp"
+#include "quantities/special_numbers.hpp"
 
 namespace dashpad::fit {
 
@@ -90,7 +90,7 @@ MaterialMeasurement read_test(TableReader& table, const FitFolders& folders,
     }
   }
   if (table.has("noise")) {
-    double largest = input::no_value;
+    double largest = no_value;
     for (std::size_t i = 0; i < test.stress.size(); ++i)
       if (counts(test, i) && !(test.stress[i] <= largest)) largest = test.stress[i];
     test.noise = value_or_share(table, "noise", "Pa", largest);

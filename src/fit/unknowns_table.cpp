@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/study/application.hpp"
 #include "fit/fit_tables.hpp"
-#include "input/special_numbers.hpp"
+#include "quantities/special_numbers.hpp"
 
 namespace dashpad::fit {
 
@@ -45,7 +45,7 @@ bool read_is_logarithmic(TableReader& table, const Unknown& unknown) {
 }
 
 void read_bounds(TableReader& table, Unknown& unknown) {
-  unknown.lowest = unknown.highest = input::no_value;
+  unknown.lowest = unknown.highest = no_value;
   const TomlNode* bounds = table.array("bounds");
   if (!bounds) return;
   if (bounds->children.size() != 2) {

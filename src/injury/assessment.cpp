@@ -10,7 +10,7 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/injury/standard.hpp"
 #include "injury/coarser_run.hpp"
-#include "input/special_numbers.hpp"
+#include "quantities/special_numbers.hpp"
 
 namespace dashpad::injury {
 
@@ -27,7 +27,7 @@ struct Estimate {
 Estimate dwell(const Solution& solution, const InjuryFigures& figures, double level) {
   const Pulse pulse = pulse_of(solution.history);
   const double time = cumulative_dwell(pulse, level);
-  if (!has_coarser_run(solution) || !std::isfinite(figures.errors.peak)) return {time, input::infinite};
+  if (!has_coarser_run(solution) || !std::isfinite(figures.errors.peak)) return {time, infinite};
   const double shift = figures.errors.peak * level;
   const double shorter = cumulative_dwell(pulse, level + shift);
   const double longer = cumulative_dwell(pulse, std::max(level - shift, 0.0));

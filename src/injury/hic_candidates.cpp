@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "input/special_numbers.hpp"
+#include "quantities/special_numbers.hpp"
 
 namespace dashpad::injury::hic_search {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 /// One end of a window, on an interval where the level falls from `high` to `low` as the window grows, or
 /// fixed at the begin or the end of the pulse.
 struct End {
-  double low = -input::infinite, high = input::infinite;
+  double low = -infinite, high = infinite;
   double spread = 0;  // by how much the window grows as the level falls by 1, s
 };
 
@@ -33,7 +33,7 @@ void offer_stationary(const Curve& curve, std::size_t first, const End& begin, s
   const double base = std::max(begin.low, end.low);
   const double top = std::min(begin.high, end.high);
   const double spread = begin.spread + end.spread;
-  if (!(spread > 0) || !(base <= top) || !(spread < input::infinite)) return;
+  if (!(spread > 0) || !(base <= top) || !(spread < infinite)) return;
   const auto window_at = [&](double level) {
     const auto moved = [&](const End& side) {
       return side.spread > 0
@@ -50,8 +50,7 @@ void offer_stationary(const Curve& curve, std::size_t first, const End& begin, s
   // A root that rounding moves out of the range is taken at its end; a window without need does no harm.
   double d = 0;
   if (constant > 0)
-    d = falling > 0 && discriminant >= 0 ? 2 * constant / (falling + std::sqrt(discriminant))
-                                         : input::infinite;
+    d = falling > 0 && discriminant >= 0 ? 2 * constant / (falling + std::sqrt(discriminant)) : infinite;
   const Window window = window_at(std::min(base + d, top));
   if (curve.duration(window) <= longest) best.offer(curve, window);
 }
@@ -110,7 +109,7 @@ void offer_candidates(const Curve& curve, std::size_t i, std::size_t j, double l
   if (rises && falls && i < j)
     offer_stationary(curve, i + 1, begin_of(curve, i), j, end_of(curve, j), longest, best);
   if (to_end && rises) offer_stationary(curve, i + 1, begin_of(curve, i), final_sample, fixed, longest, best);
-  if (longest < input::infinite) offer_longest(curve, i, j, longest, best);
+  if (longest < infinite) offer_longest(curve, i, j, longest, best);
 }
 
 }  // namespace dashpad::injury::hic_search

@@ -108,7 +108,7 @@ std::string change_of_hic15(const OffsetEffect& effect) {
 }
 
 std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak) {
-  const input::SensorOffset& offset = effect.offset;
+  const SensorOffset& offset = effect.offset;
   const double root = std::sqrt(static_cast<double>(offset.samples));
   bool is_more_than_noise = false;
   for (std::size_t i = 0; i < offset.mean.size(); ++i)

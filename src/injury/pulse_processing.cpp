@@ -20,7 +20,7 @@ Pulse processed(const Pulse& pulse, std::optional<double> interval,
 
 }  // namespace
 
-ProcessedPulse processed_pulse(const input::MeasuredPulse& measured, std::optional<double> interval,
+ProcessedPulse processed_pulse(const MeasuredPulse& measured, std::optional<double> interval,
                                const std::optional<PulseFilter>& filter) {
   if (measured.components.empty()) return {processed(measured.pulse, interval, filter), {}};
   Pulse result;
@@ -30,7 +30,7 @@ ProcessedPulse processed_pulse(const input::MeasuredPulse& measured, std::option
     result.time = std::move(direction.time);
     components.push_back(std::move(direction.acceleration));
   }
-  result.acceleration = input::resultant_of(components);
+  result.acceleration = resultant_of(components);
   const auto top = std::ranges::max_element(result.acceleration) - result.acceleration.begin();
   std::vector<double> along(result.time.size());
   for (const std::vector<double>& component : components) {
@@ -42,8 +42,8 @@ ProcessedPulse processed_pulse(const input::MeasuredPulse& measured, std::option
   return {std::move(result), std::move(axis)};
 }
 
-std::optional<std::string> sampled_too_slowly(const input::MeasuredPulse& measured,
-                                              std::optional<double> interval, const PulseFilter& filter) {
+std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std::optional<double> interval,
+                                              const PulseFilter& filter) {
   const std::vector<double>& time = measured.pulse.time;
   const double mean = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   const double slower = std::max(mean, interval.value_or(0));

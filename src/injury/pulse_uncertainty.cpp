@@ -61,7 +61,7 @@ Values values_of(const ProcessedPulse& processed, const PulseReport& report) {
 }
 
 /// The samples around all that the figures are of, as measured but for the sensor's offset.
-input::MeasuredPulse around_the_figures(const PulseReport& report) {
+MeasuredPulse around_the_figures(const PulseReport& report) {
   const InjuryFigures& of = report.figures;
   double begin = std::min(of.peak.time, report.contact.begin);
   double end = std::max(of.peak.time, report.contact.end);
@@ -79,7 +79,7 @@ input::MeasuredPulse around_the_figures(const PulseReport& report) {
   const auto cut = [&](const std::vector<double>& values) {
     return std::vector<double>(values.begin() + first, values.begin() + last);
   };
-  input::MeasuredPulse part;
+  MeasuredPulse part;
   part.pulse = {cut(time), cut(report.measured.pulse.acceleration)};
   for (const std::vector<double>& component : report.measured.components)
     part.components.push_back(cut(component));
@@ -89,7 +89,7 @@ input::MeasuredPulse around_the_figures(const PulseReport& report) {
     for (std::size_t i = 0; i < part.pulse.time.size(); ++i)
       part.pulse.time[i] = std::lerp(start, stop, static_cast<double>(i) / steps);
   }
-  if (report.offset && report.offset->taken_off) return input::zeroed(std::move(part), report.offset->offset);
+  if (report.offset && report.offset->taken_off) return zeroed(std::move(part), report.offset->offset);
   return part;
 }
 
@@ -107,7 +107,7 @@ double interpolated(const std::vector<double>& time, const std::vector<double>& 
 }
 
 /// With another sample in the middle between any two.
-input::MeasuredPulse finer(const input::MeasuredPulse& measured) {
+MeasuredPulse finer(const MeasuredPulse& measured) {
   const std::vector<double>& time = measured.pulse.time;
   const auto between = [&](const std::vector<double>& values) {
     std::vector<double> all;
@@ -119,15 +119,15 @@ input::MeasuredPulse finer(const input::MeasuredPulse& measured) {
     }
     return all;
   };
-  input::MeasuredPulse result;
+  MeasuredPulse result;
   for (std::size_t i = 0; i < time.size(); ++i) {
     result.pulse.time.push_back(time[i]);
     if (i + 1 < time.size()) result.pulse.time.push_back(std::midpoint(time[i], time[i + 1]));
   }
   for (const std::vector<double>& component : measured.components)
     result.components.push_back(between(component));
-  result.pulse.acceleration = measured.components.empty() ? between(measured.pulse.acceleration)
-                                                          : input::resultant_of(result.components);
+  result.pulse.acceleration =
+      measured.components.empty() ? between(measured.pulse.acceleration) : resultant_of(result.components);
   return result;
 }
 
@@ -164,9 +164,8 @@ double FigureUncertainty::combined() const {
 
 MeasurementUncertainty measurement_uncertainty(const PulseReport& report, std::optional<double> calibration) {
   MeasurementUncertainty result{.calibration = calibration, .figures = {}};
-  const input::MeasuredPulse part = around_the_figures(report);
-  const auto values_with = [&](const input::MeasuredPulse& measured,
-                               const std::optional<PulseFilter>& filter) {
+  const MeasuredPulse part = around_the_figures(report);
+  const auto values_with = [&](const MeasuredPulse& measured, const std::optional<PulseFilter>& filter) {
     return values_of(processed_pulse(measured, report.resampled_to, filter), report);
   };
   const Values values = values_with(part, report.filter),

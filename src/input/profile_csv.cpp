@@ -25,7 +25,7 @@ struct ProfileColumn {
 };
 
 /// "depth [mm]", "depth (mm)" and "depth_mm" are a depth in mm.
-HeaderText name_and_unit(const MeasuredColumn& column) {
+HeaderText name_and_unit(const injury::MeasuredColumn& column) {
   const HeaderText in_brackets = split_header(column.name);
   if (!in_brackets.unit.empty()) return {lower_case(in_brackets.name), in_brackets.unit};
   const auto mark = column.name.find_last_of("_ ");
@@ -39,7 +39,7 @@ std::optional<ProfileColumn> find_column(const CsvColumns& columns, const std::s
                                          const std::string& si_unit, std::size_t line,
                                          MeasurementFaults& faults) {
   std::optional<ProfileColumn> found;
-  for (const MeasuredColumn& column : columns.all) {
+  for (const injury::MeasuredColumn& column : columns.all) {
     const HeaderText header = name_and_unit(column);
     if (header.name != name) continue;
     if (found) {

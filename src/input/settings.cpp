@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "input/spelling.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/case/case_quantity.hpp"
 #include "input/law_table.hpp"
 #include "input/number_list.hpp"
 #include "input/spelling.hpp"

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/quantities/quantity.hpp"
-#include "dashpad/spit1984/column.hpp"
 #include "laboratory/strain_marks.hpp"
 #include "quantities/text.hpp"
 
@@ -64,14 +62,8 @@ double stress_at(const ColumnTest& column, double time) {
   return column.stress[i];
 }
 
-spit1984::Deck deck_of(const Material& material) {
-  ImpactCase impact;
-  impact.pad.material = material;
-  return spit1984::deck_of(impact);
-}
-
-UpdateOf1984 update_of_1984(const Material& material, const StrainHistory& history, std::vector<double> times,
-                            int steps, const ColumnTest& column) {
+UpdateOf1984 compare_with(StressUpdate update_stress, const Material& material, const StrainHistory& history,
+                          std::vector<double> times, int steps, const ColumnTest& column) {
   const double step = times[1];
   UpdateOf1984 update{.step = step,
                       .time = std::move(times),
@@ -84,10 +76,7 @@ UpdateOf1984 update_of_1984(const Material& material, const StrainHistory& histo
     update.strain.push_back(std::max(strain_at(history, time), 0.0));
     update.exact.push_back(stress_at(column, time));
   }
-  const spit1984::Deck deck = deck_of(material);
-  const double psi = to_si("1 psi", "Pa");
-  update.stress = spit1984::column_stresses(deck.pad, deck.pad_parameters, update.strain, update.step);
-  for (double& stress : update.stress) stress *= psi;
+  update.stress = update_stress(material, update.strain, update.step);
   if (const auto turn = static_cast<std::size_t>(steps); turn + 1 < update.time.size()) {
     update.update_at_turn = {update.stress[turn], update.stress[turn + 1]};
     update.exact_at_turn = {update.exact[turn], update.exact[turn + 1]};
@@ -95,7 +84,8 @@ UpdateOf1984 update_of_1984(const Material& material, const StrainHistory& histo
   return update;
 }
 
-MaterialTestRun strain_run(const Material& material, const MaterialTest& test, double rate) {
+MaterialTestRun strain_run(const Material& material, const MaterialTest& test, double rate,
+                           StressUpdate update) {
   const StrainHistory history = history_of(test, rate);
   MaterialTestRun run;
   std::vector<double> marks;
@@ -112,7 +102,7 @@ MaterialTestRun strain_run(const Material& material, const MaterialTest& test, d
                    run.column.stress.back()};
   }
   if (test.steps_of_1984)
-    run.update_of_1984 = update_of_1984(material, history, times, *test.steps_of_1984, run.column);
+    run.update_of_1984 = compare_with(update, material, history, times, *test.steps_of_1984, run.column);
   return run;
 }
 
@@ -190,14 +180,17 @@ const char* to_string(TestKind kind) {
   return "";
 }
 
-MaterialTestReport run_material_test(const Material& material, const MaterialTest& test) {
+MaterialTestReport run_material_test(const Material& material, const MaterialTest& test,
+                                     StressUpdate update_of_1984) {
+  if (test.steps_of_1984 && update_of_1984 == nullptr)
+    throw std::invalid_argument("steps of 1984 need the update of 1984");
   MaterialTestReport report{material, test, {}};
   std::string unreached;
   const bool is_measured = test.kind == TestKind::history;
   for (const double rate : is_measured ? std::vector<double>{0} : test.rates) {
-    std::optional<MaterialTestRun> run = test.kind == TestKind::creep
-                                             ? creep_run(material, test, rate)
-                                             : std::optional{strain_run(material, test, rate)};
+    std::optional<MaterialTestRun> run =
+        test.kind == TestKind::creep ? creep_run(material, test, rate)
+                                     : std::optional{strain_run(material, test, rate, update_of_1984)};
     if (!run) {
       unreached += fmt::format("{}{:g}", unreached.empty() ? "" : ", ", rate);
       continue;

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/quantities/result_quantity.hpp"
+#include "dashpad/result/result_quantity.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

@@ -10,8 +10,8 @@
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/version.hpp"
-#include "quantities/summary_values.hpp"
 #include "quantities/text.hpp"
+#include "result/summary_values.hpp"
 
 namespace dashpad::output {
 

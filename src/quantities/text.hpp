@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "dashpad/quantities/result_quantity.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
 namespace dashpad {

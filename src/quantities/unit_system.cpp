@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "dashpad/quantities/quantity.hpp"
+#include "dashpad/quantities/standard_gravity.hpp"
 
 namespace dashpad {
 namespace {
@@ -65,6 +66,22 @@ std::string unit_for(const UnitSystem& units, const std::string& si_unit) {
 double value_in(const UnitSystem& units, double value, const std::string& si_unit) {
   const std::string unit = unit_for(units, si_unit);
   return unit == si_unit ? value : from_si(value, si_unit, unit);
+}
+
+ScaledUnit scaled_unit(const std::string& si_unit, const UnitSystem& units) {
+  if (si_unit == "m/s2") return {1 / standard_gravity, "g"};
+  if (si_unit.empty()) return {1, "1"};
+  return {value_in(units, 1, si_unit), unit_for(units, si_unit)};
+}
+
+std::string name_with_unit(const std::string& name, const std::string& unit) {
+  if (unit.empty() || unit == "1") return name;
+  if (unit.starts_with("1/")) return name + "_per_" + unit.substr(2);
+  std::string text = name + "_";
+  for (const char character : unit)
+    text +=
+        character == '/' ? "_per_" : std::string(1, character == '.' || character == ' ' ? '_' : character);
+  return text;
 }
 
 }  // namespace dashpad

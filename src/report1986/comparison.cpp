@@ -12,7 +12,7 @@
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/spit1984/run.hpp"
 #include "dashpad/version.hpp"
-#include "quantities/json_values.hpp"
+#include "json/json_values.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::report1986 {

@@ -1,7 +1,7 @@
 // The validation as JSON.
 
 #include "dashpad/report1986/validation/claims.hpp"
-#include "quantities/json_values.hpp"
+#include "json/json_values.hpp"
 #include "report1986/validation_tables.hpp"
 
 namespace dashpad::report1986 {

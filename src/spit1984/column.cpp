@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "dashpad/quantities/quantity.hpp"
 #include "spit1984/pad.hpp"
 
 namespace dashpad::spit1984 {
@@ -69,6 +70,17 @@ std::vector<double> column_stresses(PadKey pad, const std::array<double, 21>& pa
     case Arithmetic::pdp10: break;
   }
   return stresses<Pdp10>(pad, parameters, strains, step);
+}
+
+std::vector<double> stresses_of_update(const Material& material, const std::vector<double>& strains,
+                                       double step) {
+  ImpactCase impact;
+  impact.pad.material = material;
+  const Deck deck = deck_of(impact);
+  const double psi = to_si("1 psi", "Pa");
+  std::vector<double> result = column_stresses(deck.pad, deck.pad_parameters, strains, step);
+  for (double& stress : result) stress *= psi;
+  return result;
 }
 
 }  // namespace dashpad::spit1984

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/version.hpp"
-#include "quantities/json_values.hpp"
+#include "json/json_values.hpp"
 
 namespace dashpad::spit1984 {
 

@@ -6,7 +6,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
-#include "input/special_numbers.hpp"
+#include "quantities/special_numbers.hpp"
 
 namespace dashpad::study {
 
@@ -36,8 +36,8 @@ void set_moments(Distribution& of, const std::vector<double>& values, bool drawn
     rest += value - sum;
   }
   const double mean = sum + rest / count;
-  of.mean = {mean, input::no_value, input::no_value};
-  of.deviation = values.size() > 1 ? std::sqrt(squares / (count - 1)) : input::no_value;
+  of.mean = {mean, no_value, no_value};
+  of.deviation = values.size() > 1 ? std::sqrt(squares / (count - 1)) : no_value;
   if (!drawn || values.size() < 2) return;
   const double factor = boost::math::quantile(boost::math::students_t{count - 1}, 1 - tail);
   const double half = factor * of.deviation / std::sqrt(count);
@@ -58,12 +58,12 @@ std::uint64_t least_count(const Binomial& binomial, double share) {
 Estimate quantile_of(const std::vector<double>& values, double probability, bool drawn) {
   const std::size_t count = values.size();
   const auto rank = static_cast<std::size_t>(std::ceil(probability * static_cast<double>(count)));
-  Estimate estimate{values[std::clamp<std::size_t>(rank, 1, count) - 1], input::no_value, input::no_value};
+  Estimate estimate{values[std::clamp<std::size_t>(rank, 1, count) - 1], no_value, no_value};
   if (!drawn) return estimate;
   const Binomial binomial{static_cast<double>(count), probability};
   const std::uint64_t low = least_count(binomial, tail), high = least_count(binomial, 1 - tail) + 1;
-  estimate.low = low == 0 ? -input::infinite : values[low - 1];
-  estimate.high = input::infinite;
+  estimate.low = low == 0 ? -infinite : values[low - 1];
+  estimate.high = infinite;
   if (high <= count) estimate.high = values[high - 1];
   return estimate;
 }
@@ -87,14 +87,14 @@ std::optional<Estimate> quantile(const Distribution& of, double probability) {
 Distribution distribution(std::span<const double> values, bool drawn) {
   const std::vector<double> present = sorted_values(values);
   Distribution of;
-  of.struck_through = static_cast<std::uint64_t>(std::ranges::count(present, input::infinite));
+  of.struck_through = static_cast<std::uint64_t>(std::ranges::count(present, infinite));
   of.rows = present.size() - of.struck_through;
   of.without = values.size() - present.size();
-  of.mean = {input::no_value, input::no_value, input::no_value};
-  of.deviation = of.least = of.greatest = input::no_value;
+  of.mean = {no_value, no_value, no_value};
+  of.deviation = of.least = of.greatest = no_value;
   if (present.empty()) {
     for (const double probability : probabilities)
-      of.quantiles.push_back({probability, {input::no_value, input::no_value, input::no_value}});
+      of.quantiles.push_back({probability, {no_value, no_value, no_value}});
     return of;
   }
   of.least = present.front();
@@ -113,11 +113,11 @@ Exceedance exceedance(std::span<const Reading> rows, double limit, bool drawn) {
       ++of.exceeding;
     else if (!(row.high <= limit))
       ++of.undecided;
-    if (row.low == input::infinite) ++of.struck_through;
+    if (row.low == infinite) ++of.struck_through;
   }
   const std::uint64_t all = rows.size(), most = of.exceeding + of.undecided;
   of.rows = all - of.undecided;
-  of.probability = {input::no_value, input::no_value, input::no_value};
+  of.probability = {no_value, no_value, no_value};
   if (of.rows > 0) of.probability.value = static_cast<double>(of.exceeding) / static_cast<double>(of.rows);
   if (all == 0 || (!drawn && of.undecided == 0)) return of;
   const auto share = [&](std::uint64_t count) {

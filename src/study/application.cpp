@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/study/design.hpp"
 #include "input/spelling.hpp"
 

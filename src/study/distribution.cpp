@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "input/special_numbers.hpp"
+#include "quantities/special_numbers.hpp"
 
 namespace dashpad::study {
 namespace {
@@ -19,7 +19,7 @@ Overloaded(Case...) -> Overloaded<Case...>;
 /// P(X < x); of the continuous ones P(X <= x) as well.
 template <class Distribution>
 double below(const Distribution& of, double x) {
-  return x == -input::infinite ? 0 : x == input::infinite ? 1 : cdf(of, x);
+  return x == -infinite ? 0 : x == infinite ? 1 : cdf(of, x);
 }
 double below(const EmpiricalDistribution& of, double x) { return of.below(x); }
 
@@ -31,7 +31,7 @@ double up_to(const EmpiricalDistribution& of, double x) { return of.up_to(x); }
 
 template <class Distribution>
 double above(const Distribution& of, double x) {
-  return x == -input::infinite ? 1 : x == input::infinite ? 0 : cdf(complement(of, x));
+  return x == -infinite ? 1 : x == infinite ? 0 : cdf(complement(of, x));
 }
 double above(const EmpiricalDistribution& of, double x) { return 1 - of.up_to(x); }
 
@@ -45,7 +45,7 @@ double value_at(const EmpiricalDistribution& of, double fraction, bool from_abov
 
 /// A lognormal has no probability at 0 and below, where Boost has no distribution function.
 double lowest_of(const Factor& factor) {
-  const double lowest = factor.lowest.value_or(-input::infinite);
+  const double lowest = factor.lowest.value_or(-infinite);
   return std::holds_alternative<Lognormal>(factor.spread) ? std::max(lowest, 0.) : lowest;
 }
 
@@ -104,7 +104,7 @@ Quantiles::Any Quantiles::made_of(const Spread& spread) {
 Quantiles::Quantiles(const Factor& factor)
     : distribution_(made_of(factor.spread)),
       lowest_(lowest_of(factor)),
-      highest_(factor.highest.value_or(input::infinite)) {
+      highest_(factor.highest.value_or(infinite)) {
   std::visit(
       [this](const auto& of) {
         from_above_ = below(of, lowest_) > 0.5;
@@ -126,8 +126,7 @@ std::string rule_broken_by(const Factor& factor) {
   if (!rule.empty()) return rule;
   if (!factor.is_sampled())
     return factor.lowest || factor.highest ? "only a distribution can be cut off by lowest and highest" : "";
-  const double lowest = factor.lowest.value_or(-input::infinite),
-               highest = factor.highest.value_or(input::infinite);
+  const double lowest = factor.lowest.value_or(-infinite), highest = factor.highest.value_or(infinite);
   if (std::isnan(lowest) || std::isnan(highest)) return "lowest and highest must be finite numbers";
   if (!(lowest < highest)) return "lowest must be less than highest";
   constexpr double least_kept = 1e-6;

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/quantities/result_quantity.hpp"
+#include "dashpad/result/result_quantity.hpp"
 
 namespace dashpad::study {
 

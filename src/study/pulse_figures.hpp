@@ -8,7 +8,7 @@
 #include "dashpad/injury/hic.hpp"
 #include "injury/hic_curve.hpp"
 #include "injury/hump.hpp"
-#include "quantities/summary_values.hpp"
+#include "result/summary_values.hpp"
 
 namespace dashpad::study {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "input/special_numbers.hpp"
+#include "quantities/special_numbers.hpp"
 
 #include "dashpad/study/answers.hpp"
 
@@ -120,7 +120,7 @@ std::vector<double> values_of(const Study& study, const Records& records, const 
   values.reserve(group.places.size());
   for (const std::size_t place : group.places)
     values.push_back(unbounded && records.statuses[place] == Status::bottomed_out
-                         ? input::infinite
+                         ? infinite
                          : records.responses[response][place]);
   return values;
 }
@@ -137,8 +137,8 @@ std::vector<Reading> readings_of(const Study& study, const Records& records, con
     const bool is_final =
         status == Status::released || status == Status::at_rest || status == Status::bottomed_out;
     const bool is_known = !std::isnan(values[i]) && (is_final || (status == Status::time_limit && grows));
-    double low = -input::infinite;
-    double high = input::infinite;
+    double low = -infinite;
+    double high = infinite;
     if (is_known) low = values[i];
     if (is_known && is_final) high = values[i];
     readings.push_back({low, high});

@@ -1,7 +1,7 @@
 #include "dashpad/study/resolved_study.hpp"
 
+#include "json/curves_json.hpp"
 #include "model/parameter_values.hpp"
-#include "quantities/curves_json.hpp"
 
 namespace dashpad::study {
 

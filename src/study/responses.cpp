@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "input/special_numbers.hpp"
-#include "quantities/summary_values.hpp"
+#include "quantities/special_numbers.hpp"
+#include "result/summary_values.hpp"
 #include "study/pulse_figures.hpp"
 
 namespace dashpad::study {
@@ -144,7 +144,7 @@ void ResponseReader::operator()(const Solution& solution, Outcome& outcome) {
                          (summary.is_beyond(Beyond::other) ? extrapolated_otherwise : 0U);
   outcome.bottomed = summary.bottomed.has_value();
   outcome.error = 0;
-  outcome.values.assign(kinds_.size(), input::no_value);
+  outcome.values.assign(kinds_.size(), no_value);
   if (pulse_) pulse_->take(solution);
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
     const Recipe& recipe = recipes()[kinds_[i]];
@@ -152,7 +152,7 @@ void ResponseReader::operator()(const Solution& solution, Outcome& outcome) {
     const EstimatedValue figure = recipe.of_pulse ? recipe.of_pulse(*pulse_) : recipe.of_summary(summary);
     if (is_possible(recipe.kind, figure.value)) outcome.values[i] = figure.value;
     // An estimate that is no number bounds nothing.
-    outcome.error = std::max(outcome.error, std::isnan(figure.error) ? input::infinite : figure.error);
+    outcome.error = std::max(outcome.error, std::isnan(figure.error) ? infinite : figure.error);
   }
 }
 

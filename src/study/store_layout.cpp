@@ -9,7 +9,7 @@
 #include "dashpad/study/design.hpp"
 #include "dashpad/study/resolved_study.hpp"
 #include "dashpad/version.hpp"
-#include "quantities/json_values.hpp"
+#include "json/json_values.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::study {

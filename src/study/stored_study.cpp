@@ -6,8 +6,8 @@
 #include "dashpad/study/application.hpp"
 #include "dashpad/study/design.hpp"
 #include "dashpad/study/resolved_study.hpp"
+#include "json/curves_json.hpp"
 #include "model/parameter_values.hpp"
-#include "quantities/curves_json.hpp"
 
 namespace dashpad::study {
 

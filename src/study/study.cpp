@@ -7,8 +7,8 @@
 
 #include "dashpad/study/application.hpp"
 #include "dashpad/study/responses.hpp"
-#include "input/special_numbers.hpp"
 #include "input/spelling.hpp"
+#include "quantities/special_numbers.hpp"
 #include "study/case_checks.hpp"
 #include "study/cholesky.hpp"
 #include "study/distribution.hpp"
@@ -19,9 +19,9 @@ namespace {
 
 void check_key(const Study& study, const Factor& factor, std::vector<Violation>& broken) {
   if (!std::ranges::count(factor_keys(study.base), factor.key, &FactorKey::key))
-    broken.push_back({"factors." + factor.key, input::no_value, rule_for_unknown(factor.key, study.base)});
+    broken.push_back({"factors." + factor.key, no_value, rule_for_unknown(factor.key, study.base)});
   const auto first = std::ranges::find(study.factors, factor.key, &Factor::key);
-  if (&*first != &factor) broken.push_back({"factors." + factor.key, input::no_value, "is given twice"});
+  if (&*first != &factor) broken.push_back({"factors." + factor.key, no_value, "is given twice"});
 }
 
 void check_conflicts(const Study& study, std::vector<Violation>& broken) {
@@ -30,14 +30,14 @@ void check_conflicts(const Study& study, std::vector<Violation>& broken) {
   };
   if (has("impactor.mass") && has("impactor.weight"))
     broken.push_back(
-        {"factors.impactor.weight", input::no_value, "give impactor.mass or impactor.weight, not both"});
+        {"factors.impactor.weight", no_value, "give impactor.mass or impactor.weight, not both"});
   if (has("support.stiffness") && has("support.scale"))
     broken.push_back(
-        {"factors.support.scale", input::no_value, "give support.stiffness or support.scale, not both"});
+        {"factors.support.scale", no_value, "give support.stiffness or support.scale, not both"});
   const bool varies_law =
       std::ranges::any_of(study.factors, [](const Factor& of) { return is_of_law(of.key); });
   if (has("pad.material") && varies_law)
-    broken.push_back({"factors.pad.material", input::no_value,
+    broken.push_back({"factors.pad.material", no_value,
                       "parameters and curves belong to the material of the case: vary the material or its "
                       "numbers, not both"});
 }
@@ -46,7 +46,7 @@ void check_materials(const Study& study, const Factor& factor, std::vector<Viola
   const std::string key = "factors." + factor.key;
   const auto* levels = std::get_if<Levels>(&factor.spread);
   if (!levels) {
-    broken.push_back({key, input::no_value, "materials are given as values = [\"name\", ...]"});
+    broken.push_back({key, no_value, "materials are given as values = [\"name\", ...]"});
     return;
   }
   for (const double value : levels->values)
@@ -56,7 +56,7 @@ void check_materials(const Study& study, const Factor& factor, std::vector<Viola
     for (std::size_t j = 0; j < i; ++j)
       if (study.materials[i].name == study.materials[j].name) {
         broken.push_back(
-            {key, input::no_value, fmt::format("has two materials called {}", study.materials[i].name)});
+            {key, no_value, fmt::format("has two materials called {}", study.materials[i].name)});
         break;
       }
 }
@@ -66,12 +66,12 @@ void check_factor(const Study& study, const Factor& factor, std::vector<Violatio
   check_key(study, factor, broken);
   if (factor.key == "pad.material") check_materials(study, factor, broken);
   if (const auto* levels = std::get_if<Levels>(&factor.spread)) {
-    if (levels->values.empty()) broken.push_back({key, input::no_value, "has no levels"});
+    if (levels->values.empty()) broken.push_back({key, no_value, "has no levels"});
     if (std::ranges::any_of(levels->values, [](double value) { return !std::isfinite(value); }))
-      broken.push_back({key, input::no_value, "a level must be a finite number"});
+      broken.push_back({key, no_value, "a level must be a finite number"});
   }
   const std::string rule = rule_broken_by(factor);
-  if (!rule.empty()) broken.push_back({key, input::no_value, rule});
+  if (!rule.empty()) broken.push_back({key, no_value, rule});
 }
 
 void check_correlations(const Study& study, std::vector<Violation>& broken) {
@@ -82,7 +82,7 @@ void check_correlations(const Study& study, std::vector<Violation>& broken) {
   // Each is compared with all before it: of thousands, there would be millions of faults.
   if (const std::size_t pairs = study.factors.size() * study.factors.size() / 2; all.size() > pairs) {
     broken.push_back(
-        {"correlations", input::no_value, fmt::format("are {}, more than pairs of factors", all.size())});
+        {"correlations", no_value, fmt::format("are {}, more than pairs of factors", all.size())});
     return;
   }
   bool good = true;
@@ -92,32 +92,32 @@ void check_correlations(const Study& study, std::vector<Violation>& broken) {
       good = false;
     };
     if (!sampled(all[i].first) || !sampled(all[i].second))
-      add(input::no_value, "needs two factors with a distribution");
+      add(no_value, "needs two factors with a distribution");
     else if (all[i].first == all[i].second)
-      add(input::no_value, "needs two different factors");
+      add(no_value, "needs two different factors");
     if (!(all[i].value > -1 && all[i].value < 1)) add(all[i].value, "must be more than -1 and less than 1");
     for (std::size_t j = 0; j < i; ++j)
       if (std::minmax(all[i].first, all[i].second) == std::minmax(all[j].first, all[j].second))
-        add(input::no_value, "the correlation of these two is given twice");
+        add(no_value, "the correlation of these two is given twice");
   }
   if (good && !root_of_correlations(study))
     broken.push_back(
-        {"correlations", input::no_value,
+        {"correlations", no_value,
          "contradict each other: their matrix is not positive definite, so no quantities can be so "
          "correlated"});
   if (study.indices && !all.empty())
     broken.push_back(
-        {"correlations", input::no_value,
+        {"correlations", no_value,
          "Sobol' indices are defined for independent factors: leave out correlations or indices"});
 }
 
 void check_responses(const Study& study, std::vector<Violation>& broken) {
   std::vector<std::string> known;
   for (const ResponseKind& kind : response_kinds()) known.emplace_back(kind.key);
-  if (study.responses.empty()) broken.push_back({"responses", input::no_value, "needs one response or more"});
+  if (study.responses.empty()) broken.push_back({"responses", no_value, "needs one response or more"});
   if (study.responses.size() > 2 * known.size()) {
     broken.push_back(
-        {"responses", input::no_value,
+        {"responses", no_value,
          fmt::format("has {} names, and there are {} responses", study.responses.size(), known.size())});
     return;
   }
@@ -126,12 +126,12 @@ void check_responses(const Study& study, std::vector<Violation>& broken) {
     if (!std::ranges::count(known, name)) {
       const std::string meant = input::did_you_mean(name, known);
       broken.push_back(
-          {key, input::no_value,
+          {key, no_value,
            name + " is no response" + (meant.empty() ? "; there are " + input::listing(known) : meant)});
     }
     if (std::find(study.responses.begin(), study.responses.begin() + static_cast<std::ptrdiff_t>(i), name) !=
         study.responses.begin() + static_cast<std::ptrdiff_t>(i))
-      broken.push_back({key, input::no_value, name + " is given twice"});
+      broken.push_back({key, no_value, name + " is given twice"});
   }
 }
 
@@ -142,8 +142,7 @@ void check_size(const Study& study, std::vector<Violation>& broken) {
     broken.push_back(
         {"samples", static_cast<double>(study.samples), "no factor has a distribution to draw from"});
   if (sampled == 0 && study.indices)
-    broken.push_back(
-        {"indices", input::no_value, "no factor has a distribution: Sobol' indices need one or more"});
+    broken.push_back({"indices", no_value, "no factor has a distribution: Sobol' indices need one or more"});
   if (study.sampling == Sampling::sobol && 2 * sampled > Sobol::most_dimensions)
     broken.push_back({"factors", static_cast<double>(sampled), "too many sampled factors for Sobol points"});
   const double rows = row_count(study);
@@ -166,8 +165,7 @@ double row_count(const Study& study) {
 
 std::vector<Violation> violations(const Study& study) {
   std::vector<Violation> broken;
-  if (study.factors.empty())
-    broken.push_back({"factors", input::no_value, "a study needs one factor or more"});
+  if (study.factors.empty()) broken.push_back({"factors", no_value, "a study needs one factor or more"});
   for (const Factor& factor : study.factors) check_factor(study, factor, broken);
   check_conflicts(study, broken);
   check_correlations(study, broken);

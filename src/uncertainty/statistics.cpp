@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/case/case_quantity.hpp"
 #include "uncertainty/line.hpp"
 
 namespace dashpad::uncertainty {

@@ -18,8 +18,8 @@
 
 #include "answers/program.hpp"
 #include "answers/true_mat.hpp"
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/fit/report.hpp"
-#include "dashpad/impact/case_quantity.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/uncertainty/intervals.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "command.hpp"
 #include "dashpad/injury/standard.hpp"
-#include "dashpad/quantities/result_quantity.hpp"
+#include "dashpad/result/result_quantity.hpp"
 #include "dashpad/study/responses.hpp"
 
 namespace dashpad::test {

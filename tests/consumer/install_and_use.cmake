@@ -1,4 +1,5 @@
-# Installs the build to an empty prefix, then configures, builds and runs the consumer against it.
+# Installs the build to an empty prefix, then configures, builds and runs the consumer against all of it,
+# and against the engine alone.
 
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
@@ -7,11 +8,14 @@ endfunction()
 file(REMOVE_RECURSE "${WORK_DIR}")
 set(prefix "${WORK_DIR}/prefix")
 run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
-run("${CMAKE_COMMAND}" -S "${CONSUMER_DIR}" -B "${WORK_DIR}/build" -G "${GENERATOR}"
-    "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}"
-    "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}")
-run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build")
-run("${WORK_DIR}/build/consumer")
+foreach(engine_alone OFF ON)
+  set(build "${WORK_DIR}/build-${engine_alone}")
+  run("${CMAKE_COMMAND}" -S "${CONSUMER_DIR}" -B "${build}" -G "${GENERATOR}" "-DENGINE_ALONE=${engine_alone}"
+      "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}"
+      "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}")
+  run("${CMAKE_COMMAND}" --build "${build}")
+  run("${build}/consumer")
+endforeach()
 
 # The installed command finds the installed cards, examples and parts, wherever the prefix lies.
 if(EXISTS "${prefix}/bin/dashpad")

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "dashpad/injury/cfc_filter.hpp"
+#include "dashpad/injury/sensor_offset.hpp"
 #include "dashpad/input/measurement/pulse_csv.hpp"
-#include "dashpad/input/measurement/sensor_offset.hpp"
 #include "reading.hpp"
 
 namespace fs = std::filesystem;
@@ -33,10 +33,10 @@ bool are_ordinary(const std::vector<double>& values) {
 }
 
 /// Numbers near the largest may overflow here; all others must not.
-void process(const input::MeasuredPulse& read) {
+void process(const injury::MeasuredPulse& read) {
   const bool ordinary = are_ordinary(read.pulse.time) && are_ordinary(read.pulse.acceleration);
-  if (const auto offset = input::offset_before_impact(read)) {
-    const input::MeasuredPulse zeroed = input::zeroed(read, *offset);
+  if (const auto offset = injury::offset_before_impact(read)) {
+    const injury::MeasuredPulse zeroed = injury::zeroed(read, *offset);
     if (ordinary) check(zeroed.pulse);
   }
   try {
@@ -50,7 +50,8 @@ void write_and_read(const Pulse& pulse) {
   std::string written = "time_s,acceleration_m_per_s2\n";
   for (std::size_t i = 0; i < pulse.time.size(); ++i)
     written += fmt::format("{},{}\n", pulse.time[i], pulse.acceleration[i]);
-  const Pulse again = input::read_pulse_csv(write("again.csv", written), {.bridge_gaps = true}).pulse;
+  const Pulse again =
+      input::read_pulse_csv(write("again.csv", written), {.bridge_gaps = true}).measured.pulse;
   require(again.time == pulse.time && again.acceleration == pulse.acceleration,
           "what is written is read as the same");
 }
@@ -61,7 +62,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const fs::path file = write("pulse.csv", text_of(bytes, size));
   read_or_refuse([&] { return input::pulse_csv_columns(file); });
   for (const input::PulseCsvOptions& way : ways_to_read()) {
-    const auto read = read_or_refuse([&] { return input::read_pulse_csv(file, way); });
+    const auto read = read_or_refuse([&] { return input::read_pulse_csv(file, way).measured; });
     if (!read) continue;
     check(read->pulse);
     for (const std::vector<double>& component : read->components) {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "dashpad/injury/standard_file.hpp"
+#include "dashpad/input/standard_file.hpp"
 #include "reading.hpp"
 
 using namespace dashpad;
@@ -35,7 +35,7 @@ void require_sound(const injury::Standard& standard) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const auto standard =
-      read_or_refuse([&] { return injury::read_standard(write("standard.toml", text_of(bytes, size))); });
+      read_or_refuse([&] { return input::read_standard(write("standard.toml", text_of(bytes, size))); });
   if (!standard) return 0;
   require_sound(*standard);
   std::vector<std::string> all;

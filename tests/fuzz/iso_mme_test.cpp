@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_channels = 3;
 
-void write_and_read(const input::MeasuredPulse& read) {
+void write_and_read(const injury::MeasuredPulse& read) {
   const double interval = read.pulse.time[1] - read.pulse.time[0];
   const output::IsoMmeTest test{.name = "again",
                                 .time_of_first_sample = 0,
@@ -23,7 +23,7 @@ void write_and_read(const input::MeasuredPulse& read) {
                                                "m/s2", read.pulse.acceleration}}};
   for (const auto& [name, text] : output::iso_mme_files(test))
     write("written" / std::filesystem::path(name), text);
-  const input::MeasuredPulse again = input::read_iso_mme(folder() / "written", {});
+  const injury::MeasuredPulse again = input::read_iso_mme(folder() / "written", {}).measured;
   require(again.pulse.acceleration == read.pulse.acceleration, "what is written is read as the same");
 }
 
@@ -40,7 +40,7 @@ void read_iso_mme_test(const std::filesystem::path& test) {
   for (std::size_t i = 0; i < std::min(channels->size(), most_channels); ++i)
     ways.push_back({.channel = std::to_string((*channels)[i].number)});
   for (const input::IsoMmeOptions& way : ways) {
-    const auto read = read_or_refuse([&] { return input::read_iso_mme(test, way); });
+    const auto read = read_or_refuse([&] { return input::read_iso_mme(test, way).measured; });
     if (!read) continue;
     check(read->pulse);
     for (const std::vector<double>& component : read->components) {

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/fit/fit.hpp"
 #include "dashpad/fit/report.hpp"
-#include "dashpad/impact/case_quantity.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/laboratory/column_test.hpp"
 #include "study/random.hpp"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/impact/blows.hpp"
-#include "dashpad/impact/case_quantity.hpp"
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/input/fault.hpp"

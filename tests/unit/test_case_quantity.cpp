@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/case/case_quantity.hpp"
 #include "model/parameter_values.hpp"
 #include "sample_case.hpp"
 #include "shared/samples.hpp"

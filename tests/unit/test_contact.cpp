@@ -21,14 +21,14 @@ double half_sine(double time) {
 }
 
 /// From -20 to 60 ms, mostly along z, with noise of 6 m/s2 in each direction.
-input::MeasuredPulse noisy_resultant() {
+injury::MeasuredPulse noisy_resultant() {
   std::mt19937 random(1984);
   const auto noise = [&] {
     double sum = -6;
     for (int k = 0; k < 12; ++k) sum += static_cast<double>(random()) / 4294967296.0;
     return 6 * sum;
   };
-  input::MeasuredPulse measured;
+  injury::MeasuredPulse measured;
   measured.components.resize(3);
   for (int i = -400; i <= 1200; ++i) {
     const double time = i * step, a = half_sine(time);
@@ -37,7 +37,7 @@ input::MeasuredPulse noisy_resultant() {
     measured.components[1].push_back(noise());
     measured.components[2].push_back(-std::sqrt(1 - 0.06 * 0.06) * a + noise());
   }
-  measured.pulse.acceleration = input::resultant_of(measured.components);
+  measured.pulse.acceleration = injury::resultant_of(measured.components);
   return measured;
 }
 

@@ -110,7 +110,7 @@ TEST(iso_mme, what_is_written_reads_back_here) {
   test.histories[0].values = {0, -1.0 / 3, 1e-300, -981.123456789012345, 7, 1e8};
   const test::TemporaryFolder folder;
   write(folder.path(), output::iso_mme_files(test));
-  const input::MeasuredPulse measured = input::read_iso_mme(folder.path(), {});
+  const injury::MeasuredPulse measured = input::read_iso_mme(folder.path(), {}).measured;
   EXPECT_EQ(measured.pulse.acceleration, test.histories[0].values);
   EXPECT_EQ(measured.pulse.time.front(), -0.002);
   EXPECT_DOUBLE_EQ(measured.pulse.time.back(), -0.0015);
@@ -126,7 +126,7 @@ TEST(iso_mme, times_of_a_clock_count_from_the_first_sample) {
   }
   const test::TemporaryFolder folder;
   write(folder.path(), files);
-  const input::MeasuredPulse measured = input::read_iso_mme(folder.path(), {.channel = "1"});
+  const injury::MeasuredPulse measured = input::read_iso_mme(folder.path(), {.channel = "1"}).measured;
   EXPECT_EQ(measured.pulse.time, (std::vector<double>{0, 0.001, 0.002}));
   EXPECT_THAT(measured.counts_from, testing::HasSubstr("1764068400.5"));
   EXPECT_THAT(measured.remarks, testing::Contains(testing::HasSubstr("1764068400.5")));
@@ -147,7 +147,7 @@ TEST(iso_mme, curves_read_back_in_the_unit_that_was_asked_for) {
                    {{"force", {"time", "s"}, {"force", "N"}, times, forces}, ""}};
     const test::TemporaryFolder folder;
     const fs::path zip = folder.write("test.zip", output::iso_mme_zip(file));
-    const input::MeasuredPulse read = input::read_iso_mme(zip, {});
+    const injury::MeasuredPulse read = input::read_iso_mme(zip, {}).measured;
     EXPECT_EQ(read.acceleration.front().unit, in_g ? "g" : "m/s2");
     ASSERT_THAT(read.pulse.acceleration, SizeIs(101));
     for (std::size_t i = 0; i < 101; ++i)
@@ -185,7 +185,7 @@ TEST(iso_mme, text_may_be_latin_1_with_any_line_ends) {
   EXPECT_EQ(input::iso_mme_channels(folder.path()).front().name,
             "Kopf, Pr\xc3\xbc"
             "fung");
-  const input::MeasuredPulse measured = input::read_iso_mme(folder.path(), {.channel = "1"});
+  const injury::MeasuredPulse measured = input::read_iso_mme(folder.path(), {.channel = "1"}).measured;
   EXPECT_THAT(measured.pulse.acceleration, ElementsAre(1, 2));
   EXPECT_EQ(measured.acceleration.front().unit, "m/s\xc2\xb2");
 }
@@ -194,8 +194,9 @@ TEST(iso_mme, remarks) {
   const test::TemporaryFolder folder;
   Files files = with_first(channel("11HEAD0000H3ACXA"));
   write(folder.path(), files);
-  EXPECT_THAT(input::read_iso_mme(folder.path(), {.channel = "1", .acceleration_unit = "m/s2"}).remarks,
-              ElementsAre("11HEAD0000H3ACXA: the file says g; m/s2 was given and used"));
+  EXPECT_THAT(
+      input::read_iso_mme(folder.path(), {.channel = "1", .acceleration_unit = "m/s2"}).measured.remarks,
+      ElementsAre("11HEAD0000H3ACXA: the file says g; m/s2 was given and used"));
 }
 
 TEST(iso_mme, choices_that_are_not_clear_are_told) {

@@ -87,15 +87,15 @@ TEST(iso_mme_archive, folder_file_zip_and_tar_are_the_same) {
     EXPECT_EQ(channels[3].samples, "3");
     EXPECT_EQ(channels[3].name, "In words: 11CHST0000H3FOXB");
     for (const std::string wanted : {"1", "001", "11HEAD0000H3ACXA", "??head????h3ACX?"}) {
-      const input::MeasuredPulse measured = input::read_iso_mme(file, {.channel = wanted});
+      const injury::MeasuredPulse measured = input::read_iso_mme(file, {.channel = wanted}).measured;
       EXPECT_THAT(measured.pulse.time, Pointwise(DoubleEq(), {-0.001, 0.0, 0.001}));
       EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {0.0, -3 * g, 2 * g}));
       EXPECT_EQ(measured.acceleration.front().name, "11HEAD0000H3ACXA");
       EXPECT_EQ(measured.acceleration.front().unit, "g");
     }
     for (const std::string wanted : {"", "11HEAD0000??AC?A"}) {
-      const input::MeasuredPulse resultant =
-          input::read_iso_mme(file, {.channel = wanted, .resultant = true});
+      const injury::MeasuredPulse resultant =
+          input::read_iso_mme(file, {.channel = wanted, .resultant = true}).measured;
       EXPECT_THAT(resultant.pulse.acceleration, Pointwise(DoubleEq(), {g, 5 * g, 3 * g}));
       EXPECT_THAT(resultant.acceleration, SizeIs(3));
       ASSERT_THAT(resultant.components, SizeIs(3));

@@ -16,7 +16,7 @@
 #include "dashpad/output/study.hpp"
 #include "distinct_numbers.hpp"
 #include "example_result.hpp"
-#include "quantities/json_values.hpp"
+#include "json/json_values.hpp"
 #include "shown_values.hpp"
 
 namespace dashpad::test {

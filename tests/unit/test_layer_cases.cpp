@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/input/fault.hpp"

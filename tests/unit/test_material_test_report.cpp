@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dashpad/output/material_test.hpp"
+#include "dashpad/spit1984/column.hpp"
 #include "laboratory/strain_marks.hpp"
 
 namespace dashpad {
@@ -118,7 +119,8 @@ TEST(MaterialTestReport, RelaxesInClosedForm) {
   test.rates = {10};
   test.hold = 0.05;
   test.steps_of_1984 = 20;
-  const laboratory::MaterialTestRun run = run_material_test(foam(), test).runs[0];
+  const laboratory::MaterialTestRun run =
+      run_material_test(foam(), test, spit1984::stresses_of_update).runs[0];
   const double tau = 0.01, over = 3e5 * tau * 10 * (1 - std::exp(-0.02 / tau));
   ASSERT_TRUE(run.relaxed);
   EXPECT_NEAR(run.relaxed->at_end_of_ramp, 2e4 + over, 1e-6);
@@ -154,7 +156,8 @@ TEST(MaterialTestReport, TheUpdateOf1984StandsAtTheTimesOfTheExactStress) {
     test.low = 0.1;
     test.rates = {10};
     test.steps_of_1984 = 8;
-    const laboratory::MaterialTestRun run = run_material_test(spring(), test).runs[0];
+    const laboratory::MaterialTestRun run =
+        run_material_test(spring(), test, spit1984::stresses_of_update).runs[0];
     const laboratory::UpdateOf1984& update = *run.update_of_1984;
     EXPECT_NEAR(update.step, 0.04 / 8, 1e-15) << to_string(kind);
     EXPECT_NEAR(update.strain[8], 0.4, 1e-12) << to_string(kind);
@@ -170,7 +173,8 @@ TEST(MaterialTestReport, SaysWhereTheUpdateOf1984IsUnstable) {
   test.strain = 0.4;
   test.rates = {0.5};
   test.steps_of_1984 = 20;
-  const laboratory::MaterialTestReport unstable = run_material_test(foam(), test);
+  const laboratory::MaterialTestReport unstable =
+      run_material_test(foam(), test, spit1984::stresses_of_update);
   ASSERT_THAT(unstable.runs[0].flags, SizeIs(1));
   EXPECT_EQ(unstable.runs[0].flags[0].name, "OUT OF BOUNDS");
   const double peak = unstable.runs[0].figures.peak_stress / 1e3;
@@ -178,7 +182,7 @@ TEST(MaterialTestReport, SaysWhereTheUpdateOf1984IsUnstable) {
   for (const double stress : plot.panels[0].series[1].y)
     EXPECT_TRUE(std::isnan(stress) || (stress >= -0.1 * peak && stress <= 1.5 * peak)) << stress;
   test.steps_of_1984 = 400;
-  EXPECT_THAT(run_material_test(foam(), test).runs[0].flags, IsEmpty());
+  EXPECT_THAT(run_material_test(foam(), test, spit1984::stresses_of_update).runs[0].flags, IsEmpty());
 }
 
 /// A strain that was computed as 0.95 + 1e-16 is not beyond a fit up to 0.95.
@@ -188,7 +192,8 @@ TEST(MaterialTestReport, RoundingIsNoExtrapolation) {
   laboratory::MaterialTest test;
   test.kind = laboratory::TestKind::parabolic;
   test.rates = {1};
-  const laboratory::MaterialTestReport report = run_material_test(material, test);
+  const laboratory::MaterialTestReport report =
+      run_material_test(material, test, spit1984::stresses_of_update);
   for (const Flag& flag : report.runs[0].flags)
     EXPECT_FALSE(flag.name.starts_with("EXTRAPOLATED")) << flag.text;
 }

@@ -12,7 +12,7 @@
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/input/fault.hpp"
 #include "dashpad/output/materials.hpp"
-#include "output/loading_curve.hpp"
+#include "laboratory/loading_curve.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad {
@@ -87,7 +87,7 @@ TEST(materials, other_cards_say_what_they_are_worth) {
     EXPECT_FALSE(material.basis.empty()) << material.name;
     EXPECT_FALSE(material.licence.empty()) << material.name;
     EXPECT_FALSE(material.reservations.empty()) << material.name;
-    const std::vector<double> rates = output::tested_rates(material);
+    const std::vector<double> rates = laboratory::tested_rates(material);
     EXPECT_LE(material.fitted->lowest_rate, rates.front()) << material.name;
     EXPECT_GE(material.fitted->highest_rate, rates.back()) << material.name;
   }

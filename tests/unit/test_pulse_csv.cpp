@@ -25,9 +25,9 @@ using ::testing::Pointwise;
 
 constexpr double g = 9.80665;
 
-input::MeasuredPulse read(const std::string& text, const input::PulseCsvOptions& options = {}) {
+injury::MeasuredPulse read(const std::string& text, const input::PulseCsvOptions& options = {}) {
   const test::TemporaryFolder folder;
-  return input::read_pulse_csv(folder.write("pulse.csv", text), options);
+  return input::read_pulse_csv(folder.write("pulse.csv", text), options).measured;
 }
 
 /// What is said, a fault a line; "" if nothing.
@@ -108,7 +108,7 @@ TEST(pulse_csv, every_style_gives_the_same_pulse) {
   for (const Style& style : styles) {
     SCOPED_TRACE(style.text);
     ASSERT_NO_THROW(read(style.text, style.options)) << said(style.text, style.options);
-    const input::MeasuredPulse measured = read(style.text, style.options);
+    const injury::MeasuredPulse measured = read(style.text, style.options);
     EXPECT_THAT(measured.pulse.time, Pointwise(DoubleEq(), {0.0, 0.002}));
     EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {g, 3 * g}));
     EXPECT_EQ(measured.remarks, style.remarks);
@@ -128,14 +128,14 @@ TEST(pulse_csv, a_header_of_five_thousand_columns_hides_no_separator) {
           separator + "channel no " + std::to_string(i) + " of the logger (" + (i == 77 ? "g" : "V") + ")";
       row += separator + std::to_string(i);
     }
-    const input::MeasuredPulse measured = read(text + "\n0" + row + "\n2" + row + "\n", {});
+    const injury::MeasuredPulse measured = read(text + "\n0" + row + "\n2" + row + "\n", {});
     EXPECT_EQ(measured.acceleration.front().number, 79) << separator;
     EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {77 * g, 77 * g})) << separator;
   }
 }
 
 TEST(pulse_csv, says_which_columns_and_units_were_used) {
-  const input::MeasuredPulse measured =
+  const injury::MeasuredPulse measured =
       read("note,Time (ms),Acc (g)\nx,0,1\ny,2,3\n", {.acceleration_unit = "m/s2"});
   EXPECT_EQ(measured.time.name, "Time (ms)");
   EXPECT_EQ(measured.time.number, 2);
@@ -159,7 +159,7 @@ TEST(pulse_csv, three_columns_come_to_a_resultant_each_with_its_unit) {
   const std::string text = "t_ms,ax [g],ay [m/s2],az [g]\n0,-3,0,4\n1,0,-9.80665,0\n";
   for (const std::vector<std::string>& names :
        {std::vector<std::string>{}, std::vector<std::string>{"az", "2", "ay"}}) {
-    const input::MeasuredPulse measured = read(text, {.acceleration = names, .resultant = true});
+    const injury::MeasuredPulse measured = read(text, {.acceleration = names, .resultant = true});
     EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {5 * g, g}));
     EXPECT_EQ(measured.acceleration.size(), 3U);
     EXPECT_TRUE(measured.resultant);
@@ -183,7 +183,7 @@ TEST(pulse_csv, missing_rows_are_refused_unless_they_are_to_be_bridged) {
       said(text),
       ":6: t_ms: between lines 5 and 6 47 ms are missing, where samples are 1 ms apart; --bridge-gaps takes "
       "a straight line");
-  const input::MeasuredPulse bridged = read(text, {.bridge_gaps = true});
+  const injury::MeasuredPulse bridged = read(text, {.bridge_gaps = true});
   EXPECT_THAT(bridged.remarks,
               ElementsAre("between lines 5 and 6 47 ms are missing; a straight line was taken"));
   EXPECT_EQ(bridged.pulse.time.size(), 7U);
@@ -228,7 +228,7 @@ TEST(pulse_csv, a_table_without_times_is_read_with_an_interval) {
     SCOPED_TRACE(text);
     const input::PulseCsvOptions options{.interval = 2e-3};
     ASSERT_EQ(said(text, options), "");
-    const input::MeasuredPulse measured = read(text, options);
+    const injury::MeasuredPulse measured = read(text, options);
     EXPECT_THAT(measured.pulse.time, ElementsAre(0, 2e-3));
     EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {g, 3 * g}));
     EXPECT_EQ(measured.time.number, 0);
@@ -253,14 +253,14 @@ TEST(pulse_csv, times_of_a_clock_count_from_the_first_sample) {
     return text;
   };
   for (const char sign : {'.', ','}) {
-    const input::MeasuredPulse measured = read(table("1764068400", sign));
+    const injury::MeasuredPulse measured = read(table("1764068400", sign));
     EXPECT_EQ(measured.counts_from, std::string("1764068400") + sign + "1234 s");
     EXPECT_THAT(measured.remarks.back(), HasSubstr("here they count from the first sample"));
     for (std::size_t i = 1; i < 400; ++i)
       EXPECT_NEAR((measured.pulse.time[i] - measured.pulse.time[i - 1]) / 1e-4, 1, 1e-9) << i;
     EXPECT_EQ(measured.pulse.time.front(), 0);
   }
-  const input::MeasuredPulse near = read(table("39", '.'));
+  const injury::MeasuredPulse near = read(table("39", '.'));
   EXPECT_EQ(near.counts_from, "");  // 39.12 s are less than a thousand times 39.9 ms
   EXPECT_EQ(near.pulse.time.front(), 39.1234);
   EXPECT_EQ(read(table("40", '.')).counts_from, "40.1234 s");
@@ -281,7 +281,7 @@ TEST(pulse_csv, volts_become_an_acceleration_with_a_sensitivity) {
             {.resultant = true, .sensitivity = {ten_mv_per_g(), half}}}}) {
     SCOPED_TRACE(text);
     ASSERT_EQ(said(text, options), "");
-    const input::MeasuredPulse measured = read(text, options);
+    const injury::MeasuredPulse measured = read(text, options);
     EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {g, 3 * g}));
     EXPECT_EQ(measured.acceleration.front().sensitivity, "10 mV/g");
   }

@@ -98,7 +98,7 @@ PulseReport resultant_of_two(double step, double phase, const std::optional<Puls
     for (double& value : report.measured.components.back()) value *= share;
   }
   report.measured.resultant = true;
-  report.measured.pulse.acceleration = input::resultant_of(report.measured.components);
+  report.measured.pulse.acceleration = injury::resultant_of(report.measured.components);
   report.filter = filter;
   report.resampled_to = interval;
   const ProcessedPulse pulse = processed_pulse(report.measured, interval, filter);

@@ -10,13 +10,13 @@
 #include <stdexcept>
 
 #include "dashpad/injury/hic.hpp"
-#include "dashpad/input/measurement/sensor_offset.hpp"
+#include "dashpad/injury/sensor_offset.hpp"
 
 namespace dashpad {
 namespace {
 
-using input::MeasuredPulse;
-using input::offset_before_impact;
+using injury::MeasuredPulse;
+using injury::offset_before_impact;
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 
@@ -70,7 +70,7 @@ TEST(sensor_offset, is_that_of_the_fall_and_not_of_the_rest_before) {
     ASSERT_TRUE(found->rest);
     EXPECT_NEAR(found->rest->mean.at(0), 1.2 * g, 4 * noise * g / std::sqrt(2400) + 1e-9);
     const std::size_t before = measured.pulse.time.size();
-    input::leave_out_before(measured, found->begin);
+    injury::leave_out_before(measured, found->begin);
     EXPECT_EQ(measured.pulse.time.front(), found->begin);
     EXPECT_EQ(measured.pulse.time.size(), measured.pulse.acceleration.size());
     EXPECT_NEAR(static_cast<double>(before - measured.pulse.time.size()), 2500, noise > 0 ? 20 : 0);
@@ -131,7 +131,7 @@ TEST(sensor_offset, is_not_found_where_nothing_is_quiet) {
 TEST(sensor_offset, taken_off_leaves_the_pulse_without_it) {
   const MeasuredPulse clean = pulse_of(half_sine, -5e-3);
   const MeasuredPulse measured = pulse_of(half_sine, -5e-3, 1.2);
-  const MeasuredPulse back = input::zeroed(measured, offset_before_impact(measured).value());
+  const MeasuredPulse back = injury::zeroed(measured, offset_before_impact(measured).value());
   for (const double window : {15e-3, injury::unlimited_window}) {
     const double truth = injury::hic(clean.pulse, window).value;
     EXPECT_NEAR(injury::hic(back.pulse, window).value, truth, 1e-12 * truth);
@@ -145,11 +145,11 @@ TEST(sensor_offset, of_a_resultant_is_taken_off_each_direction) {
   MeasuredPulse measured = x;
   measured.resultant = true;
   measured.components = {x.pulse.acceleration, y.pulse.acceleration};
-  measured.pulse.acceleration = input::resultant_of(measured.components);
+  measured.pulse.acceleration = injury::resultant_of(measured.components);
   const auto found = offset_before_impact(measured);
   ASSERT_TRUE(found);
   EXPECT_THAT(found->mean, ElementsAre(DoubleNear(3 * g, 1e-9), DoubleNear(-4 * g, 1e-9)));
-  const MeasuredPulse back = input::zeroed(measured, *found);
+  const MeasuredPulse back = injury::zeroed(measured, *found);
   const MeasuredPulse clean = pulse_of(half_sine, -5e-3);
   for (std::size_t i = 0; i < back.pulse.time.size(); ++i)
     EXPECT_NEAR(back.pulse.acceleration[i], std::sqrt(2) * clean.pulse.acceleration[i], 1e-9);
@@ -158,15 +158,15 @@ TEST(sensor_offset, of_a_resultant_is_taken_off_each_direction) {
 TEST(sensor_offset, between_two_times_includes_both) {
   MeasuredPulse measured;
   measured.pulse = {{0, 1, 2, 3, 4}, {9, 1, 2, 6, 9}};
-  const input::SensorOffset offset = input::offset_between(measured, 1, 3);
+  const injury::SensorOffset offset = injury::offset_between(measured, 1, 3);
   EXPECT_DOUBLE_EQ(offset.mean.at(0), 3);
   EXPECT_DOUBLE_EQ(offset.scatter.at(0), std::sqrt(7.0));  // (4 + 1 + 9) / 2
   EXPECT_EQ(offset.samples, 3U);
   EXPECT_EQ(offset.begin, 1);
   EXPECT_EQ(offset.end, 3);
-  EXPECT_EQ(input::offset_between(measured, -9, 1.5).end, 1);
-  EXPECT_THROW(input::offset_between(measured, 1, 1.5), std::invalid_argument);
-  EXPECT_THROW(input::offset_between(measured, 5, 9), std::invalid_argument);
+  EXPECT_EQ(injury::offset_between(measured, -9, 1.5).end, 1);
+  EXPECT_THROW(injury::offset_between(measured, 1, 1.5), std::invalid_argument);
+  EXPECT_THROW(injury::offset_between(measured, 5, 9), std::invalid_argument);
 }
 
 }  // namespace

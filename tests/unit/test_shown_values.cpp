@@ -20,6 +20,7 @@
 #include "dashpad/output/pulse_comparison.hpp"
 #include "dashpad/output/text/result.hpp"
 #include "dashpad/report1986/comparison.hpp"
+#include "dashpad/spit1984/column.hpp"
 #include "distinct_numbers.hpp"
 #include "output/plot/foam_curve.hpp"
 #include "output/plot/impact_energies.hpp"
@@ -265,8 +266,8 @@ TEST(ShownValues, OfAMaterialTestAreThoseOfItsRuns) {
     test.hold = 0.3;
     test.stress_limits = {60e3};
     if (kind == laboratory::TestKind::constant_rate) test.steps_of_1984 = 20;
-    const laboratory::MaterialTestReport report =
-        run_material_test(input::read_material(materials / "ensolite-aac-9.toml"), test);
+    const laboratory::MaterialTestReport report = run_material_test(
+        input::read_material(materials / "ensolite-aac-9.toml"), test, spit1984::stresses_of_update);
     const auto panels = [&](const UnitSystem& units) {
       return std::vector<Panel>{stress_over_strain(report, units),    stress_over_time(report, units),
                                 strain_over_time(report, units),      energy_over_strain(report, units),

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/injury/standard_file.hpp"
 #include "dashpad/input/fault.hpp"
+#include "dashpad/input/standard_file.hpp"
 #include "dashpad/output/assessment.hpp"
 #include "sample_case.hpp"
 #include "shared/temporary_folder.hpp"
@@ -33,14 +33,14 @@ constexpr double g = standard_gravity;
 constexpr double kmh = 1 / 3.6;
 
 Standard preset(const std::string& text) {
-  const injury::StandardChoice choice = injury::standard_choice(text);
-  return injury::with_variants(injury::read_standard(injury::find_standard(choice.name, folder)),
+  const input::StandardChoice choice = input::standard_choice(text);
+  return injury::with_variants(input::read_standard(input::find_standard(choice.name, folder)),
                                choice.variants);
 }
 
 std::vector<Standard> all_presets() {
   std::vector<Standard> presets;
-  for (const auto& file : injury::list_standards(folder)) presets.push_back(injury::read_standard(file));
+  for (const auto& file : input::list_standards(folder)) presets.push_back(input::read_standard(file));
   return presets;
 }
 
@@ -220,7 +220,7 @@ TEST(standards, metrics_are_listed_in_the_order_of_their_enumeration) {
 TEST(standards, a_choice_is_a_name_with_variants) {
   const auto expect = [](const std::string& text, const std::string& name,
                          const std::vector<std::string>& variants) {
-    const injury::StandardChoice choice = injury::standard_choice(text);
+    const input::StandardChoice choice = input::standard_choice(text);
     EXPECT_EQ(choice.name, name) << text;
     EXPECT_EQ(choice.variants, variants) << text;
   };
@@ -252,7 +252,7 @@ TEST(standards, unknown_names_and_variants_are_refused_with_those_there_are) {
   EXPECT_THAT(message_of([] { preset("fmvss-201-seat-back:any"); }), HasSubstr("it has none"));
   EXPECT_THAT(message_of([] { preset("en-1078:a:o"); }), HasSubstr("both set the mass"));
   EXPECT_THAT(message_of([] { preset("en-1078:a:a"); }), HasSubstr("both set the mass"));
-  EXPECT_THROW(injury::list_standards(folder / "none"), input::InputError);
+  EXPECT_THROW(input::list_standards(folder / "none"), input::InputError);
   EXPECT_THAT(message_of([] { preset("../standards/en-1177"); }), HasSubstr("a path must end in .toml"));
 }
 
@@ -326,7 +326,7 @@ verified = true
 std::vector<input::Fault> faults_of(const std::string& text) {
   const test::TemporaryFolder temporary;
   try {
-    injury::read_standard(temporary.write("made-up.toml", text));
+    input::read_standard(temporary.write("made-up.toml", text));
   } catch (const input::InputError& error) {
     return error.faults();
   }
@@ -352,14 +352,14 @@ void expect_faults(const std::string& text, const std::vector<Expected>& expecte
 
 TEST(standard_faults, a_good_preset_has_none) {
   const test::TemporaryFolder temporary;
-  const Standard standard = injury::read_standard(temporary.write("made-up.toml", good_preset));
+  const Standard standard = input::read_standard(temporary.write("made-up.toml", good_preset));
   EXPECT_EQ(standard.name, "made-up");
   EXPECT_DOUBLE_EQ(*standard.speed.value, std::sqrt(2 * g));
   EXPECT_EQ(injury::with_variants(standard, {"light"}).mass.value, 4);
   EXPECT_FALSE(standard.criteria[0].strict);
   for (const std::string value : {"true", "false"}) {
     const std::string text = edited(good_preset, "limit =", "strict = " + value + "\nlimit =");
-    EXPECT_EQ(injury::read_standard(temporary.write("strict-" + value + ".toml", text)).criteria[0].strict,
+    EXPECT_EQ(input::read_standard(temporary.write("strict-" + value + ".toml", text)).criteria[0].strict,
               value == "true");
   }
 }

@@ -13,7 +13,7 @@
 
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/input/case_file.hpp"
-#include "quantities/summary_values.hpp"
+#include "result/summary_values.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {

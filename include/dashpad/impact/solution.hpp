@@ -11,11 +11,9 @@
 #include "dashpad/impact/interval.hpp"
 #include "dashpad/impact/pulse.hpp"
 #include "dashpad/model/pad/material.hpp"
+#include "dashpad/quantities/standard_gravity.hpp"
 
 namespace dashpad {
-
-/// Standard gravity, m/s2: for weights and for accelerations in g.
-inline constexpr double standard_gravity = 9.80665;
 
 struct Options {
   double tolerance = 1e-4;           ///< relative error asked for, in [1e-8, 1e-2]

@@ -10,7 +10,7 @@
 #include "dashpad/injury/clip.hpp"
 #include "dashpad/injury/hic.hpp"
 #include "dashpad/injury/peak.hpp"
-#include "dashpad/quantities/result_quantity.hpp"
+#include "dashpad/result/result_quantity.hpp"
 
 namespace dashpad::injury {
 

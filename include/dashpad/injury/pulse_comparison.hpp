@@ -11,7 +11,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/peak.hpp"
 #include "dashpad/injury/pulse_report.hpp"
-#include "dashpad/quantities/result_quantity.hpp"
+#include "dashpad/result/result_quantity.hpp"
 
 namespace dashpad::injury {
 

@@ -9,9 +9,9 @@
 #include "dashpad/injury/cfc_filter.hpp"
 #include "dashpad/injury/contact.hpp"
 #include "dashpad/injury/figures.hpp"
+#include "dashpad/injury/measured_pulse.hpp"
 #include "dashpad/injury/pulse_uncertainty.hpp"
-#include "dashpad/input/measurement/measured_pulse.hpp"
-#include "dashpad/input/measurement/sensor_offset.hpp"
+#include "dashpad/injury/sensor_offset.hpp"
 
 namespace dashpad::injury {
 
@@ -36,7 +36,7 @@ struct DwellTime {
 
 /// The sensor's offset and what it does to HIC.
 struct OffsetEffect {
-  input::SensorOffset offset;
+  SensorOffset offset;
   bool given = false;      ///< its interval; else the quiet part before the impact
   bool taken_off = false;  ///< from the pulse of the figures
   double hic15_with = 0, hic15_without = 0;
@@ -59,7 +59,7 @@ MeasuredImpact after_fall(double drop_height);
 /// A measured pulse, what was done to it, and what came of it.
 struct PulseReport {
   std::string file;
-  input::MeasuredPulse measured;
+  MeasuredPulse measured;
   std::optional<double> resampled_to;  ///< s
   std::optional<PulseFilter> filter;
   std::optional<OffsetEffect> offset;    ///< absent where there is no quiet part, and no interval was given
@@ -84,7 +84,7 @@ struct ProcessedPulse {
 
 /// Resampled and filtered as asked for; the directions of a resultant each by itself, then combined. Throws
 /// std::invalid_argument as resampled() and cfc_filtered() do.
-ProcessedPulse processed_pulse(const input::MeasuredPulse& measured, std::optional<double> interval,
+ProcessedPulse processed_pulse(const MeasuredPulse& measured, std::optional<double> interval,
                                const std::optional<PulseFilter>& filter);
 
 /// m/s, of the velocity after and before: that over contact less what gravity gives meanwhile.
@@ -129,7 +129,7 @@ std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak)
 
 /// A remark if the pulse was sampled at less than ten times the class of the filter, as it was measured or as
 /// it is resampled.
-std::optional<std::string> sampled_too_slowly(const input::MeasuredPulse& measured,
-                                              std::optional<double> interval, const PulseFilter& filter);
+std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std::optional<double> interval,
+                                              const PulseFilter& filter);
 
 }  // namespace dashpad::injury

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/quantities/result_quantity.hpp"
+#include "dashpad/result/result_quantity.hpp"
 
 namespace dashpad::injury {
 

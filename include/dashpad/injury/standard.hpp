@@ -10,7 +10,7 @@
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/quantities/result_quantity.hpp"
+#include "dashpad/result/result_quantity.hpp"
 
 namespace dashpad::injury {
 

@@ -100,8 +100,15 @@ struct MaterialTestReport {
   std::vector<MaterialTestRun> runs = {};  ///< one each rate
 };
 
+/// Stresses of a column by an explicit update, Pa, at strains `step` s apart, the first of them 0:
+/// spit1984::stresses_of_update.
+using StressUpdate = std::vector<double> (*)(const Material& material, const std::vector<double>& strains,
+                                             double step);
+
 /// Runs the test. Throws std::invalid_argument for violations() of the law or of a history, for a creep
-/// stress that the law does not reach, and for more than 100,000 steps of 1984.
-MaterialTestReport run_material_test(const Material& material, const MaterialTest& test);
+/// stress that the law does not reach, and for more than 100,000 steps of 1984, or such steps without
+/// `update_of_1984`.
+MaterialTestReport run_material_test(const Material& material, const MaterialTest& test,
+                                     StressUpdate update_of_1984 = nullptr);
 
 }  // namespace dashpad::laboratory

@@ -55,4 +55,15 @@ std::string unit_for(const UnitSystem& units, const std::string& si_unit);
 /// An SI value in the unit that the system has for it.
 double value_in(const UnitSystem& units, double value, const std::string& si_unit);
 
+/// A unit, and what an SI value is multiplied with for it.
+struct ScaledUnit {
+  double scale = 1;
+  std::string unit = {};  ///< "1" for a pure number
+};
+/// Accelerations in g, everything else as the system has it: for people, and for files (plain_si()).
+ScaledUnit scaled_unit(const std::string& si_unit, const UnitSystem& units);
+
+/// A name in a file with its unit: "force_lbf", "velocity_m_per_s", "peak_strain".
+std::string name_with_unit(const std::string& name, const std::string& unit);
+
 }  // namespace dashpad

@@ -23,4 +23,9 @@ std::vector<double> column_stresses(PadKey pad, const std::array<double, 21>& pa
                                     const std::vector<double>& strains, double step,
                                     Arithmetic arithmetic = Arithmetic::pdp10);
 
+/// The same of a material of one of the five laws, in Pa. Throws std::invalid_argument for a material that no
+/// deck of the program can hold.
+std::vector<double> stresses_of_update(const Material& material, const std::vector<double>& strains,
+                                       double step);
+
 }  // namespace dashpad::spit1984

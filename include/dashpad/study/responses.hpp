@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/quantities/result_quantity.hpp"
+#include "dashpad/result/result_quantity.hpp"
 
 namespace dashpad::study {
 

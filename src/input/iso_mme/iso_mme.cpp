@@ -69,7 +69,7 @@ EvenTimes times_of(const MmeLabels& labels, std::size_t count, MeasurementFaults
 /// Adds one channel to the result: its values, or a direction of a resultant.
 class Combiner {
  public:
-  Combiner(const MmeTestFiles& test, const IsoMmeOptions& options, MeasuredPulse& result)
+  Combiner(const MmeTestFiles& test, const IsoMmeOptions& options, injury::MeasuredPulse& result)
       : test_(test), options_(options), result_(result) {}
 
   void add(const IsoMmeChannel& channel, const std::string& text) {
@@ -77,7 +77,8 @@ class Combiner {
     const MmeChannelText read = read_mme_channel(text, faults);
     const EvenTimes times = times_of(read.labels, read.values.size(), faults);
     if (faults.none() && read.values.size() < 2) faults.add(0, "", "", "a pulse needs two samples at least");
-    MeasuredColumn column{.name = channel.code, .number = channel.number, .unit = read.labels.value("Unit")};
+    injury::MeasuredColumn column{
+        .name = channel.code, .number = channel.number, .unit = read.labels.value("Unit")};
     const std::string unit_of_file = column.unit;
     const std::string rule =
         settle_unit(column, ColumnKind::acceleration, options_.acceleration_unit, "--acceleration-unit",
@@ -96,7 +97,7 @@ class Combiner {
   }
 
  private:
-  void append(const std::vector<double>& values, const EvenTimes& times, const MeasuredColumn& column,
+  void append(const std::vector<double>& values, const EvenTimes& times, const injury::MeasuredColumn& column,
               MeasurementFaults& faults) {
     Pulse& pulse = result_.pulse;
     const bool is_first = result_.acceleration.empty();
@@ -110,7 +111,7 @@ class Combiner {
     std::ranges::transform(values, scaled.begin(), [&](double value) { return value * column.factor; });
     if (result_.resultant) {
       result_.components.push_back(std::move(scaled));
-      pulse.acceleration = resultant_of(result_.components);
+      pulse.acceleration = injury::resultant_of(result_.components);
     } else {
       pulse.acceleration = std::move(scaled);
     }
@@ -123,7 +124,7 @@ class Combiner {
 
   const MmeTestFiles& test_;
   const IsoMmeOptions& options_;
-  MeasuredPulse& result_;
+  injury::MeasuredPulse& result_;
   EvenTimes times_;
 };
 
@@ -183,12 +184,11 @@ std::vector<IsoMmeChannel> iso_mme_channels(const std::filesystem::path& file) {
   return list(find_mme_test(file));
 }
 
-MeasuredPulse read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options) {
+PulseFile read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options) {
   const MmeTestFiles test = find_mme_test(file);
-  MeasuredPulse result{.format = "ISO-MME",
-                       .time = {.name = "implicit", .unit = "s", .unit_origin = "format"},
-                       .resultant = options.resultant,
-                       .files = test.files()};
+  injury::MeasuredPulse result{.format = "ISO-MME",
+                               .time = {.name = "implicit", .unit = "s", .unit_origin = "format"},
+                               .resultant = options.resultant};
   Combiner combiner(test, options, result);
   const Channels chosen = chosen_channels(file, list(test), options);
   if (options.sensitivity.size() > 1 && options.sensitivity.size() != chosen.size())
@@ -199,7 +199,7 @@ MeasuredPulse read_iso_mme(const std::filesystem::path& file, const IsoMmeOption
     const std::string& name = test.channels.at(channel.number);
     combiner.add(channel, test.whole({name}).at(name));
   }
-  return result;
+  return {std::move(result), test.files()};
 }
 
 }  // namespace dashpad::input

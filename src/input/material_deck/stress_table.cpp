@@ -75,8 +75,8 @@ std::optional<double> rate_in(std::string text) {
   }
 }
 
-void add_stress(const MeasuredColumn& column, StressHeader header, std::size_t line, StressColumns& columns,
-                MeasurementFaults& faults) {
+void add_stress(const injury::MeasuredColumn& column, StressHeader header, std::size_t line,
+                StressColumns& columns, MeasurementFaults& faults) {
   StressColumn stress{.number = column.number, .factor = 1, .rate = 0, .name = column.name};
   if (header.unit.empty()) header.unit = column.unit;
   if (header.unit.empty()) {
@@ -106,7 +106,7 @@ StressColumns choose_stresses(const CsvHeader& header, MeasurementFaults& faults
     faults.refuse(columns.line, "", "",
                   "needs a line above the numbers that names the columns and their units: strain,stress_kPa");
   int strains = 0;
-  for (const MeasuredColumn& column : named.all) {
+  for (const injury::MeasuredColumn& column : named.all) {
     const StressHeader parts = taken_apart_at(column.name);
     const std::string name = lower_case(parts.name);
     if (name == "strain") {

@@ -142,7 +142,7 @@ HeaderText split_header(std::string_view header) {
   return {text, ""};
 }
 
-bool looks_like(ColumnKind kind, const MeasuredColumn& column) {
+bool looks_like(ColumnKind kind, const injury::MeasuredColumn& column) {
   const bool has_time_unit = is_pulse_unit(ColumnKind::time, column.unit);
   const bool has_acceleration_unit = is_pulse_unit(ColumnKind::acceleration, column.unit);
   if (!has_time_unit && !has_acceleration_unit && is_other_unit(column.unit)) return false;
@@ -157,7 +157,7 @@ bool looks_like(ColumnKind kind, const MeasuredColumn& column) {
   return has_acceleration_unit || (is_named && !has_time_unit);
 }
 
-std::string settle_unit(MeasuredColumn& column, ColumnKind kind, const std::string& given,
+std::string settle_unit(injury::MeasuredColumn& column, ColumnKind kind, const std::string& given,
                         const std::string& option, const std::optional<Sensitivity>& sensitivity) {
   const std::string unit = given.empty() ? column.unit : given;
   const char* const examples = kind == ColumnKind::time ? "s, ms, ..."
@@ -198,7 +198,8 @@ std::optional<Sensitivity> sensitivity_at(const std::vector<Sensitivity>& given,
   return place < given.size() ? std::optional{given[place]} : std::nullopt;
 }
 
-std::optional<std::string> overruled_unit(const MeasuredColumn& column, const std::string& unit_of_file) {
+std::optional<std::string> overruled_unit(const injury::MeasuredColumn& column,
+                                          const std::string& unit_of_file) {
   if (column.unit_origin != "given" || unit_of_file.empty() || unit_of_file == column.unit)
     return std::nullopt;
   return fmt::format("{}: the file says {}; {} was given and used", column.name, unit_of_file, column.unit);

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dashpad/input/measurement/measured_pulse.hpp"
+#include "dashpad/injury/measured_pulse.hpp"
 #include "dashpad/input/measurement/sensitivity.hpp"
 
 namespace dashpad::input {
@@ -30,12 +30,12 @@ struct HeaderText {
 HeaderText split_header(std::string_view header);
 
 /// Whether a column is of this kind: by its unit where it has one of time or acceleration, else by its name.
-bool looks_like(ColumnKind kind, const MeasuredColumn& column);
+bool looks_like(ColumnKind kind, const injury::MeasuredColumn& column);
 
 /// Fills in unit, origin and factor of a column whose `unit` is that of the header, or empty. Returns the
 /// rule that is broken, or "". `option` is how to give the unit: "--time-unit". A column in volts is an
 /// acceleration with a `sensitivity`, and only such a column has one.
-std::string settle_unit(MeasuredColumn& column, ColumnKind kind, const std::string& given,
+std::string settle_unit(injury::MeasuredColumn& column, ColumnKind kind, const std::string& given,
                         const std::string& option, const std::optional<Sensitivity>& sensitivity = {});
 
 std::string wrong_number_of_sensitivities(std::size_t given, std::size_t accelerations);
@@ -43,6 +43,7 @@ std::string wrong_number_of_sensitivities(std::size_t given, std::size_t acceler
 std::optional<Sensitivity> sensitivity_at(const std::vector<Sensitivity>& given, std::size_t place);
 
 /// A sentence for the user where a given unit overrules that of the file.
-std::optional<std::string> overruled_unit(const MeasuredColumn& column, const std::string& unit_of_file);
+std::optional<std::string> overruled_unit(const injury::MeasuredColumn& column,
+                                          const std::string& unit_of_file);
 
 }  // namespace dashpad::input

@@ -19,7 +19,7 @@ constexpr std::size_t most_listed = 20;
 constexpr std::size_t most_namesakes = 5;
 constexpr std::size_t longest_name = 100;  // of a column, in messages and results
 
-using Columns = std::vector<MeasuredColumn>;
+using Columns = std::vector<injury::MeasuredColumn>;
 
 bool is_number_like(std::string_view field, char separator) {
   const NumberKind kind = read_csv_number(field, separator).kind;
@@ -39,7 +39,7 @@ bool is_row_of_units(const CsvHeader::Row& row) {
     const bool is_unit = lone_unit(field).has_value();
     any = any || is_unit;
     if (!is_unit && !field.empty() && field != "-" && field.size() > 12) return false;
-    if (!is_unit && looks_like(ColumnKind::time, MeasuredColumn{.name = field})) return false;
+    if (!is_unit && looks_like(ColumnKind::time, injury::MeasuredColumn{.name = field})) return false;
   }
   return any && (lone_unit(row.fields.front()).has_value() || row.fields.front().empty());
 }
@@ -49,7 +49,7 @@ int score(const CsvHeader::Row& row) {
   int known = 0;
   for (const std::string& field : row.fields) {
     const auto [name, unit] = split_header(field);
-    const MeasuredColumn column{.name = field, .unit = unit};
+    const injury::MeasuredColumn column{.name = field, .unit = unit};
     known += looks_like(ColumnKind::time, column) || looks_like(ColumnKind::acceleration, column) ? 1 : 0;
   }
   return known;
@@ -84,18 +84,19 @@ std::optional<std::size_t> column_number(const std::string& text) {
 
 /// The column that the user named. By its whole header, else by its name without unit; then the same without
 /// regard to capitals.
-std::optional<MeasuredColumn> named(const Columns& all, const std::string& wanted, const std::string& option,
-                                    std::size_t line, MeasurementFaults& faults) {
+std::optional<injury::MeasuredColumn> named(const Columns& all, const std::string& wanted,
+                                            const std::string& option, std::size_t line,
+                                            MeasurementFaults& faults) {
   if (const auto number = column_number(wanted)) {
     if (*number >= 1 && *number <= all.size()) return all[*number - 1];
     faults.add(line, "", "", fmt::format("{} {}: the columns are 1 to {}", option, wanted, all.size()));
     return std::nullopt;
   }
-  const auto bare = [](const MeasuredColumn& column) { return split_header(column.name).name; };
+  const auto bare = [](const injury::MeasuredColumn& column) { return split_header(column.name).name; };
   const std::string whole = quoted_part(wanted, longest_name);  // as columns are named
   for (int attempt = 0; attempt < 4; ++attempt) {
     Columns found;
-    for (const MeasuredColumn& column : all) {
+    for (const injury::MeasuredColumn& column : all) {
       const std::string name = attempt % 2 == 0 ? column.name : bare(column);
       if (attempt < 2 ? name == whole : lower_case(name) == lower_case(whole)) found.push_back(column);
     }
@@ -117,10 +118,10 @@ Columns those_that_look_like(ColumnKind kind, const Columns& all,
   Columns found;
   if (kind == ColumnKind::acceleration && !sensitivity.empty())
     std::ranges::copy_if(all, std::back_inserter(found),
-                         [](const MeasuredColumn& column) { return is_voltage(column.unit); });
+                         [](const injury::MeasuredColumn& column) { return is_voltage(column.unit); });
   if (!found.empty()) return found;
   std::ranges::copy_if(all, std::back_inserter(found),
-                       [&](const MeasuredColumn& column) { return looks_like(kind, column); });
+                       [&](const injury::MeasuredColumn& column) { return looks_like(kind, column); });
   return found;
 }
 
@@ -128,14 +129,14 @@ Columns those_that_look_like(ColumnKind kind, const Columns& all,
 std::string units_of_namesakes(ColumnKind kind, const Columns& all) {
   std::string text;
   std::size_t count = 0;
-  for (const MeasuredColumn& column : all) {
+  for (const injury::MeasuredColumn& column : all) {
     const std::size_t before = text.size();
     if (kind == ColumnKind::acceleration && is_voltage(column.unit))
       text += fmt::format("; column {} is in {}, for which --sensitivity is needed, such as \"10 mV/g\"",
                           column.number, column.unit);
     else if (!column.unit.empty() && !is_pulse_unit(ColumnKind::time, column.unit) &&
              !is_pulse_unit(ColumnKind::acceleration, column.unit) &&
-             looks_like(kind, MeasuredColumn{.name = split_header(column.name).name}))
+             looks_like(kind, injury::MeasuredColumn{.name = split_header(column.name).name}))
       text += fmt::format("; the unit \"{}\" of column {} is not one of {}", column.unit, column.number,
                           kind == ColumnKind::time ? "time" : "acceleration");
     if (text.size() > before && ++count == most_namesakes) break;
@@ -170,7 +171,7 @@ Columns chosen(const CsvColumns& columns, ColumnKind kind, const std::vector<std
   return found;
 }
 
-void settle(MeasuredColumn& column, ColumnKind kind, const std::string& given,
+void settle(injury::MeasuredColumn& column, ColumnKind kind, const std::string& given,
             const std::optional<Sensitivity>& sensitivity, std::size_t line, MeasurementFaults& faults,
             std::vector<std::string>& remarks) {
   const std::string unit_of_file = column.unit;
@@ -234,7 +235,7 @@ CsvColumns name_columns(const CsvHeader& header) {
   for (const CsvHeader::Row& row : header.rows)
     if (is_row_of_units(row)) unit_rows.push_back(&row);
   for (std::size_t i = 0; i < std::max(header.width, named_columns); ++i) {
-    MeasuredColumn column{.name = fmt::format("column {}", i + 1), .number = static_cast<int>(i + 1)};
+    injury::MeasuredColumn column{.name = fmt::format("column {}", i + 1), .number = static_cast<int>(i + 1)};
     if (i < named_columns && !columns.names->fields[i].empty()) {
       column.unit = split_header(columns.names->fields[i]).unit;
       column.name = quoted_part(columns.names->fields[i], longest_name);
@@ -280,15 +281,15 @@ void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsv
     settle(columns.time, ColumnKind::time, options.time_unit, {}, line, faults, remarks);
   } else if (options.interval) {
     columns.time = {.name = "samples", .unit = "s", .unit_origin = "given"};
-    for (const MeasuredColumn& unread : those_that_look_like(ColumnKind::time, columns.all))
+    for (const injury::MeasuredColumn& unread : those_that_look_like(ColumnKind::time, columns.all))
       remarks.push_back(fmt::format("the times of column {}, {}, were not read: --interval was given",
                                     unread.number, unread.name));
   }
   if (options.sensitivity.size() > 1 && options.sensitivity.size() != count)
     faults.add(line, "", "", wrong_number_of_sensitivities(options.sensitivity.size(), count));
   for (std::size_t i = 0; i < count; ++i) {
-    MeasuredColumn& column = columns.acceleration[i];
-    const auto is_same = [&](const MeasuredColumn& other) { return other.number == column.number; };
+    injury::MeasuredColumn& column = columns.acceleration[i];
+    const auto is_same = [&](const injury::MeasuredColumn& other) { return other.number == column.number; };
     if (!times.empty() && is_same(columns.time))
       faults.add(line, column.name, "", "is both the time and an acceleration");
     if (std::any_of(columns.acceleration.begin(), columns.acceleration.begin() + static_cast<long>(i),

@@ -27,10 +27,10 @@ struct CsvHeader {
 CsvHeader read_csv_header(std::string_view text, char separator, int fewest = 2);
 
 struct CsvColumns {
-  std::vector<MeasuredColumn> all;           ///< units as in the header
-  const CsvHeader::Row* names = nullptr;     ///< the row that names them
-  MeasuredColumn time;                       ///< units settled; number 0 where the interval is given
-  std::vector<MeasuredColumn> acceleration;  ///< units settled
+  std::vector<injury::MeasuredColumn> all;           ///< units as in the header
+  const CsvHeader::Row* names = nullptr;             ///< the row that names them
+  injury::MeasuredColumn time;                       ///< units settled; number 0 where the interval is given
+  std::vector<injury::MeasuredColumn> acceleration;  ///< units settled
 };
 
 /// All columns, with names and units of the row that says most about them, and of a row of units below it.

@@ -2,7 +2,7 @@
 /// What no sensor gives is refused before it is computed with.
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/input/measurement/measured_pulse.hpp"
+#include "dashpad/injury/measured_pulse.hpp"
 #include "input/measurement/measurement_text.hpp"
 
 namespace dashpad::input {

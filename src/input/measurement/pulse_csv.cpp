@@ -89,7 +89,7 @@ class NumberReader {
     return false;
   }
 
-  bool read(const CsvRow& row, const MeasuredColumn& column, double& value) {
+  bool read(const CsvRow& row, const injury::MeasuredColumn& column, double& value) {
     const std::string_view field = row.fields[static_cast<std::size_t>(column.number - 1)];
     const ReadNumber number = read_csv_number(field, separator_);
     if (number.kind != NumberKind::number) {
@@ -109,7 +109,8 @@ class NumberReader {
   }
 
   /// A comma may be a decimal sign or part thousands; together with points nobody knows.
-  bool has_usual_decimal_sign(std::size_t line, const MeasuredColumn& column, std::string_view field) {
+  bool has_usual_decimal_sign(std::size_t line, const injury::MeasuredColumn& column,
+                              std::string_view field) {
     const bool comma = separator_ != ',' && field.find(',') != std::string_view::npos;
     if (!comma && (findings.decimal_point != 0 && findings.decimal_comma == 0)) return true;
     if (!comma && field.find('.') == std::string_view::npos) return true;
@@ -181,7 +182,7 @@ class NumberReader {
   double latest_time_ = measured_magnitudes("s").most;              ///< s
   double largest_acceleration_ = measured_magnitudes("m/s2").most;  ///< m/s2
   MeasurementFaults& faults_;
-  std::vector<MeasuredColumn> columns_;  ///< the time first, if it has a column
+  std::vector<injury::MeasuredColumn> columns_;  ///< the time first, if it has a column
   std::array<double, 4> latest_{};
   std::string first_time_;  ///< as in the file
   std::optional<ExactTime> first_;
@@ -193,17 +194,17 @@ void require_no_numbers(const CsvHeader& header, const CsvColumns& columns, char
                         MeasurementFaults& faults) {
   for (const CsvHeader::Row& row : header.rows) {
     if (&row <= columns.names && columns.names != nullptr) continue;
-    std::vector<MeasuredColumn> chosen = columns.acceleration;
+    std::vector<injury::MeasuredColumn> chosen = columns.acceleration;
     if (columns.time.number > 0) chosen.insert(chosen.begin(), columns.time);
-    const auto field_of = [&](const MeasuredColumn& column) {
+    const auto field_of = [&](const injury::MeasuredColumn& column) {
       const auto at = static_cast<std::size_t>(column.number - 1);
       return at < row.fields.size() ? std::string_view(row.fields[at]) : std::string_view();
     };
-    const auto holds_number = [&](const MeasuredColumn& column) {
+    const auto holds_number = [&](const injury::MeasuredColumn& column) {
       return read_csv_number(field_of(column), separator).kind == NumberKind::number;
     };
     if (std::ranges::none_of(chosen, holds_number)) continue;
-    for (const MeasuredColumn& column : chosen)
+    for (const injury::MeasuredColumn& column : chosen)
       if (!holds_number(column))
         faults.add(row.line, column.name, field_of(column),
                    rule_for(read_csv_number(field_of(column), separator).kind));
@@ -260,7 +261,7 @@ std::vector<std::string> remarks_on(const Findings& findings, const CsvRows& row
 }
 
 /// Faults for the gaps between the times or, if they are to be bridged, remarks.
-void judge_gaps(const NumberReader& numbers, const MeasuredColumn& time, bool bridge,
+void judge_gaps(const NumberReader& numbers, const injury::MeasuredColumn& time, bool bridge,
                 MeasurementFaults& faults, std::vector<std::string>& remarks) {
   const PulseGaps gaps = find_gaps(numbers.pulse.time);
   const auto words = [&](const PulseGap& gap) {
@@ -281,7 +282,7 @@ void judge_gaps(const NumberReader& numbers, const MeasuredColumn& time, bool br
 
 }  // namespace
 
-MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOptions& options) {
+PulseFile read_pulse_csv(const std::filesystem::path& file, const PulseCsvOptions& options) {
   MeasurementFaults faults(file.string());
   Table table;
   read_table(file, options, faults, table);
@@ -290,7 +291,7 @@ MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOp
         table.header.first_line, "", "",
         "has one column of numbers, and no times; if that is the acceleration, --interval \"0.1 ms\" "
         "tells the time between two samples");
-  MeasuredPulse result{.format = "CSV", .resultant = options.resultant};
+  injury::MeasuredPulse result{.format = "CSV", .resultant = options.resultant};
   choose_columns(table.columns, table.header, options, faults, result.remarks);
   faults.throw_if_any();
   require_no_numbers(table.header, table.columns, table.separator, faults);
@@ -325,11 +326,10 @@ MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOp
   result.components = std::move(numbers.components);
   result.time = table.columns.time;
   result.acceleration = table.columns.acceleration;
-  result.files.push_back({"the measurement", file});
-  return result;
+  return {std::move(result), {{"the measurement", file}}};
 }
 
-std::vector<MeasuredColumn> pulse_csv_columns(const std::filesystem::path& file) {
+std::vector<injury::MeasuredColumn> pulse_csv_columns(const std::filesystem::path& file) {
   MeasurementFaults faults(file.string());
   Table table;
   read_table(file, {}, faults, table);

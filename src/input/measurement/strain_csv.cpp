@@ -26,7 +26,7 @@ std::optional<double> strain_factor(const std::string& unit) {
 }
 
 /// A column called strain, with its unit also where no bracket sets it apart: "strain %", "strain_percent".
-std::optional<MeasuredColumn> as_strain(MeasuredColumn column) {
+std::optional<injury::MeasuredColumn> as_strain(injury::MeasuredColumn column) {
   std::string name = lower_case(split_header(column.name).name);
   for (const std::string_view unit : {" %", "_%", "_percent", " percent"})
     if (column.unit.empty() && name.ends_with(unit)) {
@@ -38,7 +38,7 @@ std::optional<MeasuredColumn> as_strain(MeasuredColumn column) {
 }
 
 struct StrainColumns {
-  MeasuredColumn time, strain;
+  injury::MeasuredColumn time, strain;
 };
 
 /// Faults where the header does not tell which is which, or in which unit.
@@ -48,8 +48,8 @@ StrainColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
   if (named.names == nullptr)
     faults.refuse(line, "", "",
                   "needs a line above the numbers that names the columns and their units: time_s,strain");
-  std::vector<MeasuredColumn> times, strains;
-  for (const MeasuredColumn& column : named.all) {
+  std::vector<injury::MeasuredColumn> times, strains;
+  for (const injury::MeasuredColumn& column : named.all) {
     if (const auto strain = as_strain(column))
       strains.push_back(*strain);
     else if (looks_like(ColumnKind::time, column))
@@ -86,7 +86,7 @@ StrainColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
 void require_no_numbers(const CsvHeader& header, const StrainColumns& columns, char separator,
                         MeasurementFaults& faults) {
   const std::size_t names = name_columns(header).names->line;
-  const auto field = [](const CsvHeader::Row& row, const MeasuredColumn& column) {
+  const auto field = [](const CsvHeader::Row& row, const injury::MeasuredColumn& column) {
     const auto at = static_cast<std::size_t>(column.number - 1);
     return at < row.fields.size() ? std::string_view(row.fields[at]) : std::string_view();
   };
@@ -152,12 +152,12 @@ class StrainReader {
   StrainTable table;
 
  private:
-  static std::string_view field(const CsvRow& row, const MeasuredColumn& column) {
+  static std::string_view field(const CsvRow& row, const injury::MeasuredColumn& column) {
     const auto at = static_cast<std::size_t>(column.number - 1);
     return at < row.fields.size() ? without_blanks(row.fields[at]) : std::string_view{};
   }
 
-  std::optional<double> value(const CsvRow& row, const MeasuredColumn& column) {
+  std::optional<double> value(const CsvRow& row, const injury::MeasuredColumn& column) {
     const ReadNumber read = read_csv_number(field(row, column), separator_);
     if (read.kind == NumberKind::number) return read.value * column.factor;
     faults_.add(row.line, column.name, field(row, column), rule_for(read.kind));

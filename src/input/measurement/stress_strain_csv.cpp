@@ -24,7 +24,7 @@ struct TestHeader {
   std::string name, unit;
 };
 
-TestHeader without_unit(const MeasuredColumn& column) {
+TestHeader without_unit(const injury::MeasuredColumn& column) {
   const std::string& text = column.name;
   for (const auto& [open, close] : {std::pair('[', ']'), std::pair('(', ')')})
     if (const auto begin = text.find(open); begin != std::string::npos && text.ends_with(close))
@@ -48,16 +48,17 @@ struct TestColumns {
 };
 
 struct FoundColumn {
-  MeasuredColumn column;
+  injury::MeasuredColumn column;
   std::string unit;
 };
 
 /// By its whole header, else by its name without the unit.
-std::optional<FoundColumn> find_column(const std::vector<MeasuredColumn>& all, const std::string& wanted,
-                                       const char* kind, std::size_t line, MeasurementFaults& faults) {
+std::optional<FoundColumn> find_column(const std::vector<injury::MeasuredColumn>& all,
+                                       const std::string& wanted, const char* kind, std::size_t line,
+                                       MeasurementFaults& faults) {
   std::string names;
   std::vector<FoundColumn> found;
-  for (const MeasuredColumn& column : all) {
+  for (const injury::MeasuredColumn& column : all) {
     const TestHeader header = without_unit(column);
     names += (names.empty() ? "" : ", ") + column.name;
     const std::string whole = lower_case(wanted);

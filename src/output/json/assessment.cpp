@@ -3,8 +3,9 @@
 
 #include "dashpad/output/assessment.hpp"
 #include "dashpad/output/json/result.hpp"
+#include "dashpad/result/result_quantity.hpp"
+#include "json/json_values.hpp"
 #include "output/json/interval.hpp"
-#include "quantities/json_values.hpp"
 
 namespace dashpad::output {
 

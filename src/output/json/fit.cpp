@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "json/json_values.hpp"
 #include "output/json/material.hpp"
-#include "quantities/json_values.hpp"
 
 namespace dashpad::output {
 

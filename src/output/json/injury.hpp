@@ -2,7 +2,7 @@
 /// The figures of a pulse as JSON, of a computed one and of a measured one alike.
 
 #include "dashpad/injury/figures.hpp"
-#include "quantities/json_values.hpp"
+#include "json/json_values.hpp"
 
 namespace dashpad::output {
 

@@ -2,7 +2,7 @@
 /// The interval of a figure as JSON, in the units of plain_si().
 
 #include "dashpad/impact/interval.hpp"
-#include "quantities/json_values.hpp"
+#include "json/json_values.hpp"
 
 namespace dashpad::output {
 

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "dashpad/model/pad/material.hpp"
+#include "json/curves_json.hpp"
 #include "model/parameter_values.hpp"
-#include "quantities/curves_json.hpp"
 
 namespace dashpad::output {
 

@@ -1,8 +1,8 @@
 // A material test for programs.
 
 #include "dashpad/output/material_test.hpp"
+#include "json/json_values.hpp"
 #include "output/json/material.hpp"
-#include "quantities/json_values.hpp"
 
 namespace dashpad::output {
 

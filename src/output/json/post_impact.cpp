@@ -1,6 +1,6 @@
 #include "dashpad/output/post_impact.hpp"
 
-#include "quantities/json_values.hpp"
+#include "json/json_values.hpp"
 
 namespace dashpad::output {
 

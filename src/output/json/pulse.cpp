@@ -6,9 +6,10 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/pulse.hpp"
+#include "dashpad/result/result_quantity.hpp"
 #include "dashpad/version.hpp"
+#include "json/json_values.hpp"
 #include "output/json/injury.hpp"
-#include "quantities/json_values.hpp"
 
 namespace dashpad::output {
 
@@ -34,7 +35,7 @@ Json figures(const injury::PulseReport& report) {
   return all;
 }
 
-Json column(const input::MeasuredColumn& of) {
+Json column(const injury::MeasuredColumn& of) {
   return {{"name", of.name},
           {"number", of.number > 0 ? Json(of.number) : Json(nullptr)},
           {"unit", of.unit},
@@ -108,9 +109,9 @@ Json flags(const injury::PulseReport& report) {
 }
 
 Json source(const injury::PulseReport& report) {
-  const input::MeasuredPulse& of = report.measured;
+  const injury::MeasuredPulse& of = report.measured;
   Json accelerations = Json::array();
-  for (const input::MeasuredColumn& each : of.acceleration) accelerations.push_back(column(each));
+  for (const injury::MeasuredColumn& each : of.acceleration) accelerations.push_back(column(each));
   return {{"file", report.file},
           {"format", of.format},
           {"time", column(of.time)},

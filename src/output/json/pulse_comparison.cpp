@@ -3,9 +3,9 @@
 #include "dashpad/output/pulse_comparison.hpp"
 
 #include "dashpad/impact/flags.hpp"
+#include "json/json_values.hpp"
 #include "output/text/pulse_comparison_words.hpp"
 #include "output/text/pulse_words.hpp"
-#include "quantities/json_values.hpp"
 
 namespace dashpad::output {
 

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "dashpad/impact/flags.hpp"
+#include "json/json_values.hpp"
 #include "output/json/injury.hpp"
 #include "output/json/interval.hpp"
 #include "output/json/material.hpp"
-#include "quantities/json_values.hpp"
-#include "quantities/summary_values.hpp"
+#include "result/summary_values.hpp"
 
 namespace dashpad::output {
 

@@ -1,8 +1,8 @@
 // The answers of a study as JSON, in SI and g.
 
 #include "dashpad/output/study.hpp"
+#include "json/json_values.hpp"
 #include "output/text/study_words.hpp"
-#include "quantities/json_values.hpp"
 
 namespace dashpad::output {
 

@@ -15,6 +15,7 @@
 #include "dashpad/output/drawing/impact_drawing.hpp"
 #include "dashpad/output/page/figures_page.hpp"
 #include "dashpad/output/text/case.hpp"
+#include "dashpad/result/result_quantity.hpp"
 #include "output/page/key_figures.hpp"
 #include "output/plot/foam_curve.hpp"
 #include "output/plot/impact_figures.hpp"

@@ -7,6 +7,7 @@
 
 #include "dashpad/output/plot/plot.hpp"
 #include "dashpad/quantities/unit_system.hpp"
+#include "dashpad/result/result_quantity.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

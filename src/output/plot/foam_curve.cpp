@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "output/loading_curve.hpp"
+#include "laboratory/loading_curve.hpp"
 #include "output/plot/axis_with_unit.hpp"
 #include "output/text/foam_words.hpp"
 #include "quantities/text.hpp"
@@ -66,7 +66,7 @@ std::string rate_words_of(const Material& material, double rate) {
 }
 
 /// At a strain between those of the curve.
-double stress_at_strain(const LoadingCurve& curve, double strain) {
+double stress_at_strain(const laboratory::LoadingCurve& curve, double strain) {
   const auto above = std::ranges::upper_bound(curve.strain, strain);
   if (above == curve.strain.begin()) return curve.stress.front();
   if (above == curve.strain.end()) return curve.stress.back();
@@ -76,7 +76,7 @@ double stress_at_strain(const LoadingCurve& curve, double strain) {
 }
 
 /// The curve between two strains, with a point at each of them.
-Series part_of_curve(const LoadingCurve& curve, double from, double to) {
+Series part_of_curve(const laboratory::LoadingCurve& curve, double from, double to) {
   Series part{.x = {from}, .y = {stress_at_strain(curve, from)}};
   for (std::size_t i = 0; i < curve.strain.size(); ++i)
     if (curve.strain[i] > from && curve.strain[i] < to) {
@@ -89,7 +89,7 @@ Series part_of_curve(const LoadingCurve& curve, double from, double to) {
 }
 
 /// A little above what was used.
-double highest_shown(const LoadingCurve& curve, double used) {
+double highest_shown(const laboratory::LoadingCurve& curve, double used) {
   constexpr double room = 1.25;
   return room * std::min(stress_at_strain(curve, used), steepest * stress_at_strain(curve, used / 2));
 }
@@ -105,8 +105,8 @@ double fast_stress_shown(const Series& fast) {
 std::optional<Series> curve_at_rate(const Material& material, const UsedFoam& foam, double slowest,
                                     const UnitSystem& units) {
   if (rate_words_of(material, foam.rate).empty() || !(foam.rate > slowest)) return std::nullopt;
-  const LoadingCurve curve =
-      loading_curve(material, foam.rate, std::min(foam.strain, last_drawn_strain), places_of_curve);
+  const laboratory::LoadingCurve curve = laboratory::loading_curve(
+      material, foam.rate, std::min(foam.strain, last_drawn_strain), places_of_curve);
   return Series{.label = fmt::format("at {} per second", brief(rounded_to(foam.rate, 2))),
                 .style = SeriesStyle::solid_line,
                 .x = curve.strain,
@@ -130,8 +130,9 @@ std::optional<Plot> foam_curve_plot(const Pad& pad, const Summary& summary, cons
   if (!(foam.strain > 0) || !violations(foam.material).empty()) return std::nullopt;
   Material material = foam.material;
   material.law = scaled(material.law, stress_factor(foam.condition, material));
-  const double rate = tested_rates(material).front();
-  const LoadingCurve curve = loading_curve(material, rate, last_drawn_strain, places_of_curve);
+  const double rate = laboratory::tested_rates(material).front();
+  const laboratory::LoadingCurve curve =
+      laboratory::loading_curve(material, rate, last_drawn_strain, places_of_curve);
   const double used = std::min(foam.strain, last_drawn_strain);
   const double highest = highest_shown(curve, used);
   if (!(std::isfinite(highest) && highest > 0)) return std::nullopt;

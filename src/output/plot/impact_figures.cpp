@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/flags.hpp"
+#include "dashpad/result/result_quantity.hpp"
 #include "output/plot/axis_with_unit.hpp"
 #include "output/plot/impact_energies.hpp"
 #include "output/plot/result_panels.hpp"

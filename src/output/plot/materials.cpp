@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/version.hpp"
-#include "output/loading_curve.hpp"
+#include "laboratory/loading_curve.hpp"
 #include "output/plot/axis_with_unit.hpp"
 #include "quantities/text.hpp"
 
@@ -29,7 +29,7 @@ double tested_strain_of(const Material& material) {
 }
 
 /// The part of a curve between two strains.
-Series part_of(const LoadingCurve& curve, double from, double to) {
+Series part_of(const laboratory::LoadingCurve& curve, double from, double to) {
   constexpr double rounding = 1e-9;
   Series part;
   for (std::size_t i = 0; i < curve.strain.size(); ++i) {
@@ -41,7 +41,8 @@ Series part_of(const LoadingCurve& curve, double from, double to) {
 }
 
 void add_curve(Panel& panel, const Material& material, std::size_t turn) {
-  const LoadingCurve curve = loading_curve(material, tested_rates(material).front(), drawn_strain, steps);
+  const laboratory::LoadingCurve curve =
+      laboratory::loading_curve(material, laboratory::tested_rates(material).front(), drawn_strain, steps);
   // Where the tested part ends and the other begins; a point of both.
   const auto past = std::ranges::upper_bound(curve.strain, tested_strain_of(material) + 1e-9);
   const double border = past == curve.strain.begin() ? 0 : *(past - 1);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/result/result_quantity.hpp"
 #include "dashpad/version.hpp"
 #include "output/plot/axis_with_unit.hpp"
 #include "output/plot/hic_bracket.hpp"

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/text/case.hpp"
+#include "dashpad/result/result_quantity.hpp"
 #include "output/text/assessment_words.hpp"
 #include "output/text/foam_words.hpp"
 #include "output/text/interval_words.hpp"

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/result/result_quantity.hpp"
 #include "output/text/fit_words.hpp"
 #include "quantities/text.hpp"
 

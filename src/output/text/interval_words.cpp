@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/result/result_quantity.hpp"
 #include "output/text/capitals.hpp"
 #include "quantities/text.hpp"
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/materials.hpp"
+#include "laboratory/loading_curve.hpp"
 #include "model/pad/foam/foam_curve.hpp"
-#include "output/loading_curve.hpp"
 #include "output/svg/text.hpp"
 #include "output/text/table.hpp"
 #include "quantities/text.hpp"
@@ -132,8 +132,8 @@ std::string stresses(const Material& material, const FoamCurves& curves, const U
   table.columns.emplace_back("  Stress in a first loading");
   for (const double strain : strains)
     table.columns.push_back(fmt::format("at {}{}", brief(strain), strain > last ? " *" : ""));
-  for (const double rate : tested_rates(material)) {
-    const LoadingCurve loading = loading_curve(material, rate, strains.back(), steps);
+  for (const double rate : laboratory::tested_rates(material)) {
+    const laboratory::LoadingCurve loading = laboratory::loading_curve(material, rate, strains.back(), steps);
     std::vector<std::string> row{fmt::format("  at {} 1/s", brief(rate))};
     for (const double strain : strains) {
       const auto at = std::ranges::lower_bound(loading.strain, strain - 1e-6) - loading.strain.begin();

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/injury/standard.hpp"
+#include "dashpad/result/result_quantity.hpp"
 #include "dashpad/version.hpp"
 #include "output/result_rows.hpp"
 #include "output/text/pulse_words.hpp"
@@ -21,7 +22,7 @@ std::string stretch_of(double begin, double end, const UnitSystem& units) {
   return stretch(begin, end, units, source_digits);
 }
 
-std::string origin(const input::MeasuredColumn& column, const std::string& si_unit) {
+std::string origin(const injury::MeasuredColumn& column, const std::string& si_unit) {
   const std::string from = column.unit_origin == "given"    ? "as given"
                            : column.unit_origin == "header" ? "from the file"
                                                             : "by the format";
@@ -118,10 +119,10 @@ std::string filter_words(const injury::PulseFilter& filter) {
 }
 
 std::string pulse_source(const injury::PulseReport& report, const UnitSystem& units) {
-  const input::MeasuredPulse& measured = report.measured;
+  const injury::MeasuredPulse& measured = report.measured;
   const Pulse& pulse = measured.pulse;
   std::string text = fmt::format("  time          {}\n", origin(measured.time, "s"));
-  for (const input::MeasuredColumn& column : measured.acceleration)
+  for (const injury::MeasuredColumn& column : measured.acceleration)
     text += fmt::format("  acceleration  {}\n", origin(column, "m/s2"));
   if (measured.resultant)
     text += fmt::format("  resultant of {} directions{}\n", measured.acceleration.size(),

@@ -3,7 +3,7 @@
 
 #include "dashpad/report1986/validation/energy.hpp"
 #include "dashpad/report1986/validation/verdict.hpp"
-#include "input/special_numbers.hpp"
+#include "quantities/special_numbers.hpp"
 #include "report1986/validation/trends_least_squares.hpp"
 
 namespace dashpad::report1986 {
@@ -35,13 +35,13 @@ double ratio_to_curve_a(const ValidationData& data, const std::vector<Prediction
                         Projectile projectile, double speed_mph, double radius_in) {
   const Prediction* prediction =
       find(on_curves, program, {projectile, TestSupport::load_cell, speed_mph, radius_in});
-  if (!prediction || !prediction->peak_force_lb) return input::no_value;
+  if (!prediction || !prediction->peak_force_lb) return no_value;
   return *prediction->peak_force_lb / curve_a_force_lb(data, projectile, speed_mph);
 }
 
 Estimate slope_of(const std::vector<Point>& points) {
   const auto [least, greatest] = std::ranges::minmax_element(points, {}, &Point::x);
-  if (points.empty() || least->x == greatest->x) return {input::no_value, {input::no_value, input::no_value}};
+  if (points.empty() || least->x == greatest->x) return {no_value, {no_value, no_value}};
   return fit_line(points).slope;
 }
 

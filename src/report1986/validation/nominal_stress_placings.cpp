@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "input/special_numbers.hpp"
+#include "quantities/special_numbers.hpp"
 #include "report1986/validation/measured_tests_columns.hpp"
 
 namespace dashpad::report1986 {
@@ -81,7 +81,7 @@ NominalStressPlacings::NominalStressPlacings(const MeasuredTests& measured,
 std::map<std::size_t, LeastSum> NominalStressPlacings::least(
     const std::function<double(double)>& cost) const {
   struct Best {
-    double sum = input::infinite;
+    double sum = infinite;
     const Step* step = nullptr;
   };
   const std::size_t counts = steps_.size() + 1;  // numbers of points: 0 to that of the tests
@@ -102,7 +102,7 @@ std::map<std::size_t, LeastSum> NominalStressPlacings::least(
 
   std::map<std::size_t, LeastSum> found;
   for (std::size_t points = 0; states_.back() > 0 && points < counts; ++points) {
-    if (best.back()[points].sum == input::infinite) continue;
+    if (best.back()[points].sum == infinite) continue;
     LeastSum& least = found[points];
     least.sum = best.back()[points].sum;
     std::size_t state = 0;

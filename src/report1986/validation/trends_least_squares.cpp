@@ -4,7 +4,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
-#include "input/special_numbers.hpp"
+#include "quantities/special_numbers.hpp"
 
 namespace dashpad::report1986 {
 
@@ -20,7 +20,7 @@ Estimate ratio_of(double intercept, double slope, double t2_aa, double t2_ab, do
   const double a = slope * slope - t2_bb;
   const double b = intercept * slope - t2_ab;
   const double c = intercept * intercept - t2_aa;
-  if (!(a > 0)) return {ratio, {-input::infinite, input::infinite}};
+  if (!(a > 0)) return {ratio, {-infinite, infinite}};
   const double root = std::sqrt(std::max(0.0, b * b - a * c));
   return {ratio, {(b - root) / a, (b + root) / a}};
 }
@@ -28,7 +28,7 @@ Estimate ratio_of(double intercept, double slope, double t2_aa, double t2_ab, do
 }  // namespace
 
 double student_95(std::size_t degrees_of_freedom) {
-  if (degrees_of_freedom == 0) return input::infinite;
+  if (degrees_of_freedom == 0) return infinite;
   const boost::math::students_t distribution(static_cast<double>(degrees_of_freedom));
   return boost::math::quantile(boost::math::complement(distribution, 0.025));
 }
@@ -45,7 +45,7 @@ ProportionalFit fit_proportional(const std::vector<Point>& points) {
   for (const Point& point : points) squares += std::pow(point.y - constant * point.x, 2);
 
   const std::size_t freedom = points.size() - 1;
-  if (freedom == 0) return {estimate(constant, input::infinite), 0};
+  if (freedom == 0) return {estimate(constant, infinite), 0};
   const double scatter = std::sqrt(squares / static_cast<double>(freedom));
   return {estimate(constant, student_95(freedom) * scatter / std::sqrt(xx)), scatter};
 }
@@ -70,8 +70,8 @@ LineFit fit_line(const std::vector<Point>& points) {
 
   const std::size_t freedom = points.size() - 2;
   if (freedom == 0)
-    return {estimate(intercept, input::infinite), estimate(slope, input::infinite),
-            estimate(intercept / slope, input::infinite), 0};
+    return {estimate(intercept, infinite), estimate(slope, infinite), estimate(intercept / slope, infinite),
+            0};
   const double variance = squares / static_cast<double>(freedom);
   const double t2 = std::pow(student_95(freedom), 2) * variance;
   const double t2_bb = t2 / xx;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/input/measurement/measured_pulse.hpp"
 #include "dashpad/input/measurement/sensitivity.hpp"
+#include "dashpad/input/pulse_file.hpp"
 
 namespace dashpad::input {
 
@@ -37,6 +37,6 @@ struct IsoMmeOptions {
 /// Nothing outside of the folder or archive is read: links are not followed, and an archive with a name that
 /// leads elsewhere is refused. Throws InputError with all faults, or the first 200. At most 1 GiB unpacked
 /// and 50 million samples a channel.
-MeasuredPulse read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options);
+PulseFile read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options);
 
 }  // namespace dashpad::input

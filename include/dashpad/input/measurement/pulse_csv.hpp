@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/input/measurement/measured_pulse.hpp"
 #include "dashpad/input/measurement/sensitivity.hpp"
+#include "dashpad/input/pulse_file.hpp"
 
 namespace dashpad::input {
 
@@ -32,9 +32,9 @@ struct PulseCsvOptions {
 /// rows and, unless they are to be bridged, in the times, text, numbers that are not
 /// finite, times that do not increase and choices that are not clear are faults: InputError with all of them,
 /// or the first 200. At most 1 GiB and 50 million samples.
-MeasuredPulse read_pulse_csv(const std::filesystem::path& file, const PulseCsvOptions& options);
+PulseFile read_pulse_csv(const std::filesystem::path& file, const PulseCsvOptions& options);
 
 /// The columns with the units that the header gives; without header, numbers only. Throws InputError.
-std::vector<MeasuredColumn> pulse_csv_columns(const std::filesystem::path& file);
+std::vector<injury::MeasuredColumn> pulse_csv_columns(const std::filesystem::path& file);
 
 }  // namespace dashpad::input

@@ -1,4 +1,4 @@
-#include "dashpad/impact/case_quantity.hpp"
+#include "dashpad/case/case_quantity.hpp"
 
 #include <limits>
 #include <optional>

@@ -3,9 +3,9 @@
 
 #include <limits>
 
-namespace dashpad::input {
+namespace dashpad {
 
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
 inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
-}  // namespace dashpad::input
+}  // namespace dashpad

@@ -5,7 +5,7 @@
 
 #include "dashpad/model/pad/material.hpp"
 
-namespace dashpad::output {
+namespace dashpad::laboratory {
 
 /// Rates that the material was tested at, 1/s, increasing; at least one. Of a law without curves the ends of
 /// its fitted range; without that, 1.
@@ -20,4 +20,4 @@ struct LoadingCurve {
 /// breaks no rule (violations(Material)).
 LoadingCurve loading_curve(const Material& material, double rate, double strain, int steps);
 
-}  // namespace dashpad::output
+}  // namespace dashpad::laboratory

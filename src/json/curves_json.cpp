@@ -1,4 +1,4 @@
-#include "quantities/curves_json.hpp"
+#include "json/curves_json.hpp"
 
 #include <stdexcept>
 #include <string>

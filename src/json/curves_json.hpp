@@ -2,7 +2,7 @@
 /// The curves of a foam as they stand in every JSON, in SI.
 
 #include "dashpad/model/pad/law.hpp"
-#include "quantities/json_values.hpp"
+#include "json/json_values.hpp"
 
 namespace dashpad {
 

@@ -1,13 +1,12 @@
 #pragma once
-/// A pulse that was read from a file, with all that is needed to say later where it came from.
+/// A measured pulse, with all that is needed to say later where it came from.
 
 #include <string>
 #include <vector>
 
 #include "dashpad/impact/pulse.hpp"
-#include "dashpad/input/input_file.hpp"
 
-namespace dashpad::input {
+namespace dashpad::injury {
 
 /// A column of a table or a channel of a test, and its unit.
 struct MeasuredColumn {
@@ -32,11 +31,10 @@ struct MeasuredPulse {
   /// the resultant of noise has a mean, which no filter takes away.
   std::vector<std::vector<double>> components = {};
   std::vector<std::string> remarks =
-      {};                             ///< repairs and readings that the user should know of, a sentence each
-  std::vector<InputFile> files = {};  ///< that it was read from
+      {};  ///< repairs and readings that the user should know of, a sentence each
 };
 
 /// sqrt(x^2 + y^2 + z^2) at each time.
 std::vector<double> resultant_of(const std::vector<std::vector<double>>& components);
 
-}  // namespace dashpad::input
+}  // namespace dashpad::injury

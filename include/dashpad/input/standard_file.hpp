@@ -7,10 +7,10 @@
 
 #include "dashpad/injury/standard.hpp"
 
-namespace dashpad::injury {
+namespace dashpad::input {
 
 /// Reads and checks one preset. Throws InputError with every fault in it.
-Standard read_standard(const std::filesystem::path& file);
+injury::Standard read_standard(const std::filesystem::path& file);
 
 /// The presets in a folder, sorted by name (the file name without .toml). Throws InputError if the folder
 /// cannot be read.
@@ -27,4 +27,4 @@ StandardChoice standard_choice(const std::string& text);
 /// InputError that names the presets there are.
 std::filesystem::path find_standard(const std::string& name, const std::filesystem::path& folder);
 
-}  // namespace dashpad::injury
+}  // namespace dashpad::input

@@ -1,9 +1,7 @@
-#include "dashpad/quantities/result_quantity.hpp"
+#include "dashpad/result/result_quantity.hpp"
 
 #include <algorithm>
 #include <stdexcept>
-
-#include "dashpad/impact/solution.hpp"
 
 namespace dashpad {
 
@@ -140,22 +138,6 @@ std::string title_in_sentence(const ResultQuantity& of) {
   const auto is_capital = [&](std::size_t i) { return title[i] >= 'A' && title[i] <= 'Z'; };
   if (title.size() > 1 && is_capital(0) && !is_capital(1)) title[0] = static_cast<char>(title[0] - 'A' + 'a');
   return title;
-}
-
-ScaledUnit scaled_unit(const std::string& si_unit, const UnitSystem& units) {
-  if (si_unit == "m/s2") return {1 / standard_gravity, "g"};
-  if (si_unit.empty()) return {1, "1"};
-  return {value_in(units, 1, si_unit), unit_for(units, si_unit)};
-}
-
-std::string name_with_unit(const std::string& name, const std::string& unit) {
-  if (unit.empty() || unit == "1") return name;
-  if (unit.starts_with("1/")) return name + "_per_" + unit.substr(2);
-  std::string text = name + "_";
-  for (const char character : unit)
-    text +=
-        character == '/' ? "_per_" : std::string(1, character == '.' || character == ' ' ? '_' : character);
-  return text;
 }
 
 std::string key_with_unit(const ResultQuantity& of, const UnitSystem& units) {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/quantities/result_quantity.hpp"
+#include "dashpad/result/result_quantity.hpp"
 
 namespace dashpad {
 

@@ -31,16 +31,6 @@ const ResultQuantity& result_quantity(std::string_view key);
 /// "peak acceleration", but "HIC15".
 std::string title_in_sentence(const ResultQuantity& of);
 
-/// A unit, and what an SI value is multiplied with for it.
-struct ScaledUnit {
-  double scale = 1;
-  std::string unit = {};  ///< "1" for a pure number
-};
-/// Accelerations in g, everything else as the system has it: for people, and for files (plain_si()).
-ScaledUnit scaled_unit(const std::string& si_unit, const UnitSystem& units);
-
-/// A name in a file with its unit: "force_lbf", "velocity_m_per_s", "peak_strain".
-std::string name_with_unit(const std::string& name, const std::string& unit);
 /// The key of a quantity in a file that holds it in the units of a system: "peak_acceleration_g".
 std::string key_with_unit(const ResultQuantity& of, const UnitSystem& units = plain_si());
 

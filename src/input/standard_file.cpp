@@ -1,4 +1,4 @@
-#include "dashpad/injury/standard_file.hpp"
+#include "dashpad/input/standard_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,46 +10,47 @@
 #include "input/spelling.hpp"
 #include "input/table_reader.hpp"
 
-namespace dashpad::injury {
+namespace dashpad::input {
 
 namespace fs = std::filesystem;
 
 namespace {
 
 /// No source after a fault.
-SourceKind read_kind(input::TableReader& table) {
-  constexpr SourceKind all[]{SourceKind::own_text, SourceKind::secondary, SourceKind::none};
+injury::SourceKind read_kind(TableReader& table) {
+  constexpr injury::SourceKind all[]{injury::SourceKind::own_text, injury::SourceKind::secondary,
+                                     injury::SourceKind::none};
   std::vector<std::string> names;
-  for (const SourceKind kind : all) names.push_back(to_string(kind));
+  for (const injury::SourceKind kind : all) names.push_back(to_string(kind));
   const auto found = std::ranges::find(names, table.choice("kind", names));
-  return found == names.end() ? SourceKind::none : all[found - names.begin()];
+  return found == names.end() ? injury::SourceKind::none : all[found - names.begin()];
 }
 
-Origin read_origin(input::TableReader& table) {
-  Origin origin{.source = table.text("source"),
-                .kind = read_kind(table),
-                .verified = table.yes_or_no("verified"),
-                .note = table.text("note", input::Presence::optional)};
-  const input::TomlNode* kind = table.node().child("kind");
-  if (origin.verified && kind && kind->text == to_string(SourceKind::none))
+injury::Origin read_origin(TableReader& table) {
+  injury::Origin origin{.source = table.text("source"),
+                        .kind = read_kind(table),
+                        .verified = table.yes_or_no("verified"),
+                        .note = table.text("note", Presence::optional)};
+  const TomlNode* kind = table.node().child("kind");
+  if (origin.verified && kind && kind->text == to_string(injury::SourceKind::none))
     table.fault("verified", "cannot be true without a source in which the value was read: see kind");
   return origin;
 }
 
 /// A quantity that must be more than 0; NaN has a fault already.
-double positive(input::TableReader& table, const std::string& key, double value) {
+double positive(TableReader& table, const std::string& key, double value) {
   if (value <= 0) table.fault(key, "must be more than 0");
   return value;
 }
 
 /// What was computed from an entry that is in itself a number.
-double finite(input::TableReader& table, const std::string& key, double value) {
+double finite(TableReader& table, const std::string& key, double value) {
   if (std::isinf(value)) table.fault(key, "the number is too large to compute with");
   return value;
 }
 
 /// Nothing where the standard leaves the value to the case. `drop_height` is known for speeds only.
-std::optional<double> read_number(input::TableReader& table, const std::string& si_unit,
+std::optional<double> read_number(TableReader& table, const std::string& si_unit,
                                   std::optional<double>& drop_height) {
   const bool is_speed = si_unit == "m/s";
   const bool has_value = table.has("value");
@@ -61,50 +62,50 @@ std::optional<double> read_number(input::TableReader& table, const std::string& 
   if (has_value) return positive(table, "value", table.quantity("value", si_unit));
   if (!has_height) return std::nullopt;
   drop_height = positive(table, "drop_height", table.quantity("drop_height", "m"));
-  return finite(table, "drop_height", speed_after_fall(*drop_height));
+  return finite(table, "drop_height", injury::speed_after_fall(*drop_height));
 }
 
-StandardValue read_value(input::TableReader table, const std::string& si_unit) {
-  StandardValue value;
+injury::StandardValue read_value(TableReader table, const std::string& si_unit) {
+  injury::StandardValue value;
   value.value = read_number(table, si_unit, value.drop_height);
   value.origin = read_origin(table);
   table.refuse_others();
   return value;
 }
 
-std::optional<StandardValue> read_value(input::TableReader& parent, const std::string& key,
-                                        const std::string& si_unit, input::Presence presence) {
+std::optional<injury::StandardValue> read_value(TableReader& parent, const std::string& key,
+                                                const std::string& si_unit, Presence presence) {
   const auto table = parent.table(key, presence);
   return table ? std::optional{read_value(*table, si_unit)} : std::nullopt;
 }
 
 /// Nothing after a fault.
-std::optional<Metric> read_metric(input::TableReader& table) {
+std::optional<injury::Metric> read_metric(TableReader& table) {
   std::vector<std::string> keys;
-  for (const Metric metric : metrics()) keys.emplace_back(quantity_of(metric).key);
+  for (const injury::Metric metric : injury::metrics()) keys.emplace_back(injury::quantity_of(metric).key);
   const std::string chosen = table.choice("metric", keys);
   const auto found = std::ranges::find(keys, chosen);
   if (found == keys.end()) return std::nullopt;
-  return metrics()[static_cast<std::size_t>(found - keys.begin())];
+  return injury::metrics()[static_cast<std::size_t>(found - keys.begin())];
 }
 
 /// Accelerations are in g, which no unit of files says: g is a gram.
-double read_acceleration(input::TableReader& table, const std::string& key) {
+double read_acceleration(TableReader& table, const std::string& key) {
   return finite(table, key, standard_gravity * positive(table, key, table.number(key)));
 }
 
-double read_limit(input::TableReader& table, const ResultQuantity& of) {
+double read_limit(TableReader& table, const ResultQuantity& of) {
   const std::string unit = of.si_unit;
   if (unit == "m/s2") return read_acceleration(table, "limit_g");
   return positive(table, "limit", unit == "1" ? table.number("limit") : table.quantity("limit", unit));
 }
 
-Criterion read_criterion(input::TableReader table) {
-  Criterion criterion;
+injury::Criterion read_criterion(TableReader table) {
+  injury::Criterion criterion;
   if (const auto metric = read_metric(table)) {
     criterion.metric = *metric;
-    criterion.limit = read_limit(table, quantity_of(*metric));
-    if (*metric == Metric::dwell_time) criterion.level = read_acceleration(table, "level_g");
+    criterion.limit = read_limit(table, injury::quantity_of(*metric));
+    if (*metric == injury::Metric::dwell_time) criterion.level = read_acceleration(table, "level_g");
   } else {
     for (const char* key : {"limit", "limit_g", "level_g"}) table.has(key);  // right or wrong: who knows
   }
@@ -115,15 +116,15 @@ Criterion read_criterion(input::TableReader table) {
   return criterion;
 }
 
-std::vector<Criterion> read_criteria(input::TableReader& top) {
-  std::vector<Criterion> criteria;
-  const input::TomlNode* array = top.array("criteria");
+std::vector<injury::Criterion> read_criteria(TableReader& top) {
+  std::vector<injury::Criterion> criteria;
+  const TomlNode* array = top.array("criteria");
   if (!array) return criteria;
   if (array->children.empty()) top.fault("criteria", "must hold one criterion at least");
-  for (const input::TomlNode& entry : array->children) {
+  for (const TomlNode& entry : array->children) {
     const std::string key = "criteria" + entry.key;
-    if (entry.kind == input::TomlNode::Kind::table)
-      criteria.push_back(read_criterion(input::TableReader(entry, key, top.faults())));
+    if (entry.kind == TomlNode::Kind::table)
+      criteria.push_back(read_criterion(TableReader(entry, key, top.faults())));
     else
       top.faults().add(entry.line, key, entry.written(), "must be a table: [[criteria]]");
   }
@@ -137,13 +138,13 @@ bool is_variant_name(const std::string& name) {
   });
 }
 
-StandardVariant read_variant(input::TableReader table, const std::string& name) {
-  StandardVariant variant;
+injury::StandardVariant read_variant(TableReader table, const std::string& name) {
+  injury::StandardVariant variant;
   variant.name = name;
   variant.title = table.text("title");
-  variant.mass = read_value(table, "mass", "kg", input::Presence::optional);
-  variant.radius = read_value(table, "radius", "m", input::Presence::optional);
-  variant.speed = read_value(table, "speed", "m/s", input::Presence::optional);
+  variant.mass = read_value(table, "mass", "kg", Presence::optional);
+  variant.radius = read_value(table, "radius", "m", Presence::optional);
+  variant.speed = read_value(table, "speed", "m/s", Presence::optional);
   table.refuse_others();
   if (!variant.mass && !variant.radius && !variant.speed)
     table.faults().add(table.node().line, table.full_key("mass"), "",
@@ -151,11 +152,11 @@ StandardVariant read_variant(input::TableReader table, const std::string& name) 
   return variant;
 }
 
-std::vector<StandardVariant> read_variants(input::TableReader& top) {
-  std::vector<StandardVariant> variants;
-  auto table = top.table("variants", input::Presence::optional);
+std::vector<injury::StandardVariant> read_variants(TableReader& top) {
+  std::vector<injury::StandardVariant> variants;
+  auto table = top.table("variants", Presence::optional);
   if (!table) return variants;
-  for (const input::TomlNode& entry : table->node().children) {
+  for (const TomlNode& entry : table->node().children) {
     if (!is_variant_name(entry.key))
       table->fault(entry.key, "the name of a variant has lower-case letters, digits, - and . only");
     else if (const auto variant = table->table(entry.key))
@@ -172,20 +173,20 @@ std::vector<std::string> names_of(const std::vector<fs::path>& files) {
 
 }  // namespace
 
-Standard read_standard(const fs::path& file) {
-  const input::TomlNode root = input::read_toml(file);
-  input::FaultList faults(file.string());
-  input::TableReader top(root, "", faults);
-  Standard standard;
+injury::Standard read_standard(const fs::path& file) {
+  const TomlNode root = read_toml(file);
+  FaultList faults(file.string());
+  TableReader top(root, "", faults);
+  injury::Standard standard;
   standard.name = file.stem().string();
   standard.title = top.text("title");
-  standard.article = top.text("article", input::Presence::optional);
+  standard.article = top.text("article", Presence::optional);
   standard.source = top.text("source");
   standard.source_kind = read_kind(top);
-  standard.note = top.text("note", input::Presence::optional);
-  standard.mass = read_value(top, "mass", "kg", input::Presence::required).value_or(StandardValue{});
-  standard.radius = read_value(top, "radius", "m", input::Presence::required).value_or(StandardValue{});
-  standard.speed = read_value(top, "speed", "m/s", input::Presence::required).value_or(StandardValue{});
+  standard.note = top.text("note", Presence::optional);
+  standard.mass = read_value(top, "mass", "kg", Presence::required).value_or(injury::StandardValue{});
+  standard.radius = read_value(top, "radius", "m", Presence::required).value_or(injury::StandardValue{});
+  standard.speed = read_value(top, "speed", "m/s", Presence::required).value_or(injury::StandardValue{});
   standard.criteria = read_criteria(top);
   standard.variants = read_variants(top);
   top.refuse_others();
@@ -199,8 +200,8 @@ std::vector<fs::path> list_standards(const fs::path& folder) {
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
     if (entry->path().extension() == ".toml" && entry->is_regular_file()) files.push_back(entry->path());
   if (error)
-    throw input::InputError({input::Fault{folder.string(), 0, "", "",
-                                          "is not a readable folder of standards: " + error.message()}});
+    throw InputError(
+        {Fault{folder.string(), 0, "", "", "is not a readable folder of standards: " + error.message()}});
   std::ranges::sort(files);
   return files;
 }
@@ -227,12 +228,11 @@ fs::path find_standard(const std::string& name, const fs::path& folder) {
   const auto found = std::ranges::find(names, name);
   if (found != names.end()) return files[static_cast<std::size_t>(found - names.begin())];
   if (name.find('/') != std::string::npos)
-    throw input::InputError({input::Fault{name, 0, "", "", "no such standard: a path must end in .toml"}});
-  throw input::InputError(
-      {input::Fault{name, 0, "", "",
-                    "no such standard in " + folder.string() +
-                        (names.empty() ? ", which has none" : ", which has " + input::listing(names)) +
-                        input::did_you_mean(name, names)}});
+    throw InputError({Fault{name, 0, "", "", "no such standard: a path must end in .toml"}});
+  throw InputError({Fault{name, 0, "", "",
+                          "no such standard in " + folder.string() +
+                              (names.empty() ? ", which has none" : ", which has " + listing(names)) +
+                              did_you_mean(name, names)}});
 }
 
-}  // namespace dashpad::injury
+}  // namespace dashpad::input

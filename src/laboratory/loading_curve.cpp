@@ -1,4 +1,4 @@
-#include "output/loading_curve.hpp"
+#include "laboratory/loading_curve.hpp"
 
 #include <type_traits>
 #include <utility>
@@ -6,7 +6,7 @@
 
 #include "dashpad/laboratory/column_test.hpp"
 
-namespace dashpad::output {
+namespace dashpad::laboratory {
 
 namespace {
 
@@ -41,9 +41,9 @@ std::vector<double> tested_rates(const Material& material) {
 }
 
 LoadingCurve loading_curve(const Material& material, double rate, double strain, int steps) {
-  const laboratory::StrainHistory loading{{{.duration = strain / rate, .strain = 0, .rate = rate}}};
-  laboratory::ColumnTest column = laboratory::drive(material.law, loading, steps);
+  const StrainHistory loading{{{.duration = strain / rate, .strain = 0, .rate = rate}}};
+  ColumnTest column = drive(material.law, loading, steps);
   return {std::move(column.strain), std::move(column.stress)};
 }
 
-}  // namespace dashpad::output
+}  // namespace dashpad::laboratory

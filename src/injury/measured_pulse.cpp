@@ -1,8 +1,8 @@
-#include "dashpad/input/measurement/measured_pulse.hpp"
+#include "dashpad/injury/measured_pulse.hpp"
 
 #include <cmath>
 
-namespace dashpad::input {
+namespace dashpad::injury {
 
 std::vector<double> resultant_of(const std::vector<std::vector<double>>& components) {
   std::vector<double> length(components.empty() ? 0 : components.front().size());
@@ -11,4 +11,4 @@ std::vector<double> resultant_of(const std::vector<std::vector<double>>& compone
   return length;
 }
 
-}  // namespace dashpad::input
+}  // namespace dashpad::injury

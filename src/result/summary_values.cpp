@@ -1,4 +1,4 @@
-#include "quantities/summary_values.hpp"
+#include "result/summary_values.hpp"
 
 #include <optional>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "dashpad/input/measurement/sensor_offset.hpp"
+#include "dashpad/injury/sensor_offset.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "quantities/text.hpp"
 
-namespace dashpad::input {
+namespace dashpad::injury {
 
 namespace {
 
@@ -19,7 +19,7 @@ constexpr std::size_t fewest_samples = 10;
 constexpr double surely_impact = 0.1;     // of the largest deviation
 constexpr double least_departure = 5e-3;  // the same
 constexpr double departure = 5;           // of the scatter
-constexpr double margin = 0.25;           // of the time from the beginning of the impact to its peak
+constexpr double left_out = 0.25;         // of the time from the beginning of the impact to its peak
 constexpr double near_gravity = 0.1;      // of it: the step from rest to fall
 constexpr double clear_split = 1.5;       // of the scatter in both; of a sine and its mean it is 1.41
 constexpr double surely_split = 5;        // of the standard error of the step
@@ -89,12 +89,12 @@ SensorOffset offset_of_quiet_part(const MeasuredPulse& measured, std::size_t las
   const std::size_t middle = split + fall.samples / 2;
   const double scatter = std::hypot(length(rest.scatter), length(fall.scatter)) / std::numbers::sqrt2;
   const double step = step_between(rest, fall);
-  const double surely =
+  const double clear_step =
       surely_split * scatter *
       std::sqrt(1.0 / static_cast<double>(rest.samples) + 1.0 / static_cast<double>(fall.samples));
   const double slope = step_between(offset_of(measured, split, middle), offset_of(measured, middle, last));
   if (std::abs(step - standard_gravity) > near_gravity * standard_gravity || step < clear_split * scatter ||
-      step < surely || slope > least_slope * step)
+      step < clear_step || slope > least_slope * step)
     return offset_of(measured, 0, last);
   fall.rest = {rest.end, rest.mean};
   return fall;
@@ -142,7 +142,7 @@ std::optional<SensorOffset> offset_before_impact(const MeasuredPulse& measured) 
   std::size_t impact = 0;
   while (impact < peak && deviation(all, at_begin, impact) <= surely_impact * largest) ++impact;
   while (true) {
-    const double end = time[impact] - margin * (time[peak] - time[impact]);
+    const double end = time[impact] - left_out * (time[peak] - time[impact]);
     const auto count = static_cast<std::size_t>(std::ranges::lower_bound(time, end) - time.begin());
     if (count < fewest_samples) return std::nullopt;
     SensorOffset offset = offset_of_quiet_part(measured, count);
@@ -183,4 +183,4 @@ MeasuredPulse zeroed(MeasuredPulse measured, const SensorOffset& offset) {
   return measured;
 }
 
-}  // namespace dashpad::input
+}  // namespace dashpad::injury

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "dashpad/input/measurement/measured_pulse.hpp"
+#include "dashpad/injury/measured_pulse.hpp"
 
-namespace dashpad::input {
+namespace dashpad::injury {
 
 /// What the sensor showed at rest, before a free fall: another level, by 1 g.
 struct RestLevel {
@@ -42,4 +42,4 @@ void leave_out_before(MeasuredPulse& measured, double begin);
 /// With the mean taken off each direction; a resultant is that of the directions afterwards.
 MeasuredPulse zeroed(MeasuredPulse measured, const SensorOffset& offset);
 
-}  // namespace dashpad::input
+}  // namespace dashpad::injury
