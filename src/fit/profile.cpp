@@ -8,7 +8,7 @@ namespace dashpad::fit {
 namespace {
 
 /// Of the root of the rise over the threshold; with impacts each refit costs hundreds of them.
-constexpr double precision = 5e-3, precision_with_impacts = 2e-2;
+constexpr double close_enough = 5e-3, close_enough_with_impacts = 2e-2;
 constexpr int most_refits = 40, most_refits_with_impacts = 12;
 constexpr int iterations_with_impacts = 12;  ///< of a refit
 /// A guess beyond this share of the room is tried at the bound first: most ends there are open.
@@ -45,7 +45,7 @@ class Profiler {
     for (; refit < most; ++refit) {
       const std::optional<double> root = rise_at(distance);
       if (better_) break;
-      if (root && std::abs(*root - 1) < (problem_.takes_impacts ? precision_with_impacts : precision)) {
+      if (root && std::abs(*root - 1) < (problem_.takes_impacts ? close_enough_with_impacts : close_enough)) {
         end.x = at + request_.side * distance;
         return end;
       }

@@ -64,9 +64,9 @@ bool put(TomlNode& root, const std::vector<std::string>& path, TomlNode value) {
       throw std::runtime_error(fmt::format("{} is a value and has no entries", path[i]));
     at = next;
   }
-  for (const auto& [one, other] : instead)
-    if (path.back() == one)
-      std::erase_if(at->children, [&other = other](const TomlNode& of) { return of.key == other; });
+  for (const auto& pair : instead)
+    if (path.back() == pair.first)
+      std::erase_if(at->children, [&pair](const TomlNode& of) { return of.key == pair.second; });
   value.key = path.back();
   if (TomlNode* there = entry(*at, path.back()))
     *there = std::move(value);

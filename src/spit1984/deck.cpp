@@ -56,13 +56,14 @@ void store_parameters(const Law& law, std::array<double, 21>& stored) {
 }
 
 void store_published(const Material& material, PadKey key, std::array<double, 21>& stored) {
-  for (const auto& [name, text] : material.also_published) {
-    const auto* const place = std::find_if(stored_only.begin(), stored_only.end(),
-                                           [&name = name](const auto& entry) { return entry.first == name; });
+  for (const auto& published : material.also_published) {
+    const auto* const place =
+        std::find_if(stored_only.begin(), stored_only.end(),
+                     [&published](const auto& entry) { return entry.first == published.first; });
     if (place == stored_only.end()) continue;
     if ((place->second == 9) != (key == PadKey::nine_parameter)) continue;
     try {
-      stored[static_cast<std::size_t>(place->second) - 1] = stored_value(text);
+      stored[static_cast<std::size_t>(place->second) - 1] = stored_value(published.second);
     } catch (const UnitError&) {  // free text of a card; nothing computes with it
     }
   }

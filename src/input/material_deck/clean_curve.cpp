@@ -113,7 +113,7 @@ std::optional<CleanCurve> clean_curve(const DeckCurve& curve, CurveRole role, Me
 
 bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& of, MeasurementFaults& faults,
                            std::vector<std::string>& differences) {
-  auto& [strain, stress] = curve.table;
+  const std::vector<double>&strain = curve.table.strain, &stress = curve.table.stress;
   const auto is_below_line = [&](std::size_t i) { return stress[i] <= modulus * strain[i] * (1 + 1e-12); };
   std::size_t first = 0;
   while (first < strain.size() && !is_below_line(first)) ++first;

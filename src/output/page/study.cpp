@@ -59,7 +59,8 @@ std::vector<CaptionedPlot> leading_figures(const study::StudyAnswers& answers, c
     std::vector<CaptionedPlot> figures = make(answers, units);
     if (figures.empty()) continue;
     if (asks_for_limit)
-      std::ranges::stable_partition(figures, [&](const CaptionedPlot& of) {
+      // Not std::ranges: clang 14 refuses what libstdc++ 12 returns there.
+      std::stable_partition(figures.begin(), figures.end(), [&](const CaptionedPlot& of) {
         return of.plot.panels.front().title == title_of(answers.limits[strictest_limit(answers)].response);
       });
     // One map alone: its legend would be lost among those of others.

@@ -72,13 +72,12 @@ class FoamCurve {
     return moment_within(cells_.place(std::sqrt(std::max(e.value, 0.0))));
   }
   [[nodiscard]] double moment_within(CellPlace place) const {
-    const auto& [a, b, c, d] = stress_.cubic(place.cell);
+    const auto& cubic = stress_.cubic(place.cell);
     const double t = place.t;
     const double x = cells_.width * static_cast<double>(place.cell);
     const double y = cells_.width * t;
-    // Clang 14 captures no structured binding.
-    const auto mean = [t, a = a, b = b, c = c, d = d](int k) {
-      return a / k + t * (b / (k + 1) + t * (c / (k + 2) + t * d / (k + 3)));
+    const auto mean = [t, &cubic](int k) {
+      return cubic[0] / k + t * (cubic[1] / (k + 1) + t * (cubic[2] / (k + 2) + t * cubic[3] / (k + 3)));
     };
     return moment_[place.cell] +
            2 * y * (x * x * (x * mean(1) + 3 * y * mean(2)) + y * y * (3 * x * mean(3) + y * mean(4)));
