@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "input/disk.hpp"
 #include "input/law_table.hpp"
 #include "input/nose_table.hpp"
 #include "input/pad_table.hpp"
@@ -96,8 +97,7 @@ std::optional<std::filesystem::path> find_card(TableReader& pad, const Folders& 
     return std::nullopt;
   }
   const auto card = is_path ? folders.of_case / name : folders.materials / (name + ".toml");
-  std::error_code ignored;
-  if (std::filesystem::exists(card, ignored)) return card;
+  if (is_there(card)) return card;
   if (is_path) {
     pad.fault("material", "no such file: " + card.string());
   } else {

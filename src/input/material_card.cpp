@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "dashpad/input/case_file.hpp"
+#include "input/disk.hpp"
 #include "input/law_table.hpp"
 #include "input/number_list.hpp"
 
@@ -98,16 +99,7 @@ Material read_material(const std::filesystem::path& file) {
 }
 
 std::vector<std::filesystem::path> list_materials(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::vector<std::filesystem::path> cards;
-  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-    if (entry->path().extension() == ".toml" && entry->is_regular_file()) cards.push_back(entry->path());
-  if (error)
-    throw InputError(
-        {Fault{folder.string(), 0, "", "", "is not a readable folder of materials: " + error.message()}});
-  std::ranges::sort(cards);
-  return cards;
+  return toml_files(folder, "materials");
 }
 
 }  // namespace dashpad::input

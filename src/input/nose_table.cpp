@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "input/disk.hpp"
 #include "input/parameter_table.hpp"
 #include "input/profile_csv.hpp"
 
@@ -42,8 +43,7 @@ std::optional<Profile> read_file(TableReader& table, const std::filesystem::path
     return std::nullopt;
   }
   const std::filesystem::path file = folder / name;
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) {
+  if (!is_there(file)) {
     table.fault("file", "no such file: " + file.string());
     return std::nullopt;
   }

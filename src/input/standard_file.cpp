@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <system_error>
 
 #include "dashpad/input/fault.hpp"
+#include "input/disk.hpp"
 #include "input/spelling.hpp"
 #include "input/table_reader.hpp"
 
@@ -194,17 +194,7 @@ injury::Standard read_standard(const fs::path& file) {
   return standard;
 }
 
-std::vector<fs::path> list_standards(const fs::path& folder) {
-  std::error_code error;
-  std::vector<fs::path> files;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-    if (entry->path().extension() == ".toml" && entry->is_regular_file()) files.push_back(entry->path());
-  if (error)
-    throw InputError(
-        {Fault{folder.string(), 0, "", "", "is not a readable folder of standards: " + error.message()}});
-  std::ranges::sort(files);
-  return files;
-}
+std::vector<fs::path> list_standards(const fs::path& folder) { return toml_files(folder, "standards"); }
 
 StandardChoice standard_choice(const std::string& text) {
   const std::string ending = ".toml";

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "quantities/dimension.hpp"
+#include "quantities/from_chars.hpp"
 #include "quantities/unit.hpp"
 
 namespace dashpad {
@@ -43,7 +43,7 @@ NumberAndUnit split(std::string_view text, const Dimension& wanted) {
   const char* first = tidy.data() + (tidy.starts_with('+') && !tidy.starts_with("+-") ? 1 : 0);
   const char* last = tidy.data() + tidy.size();
   NumberAndUnit result;
-  const auto [end, error] = std::from_chars(first, last, result.number);
+  const auto [end, error] = from_chars(first, last, result.number);
   if (error == std::errc::invalid_argument)
     throw UnitError(
         fmt::format("{} starts with a number, such as {}", name_of(wanted), quoted_examples(wanted, "20")));

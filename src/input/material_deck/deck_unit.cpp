@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/quantities/quantity.hpp"
+#include "quantities/from_chars.hpp"
 
 namespace dashpad::input {
 
@@ -148,7 +149,7 @@ ReadNumber read_deck_number(std::string_view text, const DeckUnit& unit) {
   number->exponent += unit.power_of_ten.value_or(0);
   const std::string shifted = fmt::format("{}e{}", number->mantissa, number->exponent);
   double value = 0;
-  const auto [end, error] = std::from_chars(shifted.data(), shifted.data() + shifted.size(), value);
+  const auto [end, error] = from_chars(shifted.data(), shifted.data() + shifted.size(), value);
   if (error == std::errc::result_out_of_range) return {NumberKind::out_of_range};
   if (error != std::errc{} || end != shifted.data() + shifted.size()) return {NumberKind::text};
   if (!unit.power_of_ten) value *= unit.factor;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "input/measurement/measurement_text.hpp"
+#include "quantities/from_chars.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
@@ -46,7 +47,7 @@ std::optional<ExactTime> exact_time(std::string_view number) {
   for (const char digit : all.substr(0, whole_digits)) time.whole = 10 * time.whole + (digit - '0');
   const std::string part =
       "0." + all.substr(whole_digits) + "e" + std::to_string(std::min<std::int64_t>(place, 0));
-  std::from_chars(part.data(), part.data() + part.size(), time.part);
+  from_chars(part.data(), part.data() + part.size(), time.part);
   return is_negative ? ExactTime{-time.whole, -time.part} : time;
 }
 

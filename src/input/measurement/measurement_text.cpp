@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 
@@ -14,6 +13,7 @@
 
 #include "input/given_stream.hpp"
 #include "input/text_file.hpp"
+#include "quantities/from_chars.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::input {
@@ -176,7 +176,7 @@ ReadNumber read_number(std::string_view text, char decimal) {
   }
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, error] = from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc::invalid_argument || end != text.data() + text.size()) return {NumberKind::text};
   if (error == std::errc::result_out_of_range) return {NumberKind::out_of_range};
   return std::isfinite(value) ? ReadNumber{NumberKind::number, value} : ReadNumber{NumberKind::not_finite};
