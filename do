@@ -24,6 +24,7 @@ Usage: ./do TASK [arguments]
   coverage                 run the tests and report the lines they reach
   fuzz [TARGET] [SECONDS]  feed made-up bytes to the readers of files, each for SECONDS (default: 300), or to one of
                            them (tests/fuzz/fuzz_TARGET.cpp); what breaks them goes to build/fuzz/findings
+  wasm                     compile the solver, injury figures and readers of texts for WebAssembly, and solve a case there
   nightly                  what takes longer than the tests: fits to 60 made-up mats of known truth (some ten minutes),
                            answers against finer ones over 21,000 random cases (half an hour of processor time)
                            and against a second solver over 200 (ten minutes)
@@ -279,6 +280,75 @@ task_fuzz() {
   done
 }
 
+# Sources of the libraries impact, result, injury, case and files that can be compiled without a disk, a line a batch:
+# the headers are most of the time of a source.
+wasm_batches() {
+  local left_out=(
+    input/disk.cpp                 # the disk itself: whoever hands out texts has functions of their own
+    input/iso_mme/archive.cpp      # libarchive
+    input/iso_mme/folder.cpp       # a test is a folder or an archive
+    input/iso_mme/iso_mme.cpp      # looks for that folder
+    input/iso_mme/test_files.cpp   # lists it
+  )
+  # These include themselves once for each instruction set.
+  local alone=(model/contact/sweep.cpp model/contact/foam_nodes.cpp)
+  printf '%s\n' "${alone[@]}"
+  (cd "$root/src" && find quantities model impact result injury case json input -name '*.cpp' | sort) |
+    grep -vxF "$(printf '%s\n' "${left_out[@]}" "${alone[@]}")" |
+    awk '{ folder = $0; sub("/[^/]*$", "", folder)
+           printf "%s%s", folder != last || n % 12 == 0 ? (NR == 1 ? "" : "\n") : " ", $0
+           n = folder != last ? 1 : n + 1
+           last = folder }
+         END { print "" }'
+}
+
+# Exceptions end the program, since the C++ library has none; std::filesystem::path is there, the rest of it is not.
+# Highway 1.0.3 has no lanes of doubles for WebAssembly.
+task_wasm() {
+  need_packages wasm
+  local folder="$root/build/wasm" batch source name objects="" place=0
+  mkdir -p "$folder/headers" "$folder/batches"
+  # Not /usr/include itself: it has the C library of this system.
+  [[ -f "$folder/headers.hpp" ]] ||  # a file that is new is compiled, and all that include it
+    printf '#include <%s>\n' algorithm functional ranges variant fmt/format.h dashpad/impact/solve.hpp \
+      >"$folder/headers.hpp"
+  for name in boost fast_float fmt hwy nlohmann toml++; do ln -sfn "/usr/include/$name" "$folder/headers/$name"; done
+  logged cmake "-DSOURCE_DIR=$root" "-DTEMPLATE=$root/src/version.cpp.in" "-DOUTPUT=$folder/version.cpp" \
+    "-Dversion=$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")" "-Dcompiler=Clang 19" \
+    "-Dcompiler_flags=-O0" -Dbuild_type=Release -Dsystem=wasm32-wasi -P "$root/cmake/write_version.cmake"
+  {
+    cat <<TEXT
+flags = --target=wasm32-wasi -std=c++20 -O0 -DNDEBUG -fignore-exceptions -fno-math-errno -fno-trapping-math \$
+  -DFMT_HEADER_ONLY -DHWY_COMPILE_ONLY_SCALAR -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror \$
+  -I$root/include -I$root/src -isystem $folder/headers
+rule compile
+  command = clang++-19 \$flags -include-pch headers.pch -MD -MF \$out.d -c \$in -o \$out
+  depfile = \$out.d
+  deps = gcc
+rule precompile
+  command = clang++-19 \$flags -x c++-header -MD -MF \$out.d -c \$in -o \$out
+  depfile = \$out.d
+  deps = gcc
+build headers.pch: precompile headers.hpp
+rule link
+  command = clang++-19 --target=wasm32-wasi -Wl,-z,stack-size=1048576 \$in -Wl,--start-lib \$libraries -Wl,--end-lib -o \$out
+TEXT
+    while read -r batch; do
+      name="batches/$place"
+      place=$((place + 1))
+      for source in $batch; do printf '#include "%s"\n' "$root/src/$source"; done >"$folder/$name.new"
+      cmp -s "$folder/$name.new" "$folder/$name.cpp" || cp "$folder/$name.new" "$folder/$name.cpp"
+      printf 'build %s.o: compile %s.cpp | headers.pch\n' "$name" "$name"
+      objects+=" $name.o"
+    done < <(wasm_batches)
+    printf 'build version.o: compile version.cpp | headers.pch\nbuild solve.o: compile %s | headers.pch\n' "$root/tests/wasm/solve.cpp"
+    printf 'build solve.wasm: link solve.o |%s version.o\n  libraries = version.o%s\n' "$objects" "$objects"
+  } >"$folder/build.ninja"
+  say "Compiling for WebAssembly ..."
+  logged ninja -C "$folder" -j "$jobs"
+  node --no-warnings "$root/tests/wasm/run.mjs" "$folder/solve.wasm"
+}
+
 task_nightly() {
   need_packages run test
   say "Building ..."
@@ -301,7 +371,7 @@ task_install_packages() { need_packages "$@"; }
 task="${1:-help}"
 [[ $# -eq 0 ]] || shift
 case "$task" in
-  run | test | bench | pictures | format | lint | coverage | fuzz | nightly | clean | install-packages) "task_${task//-/_}" "$@" ;;
+  run | test | bench | pictures | format | lint | coverage | fuzz | wasm | nightly | clean | install-packages) "task_${task//-/_}" "$@" ;;
   help | -h | --help) help ;;
   *)
     help >&2

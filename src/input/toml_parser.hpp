@@ -23,4 +23,17 @@
 #pragma pop_macro("TOML_UNREACHABLE")
 #endif
 
+#include <istream>
+#ifdef _LIBCPP_HAS_NO_FILESYSTEM
+/// toml++ means to read files, and libc++ for WebAssembly declares this class without defining it. Nobody
+/// calls it.
+template <>
+class std::basic_ifstream<char, std::char_traits<char>> : public std::istream {
+ public:
+  basic_ifstream() : std::istream(nullptr) {}
+  void open(const std::string& /*file*/, std::ios_base::openmode /*mode*/) {}
+  [[nodiscard]] bool is_open() const { return false; }
+};
+#endif
+
 #include <toml++/toml.h>

@@ -97,9 +97,10 @@ bool holds(std::string_view words, std::string_view word) {
 }
 
 const UnitRow* row_of(std::string_view name) {
-  const auto* const found = std::ranges::find_if(
-      unit_table::rows, [&](const UnitRow& row) { return !name.empty() && holds(row.names, name); });
-  return found != unit_table::rows.end() ? &*found : nullptr;
+  if (name.empty()) return nullptr;
+  for (const UnitRow& row : unit_table::rows)
+    if (holds(row.names, name)) return &row;
+  return nullptr;
 }
 
 /// A name as it stands, or else the longest prefix after which a name that takes one is left.
