@@ -1,7 +1,8 @@
 #include "dashpad/case/case_quantity.hpp"
 
-#include <limits>
-#include <optional>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -12,33 +13,41 @@
 namespace dashpad {
 namespace {
 
-/// `place` gives a reference to the number, of a case that may be constant.
-template <class Place>
-CaseQuantity quantity_at(const std::string& key, const std::string& unit, Place place) {
-  return {.key = key,
-          .unit = unit,
-          .get =
-              [place](const ImpactCase& impact) {
-                const std::optional<double> value = place(impact);
-                return value.value_or(std::numeric_limits<double>::quiet_NaN());
-              },
-          .set = [place](ImpactCase& impact, double value) { place(impact) = value; }};
+/// Adds a number of what `place` finds in a case, be the case constant or not: a nose, a law, a pad.
+/// `parameter` is in a table, which stays.
+template <class Owner, class Place>
+void add_parameter(const std::string& prefix, const Parameter<Owner>& parameter, Place place,
+                   std::vector<CaseQuantity>& into) {
+  into.push_back(
+      {.key = prefix + parameter.key,
+       .unit = parameter.unit,
+       .get = [place, &parameter](const ImpactCase& impact) { return parameter.of(place(impact)); },
+       .set = [place, &parameter](ImpactCase& impact,
+                                  double value) { parameter.set(place(impact), value); }});
 }
 
-/// Adds every number of what `place` finds: a nose, a law, a form of a curve. The points of a table are not
-/// among them.
-template <class Place>
-void add_parameters(const ImpactCase& base, const std::string& prefix, Place place,
+/// Adds every number of an owner that has a value, but for those that `is_left` leaves.
+template <class Owner, class Place, class Leave>
+void add_parameters(const ImpactCase& base, const std::string& prefix, Place place, Leave is_left,
                     std::vector<CaseQuantity>& into) {
+  const Owner& owner = place(base);
+  for (const Parameter<Owner>& parameter : Owner::parameters)
+    if (!parameter.is_none(owner) && !is_left(parameter)) add_parameter(prefix, parameter, place, into);
+}
+
+constexpr auto none = [](const auto&) { return false; };
+
+/// The same of the alternative that a variant holds: a nose, a law, a form of a curve. The points of a table
+/// are not among them.
+template <class Place>
+void add_alternative(const ImpactCase& base, const std::string& prefix, Place place,
+                     std::vector<CaseQuantity>& into) {
   std::visit(
       [&]<class Of>(const Of&) {
         if constexpr (requires { Of::parameters; })
-          for (const Parameter<Of>& parameter : Of::parameters)
-            into.push_back(quantity_at(
-                prefix + parameter.key, parameter.unit,
-                [ place, member = parameter.member ](auto& impact) -> auto& {
-                  return std::get<Of>(place(impact)).*member;
-                }));
+          add_parameters<Of>(
+              base, prefix, [place](auto& impact) -> auto& { return std::get<Of>(place(impact)); }, none,
+              into);
       },
       place(base));
 }
@@ -46,45 +55,34 @@ void add_parameters(const ImpactCase& base, const std::string& prefix, Place pla
 /// What a material and its condition have. `of` gives a reference to the one or the other: a pad or a layer.
 template <class Of>
 void add_material(const ImpactCase& base, const std::string& prefix, Of of, std::vector<CaseQuantity>& into) {
-  into.push_back(quantity_at(
-      prefix + "scale", "1", [of](auto& impact) -> auto& { return of(impact).condition.scale; }));
+  // Of another density or temperature a material must say something; it may then vary without being given.
   const Material& material = of(base).material;
-  if (material.density_exponent)
-    into.push_back(quantity_at(
-        prefix + "density", "kg/m3", [of](auto& impact) -> auto& { return of(impact).condition.density; }));
-  if (!material.temperature_table.temperature.empty())
-    into.push_back(quantity_at(
-        prefix + "temperature",
-        "K", [of](auto& impact) -> auto& { return of(impact).condition.temperature; }));
+  for (const Parameter<PadCondition>& parameter : PadCondition::parameters) {
+    const bool is_silent =
+        (parameter.member == &PadCondition::density && !material.density_exponent) ||
+        (parameter.member == &PadCondition::temperature && material.temperature_table.temperature.empty());
+    if (!is_silent)
+      add_parameter(
+          prefix, parameter, [of](auto& impact) -> auto& { return of(impact).condition; }, into);
+  }
   const auto law_in = [of](auto& impact) -> auto& { return of(impact).material.law; };
-  add_parameters(base, prefix + "parameters.", law_in, into);
+  add_alternative(base, prefix + "parameters.", law_in, into);
   std::visit(
       [&]<class Law>(const Law&) {
         if constexpr (SharesSlip<Law>) {
           const auto curves_in = [law_in](auto& impact) -> auto& {
             return std::get<Law>(law_in(impact)).curves;
           };
-          add_parameters(
+          add_alternative(
               base, prefix + "curve.", [curves_in](auto& impact) -> auto& { return curves_in(impact).base; },
               into);
-          add_parameters(
+          add_alternative(
               base,
               prefix + "rate.", [curves_in](auto& impact) -> auto& { return curves_in(impact).rate_effect; },
               into);
         }
       },
       material.law);
-}
-
-/// What earlier blows have left in the pad, and leave in it.
-void add_blows(const ImpactCase& base, std::vector<CaseQuantity>& into) {
-  if (base.pad.layers.empty() && blow_memory(base.pad.material.law) != BlowMemory::none)
-    into.push_back(quantity_at(
-        "pad.earlier_penetration", "m",
-        [](auto& impact) -> auto& { return impact.pad.earlier_penetration; }));
-  if (base.blows)
-    into.push_back(quantity_at(
-        "blows.recovery", "1", [](auto& impact) -> auto& { return impact.blows->recovery; }));
 }
 
 void add_layer(const ImpactCase& base, std::size_t i, std::vector<CaseQuantity>& into) {
@@ -101,22 +99,17 @@ void add_layer(const ImpactCase& base, std::size_t i, std::vector<CaseQuantity>&
       base, prefix, [i](auto& impact) -> auto& { return impact.pad.layers.at(i); }, into);
 }
 
+/// What earlier blows have left is a number of a pad that remembers it.
 void add_pad(const ImpactCase& base, std::vector<CaseQuantity>& into) {
+  const auto pad_in = [](auto& impact) -> auto& { return impact.pad; };
   const bool is_layered = !base.pad.layers.empty();
-  if (!is_layered)
-    into.push_back(quantity_at(
-        "pad.thickness", "m", [](auto& impact) -> auto& { return impact.pad.thickness; }));
-  if (base.pad.area)
-    into.push_back(quantity_at(
-        "pad.area", "m2", [](auto& impact) -> auto& { return impact.pad.area; }));
-  if (base.pad.sheet > 0)
-    into.push_back(quantity_at(
-        "pad.sheet_mass_per_area", "kg/m2", [](auto& impact) -> auto& { return impact.pad.sheet; }));
-  into.push_back(quantity_at(
-      "pad.neighbours", "1", [](auto& impact) -> auto& { return impact.pad.neighbours; }));
-  if (!is_layered)
-    add_material(
-        base, "pad.", [](auto& impact) -> auto& { return impact.pad; }, into);
+  const bool remembers = !is_layered && blow_memory(base.pad.material.law) != BlowMemory::none;
+  const auto is_left = [&](const Parameter<Pad>& parameter) {
+    return (is_layered && parameter.member == &Pad::thickness) ||
+           (!remembers && parameter.member == &Pad::earlier_penetration);
+  };
+  add_parameters<Pad>(base, "pad.", pad_in, is_left, into);
+  if (!is_layered) add_material(base, "pad.", pad_in, into);
   for (std::size_t i = 0; i < base.pad.layers.size(); ++i) add_layer(base, i, into);
 }
 
@@ -146,34 +139,58 @@ void add_support(const Support& base, std::vector<CaseQuantity>& into) {
                         }});
 }
 
+/// Of a case without gravity that of a fall on earth: its weight still does no work in contact.
+double gravity_of_fall(const ImpactCase& impact) {
+  return impact.impactor.gravity > 0 ? impact.impactor.gravity : standard_gravity;
+}
+
+constexpr std::array<OtherWay, 2> all_other_ways{{
+    {.key = "impactor.weight",
+     .unit = "N",
+     .instead_of = "impactor.mass",
+     .meaning = "weight of the impactor",
+     .what_follows = "the mass",
+     .get = [](const ImpactCase& impact) { return impact.impactor.mass * standard_gravity; },
+     .set = [](ImpactCase& impact, double value) { impact.impactor.mass = value / standard_gravity; }},
+    {.key = "impactor.drop_height",
+     .unit = "m",
+     .instead_of = "impactor.speed",
+     .meaning = "drop height",
+     .what_follows = "the speed of the fall",
+     .get =
+         [](const ImpactCase& impact) {
+           return std::pow(impact.impactor.speed, 2) / (2 * gravity_of_fall(impact));
+         },
+     .set = [](ImpactCase& impact,
+               double value) { impact.impactor.speed = std::sqrt(2 * gravity_of_fall(impact) * value); }},
+}};
+
 }  // namespace
+
+std::span<const OtherWay> other_ways() { return all_other_ways; }
 
 std::vector<CaseQuantity> quantities_of(const ImpactCase& base) {
   std::vector<CaseQuantity> all;
-  all.push_back(quantity_at(
-      "impactor.mass", "kg", [](auto& impact) -> auto& { return impact.impactor.mass; }));
-  all.push_back(
-      {.key = "impactor.weight",
-       .unit = "N",
-       .get = [](const ImpactCase& impact) { return impact.impactor.mass * standard_gravity; },
-       .set = [](ImpactCase& impact, double value) { impact.impactor.mass = value / standard_gravity; }});
-  add_parameters(
+  add_parameters<Impactor>(
+      base, "impactor.", [](auto& impact) -> auto& { return impact.impactor; }, none, all);
+  for (const OtherWay& way : other_ways()) all.push_back({way.key, way.unit, way.get, way.set});
+  add_alternative(
       base, "impactor.", [](auto& impact) -> auto& { return impact.impactor.nose; }, all);
-  all.push_back(quantity_at(
-      "impactor.speed", "m/s", [](auto& impact) -> auto& { return impact.impactor.speed; }));
   add_pad(base, all);
-  all.push_back(quantity_at(
-      "impactor.gravity", "m/s2", [](auto& impact) -> auto& { return impact.impactor.gravity; }));
   add_support(base.support, all);
-  for (const Parameter<Backing>& parameter : Backing::parameters)
-    if (base.backing.*parameter.member != 0)
-      all.push_back(quantity_at(
-          std::string("support.") + parameter.key,
-          parameter.unit, [member = parameter.member](auto& impact) -> auto& {
-            return impact.backing.*member;
-          }));
-  add_blows(base, all);
+  add_parameters<Backing>(
+      base, "support.", [](auto& impact) -> auto& { return impact.backing; }, none, all);
+  // Their number is no quantity that a study could spread: each would have other columns.
+  if (base.blows)
+    add_parameters<Blows>(
+        base, "blows.", [](auto& impact) -> auto& { return *impact.blows; },
+        [](const Parameter<Blows>& parameter) { return parameter.member.is_count(); }, all);
   return all;
+}
+
+const CaseQuantity* find_quantity(const std::vector<CaseQuantity>& quantities, std::string_view key) {
+  const auto found = std::ranges::find(quantities, key, &CaseQuantity::key);
+  return found == quantities.end() ? nullptr : &*found;
 }
 
 }  // namespace dashpad

@@ -141,7 +141,7 @@ void round_stresses(Of& of) {
   if constexpr (requires { Of::parameters; })
     for (const Parameter<Of>& parameter : Of::parameters)
       if (std::string_view(parameter.unit) == "Pa")
-        of.*parameter.member = rounded_to(of.*parameter.member, card_digits);
+        parameter.set(of, rounded_to(parameter.of(of), card_digits));
 }
 
 /// With the card_digits that are written; as it is where it then would break a rule, as a table whose

@@ -1,6 +1,7 @@
 #include "dashpad/impact/flags.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +12,37 @@
 namespace dashpad {
 
 namespace {
+
+constexpr std::array all_flags{
+    FlagKind{"NOT RUN", Severity::unusable},
+    FlagKind{"TOLERANCE NOT MET", Severity::unusable},
+    FlagKind{"TIME LIMIT", Severity::doubtful},
+    FlagKind{"PULSE CUT", Severity::doubtful},
+    FlagKind{"SHEET STRUCK FLAT", Severity::doubtful},
+    FlagKind{"STILL SINKING", Severity::doubtful},
+    FlagKind{"ENERGY GAINED", Severity::doubtful},
+    FlagKind{"PEAK ON THE WAY BACK", Severity::doubtful},
+    FlagKind{"BOTTOMED", Severity::doubtful},
+    FlagKind{"SERIES CUT", Severity::doubtful},
+    FlagKind{"STRUCK THROUGH", Severity::doubtful},
+    FlagKind{"SOFTENING", Severity::note},
+    FlagKind{"EXTRAPOLATED STRAIN", Severity::doubtful},  // a guess
+    FlagKind{"EXTRAPOLATED RATE", Severity::note},        // a law
+    FlagKind{"EXTRAPOLATED", Severity::doubtful},
+    FlagKind{"SMALL NOSE", Severity::doubtful},
+    // Of measured pulses
+    FlagKind{"IMPOSSIBLE VELOCITY CHANGE", Severity::unusable},
+    FlagKind{"DROP HEIGHT IN DOUBT", Severity::doubtful},
+    FlagKind{"UNLIKE SPEEDS", Severity::doubtful},
+    // Of assessments
+    FlagKind{"REPLACED", Severity::note},
+    FlagKind{"NO INTERVALS", Severity::doubtful},
+    FlagKind{"NO INTERVAL", Severity::doubtful},
+    // Of material tests
+    FlagKind{"ASSUMPTION", Severity::note},
+    FlagKind{"ENERGY GAIN", Severity::doubtful},
+    FlagKind{"OUT OF BOUNDS", Severity::note},
+};
 
 std::string missed_tolerance(const Summary& summary) {
   const std::string asked =
@@ -165,6 +197,22 @@ bool gained_energy(const Summary& summary) {
 const std::vector<std::string>& usual_figures() {
   static const std::vector<std::string> keys{"peak_acceleration", "hic15", "hic_unlimited"};
   return keys;
+}
+
+const char* to_string(Severity severity) {
+  switch (severity) {
+    case Severity::unusable: return "unusable";
+    case Severity::doubtful: return "doubtful";
+    case Severity::note: return "note";
+  }
+  return "";
+}
+
+std::span<const FlagKind> flag_kinds() { return all_flags; }
+
+Severity severity_of(std::string_view name) {
+  const auto found = std::ranges::find(all_flags, name, &FlagKind::name);
+  return found == all_flags.end() ? Severity::doubtful : found->severity;
 }
 
 std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& decisive) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/case/case_quantity.hpp"
 #include "input/disk.hpp"
 #include "input/law_table.hpp"
 #include "input/nose_table.hpp"
@@ -16,11 +17,10 @@
 #include "input/spelling.hpp"
 #include "input/support_table.hpp"
 #include "model/pad/layer/layer_law.hpp"
+#include "quantities/special_numbers.hpp"
 
 namespace dashpad::input {
 namespace {
-
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 double read_mass(TableReader& table) {
   const bool has_mass = table.has("mass");
@@ -28,7 +28,7 @@ double read_mass(TableReader& table) {
   if (has_mass && has_weight) table.fault("weight", "give mass or weight, not both");
   if (!has_mass && !has_weight)
     table.fault("mass", "is missing; give a mass, such as \"4.5 kg\", or a weight, such as \"10 lbf\"");
-  if (has_mass == has_weight) return no_number;
+  if (has_mass == has_weight) return no_value;
   return has_mass ? table.quantity("mass", "kg") : table.quantity("weight", "N") / standard_gravity;
 }
 
@@ -43,12 +43,12 @@ double read_speed(TableReader& table) {
   if (!table.has("drop_height")) return table.quantity("speed", "m/s");
   if (has_speed) {
     table.fault("drop_height", "give speed or drop_height, not both");
-    return no_number;
+    return no_value;
   }
   const double height = table.quantity("drop_height", "m");
   if (height <= 0) {
     table.fault("drop_height", "must be more than 0");
-    return no_number;
+    return no_value;
   }
   const double gravity = read_gravity(table);
   if (gravity == 0) table.fault("drop_height", "without gravity nothing falls; give a speed");
@@ -156,17 +156,19 @@ MaterialEntry read_material_entry(TableReader& table, const Folders& folders,
   if (of.card && !std::ranges::count(cards, *of.card)) cards.push_back(*of.card);
   entry.to_check = of.is_in_line && of.material.has_value();
   entry.material = std::move(of.material).value_or(Material());
-  if (table.has("scale")) entry.condition.scale = table.number("scale");
-  if (table.has("density")) entry.condition.density = table.quantity("density", "kg/m3");
-  if (table.has("temperature")) entry.condition.temperature = table.quantity("temperature", "K");
+  entry.condition = read_parameters<PadCondition>(table);
   return entry;
 }
 
 void refuse_beside_layers(TableReader& table) {
   if (table.has("thickness")) table.fault("thickness", "leave it out: it is the sum of the layers");
-  for (const char* key : {"material", "law", "parameters", "curve", "rate", "unloading", "fitted",
-                          "uncertainty", "scale", "density", "temperature"})
+  const auto refuse = [&](const char* key) {
     if (table.has(key)) table.fault(key, "leave it out: each layer has its own");
+  };
+  for (const char* key :
+       {"material", "law", "parameters", "curve", "rate", "unloading", "fitted", "uncertainty"})
+    refuse(key);
+  for (const Parameter<PadCondition>& parameter : PadCondition::parameters) refuse(parameter.key);
 }
 
 void read_layers(TableReader& table, const Folders& folders, PadEntry& into) {
@@ -201,14 +203,12 @@ Floor read_floor(TableReader& table) {
 
 PadEntry read_pad(TableReader& table, const Folders& folders) {
   PadEntry entry;
-  if (table.has("area")) entry.pad.area = table.quantity("area", "m2");
-  if (table.has("sheet_mass_per_area")) {
-    entry.pad.sheet = table.quantity("sheet_mass_per_area", "kg/m2");
-    if (entry.pad.sheet == 0)
-      table.fault("sheet_mass_per_area", "must be more than 0; without a sheet, leave the key out");
-  }
-  if (table.has("earlier_penetration"))
-    entry.pad.earlier_penetration = table.quantity("earlier_penetration", "m");
+  for (const Parameter<Pad>& parameter : Pad::parameters)
+    if (parameter.may_be_left_out() && table.has(parameter.key)) {
+      read_parameter(table, parameter, entry.pad);
+      if (parameter.left_out == LeftOut::none && parameter.is_none(entry.pad))
+        table.fault(parameter.key, "must be more than 0; if there is none, leave the key out");
+    }
   if (table.has("floor")) entry.pad.floor = read_floor(table);
   if (table.has("layers")) {
     read_layers(table, folders, entry);
@@ -219,7 +219,7 @@ PadEntry read_pad(TableReader& table, const Folders& folders) {
     entry.pad.condition = entry.materials.front().condition;
   }
   entry.states_neighbours = table.has("neighbours");
-  entry.pad.neighbours = entry.states_neighbours ? table.number("neighbours") : nominal_neighbours(entry.pad);
+  if (!entry.states_neighbours) entry.pad.neighbours = nominal_neighbours(entry.pad);
   table.refuse_others();
   return entry;
 }
@@ -234,25 +234,20 @@ Blows read_blows(TableReader& table) {
 }
 
 Options read_options(TableReader& table) {
-  Options options;
-  if (table.has("tolerance")) {
-    options.tolerance = table.number("tolerance");
-    if (options.tolerance < 1e-8 || options.tolerance > 1e-2)
-      table.fault("tolerance", "must be at least 1e-8 and at most 1e-2");
-  }
-  if (table.has("time_limit")) {
-    options.time_limit = table.quantity("time_limit", "s");
-    if (options.time_limit <= 0) table.fault("time_limit", "must be more than 0");
-  }
+  const Options options = read_parameters<Options>(table);
+  for (const Parameter<Options>& parameter : Options::parameters)
+    if (const double value = parameter.of(options); !std::isnan(value) && !parameter.bounds.contain(value))
+      table.fault(parameter.key, *broken_rule(value, parameter.bounds, parameter.unit));
   table.refuse_others();
   return options;
 }
 
 /// Whether the key of a broken rule is of a case, and not of the card that it names.
 bool is_of_case(std::string_view key) {
-  return key == "thickness" || key == "area" || key == "layers" || key == "scale" || key == "density" ||
-         key == "temperature" || key == "earlier_penetration" || key == "sheet_mass_per_area" ||
-         key == "neighbours";
+  const auto has = [&](const auto& parameters) {
+    return std::ranges::any_of(parameters, [&](const auto& parameter) { return key == parameter.key; });
+  };
+  return key == "layers" || has(Pad::parameters) || has(PadCondition::parameters);
 }
 
 /// What a layer may not have is, of a layer with a card, the choice of that card.
@@ -270,7 +265,7 @@ void drop_faults_of_card(const std::string& prefix, bool is_layer, std::vector<V
   });
 }
 
-/// The mass is checked as what the case gave for it, and the material of a card with its card.
+/// A number is checked as what the case gave for it, and the material of a card with its card.
 std::vector<Violation> violations_in_terms_of(const TomlNode& root, const ImpactCase& impact,
                                               const std::vector<MaterialEntry>& materials,
                                               bool support_to_check) {
@@ -288,14 +283,12 @@ std::vector<Violation> violations_in_terms_of(const TomlNode& root, const Impact
              violation.key != "pad.sheet_mass_per_area" && violation.key != "pad.neighbours";
     });
   for (Violation& violation : broken)
-    if (violation.key == "impactor.mass" && root.nearest("impactor.weight").key == "weight") {
-      violation.key = "impactor.weight";
-      violation.rule = "the mass " + violation.rule;
-    } else if (violation.key == "impactor.speed" &&
-               root.nearest("impactor.drop_height").key == "drop_height") {
-      violation.key = "impactor.drop_height";
-      violation.rule = "the speed of the fall " + violation.rule;
-    }
+    for (const OtherWay& way : other_ways())
+      if (violation.key == way.instead_of &&
+          std::string_view(way.key).ends_with("." + root.nearest(way.key).key)) {
+        violation.key = way.key;
+        violation.rule = fmt::format("{} {}", way.what_follows, violation.rule);
+      }
   return broken;
 }
 

@@ -11,7 +11,7 @@ bool may_lack_parameters(const PadLaw& law) {
   return std::visit(
       []<class Law>(const Law&) {
         for (const auto& parameter : Law::parameters)
-          if (!parameter.may_be_left_out) return false;
+          if (!parameter.may_be_left_out()) return false;
         return true;
       },
       law);

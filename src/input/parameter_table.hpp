@@ -12,16 +12,20 @@
 
 namespace dashpad::input {
 
+/// NaN after a fault.
+template <class Owner>
+void read_parameter(TableReader& table, const Parameter<Owner>& parameter, Owner& into) {
+  parameter.set(into, std::string_view(parameter.unit) == "1"
+                          ? table.number(parameter.key)
+                          : table.quantity(parameter.key, parameter.unit));
+}
+
 /// Numbers at fault are NaN.
-template <class Alternative>
-Alternative read_parameters(TableReader& table) {
-  Alternative result;
-  for (const Parameter<Alternative>& parameter : Alternative::parameters) {
-    if (parameter.may_be_left_out && !table.has(parameter.key)) continue;
-    result.*parameter.member = std::string_view(parameter.unit) == "1"
-                                   ? table.number(parameter.key)
-                                   : table.quantity(parameter.key, parameter.unit);
-  }
+template <class Owner>
+Owner read_parameters(TableReader& table) {
+  Owner result;
+  for (const Parameter<Owner>& parameter : Owner::parameters)
+    if (!parameter.may_be_left_out() || table.has(parameter.key)) read_parameter(table, parameter, result);
   return result;
 }
 

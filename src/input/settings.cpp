@@ -18,13 +18,23 @@ namespace {
 
 constexpr std::size_t longest_setting = 1000;
 
-using Keys = std::pair<std::string_view, std::string_view>;
-/// The one takes the place of the other.
-constexpr std::array instead{Keys{"mass", "weight"},        Keys{"weight", "mass"},
-                             Keys{"speed", "drop_height"},  Keys{"drop_height", "speed"},
-                             Keys{"material", "law"},       Keys{"material", "parameters"},
-                             Keys{"material", "curve"},     Keys{"material", "rate"},
-                             Keys{"material", "unloading"}, Keys{"material", "uncertainty"}};
+/// Of which a material takes the place.
+constexpr std::array of_the_case{"law", "parameters", "curve", "rate", "unloading", "uncertainty"};
+
+/// Takes away what cannot stand beside an entry `name` of `table`, which is called `path`.
+void make_room(TomlNode& table, std::string_view path, std::string_view name) {
+  const auto erase = [&](std::string_view key) {
+    std::erase_if(table.children, [&](const TomlNode& of) { return of.key == key; });
+  };
+  if (name == "material")
+    for (const char* key : of_the_case) erase(key);
+  const std::string key = fmt::format("{}.{}", path, name);
+  for (const OtherWay& way : other_ways())
+    if (key == way.key || key == way.instead_of) {
+      const std::string_view other = key == way.key ? way.instead_of : way.key;
+      erase(other.substr(other.find('.') + 1));
+    }
+}
 
 /// "pad.layers[2].thickness" as pad, layers, [2], thickness.
 std::vector<std::string> parts_of(std::string_view key) {
@@ -64,9 +74,7 @@ bool put(TomlNode& root, const std::vector<std::string>& path, TomlNode value) {
       throw std::runtime_error(fmt::format("{} is a value and has no entries", path[i]));
     at = next;
   }
-  for (const auto& pair : instead)
-    if (path.back() == pair.first)
-      std::erase_if(at->children, [&pair](const TomlNode& of) { return of.key == pair.second; });
+  make_room(*at, path.front(), path.back());
   value.key = path.back();
   if (TomlNode* there = entry(*at, path.back()))
     *there = std::move(value);
@@ -121,8 +129,8 @@ void put_later(const std::vector<LaterSetting>& settings, ImpactCase& impact, Fa
   std::vector<std::string> keys;
   for (const CaseQuantity& quantity : quantities) keys.push_back(quantity.key);
   for (const auto& [key, value] : settings) {
-    const auto found = std::ranges::find(quantities, key, &CaseQuantity::key);
-    if (found == quantities.end()) {
+    const CaseQuantity* const found = find_quantity(quantities, key);
+    if (found == nullptr) {
       faults.add(set_by_option, key, value, "is no number of this case" + did_you_mean(key, keys));
       continue;
     }

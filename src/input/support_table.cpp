@@ -71,7 +71,7 @@ SupportEntry read_support(TableReader& table) {
   entry.backing = read_parameters<Backing>(table);
   for (const Parameter<Backing>& parameter : Backing::parameters)
     if (parameter.unit == std::string_view("kg") && table.has(parameter.key) &&
-        entry.backing.*parameter.member == 0)
+        parameter.of(entry.backing) == 0)
       table.fault(parameter.key, "must be more than 0; without one, leave the key out");
   table.refuse_others();
   entry.is_known = table.faults().size() == faults;

@@ -14,7 +14,7 @@ Json form_json(const Form& form) {
   Json numbers_of_form = Json::object();
   if constexpr (requires { Form::parameters; })
     for (const auto& parameter : Form::parameters)
-      numbers_of_form[parameter.key] = number(form.*parameter.member);
+      numbers_of_form[parameter.key] = number(parameter.of(form));
   return {{"form", Form::name}, {"parameters", numbers_of_form}};
 }
 
@@ -59,7 +59,7 @@ Variant form_of(const Json& json) {
       [&]<class Form>(Form& of) {
         if constexpr (requires { Form::parameters; })
           for (const auto& parameter : Form::parameters)
-            of.*parameter.member = values.at(parameter.key).template get<double>();
+            parameter.set(of, values.at(parameter.key).template get<double>());
       },
       *form);
   return *std::move(form);

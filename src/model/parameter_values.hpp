@@ -21,14 +21,20 @@ struct ParameterValue {
   std::string meaning;
 };
 
-/// Adds every number that breaks its own bounds, its key behind `prefix`.
+/// Adds a number that breaks its own bounds, its key behind `prefix`; but not one that is not there.
+template <class Owner>
+void check_bounds(const Owner& owner, const Parameter<Owner>& parameter, const std::string& prefix,
+                  std::vector<Violation>& broken) {
+  const double value = parameter.of(owner);
+  if (parameter.is_none(owner)) return;
+  if (auto rule = broken_rule(value, parameter.bounds, parameter.unit))
+    broken.push_back({prefix + parameter.key, value, *std::move(rule)});
+}
+
+/// The same of all numbers of an owner.
 template <class Owner>
 void check_bounds(const Owner& owner, const std::string& prefix, std::vector<Violation>& broken) {
-  for (const Parameter<Owner>& parameter : Owner::parameters) {
-    const double value = owner.*parameter.member;
-    if (auto rule = broken_rule(value, parameter.bounds, parameter.unit))
-      broken.push_back({prefix + parameter.key, value, *std::move(rule)});
-  }
+  for (const Parameter<Owner>& parameter : Owner::parameters) check_bounds(owner, parameter, prefix, broken);
 }
 
 template <class... Alternatives>
@@ -38,7 +44,7 @@ std::vector<ParameterValue> parameter_values(const std::variant<Alternatives...>
         std::vector<ParameterValue> values;
         for (const Parameter<Of>& parameter : Of::parameters)
           values.push_back(
-              {parameter.key, parameter.symbol, parameter.unit, of.*(parameter.member), parameter.meaning});
+              {parameter.key, parameter.symbol, parameter.unit, parameter.of(of), parameter.meaning});
         return values;
       },
       variant);

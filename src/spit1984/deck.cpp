@@ -49,7 +49,7 @@ template <class Law>
 void store_parameters(const Law& law, std::array<double, 21>& stored) {
   std::size_t position = 0;
   for (const auto& parameter : Law::parameters) {
-    const double value = law.*parameter.member;
+    const double value = parameter.of(law);
     stored.at(position++) =
         std::string_view{parameter.unit} == "Pa" ? typed(value, "Pa", "psi") : typed(value);
   }
@@ -100,7 +100,7 @@ std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
   if (impact.impactor.gravity != 0)
     unsaid.push_back({"impactor.gravity", impact.impactor.gravity, "the 1984 program knows no gravity"});
   for (const Parameter<Backing>& parameter : Backing::parameters)
-    if (const double value = impact.backing.*parameter.member; value != 0)
+    if (const double value = parameter.of(impact.backing); value != 0)
       unsaid.push_back(
           {std::string("support.") + parameter.key, value,
            "the support of the 1984 program has no mass, loses nothing and stands on the ground"});

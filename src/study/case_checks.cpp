@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/study/application.hpp"
 #include "study/distribution.hpp"
 
@@ -21,7 +22,8 @@ const Factor* factor_behind(const Study& study, const std::string& key) {
     return found == study.factors.end() ? nullptr : &*found;
   };
   if (const Factor* same = find([&](const std::string& of) { return of == key; })) return same;
-  if (key == "impactor.mass") return find([](const std::string& of) { return of == "impactor.weight"; });
+  for (const OtherWay& way : other_ways())
+    if (key == way.instead_of) return find([&](const std::string& of) { return of == way.key; });
   if (key.starts_with("support."))
     return find([](const std::string& of) { return of.starts_with("support."); });
   if (!key.starts_with("pad.")) return nullptr;

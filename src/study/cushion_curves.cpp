@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/study/application.hpp"
 
@@ -19,10 +20,12 @@ std::optional<std::size_t> place_of(const std::vector<std::string>& names, const
 bool is_of_cushion_curves(const Study& study) {
   bool has_mass = false;
   for (const Factor& factor : study.factors) {
-    const bool is_mass = factor.key == "impactor.mass" || factor.key == "impactor.weight";
+    std::string_view key = factor.key;
+    for (const OtherWay& way : other_ways())
+      if (key == way.key) key = way.instead_of;
+    const bool is_mass = key == "impactor.mass";
     has_mass = has_mass || is_mass;
-    if (factor.is_sampled() || (!is_mass && factor.key != "impactor.speed" && factor.key != "pad.thickness"))
-      return false;
+    if (factor.is_sampled() || (!is_mass && key != "impactor.speed" && key != "pad.thickness")) return false;
   }
   return has_mass;
 }

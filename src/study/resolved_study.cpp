@@ -73,7 +73,7 @@ Json case_json(const ImpactCase& of) {
   if (of.impactor.gravity != 0) json["impactor"]["gravity"] = of.impactor.gravity;
   if (of.backing != Backing{})
     for (const Parameter<Backing>& parameter : Backing::parameters)
-      json["backing"][parameter.key] = number(of.backing.*parameter.member);
+      json["backing"][parameter.key] = number(parameter.of(of.backing));
   for (const PadLayer& layer : of.pad.layers)
     json["layers"].push_back({{"thickness", layer.thickness},
                               {"condition", condition_json(layer.condition)},

@@ -58,7 +58,7 @@ Variant alternative_of(const std::string& name, const Json& numbers) {
   std::visit(
       [&]<class Of>(Of& of) {
         for (const Parameter<Of>& parameter : Of::parameters)
-          of.*parameter.member = numbers.at(parameter.key).template get<double>();
+          parameter.set(of, numbers.at(parameter.key).template get<double>());
       },
       *result);
   return *result;
@@ -110,7 +110,7 @@ Backing backing_of(const Json& json) {
   Backing backing;
   if (!json.contains("backing")) return backing;
   for (const Parameter<Backing>& parameter : Backing::parameters)
-    backing.*parameter.member = json["backing"].at(parameter.key).get<double>();
+    parameter.set(backing, json["backing"].at(parameter.key).get<double>());
   return backing;
 }
 

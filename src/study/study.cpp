@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/study/application.hpp"
 #include "dashpad/study/responses.hpp"
 #include "input/spelling.hpp"
@@ -28,9 +29,13 @@ void check_conflicts(const Study& study, std::vector<Violation>& broken) {
   const auto has = [&](const std::string& key) {
     return std::ranges::any_of(study.factors, [&](const Factor& of) { return of.key.starts_with(key); });
   };
-  if (has("impactor.mass") && has("impactor.weight"))
-    broken.push_back(
-        {"factors.impactor.weight", no_value, "give impactor.mass or impactor.weight, not both"});
+  for (const OtherWay& way : other_ways())
+    if (has(way.key) && has(way.instead_of))
+      broken.push_back({std::string("factors.") + way.key, no_value,
+                        fmt::format("give {} or {}, not both", way.instead_of, way.key)});
+  if (has("impactor.gravity") && has("impactor.drop_height"))
+    broken.push_back({"factors.impactor.drop_height", no_value,
+                      "the speed of a fall follows from the gravity: vary the one or the other"});
   if (has("support.stiffness") && has("support.scale"))
     broken.push_back(
         {"factors.support.scale", no_value, "give support.stiffness or support.scale, not both"});

@@ -43,7 +43,7 @@ inline std::string words_of(const ImpactCase& impact) {
   const std::size_t points = impact.support.points().size();
   text += points == 0 ? ", rigid" : points == 1 ? ", linear" : ", curve";
   for (const Parameter<Backing>& part : Backing::parameters)
-    if (impact.backing.*part.member > 0) text += fmt::format(" + {}", part.key);
+    if (part.of(impact.backing) > 0) text += fmt::format(" + {}", part.key);
   if (pad.sheet > 0) text += ", sheet";
   if (impact.impactor.gravity > 0) text += ", gravity";
   if (impact.blows) text += fmt::format(", {} blows", impact.blows->count);

@@ -233,7 +233,7 @@ TYPED_TEST(ParameterTable, DescribesItsParameters) {
   }
   this->for_each_row([](const auto& law) {
     for (const auto& parameter : TypeParam::parameters)
-      EXPECT_TRUE(parameter.bounds.contain(law.*parameter.member)) << parameter.key;
+      EXPECT_TRUE(parameter.bounds.contain(parameter.of(law))) << parameter.key;
     EXPECT_TRUE(violations(PadLaw(law)).empty());
   });
 }

@@ -63,7 +63,10 @@ const CaseQuantity& found(const std::vector<CaseQuantity>& quantities, const std
 TEST(CaseQuantities, EachHasAPlaceOfItsOwn) {
   for (const ImpactCase& base : cases()) {
     std::vector<CaseQuantity> quantities = quantities_of(base);
-    std::erase_if(quantities, [](const CaseQuantity& of) { return of.key == "impactor.weight"; });
+    // Other ways to say a number that is among them.
+    std::erase_if(quantities, [](const CaseQuantity& of) {
+      return std::ranges::count(other_ways(), of.key, &OtherWay::key) > 0;
+    });
     ImpactCase impact = base;
     double value = 1;
     for (const CaseQuantity& of : quantities) of.set(impact, value++);
@@ -78,7 +81,9 @@ TEST(CaseQuantities, AreCalledAsTheRulesThatTheyBreak) {
     for (const CaseQuantity& of : quantities_of(base)) {
       ImpactCase impact = base;
       of.set(impact, nan);
-      const std::string key = of.key == "impactor.weight" ? "impactor.mass" : of.key;
+      std::string key = of.key;
+      for (const OtherWay& way : other_ways())
+        if (key == way.key) key = way.instead_of;
       EXPECT_THAT(violations(impact), Contains(Field(&Violation::key, key))) << base.title;
     }
   }
@@ -160,6 +165,20 @@ TEST(CaseQuantities, AreNotANumberWhereTheCaseIsSilent) {
   const auto quantities = quantities_of(silent);
   EXPECT_TRUE(std::isnan(found(quantities, "pad.density").get(silent)));
   EXPECT_TRUE(std::isnan(found(quantities, "pad.temperature").get(silent)));
+}
+
+/// Eq. of a free fall: v^2 = 2 g h; with the gravity of the case, or that of the earth.
+TEST(CaseQuantities, AFallFromAHeightIsASpeed) {
+  ImpactCase impact = test::impact_on(Elastic{3e5});
+  for (const double gravity : {0.0, 3.71}) {
+    impact.impactor.gravity = gravity;
+    const auto quantities = quantities_of(impact);
+    const CaseQuantity& height = found(quantities, "impactor.drop_height");
+    height.set(impact, 1.5);
+    EXPECT_NEAR(impact.impactor.speed, std::sqrt(2 * (gravity > 0 ? gravity : 9.80665) * 1.5), 1e-12);
+    EXPECT_NEAR(height.get(impact), 1.5, 1e-12);
+    EXPECT_EQ(impact.impactor.gravity, gravity);
+  }
 }
 
 TEST(CaseQuantities, ScaleTheSupportOfTheFirstCase) {

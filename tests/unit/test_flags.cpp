@@ -3,6 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/output/post_impact.hpp"
 #include "example_result.hpp"
@@ -109,6 +116,30 @@ TEST(Flags, TellARigidSupportFromOneThatYields) {
   EXPECT_THAT(flags(summary)[0].text, HasSubstr("no finite value"));
   summary.status = Status::tolerance_not_met;  // on the way there
   EXPECT_THAT(flags(summary)[1].text, HasSubstr("no finite value"));
+}
+
+/// Every name that a source gives a flag has a severity of its own, and is made by some source.
+TEST(Flags, HaveASeverity) {
+  std::set<std::string> made;
+  const std::filesystem::path root = std::filesystem::path(DASHPAD_SOURCE_DIR) / "src";
+  const std::regex text_of_flag(R"re("([A-Z][A-Z ]*[A-Z])(?:: | at \{| for \{|"))re");
+  for (const char* room : {"impact", "injury", "laboratory", "model"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / room)) {
+      if (!entry.is_regular_file()) continue;
+      std::ifstream stream(entry.path());
+      const std::string text{std::istreambuf_iterator<char>(stream), {}};
+      for (std::sregex_iterator found(text.begin(), text.end(), text_of_flag), end; found != end; ++found)
+        made.insert((*found)[1].str());
+    }
+  const auto kinds = flag_kinds();
+  for (const std::string& name : made) {
+    if (name.size() <= 6) continue;  // "HIC", "CFC", "SAE"
+    EXPECT_EQ(std::ranges::count(kinds, name, &FlagKind::name), 1) << name;
+  }
+  for (const FlagKind& kind : kinds) EXPECT_TRUE(made.contains(kind.name)) << kind.name;
+  EXPECT_STREQ(to_string(severity_of("TOLERANCE NOT MET")), "unusable");
+  EXPECT_STREQ(to_string(severity_of("EXTRAPOLATED RATE")), "note");
+  EXPECT_STREQ(to_string(severity_of("SOMETHING ELSE")), "doubtful");
 }
 
 /// Also the end of the time.

@@ -634,7 +634,7 @@ bool are_equal(const PadLaw& a, const PadLaw& b) {
       [&]<class Law>(const Law& law) {
         if constexpr (std::equality_comparable<Law>) return law == std::get<Law>(b);
         for (const auto& parameter : Law::parameters)
-          if (law.*parameter.member != std::get<Law>(b).*parameter.member) return false;
+          if (parameter.of(law) != parameter.of(std::get<Law>(b))) return false;
         return true;
       },
       a);

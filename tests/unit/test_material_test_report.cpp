@@ -264,7 +264,7 @@ TEST(MaterialTestReport, JsonHasEveryField) {
       "exact_stress_at_the_same_times": {"last_loading_Pa": 150000.0, "next_Pa": 0.0, "jump_Pa": -150000.0},
       "time_s": [0.0, 0.25, 0.5], "strain": [0.0, 0.5, 0.0], "stress_Pa": [0.0, 160000.0, -1000.0],
       "exact_stress_Pa": [0.0, 150000.0, 0.0]},
-    "flags": [{"name": "EXTRAPOLATED", "text": "EXTRAPOLATED: too fast"}],
+    "flags": [{"name": "EXTRAPOLATED", "severity": "doubtful", "text": "EXTRAPOLATED: too fast"}],
     "events": [{"event": "turned", "time_s": 0.25, "strain": 0.5, "stress_before_Pa": 150000.0,
                 "stress_after_Pa": 149000.0}],
     "errors": {"stress_fraction_of_peak": 1e-9, "energy_fraction_of_energy_in": 2e-6},

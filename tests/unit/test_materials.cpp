@@ -34,7 +34,7 @@ void expect_published(const PadLaw& law, const std::array<double, size>& publish
   for (std::size_t i = 0; i < size; ++i) {
     const auto& parameter = Law::parameters[i];
     const double unit = std::string(parameter.unit) == "Pa" ? psi : 1;
-    EXPECT_NEAR(read.*parameter.member / unit, published[i], 1e-15 * published[i]) << parameter.key;
+    EXPECT_NEAR(parameter.of(read) / unit, published[i], 1e-15 * published[i]) << parameter.key;
   }
 }
 

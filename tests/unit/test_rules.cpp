@@ -53,13 +53,13 @@ TYPED_TEST(law_rules, each_parameter_must_be_in_its_bounds) {
   for (const auto& parameter : TypeParam::parameters) {
     for (const double value : {nan, infinity, -infinity, -1.0, 1e16}) {
       TypeParam law = sound<TypeParam>();
-      law.*parameter.member = value;
+      parameter.set(law, value);
       // A value that is out of bounds may break a rule with another parameter as well.
       EXPECT_EQ(keys(violations(PadLaw(law))).front(), parameter.key) << value;
     }
     if (parameter.bounds.lowest == 0) {
       TypeParam law = sound<TypeParam>();
-      law.*parameter.member = 0;
+      parameter.set(law, 0);
       EXPECT_EQ(violations(PadLaw(law)).empty(), parameter.bounds.lowest_admitted) << parameter.key;
     }
   }
@@ -68,7 +68,7 @@ TYPED_TEST(law_rules, each_parameter_must_be_in_its_bounds) {
 TYPED_TEST(law_rules, a_value_that_is_no_number_is_reported_once) {
   for (const auto& parameter : TypeParam::parameters) {
     TypeParam law = sound<TypeParam>();
-    law.*parameter.member = nan;
+    parameter.set(law, nan);
     EXPECT_EQ(keys(violations(PadLaw(law))), Keys{parameter.key});
   }
 }

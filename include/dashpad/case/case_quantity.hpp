@@ -2,7 +2,9 @@
 /// The quantities of an impact case by name, to be read and set: what studies vary.
 
 #include <functional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
@@ -20,9 +22,27 @@ struct CaseQuantity {
   std::function<void(ImpactCase&, double)> set;
 };
 
+/// Another way to say a number of a case: the one takes the place of the other.
+struct OtherWay {
+  const char* key;           ///< "impactor.drop_height"
+  const char* unit;          ///< SI
+  const char* instead_of;    ///< "impactor.speed"
+  const char* meaning;       ///< "drop height"
+  const char* what_follows;  ///< "the speed of the fall", of which rules are
+  double (*get)(const ImpactCase&);
+  void (*set)(ImpactCase&, double);
+};
+
+/// The weight, which is the mass times standard gravity, and the drop height h of a fall, whose speed is
+/// sqrt(2 g h) with the gravity of the case; with standard gravity where the case has none.
+std::span<const OtherWay> other_ways();
+
 /// All that a case with this nose, this law with these forms of its curves, and this support has. They serve
 /// every such case; another law throws std::bad_variant_access. `support.scale` counts from the support of
 /// `base`.
 std::vector<CaseQuantity> quantities_of(const ImpactCase& base);
+
+/// Null for a key that is none of them.
+const CaseQuantity* find_quantity(const std::vector<CaseQuantity>& quantities, std::string_view key);
 
 }  // namespace dashpad

@@ -1,7 +1,9 @@
 #pragma once
 /// What a reader must know before relying on a result.
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dashpad/impact/solution.hpp"
@@ -30,11 +32,26 @@ bool is_series_cut(const Summary& summary);
 /// Whether the pad and the support gave back more energy than they took, by more than the error estimates.
 bool gained_energy(const Summary& summary);
 
+/// What a flag means for the figures beside it.
+enum class Severity {
+  unusable,  ///< they are not an answer
+  doubtful,  ///< they may be off by more than their estimates and intervals, or are those of a part
+  note       ///< they stand, and something about them has to be known
+};
+/// "unusable", "doubtful", "note".
+const char* to_string(Severity severity);
+
+struct FlagKind {
+  const char* name;
+  Severity severity;
+};
+/// Every flag of a result, of a measured pulse and of a material test.
+std::span<const FlagKind> flag_kinds();
+/// Doubtful for a name that is none of them.
+Severity severity_of(std::string_view name);
+
 struct Flag {
-  /// NOT RUN, TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, SHEET STRUCK FLAT, STILL SINKING, ENERGY GAINED, PEAK
-  /// ON THE WAY BACK, BOTTOMED, SERIES CUT, STRUCK THROUGH, SOFTENING, EXTRAPOLATED STRAIN (a guess),
-  /// EXTRAPOLATED RATE (a law) or, for what is neither, EXTRAPOLATED, or SMALL NOSE.
-  std::string name;
+  std::string name;  ///< of flag_kinds()
   std::string text;  ///< a line that begins with the name
 };
 

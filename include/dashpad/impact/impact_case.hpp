@@ -21,14 +21,29 @@ struct Impactor {
   double speed = 0;  ///< m/s at first contact, towards the pad, > 0
   /// m/s2 along the motion, >= 0. 0: the weight does no work.
   double gravity = 0;
+
+  static const std::array<Parameter<Impactor>, 3> parameters;
 };
+
+inline constexpr std::array<Parameter<Impactor>, 3> Impactor::parameters{{
+    {"mass", "M", "kg", &Impactor::mass, wide(1e-6, 1e6), "mass of the impactor"},
+    {"speed", "V", "m/s", &Impactor::speed, wide(1e-4, 1e3), "impact speed"},
+    {"gravity", "g", "m/s2", &Impactor::gravity, {0, 1000, true, true}, "gravity", LeftOut::as_default},
+}};
 
 /// One layer of a pad, as wide as the pad.
 struct PadLayer {
   double thickness = 0;  ///< m, > 0
   Material material;
   PadCondition condition = {};
+
+  static const std::array<Parameter<PadLayer>, 1> parameters;
 };
+
+/// The thinnest is a share of the pad.
+inline constexpr std::array<Parameter<PadLayer>, 1> PadLayer::parameters{{
+    {"thickness", "L", "m", &PadLayer::thickness, positive, "thickness of the layer"},
+}};
 
 /// What the back of a pad lies on, where that is told to slip or not.
 enum class Floor {
@@ -61,14 +76,35 @@ struct Pad {
   double neighbours = 0;
   /// From the struck face on; none: the pad is of one foam, `material` under `condition`.
   std::vector<PadLayer> layers = {};
+
+  static const std::array<Parameter<Pad>, 5> parameters;
 };
+
+inline constexpr std::array<Parameter<Pad>, 5> Pad::parameters{{
+    {"thickness", "L", "m", &Pad::thickness, wide(1e-5, 1e2), "thickness of the pad"},
+    {"area", "", "m2", &Pad::area, wide(1e-10, 1e4), "area of the pad", LeftOut::as_default},
+    {"earlier_penetration", "", "m", &Pad::earlier_penetration, not_negative, "earlier penetration",
+     LeftOut::as_default},
+    {"sheet_mass_per_area", "", "kg/m2", &Pad::sheet, wide(1e-3, 1e3), "mass per area of the sheet",
+     LeftOut::none},
+    {"neighbours", "c", "1", &Pad::neighbours, in_words(0, 2, "from 0 (columns alone) to 2"),
+     "help of the columns' neighbours", LeftOut::computed},
+}};
 
 /// The same blow again and again, with rests between.
 struct Blows {
   int count = 2;  ///< in [2, 100]
   /// Share of the pad's memory that is gone after each rest, in [0, 1]; 0 for foams that stay crushed.
   double recovery = 0;
+
+  static const std::array<Parameter<Blows>, 2> parameters;
 };
+
+inline constexpr std::array<Parameter<Blows>, 2> Blows::parameters{{
+    {"count", "", "1", &Blows::count, in_words(2, 100, "from 2 to 100"), "number of blows"},
+    {"recovery", "", "1", &Blows::recovery, in_words(0, 1, "from 0 (none) to 1 (full)"),
+     "recovery between blows"},
+}};
 
 /// What `neighbours` is where nobody says it: 0.8 for the laws of foams, 0 for those of the report and where
 /// the numbers of a layer come from strikes by a sphere, in which what neighbours do is.

@@ -3,7 +3,9 @@
 /// positive in compression, velocities positive towards the pad.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +29,18 @@ struct Options {
   /// to some 5e-5 with three runs, which fits need (the rebound of a foam with a rate effect on a rigid
   /// support to 1e-3); the status then says whether the tolerance is met, and decides nothing.
   int fixed_runs = 0;
+
+  /// Those that a case may give.
+  static const std::array<Parameter<Options>, 2> parameters;
 };
+
+inline constexpr std::array<Parameter<Options>, 2> Options::parameters{{
+    {"tolerance", "", "1", &Options::tolerance, in_words(1e-8, 1e-2, "at least 1e-8 and at most 1e-2"),
+     "relative error asked for", LeftOut::computed},
+    {"time_limit", "", "s", &Options::time_limit,
+     in_words(0, std::numeric_limits<double>::infinity(), "more than 0", false),
+     "time after first contact at which an impact is given up", LeftOut::computed},
+}};
 
 /// Contact ends where the force falls below this share of its peak (theory.md, Eq. 28).
 inline constexpr double contact_end_share = 1e-3;

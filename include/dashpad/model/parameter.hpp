@@ -15,6 +15,10 @@ struct Bounds {
   double highest = std::numeric_limits<double>::infinity();
   bool lowest_admitted = false;
   bool highest_admitted = false;
+  /// Beyond any impact, but within what the arithmetic bears: the rule says so.
+  bool is_wide = false;
+  /// The rule behind "must be ", where the numbers alone do not say it.
+  const char* words = "";
 
   /// False for NaN and for infinities as well.
   [[nodiscard]] constexpr bool contain(double value) const {
@@ -30,17 +34,82 @@ inline constexpr Bounds positive{.lowest = 0};
 /// Zero or greater.
 inline constexpr Bounds not_negative{.lowest = 0, .lowest_admitted = true};
 
-/// One entry of a parameter table. The tables serve case files, checks, listings and tests alike.
+/// More than zero, and between two values that nobody's impact is outside of.
+constexpr Bounds wide(double lowest, double highest) { return {lowest, highest, true, true, true, ""}; }
+
+/// The highest is admitted; the rule is "must be " and these words.
+constexpr Bounds in_words(double lowest, double highest, const char* words, bool lowest_admitted = true) {
+  return {lowest, highest, lowest_admitted, true, false, words};
+}
+
+/// Where a number of an owner is kept: one that is always there, one that may be absent, or a count.
+template <class Owner>
+class Member {
+ public:
+  constexpr Member(double Owner::*number) : number_(number) {}
+  constexpr Member(std::optional<double> Owner::*optional) : optional_(optional) {}
+  constexpr Member(int Owner::*count) : count_(count) {}
+
+  /// NaN where it is absent.
+  [[nodiscard]] double of(const Owner& owner) const {
+    if (number_ != nullptr) return owner.*number_;
+    if (count_ != nullptr) return owner.*count_;
+    return (owner.*optional_).value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+  void set(Owner& owner, double value) const {
+    if (number_ != nullptr)
+      owner.*number_ = value;
+    else if (count_ != nullptr)
+      owner.*count_ = static_cast<int>(value);
+    else
+      owner.*optional_ = value;
+  }
+  [[nodiscard]] bool is_count() const { return count_ != nullptr; }
+  [[nodiscard]] bool is_absent(const Owner& owner) const {
+    return optional_ != nullptr && !(owner.*optional_);
+  }
+  friend constexpr bool operator==(const Member&, const Member&) = default;
+
+ private:
+  double Owner::*number_ = nullptr;
+  std::optional<double> Owner::*optional_ = nullptr;
+  int Owner::*count_ = nullptr;
+};
+
+/// What a number is that a case does not give.
+enum class LeftOut {
+  refused,     ///< it must be given
+  as_default,  ///< it is what a default-made owner has
+  none,        ///< there is none of it: 0, beside its bounds, and nothing to vary
+  computed  ///< it follows from the rest of the case, or from an option: whoever writes a case always writes
+            ///< it
+};
+
+/// One entry of a parameter table: the only place that names a number of a case. The tables serve case files,
+/// --set, checks, listings, JSON, what studies and fits vary, documents and tests alike.
 template <class Owner>
 struct Parameter {
   const char* key;     ///< name in case files and in results
-  const char* symbol;  ///< symbol in theory.md
+  const char* symbol;  ///< symbol in theory.md; "" without
   const char* unit;    ///< SI unit as text, as "N s/m"; "1" for a pure number
-  double Owner::*member;
+  Member<Owner> member;
   Bounds bounds;
   const char* meaning;
-  /// Then it is what a default-made owner has.
-  bool may_be_left_out = false;
+  LeftOut left_out = LeftOut::refused;
+
+  [[nodiscard]] double of(const Owner& owner) const { return member.of(owner); }
+  void set(Owner& owner, double value) const { member.set(owner, value); }
+  [[nodiscard]] bool is_absent(const Owner& owner) const { return member.is_absent(owner); }
+  [[nodiscard]] bool may_be_left_out() const { return left_out != LeftOut::refused; }
+  /// Of what may be none, none.
+  [[nodiscard]] bool is_none(const Owner& owner) const {
+    return is_absent(owner) || (left_out == LeftOut::none && of(owner) == 0);
+  }
+  /// Whether a case that does not name it is the same.
+  [[nodiscard]] bool goes_without_saying(const Owner& owner) const {
+    return may_be_left_out() && left_out != LeftOut::computed &&
+           (is_absent(owner) || of(owner) == of(Owner()));
+  }
 };
 
 /// A value that breaks a rule: which one, what it is (SI), and the rule in words.
@@ -49,6 +118,9 @@ struct Violation {
   double value = 0;
   std::string rule;
 };
+
+/// The rule that bounds are: "must be at least 0 kg/m2".
+std::string rule_of(const Bounds& bounds, std::string_view unit);
 
 /// The rule that a value breaks, if any: its bounds, or a magnitude that can be measured in any unit, beyond
 /// which products overflow.

@@ -65,7 +65,7 @@ void check_parameter_range(const Material& material, const char* key, const std:
       [&]<class Law>(const Law& law) {
         for (const Parameter<Law>& parameter : Law::parameters)
           if (std::string_view(parameter.key) == key) {
-            check_range(key, range, law.*parameter.member, parameter.bounds, broken);
+            check_range(key, range, parameter.of(law), parameter.bounds, broken);
             return true;
           }
         return false;

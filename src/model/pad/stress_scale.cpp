@@ -9,8 +9,6 @@
 namespace dashpad {
 namespace {
 
-constexpr double least_scale = 1e-3;
-constexpr double largest_scale = 1e3;
 constexpr double freezing_K = 273.15;
 
 /// Straight between the entries, and level beyond them.
@@ -28,7 +26,7 @@ template <class Form>
 void scale_stresses(Form& form, double factor) {
   if constexpr (requires { Form::parameters; })
     for (const auto& parameter : Form::parameters)
-      if (std::string_view(parameter.unit) == "Pa") form.*parameter.member *= factor;
+      if (std::string_view(parameter.unit) == "Pa") parameter.set(form, factor * parameter.of(form));
 }
 void scale_stresses(TableCurve& table, double factor) {
   for (double& stress : table.stress) stress *= factor;
@@ -41,8 +39,9 @@ void scale_stresses(CurvesRateEffect& effect, double factor) {
 
 std::vector<Violation> violations(const PadCondition& condition, const Material& material) {
   std::vector<Violation> broken;
-  if (!(condition.scale >= least_scale && condition.scale <= largest_scale))
-    broken.push_back({"scale", condition.scale, "must be at least 0.001 and at most 1000"});
+  const Parameter<PadCondition>& scale = PadCondition::parameters.front();
+  if (const auto rule = broken_rule(condition.scale, scale.bounds, scale.unit))
+    broken.push_back({scale.key, condition.scale, *rule});
   if (const auto& density = condition.density) {
     if (!material.density_exponent || !material.density)
       broken.push_back({"density", *density,
@@ -58,8 +57,8 @@ std::vector<Violation> violations(const PadCondition& condition, const Material&
       broken.push_back(
           {"temperature", *temperature,
            "the material says nothing of other temperatures: its card has no temperature table"});
-    else if (!(*temperature > 0 && *temperature <= 2000))
-      broken.push_back({"temperature", *temperature, "must be more than 0 K and at most 2000 K"});
+    else if (const auto rule = broken_rule(*temperature, PadCondition::parameters[2].bounds, "K"))
+      broken.push_back({"temperature", *temperature, *rule});
   }
   return broken;
 }

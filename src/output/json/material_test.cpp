@@ -1,6 +1,7 @@
 // A material test for programs.
 
 #include "dashpad/output/material_test.hpp"
+#include "json/flags_json.hpp"
 #include "json/json_values.hpp"
 #include "output/json/material.hpp"
 
@@ -102,12 +103,6 @@ Json events(const laboratory::ColumnTest& of) {
   return array;
 }
 
-Json flags_json(const laboratory::MaterialTestRun& run) {
-  Json array = Json::array();
-  for (const Flag& flag : run.flags) array.push_back({{"name", flag.name}, {"text", flag.text}});
-  return array;
-}
-
 Json run_json(const laboratory::MaterialTestReport& report, const laboratory::MaterialTestRun& run) {
   const laboratory::ColumnTest& column = run.column;
   const laboratory::CushionCurve& cushion = run.cushion;
@@ -117,7 +112,7 @@ Json run_json(const laboratory::MaterialTestReport& report, const laboratory::Ma
           {"relaxation", relaxation(run.relaxed)},
           {"creep", creep_json(run.crept)},
           {"update_of_1984", update(run.update_of_1984)},
-          {"flags", flags_json(run)},
+          {"flags", flags_json(run.flags)},
           {"events", events(column)},
           {"errors",
            {{"stress_fraction_of_peak", number(column.stress_error)},

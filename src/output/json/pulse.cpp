@@ -8,6 +8,7 @@
 #include "dashpad/output/pulse.hpp"
 #include "dashpad/result/result_quantity.hpp"
 #include "dashpad/version.hpp"
+#include "json/flags_json.hpp"
 #include "json/json_values.hpp"
 #include "output/json/injury.hpp"
 
@@ -102,12 +103,6 @@ Json uncertainty(const injury::MeasurementUncertainty& of) {
           {"figures", figures}};
 }
 
-Json flags(const injury::PulseReport& report) {
-  Json all = Json::array();
-  for (const Flag& flag : report.flags) all.push_back({{"name", flag.name}, {"text", flag.text}});
-  return all;
-}
-
 Json source(const injury::PulseReport& report) {
   const injury::MeasuredPulse& of = report.measured;
   Json accelerations = Json::array();
@@ -131,7 +126,7 @@ std::string pulse_json(const injury::PulseReport& report) {
   result["figures"] = figures(report);
   result["impact"] = impact(report);
   result["uncertainty"] = uncertainty(report.uncertainty);
-  result["flags"] = flags(report);
+  result["flags"] = flags_json(report.flags);
   result["source"] = source(report);
   result["offset"] = offset(report);
   result["processing"] = {

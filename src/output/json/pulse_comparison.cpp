@@ -3,6 +3,7 @@
 #include "dashpad/output/pulse_comparison.hpp"
 
 #include "dashpad/impact/flags.hpp"
+#include "json/flags_json.hpp"
 #include "json/json_values.hpp"
 #include "output/text/pulse_comparison_words.hpp"
 #include "output/text/pulse_words.hpp"
@@ -25,12 +26,6 @@ Json compared_json(const injury::PulseComparison& comparison) {
                              {name_with_unit("difference", unit.unit), scaled(of.difference())},
                              {"difference_share", number(of.share())}};
   }
-  return all;
-}
-
-Json flags_json(const std::vector<Flag>& flags) {
-  Json all = Json::array();
-  for (const Flag& flag : flags) all.push_back({{"name", flag.name}, {"text", flag.text}});
   return all;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dashpad/impact/flags.hpp"
+#include "json/flags_json.hpp"
 #include "json/json_values.hpp"
 #include "output/json/injury.hpp"
 #include "output/json/interval.hpp"
@@ -52,27 +53,28 @@ Json solver(const Summary& summary) {
           {"wall_time_s", number(summary.wall_time)}};
 }
 
-Json condition(const PadCondition& of) {
-  Json json{{"scale", number(of.scale)}};
-  json["density_kg_per_m3"] = number(of.density);
-  json["temperature_K"] = number(of.temperature);
+/// All numbers of an owner, null where it has none, under their keys and units.
+template <class Owner>
+Json numbers_of(const Owner& owner) {
+  Json json = Json::object();
+  for (const Parameter<Owner>& parameter : Owner::parameters) {
+    const double value = parameter.of(owner);
+    json[name_with_unit(parameter.key, parameter.unit)] =
+        parameter.member.is_count() ? Json(static_cast<int>(value)) : number(value);
+  }
   return json;
 }
 
 /// A pad of layers has no material of its own.
 Json pad(const Pad& of) {
-  Json json{{"thickness_m", number(of.thickness)},
-            {"area_m2", number(of.area)},
-            {"earlier_penetration_m", number(of.earlier_penetration)},
-            {"sheet_mass_per_area_kg_per_m2", number(of.sheet)},
-            {"floor", name_of(of.floor)},
-            {"neighbours", number(of.neighbours)}};
-  json.update(condition(of.condition));
+  Json json = numbers_of(of);
+  json["floor"] = name_of(of.floor);
+  json.update(numbers_of(of.condition));
   json.update(material_json(of.material));
   json["layers"] = Json::array();
   for (const PadLayer& layer : of.layers) {
-    Json entry{{"thickness_m", number(layer.thickness)}};
-    entry.update(condition(layer.condition));
+    Json entry = numbers_of(layer);
+    entry.update(numbers_of(layer.condition));
     entry.update(material_json(layer.material));
     json["layers"].push_back(std::move(entry));
   }
@@ -111,15 +113,12 @@ Json curve_of(const Support& of) {
 
 Json support(const ImpactCase& of) {
   Json json = curve_of(of.support);
-  for (const Parameter<Backing>& parameter : Backing::parameters)
-    json[name_with_unit(parameter.key, parameter.unit)] = number(of.backing.*parameter.member);
+  json.update(numbers_of(of.backing));
   return json;
 }
 
 Json impactor(const Impactor& of) {
-  Json json = {{"mass_kg", number(of.mass)},
-               {"speed_m_per_s", number(of.speed)},
-               {"gravity_m_per_s2", number(of.gravity)}};
+  Json json = numbers_of(of);
   json["nose"] = name_of(of.nose);
   for (const ParameterValue& value : parameter_values(of.nose))
     json[name_with_unit(value.key, value.unit)] = number(value.value);
@@ -132,9 +131,7 @@ Json impactor(const Impactor& of) {
   return json;
 }
 
-Json blows_asked(const std::optional<Blows>& of) {
-  return of ? Json{{"count", of->count}, {"recovery", number(of->recovery)}} : Json(nullptr);
-}
+Json blows_asked(const std::optional<Blows>& of) { return of ? numbers_of(*of) : Json(nullptr); }
 
 Json echo(const ImpactCase& impact) {
   return {{"title", impact.title},
@@ -163,12 +160,6 @@ Json series(const std::vector<BlowResult>& blows) {
   if (blows.empty()) return nullptr;
   Json all = Json::array();
   for (const BlowResult& blow : blows) all.push_back(blow_json(blow));
-  return all;
-}
-
-Json flags_json(const Summary& summary) {
-  Json all = Json::array();
-  for (const Flag& flag : flags(summary)) all.push_back({{"name", flag.name}, {"text", flag.text}});
   return all;
 }
 
@@ -205,7 +196,7 @@ std::string result_json(const ImpactCase& impact, const Summary& summary,
   add_figures(result, errors, summary);
   result["blows"] = series(blows);
   result["energy"] = energy(summary.energy);
-  result["flags"] = flags_json(summary);
+  result["flags"] = flags_json(flags(summary));
   result["extrapolated"] = !summary.extrapolations.empty();
   result["extrapolated_strain"] = summary.is_beyond(Beyond::strain);
   result["extrapolated_rate"] = summary.is_beyond(Beyond::rate);

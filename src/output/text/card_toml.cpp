@@ -26,7 +26,7 @@ template <class Owner>
 std::string numbers_toml(const Owner& owner) {
   std::string text;
   for (const Parameter<Owner>& parameter : Owner::parameters)
-    text += toml_line(parameter.key, owner.*(parameter.member), parameter.unit);
+    text += toml_line(parameter.key, parameter.of(owner), parameter.unit);
   return text;
 }
 

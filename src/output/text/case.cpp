@@ -101,7 +101,7 @@ std::string rests_text(const PadLaw& law, const Blows& blows) {
 std::string backing_text(const Backing& backing, const UnitSystem& units) {
   std::string text;
   for (const Parameter<Backing>& parameter : Backing::parameters) {
-    const double value = backing.*parameter.member;
+    const double value = parameter.of(backing);
     if (value == 0) continue;
     std::string key = parameter.key == std::string_view("mass") ? "panel mass" : parameter.key;
     std::ranges::replace(key, '_', ' ');
@@ -144,25 +144,21 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
   const auto line = [&](const std::string& key, double value, const std::string& unit) {
     text += fmt::format("  {} = {}{}{}\n", key, value, unit == "1" ? "" : " ", unit == "1" ? "" : unit);
   };
-  line("impactor.mass", impact.impactor.mass, "kg");
+  const auto lines = [&]<class Owner>(const std::string& prefix, const Owner& owner) {
+    for (const Parameter<Owner>& parameter : Owner::parameters)
+      if (!parameter.goes_without_saying(owner))
+        line(prefix + parameter.key, parameter.of(owner), parameter.unit);
+  };
+  lines("impactor.", impact.impactor);
   text += fmt::format("  impactor.nose = {}\n", name_of(impact.impactor.nose));
   for (const ParameterValue& number : parameter_values(impact.impactor.nose))
     line("impactor." + number.key, number.value, number.unit);
   if (const auto* profile = std::get_if<Profile>(&impact.impactor.nose)) text += profile_in_si(*profile);
-  line("impactor.speed", impact.impactor.speed, "m/s");
-  if (impact.impactor.gravity != 0) line("impactor.gravity", impact.impactor.gravity, "m/s2");
-  line("pad.thickness", impact.pad.thickness, "m");
-  if (impact.pad.area) line("pad.area", *impact.pad.area, "m2");
-  if (impact.pad.sheet > 0) line("pad.sheet_mass_per_area", impact.pad.sheet, "kg/m2");
-  if (impact.pad.earlier_penetration > 0)
-    line("pad.earlier_penetration", impact.pad.earlier_penetration, "m");
+  lines("pad.", impact.pad);
   text += fmt::format("  pad.floor = {}\n", name_of(impact.pad.floor));
-  line("pad.neighbours", impact.pad.neighbours, "1");
   const auto material_lines = [&](const std::string& prefix, const PadCondition& condition,
                                   const Material& material) {
-    if (condition.scale != 1) line(prefix + "scale", condition.scale, "1");
-    if (condition.density) line(prefix + "density", *condition.density, "kg/m3");
-    if (condition.temperature) line(prefix + "temperature", *condition.temperature, "K");
+    lines(prefix, condition);
     text += fmt::format("  {0}material = {1}\n  {0}law = {2}\n", prefix, one_line(material.name),
                         name_of(material.law));
     for (const ParameterValue& parameter : parameter_values(material.law))
@@ -172,17 +168,13 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
   for (std::size_t i = 0; i < impact.pad.layers.size(); ++i) {
     const PadLayer& layer = impact.pad.layers[i];
     const std::string prefix = fmt::format("pad.layers[{}].", i + 1);
-    line(prefix + "thickness", layer.thickness, "m");
+    lines(prefix, layer);
     material_lines(prefix, layer.condition, layer.material);
   }
   text += "  support = " + support_in_si(impact.support);
-  for (const Parameter<Backing>& parameter : Backing::parameters)
-    if (const double value = impact.backing.*parameter.member; value != 0)
-      line(std::string("support.") + parameter.key, value, parameter.unit);
-  if (impact.blows) line("blows.count", impact.blows->count, "1");
-  if (impact.blows) line("blows.recovery", impact.blows->recovery, "1");
-  line("solver.tolerance", options.tolerance, "1");
-  line("solver.time_limit", options.time_limit, "s");
+  lines("support.", impact.backing);
+  if (impact.blows) lines("blows.", *impact.blows);
+  lines("solver.", options);
   return text;
 }
 

@@ -28,11 +28,13 @@ std::string support_toml(const Support& support) {
   return text + "]\n";
 }
 
-std::string backing_toml(const Backing& backing) {
+/// The numbers of an owner that do not go without saying.
+template <class Owner>
+std::string numbers_toml(const Owner& owner) {
   std::string text;
-  for (const Parameter<Backing>& parameter : Backing::parameters)
-    if (const double value = backing.*parameter.member; value != 0)
-      text += toml_line(parameter.key, value, parameter.unit);
+  for (const Parameter<Owner>& parameter : Owner::parameters)
+    if (!parameter.goes_without_saying(owner))
+      text += toml_line(parameter.key, parameter.of(owner), parameter.unit);
   return text;
 }
 
@@ -58,15 +60,13 @@ std::string material_toml(const Material& material, const PadCondition& conditio
 
 std::string pad_toml(const Pad& pad) {
   std::string text = "\n[pad]\n";
-  if (pad.layers.empty()) text += toml_line("thickness", pad.thickness, "m");
-  if (pad.area) text += toml_line("area", *pad.area, "m2");
-  if (pad.sheet > 0) text += toml_line("sheet_mass_per_area", pad.sheet, "kg/m2");
-  if (pad.earlier_penetration > 0) text += toml_line("earlier_penetration", pad.earlier_penetration, "m");
+  for (const Parameter<Pad>& parameter : Pad::parameters)
+    if (!parameter.goes_without_saying(pad) && (pad.layers.empty() || parameter.member != &Pad::thickness))
+      text += toml_line(parameter.key, parameter.of(pad), parameter.unit);
   if (pad.floor != Floor::bonded) text += toml_line("floor", name_of(pad.floor));
-  text += toml_line("neighbours", pad.neighbours, "1");
   if (pad.layers.empty()) text += material_toml(pad.material, pad.condition, "pad.");
   for (const PadLayer& layer : pad.layers)
-    text += "\n[[pad.layers]]\n" + toml_line("thickness", layer.thickness, "m") +
+    text += "\n[[pad.layers]]\n" + numbers_toml(layer) +
             material_toml(layer.material, layer.condition, "pad.layers.");
   return text;
 }
@@ -77,19 +77,14 @@ std::string case_toml(const ImpactCase& impact, const Options& options) {
   std::string text;
   if (!impact.title.empty()) text += toml_line("title", impact.title);
   const Impactor& impactor = impact.impactor;
-  text += "\n[impactor]\n" + toml_line("mass", impactor.mass, "kg");
+  text += "\n[impactor]\n" + numbers_toml(impactor);
   text += fmt::format("nose = \"{}\"\n", name_of(impactor.nose));
   for (const ParameterValue& number : parameter_values(impactor.nose))
     text += toml_line(number.key, number.value, number.unit);
   if (const auto* profile = std::get_if<Profile>(&impactor.nose)) text += profile_toml(*profile);
-  text += toml_line("speed", impactor.speed, "m/s");
-  if (impactor.gravity != 0) text += toml_line("gravity", impactor.gravity, "m/s2");
-  text += pad_toml(impact.pad) + support_toml(impact.support) + backing_toml(impact.backing);
-  if (impact.blows)
-    text += "\n[blows]\n" + toml_line("count", impact.blows->count, "1") +
-            toml_line("recovery", impact.blows->recovery, "1");
-  text += "\n[solver]\n" + toml_line("tolerance", options.tolerance, "1") +
-          toml_line("time_limit", options.time_limit, "s");
+  text += pad_toml(impact.pad) + support_toml(impact.support) + numbers_toml(impact.backing);
+  if (impact.blows) text += "\n[blows]\n" + numbers_toml(*impact.blows);
+  text += "\n[solver]\n" + numbers_toml(options);
   return text.starts_with('\n') ? text.substr(1) : text;
 }
 

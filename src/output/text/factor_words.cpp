@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "dashpad/case/case_quantity.hpp"
 #include "output/text/capitals.hpp"
 
 namespace dashpad::output {
@@ -13,21 +14,28 @@ namespace {
 
 using Words = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Words, 15> known{{{"impactor.mass", "mass of the impactor"},
-                                       {"impactor.weight", "weight of the impactor"},
-                                       {"impactor.speed", "impact speed"},
-                                       {"impactor.gravity", "gravity"},
-                                       {"pad.material", "material"},
-                                       {"pad.thickness", "thickness of the pad"},
-                                       {"pad.area", "area of the pad"},
-                                       {"pad.sheet_mass_per_area", "mass per area of the sheet"},
-                                       {"pad.earlier_penetration", "earlier penetration"},
-                                       {"pad.scale", "scale of the foam's stress"},
-                                       {"pad.density", "density of the foam"},
-                                       {"pad.temperature", "temperature of the foam"},
-                                       {"blows.recovery", "recovery between blows"},
-                                       {"support.stiffness", "stiffness of the support"},
-                                       {"support.scale", "scale of the support's force"}}};
+constexpr std::array<Words, 3> known{{{"pad.material", "material"},
+                                      {"support.stiffness", "stiffness of the support"},
+                                      {"support.scale", "scale of the support's force"}}};
+
+/// The meaning of a number in the table of its owner; "" for another key.
+template <class Owner>
+std::string_view meaning_in(std::string_view prefix, std::string_view key) {
+  if (!key.starts_with(prefix)) return "";
+  for (const Parameter<Owner>& parameter : Owner::parameters)
+    if (key.substr(prefix.size()) == parameter.key) return parameter.meaning;
+  return "";
+}
+
+std::string_view meaning_of(std::string_view key) {
+  for (const OtherWay& way : other_ways())
+    if (key == way.key) return way.meaning;
+  for (const std::string_view meaning :
+       {meaning_in<Impactor>("impactor.", key), meaning_in<Pad>("pad.", key),
+        meaning_in<PadCondition>("pad.", key), meaning_in<Blows>("blows.", key)})
+    if (!meaning.empty()) return meaning;
+  return "";
+}
 
 /// What the numbers under a table of the case belong to.
 constexpr std::array<Words, 5> owners{{{"pad.parameters.", " of the foam"},
@@ -57,6 +65,7 @@ std::string words_of_layer(std::string_view key) {
 std::string factor_words(const std::string& key) {
   for (const auto& [name, words] : known)
     if (key == name) return std::string{words};
+  if (const std::string_view meaning = meaning_of(key); !meaning.empty()) return std::string{meaning};
   if (std::string words = words_of_layer(key); !words.empty()) return words;
   for (const auto& [begin, owner] : owners)
     if (key.starts_with(begin) && key.find('.', begin.size()) == std::string::npos)

@@ -52,7 +52,7 @@ std::string parameter_lines(const Of& of, const UnitSystem& units) {
   for (const Parameter<Of>& parameter : Of::parameters) {
     const std::string unit = unit_for(units, parameter.unit);
     text += fmt::format("  {:<26}{:<8}{:>12} {:<6} {}\n", parameter.key, parameter.symbol,
-                        brief(value_in(units, of.*(parameter.member), parameter.unit)), shown_unit(unit),
+                        brief(value_in(units, parameter.of(of), parameter.unit)), shown_unit(unit),
                         parameter.meaning);
   }
   return text;

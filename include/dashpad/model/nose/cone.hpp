@@ -37,7 +37,8 @@ inline constexpr std::array<Parameter<Cone>, 3> Cone::parameters{{
      &Cone::half_angle,
      {.lowest = 0.01, .highest = 1.56, .lowest_admitted = true, .highest_admitted = true},
      "angle between axis and side"},
-    {"tip_radius", "r0", "m", &Cone::tip_radius, not_negative, "radius of the flat tip; 0 for a point", true},
+    {"tip_radius", "r0", "m", &Cone::tip_radius, not_negative, "radius of the flat tip; 0 for a point",
+     LeftOut::as_default},
 }};
 
 }  // namespace dashpad

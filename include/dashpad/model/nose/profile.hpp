@@ -53,7 +53,7 @@ inline constexpr std::array<Parameter<Profile>, 1> Profile::parameters{{
      &Profile::scale,
      {.lowest = 1e-3, .highest = 1e3, .lowest_admitted = true, .highest_admitted = true},
      "by what the lengths of the profile are multiplied",
-     true},
+     LeftOut::as_default},
 }};
 
 }  // namespace dashpad

@@ -6,6 +6,7 @@
 ///
 /// Every stress of a law is multiplied, loading and unloading alike; strains, rates and times stay.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +21,29 @@ struct PadCondition {
   std::optional<double> density;      ///< kg/m3, > 0; needs a card with a density law
   std::optional<double> temperature;  ///< K, > 0; needs a card with a temperature table
 
+  static const std::array<Parameter<PadCondition>, 3> parameters;
+
   friend bool operator==(const PadCondition&, const PadCondition&) = default;
 };
+
+/// What a density and a temperature may be depends on the card.
+inline constexpr std::array<Parameter<PadCondition>, 3> PadCondition::parameters{{
+    {"scale",
+     "",
+     "1",
+     &PadCondition::scale,
+     {1e-3, 1e3, true, true},
+     "scale of the foam's stress",
+     LeftOut::as_default},
+    {"density", "", "kg/m3", &PadCondition::density, positive, "density of the foam", LeftOut::as_default},
+    {"temperature",
+     "",
+     "K",
+     &PadCondition::temperature,
+     {0, 2000, false, true},
+     "temperature of the foam",
+     LeftOut::as_default},
+}};
 
 /// Every rule that a condition breaks on this material; keys are those of cases, without `pad.`: `density`.
 std::vector<Violation> violations(const PadCondition& condition, const Material& material);

@@ -30,23 +30,25 @@ struct Backing {
 };
 
 inline constexpr std::array<Parameter<Backing>, 8> Backing::parameters{{
-    {"unloading_stiffness", "k_u", "N/m", &Backing::unloading_stiffness, not_negative,
-     "slope on which a crushed support comes back", true},
-    {"damping", "c", "N s/m", &Backing::damping, not_negative, "of a damper beside the support", true},
+    {"unloading_stiffness", "k_u", "N/m", &Backing::unloading_stiffness, wide(1e-3, 1e15),
+     "slope on which a crushed support comes back", LeftOut::none},
+    {"damping", "c", "N s/m", &Backing::damping, wide(1e-6, 1e12), "of a damper beside the support",
+     LeftOut::none},
     {"loss_factor",
      "\\eta",
      "1",
      &Backing::loss_factor,
      {0, 2, true, true},
      "of the support, as a damper",
-     true},
-    {"mass", "m", "kg", &Backing::mass, not_negative, "of the panel that carries the pad", true},
-    {"body_mass", "M_b", "kg", &Backing::body_mass, not_negative, "of a free body behind the support", true},
-    {"gap", "x_g", "m", &Backing::gap, not_negative, "between panel and support", true},
-    {"preload", "F_p", "N", &Backing::preload, not_negative, "force of the support at rest, against a stop",
-     true},
-    {"earlier_force", "F_e", "N", &Backing::earlier_force, not_negative,
-     "largest force of the support before, if it crushes", true},
+     LeftOut::none},
+    {"mass", "m", "kg", &Backing::mass, wide(1e-6, 1e6), "of the panel that carries the pad", LeftOut::none},
+    {"body_mass", "M_b", "kg", &Backing::body_mass, wide(1e-6, 1e6), "of a free body behind the support",
+     LeftOut::none},
+    {"gap", "x_g", "m", &Backing::gap, wide(1e-5, 1e2), "between panel and support", LeftOut::none},
+    {"preload", "F_p", "N", &Backing::preload, wide(1e-6, 1e12),
+     "force of the support at rest, against a stop", LeftOut::none},
+    {"earlier_force", "F_e", "N", &Backing::earlier_force, wide(1e-6, 1e12),
+     "largest force of the support before, if it crushes", LeftOut::none},
 }};
 
 }  // namespace dashpad

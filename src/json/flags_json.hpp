@@ -1,0 +1,19 @@
+#pragma once
+/// Flags as they stand in every JSON.
+
+#include <vector>
+
+#include "dashpad/impact/flags.hpp"
+#include "json/json_values.hpp"
+
+namespace dashpad {
+
+inline Json flags_json(const std::vector<Flag>& flags) {
+  Json all = Json::array();
+  for (const Flag& flag : flags)
+    all.push_back(
+        {{"name", flag.name}, {"severity", to_string(severity_of(flag.name))}, {"text", flag.text}});
+  return all;
+}
+
+}  // namespace dashpad

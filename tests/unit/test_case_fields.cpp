@@ -1,0 +1,102 @@
+// The numbers of a case stand in the tables of their structures, and nowhere else: docs/case-files.md and the
+// schema of results are held to them. To write both anew after a change: DASHPAD_REGENERATE=1 test_unit
+// --gtest_filter='CaseFields.*', then look at the difference.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "dashpad/case/case_field.hpp"
+#include "dashpad/case/case_quantity.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+
+namespace dashpad::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+const fs::path root = DASHPAD_SOURCE_DIR;
+const bool regenerate = std::getenv("DASHPAD_REGENERATE") != nullptr;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string words_of(LeftOut left_out) {
+  switch (left_out) {
+    case LeftOut::refused: return "must be given";
+    case LeftOut::as_default: return "0, or as nothing is said of it";
+    case LeftOut::none: return "there is none";
+    case LeftOut::computed: break;
+  }
+  return "see above";
+}
+
+std::string in_unit(const std::string& unit) { return unit == "1" ? "" : unit; }
+
+std::string table_of_fields() {
+  std::string text = "| key | SI unit | meaning | rule | if left out |\n|---|---|---|---|---|\n";
+  for (const CaseField& field : case_fields())
+    text += fmt::format("| `{}.{}` | {} | {} | {} | {} |\n", field.table, field.key, in_unit(field.unit),
+                        field.meaning, field.rule, words_of(field.left_out));
+  for (const OtherWay& way : other_ways())
+    text += fmt::format("| `{}` | {} | {} | in place of `{}` | |\n", way.key, in_unit(way.unit), way.meaning,
+                        way.instead_of);
+  return text;
+}
+
+TEST(CaseFields, AreInTheReferenceOfCaseFiles) {
+  const fs::path document = root / "docs" / "case-files.md";
+  std::string text = text_of(document);
+  const std::string begin = "<!-- begin numbers of a case -->\n", end = "<!-- end numbers of a case -->";
+  const std::size_t from = text.find(begin) + begin.size(), to = text.find(end);
+  ASSERT_TRUE(to != std::string::npos && from < to);
+  const std::string table = "\n" + table_of_fields() + "\n";
+  if (!regenerate) {
+    EXPECT_EQ(text.substr(from, to - from), table);
+    return;
+  }
+  text.replace(from, to - from, table);
+  std::ofstream(document) << text;
+  GTEST_SKIP() << "wrote " << document;
+}
+
+/// Where the schema describes the echo of a table of the case.
+Json& echo_of(Json& schema, const std::string& table) {
+  Json& of_case = schema["properties"]["case"]["properties"];
+  return table == "pad.layers" ? of_case["pad"]["properties"]["layers"]["items"] : of_case[table];
+}
+
+TEST(CaseFields, AreInTheSchemaOfResults) {
+  const fs::path file = root / "schema" / "summary.schema.json";
+  Json schema = Json::parse(text_of(file));
+  for (const CaseField& field : case_fields()) {
+    if (field.table == "solver") continue;  // no echo: results say what they were solved with
+    Json& echo = echo_of(schema, field.table);
+    const std::string name = name_with_unit(field.key, field.unit);
+    if (regenerate && !echo["properties"].contains(name)) {
+      echo["properties"][name] = {{"description", fmt::format("{}. Unit: {}.", field.meaning, field.unit)},
+                                  {"type", {"number", "null"}}};
+      echo["required"].push_back(name);
+    }
+    ASSERT_TRUE(echo["properties"].contains(name)) << field.table << " " << name;
+    const std::string description = echo["properties"][name]["description"];
+    EXPECT_TRUE(description.ends_with("Unit: " + field.unit + ".")) << field.table << " " << description;
+    const std::set<std::string> required = echo["required"];
+    EXPECT_TRUE(required.contains(name)) << field.table << " " << name;
+  }
+  if (regenerate) std::ofstream(file) << schema.dump(2) << "\n";
+}
+
+}  // namespace
+}  // namespace dashpad::test
