@@ -20,14 +20,16 @@ Usage: ./do TASK [arguments]
   bench --check            whether the tables of bench/README.md are those of bench/results
   pictures                 draw the pictures of README and docs anew, but for one that was drawn by hand
   format                   lay out the C++ code with clang-format
-  lint                     check layout, clang-tidy, cppcheck and shellcheck; changes nothing
+  check-layout             check the layout of the code with clang-format, and the scripts with shellcheck
+  lint                     the same, clang-tidy and cppcheck; changes nothing
   coverage                 run the tests and report the lines they reach
   fuzz [TARGET] [SECONDS]  feed made-up bytes to the readers of files, each for SECONDS (default: 300), or to one of
                            them (tests/fuzz/fuzz_TARGET.cpp); what breaks them goes to build/fuzz/findings
   wasm                     compile the solver, injury figures and readers of texts for WebAssembly, and solve a case there
-  nightly                  what takes longer than the tests: fits to 60 made-up mats of known truth (some ten minutes),
-                           answers against finer ones over 21,000 random cases (half an hour of processor time)
-                           and against a second solver over 200 (ten minutes)
+  compile COMPILER         build everything with clang-14 or clang-19, warnings are errors; runs nothing
+  nightly                  what takes hours: fits to 60 made-up mats of known truth, answers against finer ones over
+                           21,000 random cases and against a second solver over 200, both clangs, the tests under
+                           sanitizers, a minute of made-up bytes for each reader, lint
   clean                    remove build/
   install-packages [GROUP...]
                            install the Debian packages of packages.txt (default: all groups)
@@ -144,7 +146,7 @@ task_test() {
     preset="$1"
     shift
   fi
-  need_packages run test
+  need_packages run test format shellcheck
   say "Building the tests ..."
   configure "$preset" -DDASHPAD_BUILD_TESTS=ON
   build "$preset"
@@ -214,15 +216,19 @@ task_format() {
   cpp_files | xargs -r clang-format -i
 }
 
+task_check_layout() {
+  need_packages format shellcheck
+  cd "$root"
+  say "Checking the layout ..."
+  cpp_files | xargs -r -n 100 -P "$jobs" clang-format --dry-run --Werror
+  say "Running shellcheck ..."
+  shellcheck ./do ./.ci/run tests/soak/*.sh tests/regression/*.sh
+}
+
 task_lint() {
   need_packages run test bench format lint
   cd "$root"
-
-  say "Checking the layout ..."
-  cpp_files | xargs -r clang-format --dry-run --Werror
-
-  say "Running shellcheck ..."
-  shellcheck ./do ./.ci/run tests/soak/*.sh tests/regression/*.sh
+  task_check_layout
 
   # Ninja goes on from what has passed: the first time takes an hour, later ones what has changed.
   say "Building with clang-tidy, warnings are errors ..."
@@ -349,19 +355,39 @@ TEXT
   node --no-warnings "$root/tests/wasm/run.mjs" "$folder/solve.wasm"
 }
 
+# Every step is taken, whatever the one before it said; the last lines say which of them failed.
 task_nightly() {
-  need_packages run test
-  say "Building ..."
-  configure release -DDASHPAD_BUILD_TESTS=ON
-  build release count_answers compare_with_oracle mats_of_known_truth
-  local tests="$root/build/release/tests" failed=0 kind
-  "$tests/mats_of_known_truth" --least 54 || failed=1
+  need_packages run test bench format lint fuzz compilers
+  local tests="$root/build/release/tests" failed=() kind compiler
+  step() {
+    say "--- $*"
+    "$@" || failed+=("$*")
+  }
+  (
+    say "Building ..."
+    configure release -DDASHPAD_BUILD_TESTS=ON
+    build release count_answers compare_with_oracle mats_of_known_truth
+  )
+  step "$tests/mats_of_known_truth" --least 54
   for kind in ordinary plausible; do
-    "$tests/count_answers" --kind "$kind" --cases 10000 --threads "$jobs" || failed=1
+    step "$tests/count_answers" --kind "$kind" --cases 10000 --threads "$jobs"
   done
-  "$tests/count_answers" --kind practice --cases 1000 --threads "$jobs" || failed=1
-  "$tests/compare_with_oracle" --cases 200 --threads "$jobs" || failed=1
-  return "$failed"
+  step "$tests/count_answers" --kind practice --cases 1000 --threads "$jobs"
+  step "$tests/compare_with_oracle" --cases 200 --threads "$jobs"
+  for compiler in clang-14 clang-19; do step "$root/do" compile "$compiler"; done
+  step "$root/do" test asan-ubsan
+  step "$root/do" fuzz 60
+  step "$root/do" lint
+  for kind in "${failed[@]}"; do say "failed: $kind"; done
+  say "nightly: ${#failed[@]} steps failed"
+  [[ ${#failed[@]} -eq 0 ]]
+}
+
+# Everything by another compiler, warnings are errors; nothing is run.
+task_compile() {
+  need_packages run test bench compilers
+  configure "$1" -DDASHPAD_BUILD_TESTS=ON -DDASHPAD_BUILD_BENCH=ON
+  build "$1"
 }
 
 task_clean() { rm -rf "$root/build"; }
@@ -371,7 +397,9 @@ task_install_packages() { need_packages "$@"; }
 task="${1:-help}"
 [[ $# -eq 0 ]] || shift
 case "$task" in
-  run | test | bench | pictures | format | lint | coverage | fuzz | wasm | nightly | clean | install-packages) "task_${task//-/_}" "$@" ;;
+  run | test | bench | pictures | format | check-layout | lint | coverage | fuzz | wasm | compile | nightly | clean | install-packages)
+    "task_${task//-/_}" "$@"
+    ;;
   help | -h | --help) help ;;
   *)
     help >&2
