@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <vector>
 
@@ -59,8 +58,9 @@ int run(const RunRequest& request, const std::filesystem::path& materials) {
   if (!request.no_intervals) add_intervals_with_progress(blows.back().impact, input.options, solution);
   publish(request.files, {input.impact, input.options, solution,
                           input.impact.blows ? std::span(blows) : std::span<const Blow>{}});
-  return std::ranges::max(
-      blows | std::views::transform([](const Blow& blow) { return exit_code(blow.solution.summary); }));
+  ExitCode worst = exit_code(blows.front().solution.summary);
+  for (const Blow& blow : blows) worst = std::max(worst, exit_code(blow.solution.summary));
+  return worst;
 }
 
 }  // namespace
