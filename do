@@ -28,8 +28,8 @@ Usage: ./do TASK [arguments]
   wasm                     compile the solver, injury figures and readers of texts for WebAssembly, and solve a case there
   compile COMPILER         build everything with clang-14 or clang-19, warnings are errors; runs nothing
   nightly                  what takes hours: fits to 60 made-up mats of known truth, answers against finer ones over
-                           21,000 random cases and against a second solver over 200, both clangs, the tests under
-                           sanitizers, a minute of made-up bytes for each reader, lint
+                           21,000 random cases and against a second solver over 200, both clangs, WebAssembly, the
+                           tests under sanitizers, a minute of made-up bytes for each reader, lint
   clean                    remove build/
   install-packages [GROUP...]
                            install the Debian packages of packages.txt (default: all groups)
@@ -375,6 +375,7 @@ task_nightly() {
   step "$tests/count_answers" --kind practice --cases 1000 --threads "$jobs"
   step "$tests/compare_with_oracle" --cases 200 --threads "$jobs"
   for compiler in clang-14 clang-19; do step "$root/do" compile "$compiler"; done
+  step "$root/do" wasm
   step "$root/do" test asan-ubsan
   step "$root/do" fuzz 60
   step "$root/do" lint

@@ -161,8 +161,11 @@ constexpr std::array<OtherWay, 2> all_other_ways{{
          [](const ImpactCase& impact) {
            return std::pow(impact.impactor.speed, 2) / (2 * gravity_of_fall(impact));
          },
-     .set = [](ImpactCase& impact,
-               double value) { impact.impactor.speed = std::sqrt(2 * gravity_of_fall(impact) * value); }},
+     .set =
+         [](ImpactCase& impact, double value) {
+           impact.impactor.speed =
+               std::copysign(std::sqrt(2 * gravity_of_fall(impact) * std::abs(value)), value);
+         }},
 }};
 
 }  // namespace

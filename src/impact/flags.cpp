@@ -38,6 +38,9 @@ constexpr std::array all_flags{
     FlagKind{"REPLACED", Severity::note},
     FlagKind{"NO INTERVALS", Severity::doubtful},
     FlagKind{"NO INTERVAL", Severity::doubtful},
+    FlagKind{"UNKNOWN RANGE", Severity::doubtful},
+    FlagKind{"UNVERIFIED", Severity::doubtful},
+    FlagKind{"SECONDARY SOURCE", Severity::note},
     // Of material tests
     FlagKind{"ASSUMPTION", Severity::note},
     FlagKind{"ENERGY GAIN", Severity::doubtful},

@@ -63,19 +63,18 @@ Support read_curve(TableReader& table) {
 SupportEntry read_support(TableReader& table) {
   const std::size_t faults = table.faults().size();
   const std::string type = table.choice("type", {"rigid", "linear", "curve"});
-  SupportEntry entry;
   if (type.empty()) return {.is_known = false};
-  entry.support = type == "linear"  ? read_linear(table)
-                  : type == "curve" ? read_curve(table)
-                                    : Support::rigid();
-  entry.backing = read_parameters<Backing>(table);
-  for (const Parameter<Backing>& parameter : Backing::parameters)
-    if (parameter.unit == std::string_view("kg") && table.has(parameter.key) &&
-        parameter.of(entry.backing) == 0)
-      table.fault(parameter.key, "must be more than 0; without one, leave the key out");
+  Support support = type == "linear"  ? read_linear(table)
+                    : type == "curve" ? read_curve(table)
+                                      : Support::rigid();
+  const Backing backing = read_parameters<Backing>(table);
+  for (const double Backing::*mass : {&Backing::mass, &Backing::body_mass}) {
+    const char* const key = mass == &Backing::mass ? "mass" : "body_mass";
+    if (table.has(key) && backing.*mass == 0)
+      table.fault(key, "must be more than 0; without one, leave the key out");
+  }
   table.refuse_others();
-  entry.is_known = table.faults().size() == faults;
-  return entry;
+  return {std::move(support), backing, table.faults().size() == faults};
 }
 
 }  // namespace dashpad::input

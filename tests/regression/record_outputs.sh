@@ -119,6 +119,6 @@ done
 (cd "$into/bad" && for file in *.err; do echo "## $file $(cat "${file%.err}.code")" && cat "$file"; done) |
   sed "s#$broken/##" >"$into/bad.txt"
 rm -r "$into/bad"
-find "$into" -type f -exec sed -i -E -e "s#$into#FOLDER#g; s#$PWD/#SOURCE/#g; s/\b[0-9a-f]{12}(-dirty)?\b/COMMIT/" \
+find "$into" -type f -exec sed -i -E -e "s#$into#FOLDER#g; s#$PWD/#SOURCE/#g; s/(commit |\()[0-9a-f]{12}(-dirty)?/\1COMMIT/" \
   -e 's/(evaluations|computed) in [0-9.]+ s(, [0-9]+ rows)?/\1/; /^Simulating the tests will take/d' \
   -e 's/"(solve_time|wall_time|processor_time|elapsed)[a-z_]*": [0-9.e+-]+/"\1": 0/; s/"commit": "[^"]*"/"commit": ""/; s/[0-9.]+ (ms|s); energy/ms; energy/' {} +

@@ -178,6 +178,8 @@ TEST(CaseQuantities, AFallFromAHeightIsASpeed) {
     EXPECT_NEAR(impact.impactor.speed, std::sqrt(2 * (gravity > 0 ? gravity : 9.80665) * 1.5), 1e-12);
     EXPECT_NEAR(height.get(impact), 1.5, 1e-12);
     EXPECT_EQ(impact.impactor.gravity, gravity);
+    height.set(impact, -1);
+    EXPECT_LT(impact.impactor.speed, 0);  // which a rule refuses, with a number in its sentence
   }
 }
 

@@ -178,7 +178,7 @@ TEST(case_rules, each_is_checked) {
        },
        {"support.points[2]"}},
       {[](ImpactCase& impact) { impact = ImpactCase(); },
-       {"impactor.mass", "impactor.radius", "impactor.speed", "pad.thickness", "pad.parameters.modulus"}},
+       {"impactor.mass", "impactor.speed", "impactor.radius", "pad.thickness", "pad.parameters.modulus"}},
   };
   for (std::size_t i = 0; i < changes.size(); ++i) {
     ImpactCase impact = sound_case();

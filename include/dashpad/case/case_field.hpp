@@ -15,6 +15,7 @@ struct CaseField {
   std::string unit;   ///< SI; "1" for a pure number
   std::string rule;   ///< "must be at least 0 m"
   LeftOut left_out = LeftOut::refused;
+  double default_value = 0;  ///< SI, of LeftOut::as_default; NaN for one that is absent then
   std::string meaning;
 };
 

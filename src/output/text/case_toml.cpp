@@ -28,9 +28,9 @@ std::string support_toml(const Support& support) {
   return text + "]\n";
 }
 
-/// The numbers of an owner that do not go without saying.
+/// The numbers of an owner, but for those that go without saying.
 template <class Owner>
-std::string numbers_toml(const Owner& owner) {
+std::string given_toml(const Owner& owner) {
   std::string text;
   for (const Parameter<Owner>& parameter : Owner::parameters)
     if (!parameter.goes_without_saying(owner))
@@ -66,7 +66,7 @@ std::string pad_toml(const Pad& pad) {
   if (pad.floor != Floor::bonded) text += toml_line("floor", name_of(pad.floor));
   if (pad.layers.empty()) text += material_toml(pad.material, pad.condition, "pad.");
   for (const PadLayer& layer : pad.layers)
-    text += "\n[[pad.layers]]\n" + numbers_toml(layer) +
+    text += "\n[[pad.layers]]\n" + given_toml(layer) +
             material_toml(layer.material, layer.condition, "pad.layers.");
   return text;
 }
@@ -77,14 +77,14 @@ std::string case_toml(const ImpactCase& impact, const Options& options) {
   std::string text;
   if (!impact.title.empty()) text += toml_line("title", impact.title);
   const Impactor& impactor = impact.impactor;
-  text += "\n[impactor]\n" + numbers_toml(impactor);
+  text += "\n[impactor]\n" + given_toml(impactor);
   text += fmt::format("nose = \"{}\"\n", name_of(impactor.nose));
   for (const ParameterValue& number : parameter_values(impactor.nose))
     text += toml_line(number.key, number.value, number.unit);
   if (const auto* profile = std::get_if<Profile>(&impactor.nose)) text += profile_toml(*profile);
-  text += pad_toml(impact.pad) + support_toml(impact.support) + numbers_toml(impact.backing);
-  if (impact.blows) text += "\n[blows]\n" + numbers_toml(*impact.blows);
-  text += "\n[solver]\n" + numbers_toml(options);
+  text += pad_toml(impact.pad) + support_toml(impact.support) + given_toml(impact.backing);
+  if (impact.blows) text += "\n[blows]\n" + given_toml(*impact.blows);
+  text += "\n[solver]\n" + given_toml(options);
   return text.starts_with('\n') ? text.substr(1) : text;
 }
 
