@@ -57,8 +57,10 @@ def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     # A clone has git; an archive of the sources may have neither it nor anything beside the sources.
     listed = subprocess.run(["git", "-C", root, "ls-files", "*.md"], capture_output=True, text=True, check=False)
-    names = listed.stdout.split() if listed.returncode == 0 else root.rglob("*.md")
-    documents = [root / name for name in names if (root / name).exists()]
+    found = listed.stdout.split() if listed.returncode == 0 else root.rglob("*.md")
+    names = [pathlib.Path(root, name).relative_to(root) for name in found]
+    made = {"build", "node_modules"}
+    documents = [root / name for name in names if (root / name).exists() and not made & set(name.parts)]
     faults = [fault for document in documents for fault in faults_of(document, root)]
     print("\n".join(faults) or f"{len(documents)} documents, no link leads nowhere")
     return 1 if faults or not documents else 0
