@@ -24,7 +24,7 @@ constexpr double one_rate = 2;
 void check_key_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
   const std::string key = "unknowns." + unknown.key;
   const auto has = [&](const ImpactCase& impact) {
-    return std::ranges::count(quantities_of(impact), unknown.key, &CaseQuantity::key) > 0;
+    return find_quantity(quantities_of(impact), unknown.key) != nullptr;
   };
   if (!has(fit.base)) {
     broken.push_back({key, no_value,
@@ -51,8 +51,8 @@ void check_key_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
 /// The rule that the base case breaks with this value of the unknown.
 std::string rule_at(const Fit& fit, const Unknown& unknown, double value) {
   const std::vector<CaseQuantity> quantities = quantities_of(fit.base);
-  const auto quantity = std::ranges::find(quantities, unknown.key, &CaseQuantity::key);
-  if (quantity == quantities.end()) return "";
+  const CaseQuantity* const quantity = find_quantity(quantities, unknown.key);
+  if (quantity == nullptr) return "";
   ImpactCase impact = fit.base;
   quantity->set(impact, value);
   for (const Violation& violation : violations(impact))

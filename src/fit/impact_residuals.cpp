@@ -33,8 +33,8 @@ std::vector<Setter> setters_of(const Fit& fit, const std::string& file, const Im
   std::vector<Setter> setters;
   const std::vector<CaseQuantity> quantities = quantities_of(impact);
   for (const Unknown& unknown : fit.unknowns) {
-    const auto found = std::ranges::find(quantities, unknown.key, &CaseQuantity::key);
-    if (found == quantities.end()) throw std::invalid_argument(file + " has no " + unknown.key);
+    const CaseQuantity* const found = find_quantity(quantities, unknown.key);
+    if (found == nullptr) throw std::invalid_argument(file + " has no " + unknown.key);
     setters.push_back(found->set);
   }
   return setters;

@@ -91,8 +91,8 @@ void read_unknowns(TableReader& top, bool has_base, Fit& fit, Lines& lines) {
       const TomlNode* own = *part ? node->child(part + 1) : node;
       lines[path + part] = own ? own->line : node->line;
     }
-    const auto found = std::ranges::find(quantities, key, &CaseQuantity::key);
-    if (found == quantities.end()) {
+    const CaseQuantity* const found = find_quantity(quantities, key);
+    if (found == nullptr) {
       const bool on_trust = !has_base && (study::is_of_law(key) || key.starts_with("support."));
       if (!on_trust)
         top.faults().add(node->line, path, node->written(), study::rule_for_unknown(key, fit.base));

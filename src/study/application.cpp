@@ -93,8 +93,8 @@ Application::Application(const Study& study) {
       });
       continue;
     }
-    const auto found = std::ranges::find(quantities, factor.key, &CaseQuantity::key);
-    if (found == quantities.end()) throw std::invalid_argument("no quantity of the case: " + factor.key);
+    const CaseQuantity* const found = find_quantity(quantities, factor.key);
+    if (found == nullptr) throw std::invalid_argument("no quantity of the case: " + factor.key);
     steps_.push_back(found->set);
   }
 }

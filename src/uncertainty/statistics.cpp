@@ -43,8 +43,8 @@ ImpactCase with_values(ImpactCase impact, const std::string& prefix, const Poste
                        std::size_t axis, bool is_plus) {
   const std::vector<CaseQuantity> quantities = quantities_of(impact);
   for (std::size_t i = 0; i < axes.keys.size(); ++i) {
-    const auto of = std::ranges::find(quantities, prefix + axes.keys[i], &CaseQuantity::key);
-    if (of != quantities.end()) of->set(impact, (is_plus ? axes.plus : axes.minus)[axis][i]);
+    if (const CaseQuantity* const of = find_quantity(quantities, prefix + axes.keys[i]))
+      of->set(impact, (is_plus ? axes.plus : axes.minus)[axis][i]);
   }
   return impact;
 }
