@@ -143,8 +143,8 @@ AssessInput read_and_check(const AssessRequest& request, const AssessFolders& fo
   for (const std::string& name : request.standards)
     noting_faults(wrong, [&] {
       const input::StandardChoice choice = input::standard_choice(name);
-      files.push_back({"the standard", input::find_standard(choice.name, folders.standards)});
-      const injury::Standard standard = input::read_standard(files.back().file);
+      files.push_back({"the standard", input::find_standard(choice.name, folders.standards).value()});
+      const injury::Standard standard = input::read_standard(files.back().file).value();
       input.all.push_back(
           {.own = injury::with_user_values(injury::with_variants(standard, choice.variants), values),
            .standard = {},

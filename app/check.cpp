@@ -29,7 +29,8 @@ struct CheckRequest {
 };
 
 int check(const CheckRequest& request, const std::filesystem::path& materials) {
-  const input::CaseFile input = input::read_case(request.given.file, materials, request.given.settings);
+  const input::CaseFile input =
+      input::read_case(request.given.file, materials, request.given.settings).value();
   write_output(fmt::format("{}: OK\n\n{}\nIn SI:\n{}", request.given.file,
                            output::case_text(input.impact, unit_system(request.units)),
                            output::case_in_si(input.impact, input.options)));

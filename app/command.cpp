@@ -120,12 +120,7 @@ CLI::Option* add_case(CLI::App& app, GivenCase& given) {
 
 std::optional<input::CaseFile> read_case(const GivenCase& given, const std::filesystem::path& materials,
                                          std::vector<std::string>& wrong) {
-  try {
-    return input::read_case(given.file, materials, given.settings);
-  } catch (const input::InputError& error) {
-    add_lines(error.faults(), wrong);
-    return std::nullopt;
-  }
+  return taken(input::read_case(given.file, materials, given.settings), wrong);
 }
 
 input::CaseFile case_to_solve(
@@ -189,7 +184,7 @@ std::vector<std::string> lines(const std::vector<input::Fault>& faults) {
 }
 
 void add_lines(const std::vector<input::Fault>& faults, std::vector<std::string>& wrong) {
-  for (const input::Fault& fault : faults) wrong.push_back(to_string(fault));
+  for (const input::Fault& fault : faults) wrong.push_back(with_excerpt(fault));
 }
 
 }  // namespace dashpad::app

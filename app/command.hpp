@@ -123,6 +123,13 @@ int list_cards(std::string heading, const std::vector<std::filesystem::path>& ca
 /// One line for each fault.
 std::vector<std::string> lines(const std::vector<input::Fault>& faults);
 void add_lines(const std::vector<input::Fault>& faults, std::vector<std::string>& wrong);
+/// What was read; its faults are added to what is wrong.
+template <class T>
+std::optional<T> taken(input::Reading<T> reading, std::vector<std::string>& wrong) {
+  if (reading) return *std::move(reading);
+  add_lines(reading.faults(), wrong);
+  return std::nullopt;
+}
 
 /// Facts about this build, for --version.
 std::string version_text();

@@ -178,12 +178,7 @@ int fit_material(const FitRequest& request, const std::filesystem::path& materia
   const StopSignal signal;
   std::vector<std::string> wrong;
   const std::size_t draws = draws_of(request, wrong);
-  std::optional<fit::FitFile> input;
-  try {
-    input = fit::read_fit(request.file, materials);
-  } catch (const input::InputError& error) {
-    add_lines(error.faults(), wrong);
-  }
+  std::optional<fit::FitFile> input = taken(fit::read_fit(request.file, materials), wrong);
   std::vector<Target> targets = fit_targets(request);
   const std::vector<input::InputFile> files =
       input ? input->files : std::vector<input::InputFile>{{"the fit file", request.file}};

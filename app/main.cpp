@@ -81,12 +81,17 @@ constexpr Command commands[]{{"Every day", "run", add_run},
 /// More than that nobody reads, of however many kinds the faults are.
 constexpr std::size_t most_lines = 200;
 
+/// One line, and below it the excerpt of the file where it has one.
+std::string shown(const std::string& complaint) {
+  const auto end = std::min(complaint.find("\n  "), complaint.size());
+  return one_line(without_endless_words(complaint.substr(0, end))) + complaint.substr(end);
+}
+
 int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
   std::string text;
   const std::size_t count = complaints.size();
   const std::vector<std::string> lines = input::abridged(complaints);
-  for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i)
-    text += one_line(without_endless_words(lines[i])) + "\n";
+  for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) text += shown(lines[i]) + "\n";
   if (lines.size() > most_lines) text += "...\n";
   text += std::to_string(count) + (count == 1 ? " fault" : " faults");
   constexpr std::array only_look{"check", "materials", "material", "standards"};

@@ -73,23 +73,18 @@ void publish(const MaterialsRequest& request, const std::vector<Material>& mater
 int show(const MaterialsRequest& request, const fs::path& folder) {
   const fs::path card = find_card(request.name, folder);
   judge(request, {card});
-  const Material material = input::read_material(card);
+  const Material material = input::read_material(card).value();
   publish(request, {material}, output::material_text(material, unit_system(request.units)));
   return exit_done;
 }
 
 int list_all_materials(const MaterialsRequest& request, const fs::path& folder) {
-  const std::vector<fs::path> cards = input::list_materials(folder);
+  const std::vector<fs::path> cards = input::list_materials(folder).value();
   judge(request, cards);
   std::vector<Material> materials;
   std::vector<std::string> faults;
-  for (const fs::path& card : cards) {
-    try {
-      materials.push_back(input::read_material(card));
-    } catch (const input::InputError& error) {
-      add_lines(error.faults(), faults);
-    }
-  }
+  for (const fs::path& card : cards)
+    if (auto material = taken(input::read_material(card), faults)) materials.push_back(*std::move(material));
   const std::string text =
       fmt::format("Materials in {}:\n", folder.string()) + output::materials_text(materials);
   if (!faults.empty()) {
@@ -106,7 +101,7 @@ int list_all_materials(const MaterialsRequest& request, const fs::path& folder) 
 
 fs::path find_card(const std::string& name, const fs::path& folder) {
   if (name.ends_with(".toml") || input::given_stream(name) != nullptr) return name;
-  const std::vector<fs::path> cards = input::list_materials(folder);
+  const std::vector<fs::path> cards = input::list_materials(folder).value();
   const auto card = std::ranges::find(cards, name, [](const fs::path& path) { return path.stem().string(); });
   if (card == cards.end())
     throw Refused(

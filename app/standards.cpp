@@ -35,7 +35,8 @@ struct StandardsRequest {
 
 int show(const StandardsRequest& request, const fs::path& folder) {
   const input::StandardChoice choice = input::standard_choice(request.name);
-  const injury::Standard standard = input::read_standard(input::find_standard(choice.name, folder));
+  const injury::Standard standard =
+      input::read_standard(input::find_standard(choice.name, folder).value()).value();
   try {
     write_output(
         output::standard_text(injury::with_variants(standard, choice.variants), unit_system(request.units)));
@@ -46,8 +47,9 @@ int show(const StandardsRequest& request, const fs::path& folder) {
 }
 
 int list_all_standards(const fs::path& folder) {
-  return list_cards(fmt::format("Standards in {}:\n", folder.string()), input::list_standards(folder),
-                    [](const fs::path& file) { return output::standard_line(input::read_standard(file)); });
+  return list_cards(
+      fmt::format("Standards in {}:\n", folder.string()), input::list_standards(folder).value(),
+      [](const fs::path& file) { return output::standard_line(input::read_standard(file).value()); });
 }
 
 }  // namespace

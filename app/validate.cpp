@@ -110,11 +110,7 @@ ValidateInput read_and_check(const ValidateRequest& request, const ValidateFolde
   std::vector<input::InputFile> inputs = input.data.files;
   inputs.push_back({"the material card", folders.materials / material});
   judge_targets(targets, inputs, request.force, wrong);
-  try {
-    input.ensolite = input::read_material(inputs.back().file);
-  } catch (const input::InputError& error) {
-    add_lines(error.faults(), wrong);
-  }
+  if (auto card = taken(input::read_material(inputs.back().file), wrong)) input.ensolite = *std::move(card);
   if (!wrong.empty()) throw Refused(std::move(wrong));
   return input;
 }

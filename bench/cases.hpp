@@ -21,7 +21,7 @@ inline ImpactCase impact_of(const std::string& id) {
   if (id == "f1") {
     impact.title = "dashboard example, foam by curves";
     impact.pad.material =
-        input::read_material(std::filesystem::path(DASHPAD_SOURCE_DIR) / "materials/vn600.toml");
+        input::read_material(std::filesystem::path(DASHPAD_SOURCE_DIR) / "materials/vn600.toml").value();
     impact.pad.thickness *= 3;
     impact.pad.condition.scale = 3;
     return impact;

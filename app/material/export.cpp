@@ -58,9 +58,7 @@ std::optional<Material> material_to_export(const ExportMaterialRequest& request,
   try {
     const std::filesystem::path card = find_card(request.card, folder);
     files.push_back({"the material card", card});
-    return input::read_material(card);
-  } catch (const input::InputError& error) {
-    add_lines(error.faults(), wrong);
+    return taken(input::read_material(card), wrong);
   } catch (const Refused& refused) {
     wrong.insert(wrong.end(), refused.complaints().begin(), refused.complaints().end());
   }

@@ -147,13 +147,11 @@ int import_material(const ImportRequest& request) {
   std::optional<double> rate;
   const std::optional<UnitSystem> units = judge_import(request, rate, wrong);
   Found found;
-  try {
-    if (is_table(request.file))
-      found.push_back(input::read_stress_table(request.file, rate));
-    else if (units)
-      found = input::read_material_deck(request.file, *units);
-  } catch (const input::InputError& error) {
-    add_lines(error.faults(), wrong);
+  if (is_table(request.file)) {
+    if (auto table = taken(input::read_stress_table(request.file, rate), wrong))
+      found.push_back(*std::move(table));
+  } else if (units) {
+    found = taken(input::read_material_deck(request.file, *units), wrong).value_or(Found());
   }
   if (request.material && !found.empty()) keep_only(*request.material, found, wrong);
   const std::vector<Target> targets = targets_of(request, found, wrong);

@@ -69,15 +69,6 @@ std::optional<fs::path> card_file(const std::string& name, const fs::path& folde
   return std::nullopt;
 }
 
-std::optional<Material> read_card(const fs::path& card, Wrong& wrong) {
-  try {
-    return input::read_material(card);
-  } catch (const input::InputError& error) {
-    add_lines(error.faults(), wrong);
-  }
-  return std::nullopt;
-}
-
 /// Throws Refused with all that is wrong.
 laboratory::MaterialTestReport run_test(const MaterialTestCommand& request, const fs::path& folder) {
   Wrong wrong;
@@ -88,7 +79,7 @@ laboratory::MaterialTestReport run_test(const MaterialTestCommand& request, cons
   judge_targets(targets(request), files, request.force, wrong);
   judge_picture(request.picture, wrong);
   const laboratory::MaterialTest test = test_of(request.test, wrong);
-  const std::optional<Material> material = card ? read_card(*card, wrong) : std::nullopt;
+  const std::optional<Material> material = card ? taken(input::read_material(*card), wrong) : std::nullopt;
   if (!wrong.empty()) throw Refused(std::move(wrong));
   try {
     const ProgressLine line{"Testing the material"};

@@ -108,14 +108,11 @@ void judge_rates(const laboratory::MaterialTest& test, Wrong& wrong) {
 
 void read_history(const std::string& file, laboratory::MaterialTest& test, Wrong& wrong) {
   test.history_name = file;
-  try {
-    input::StrainTable table = input::read_strain_csv(file);
-    test.times = std::move(table.time);
-    test.strains = std::move(table.strain);
-    test.history_remarks = std::move(table.remarks);
+  if (auto table = taken(input::read_strain_csv(file), wrong)) {
+    test.times = std::move(table->time);
+    test.strains = std::move(table->strain);
+    test.history_remarks = std::move(table->remarks);
     judge_rates(test, wrong);
-  } catch (const input::InputError& error) {
-    add_lines(error.faults(), wrong);
   }
 }
 

@@ -99,7 +99,7 @@ int run_on(const Ranks& ranks, const StudyRequest& request, const std::filesyste
   const auto read = [&] {
     if (request.threads > 1)
       throw Refused({"--threads: under mpirun each rank computes on one core; choose the number of ranks"});
-    study = study::read_study(request.study_file, materials);
+    study = study::read_study(request.study_file, materials).value();
   };
   // Silent ranks end well: mpirun ends all at the first exit code that is not 0, and the message must be out.
   if (!is_agreed(ranks, complaints_of(read))) return exit_done;

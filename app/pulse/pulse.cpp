@@ -98,14 +98,14 @@ std::string list_of(const PulseRequest& request) {
   const ProgressLine waiting("Reading " + request.file);
   std::string text;
   if (input::is_iso_mme(request.file)) {
-    for (const input::IsoMmeChannel& channel : input::iso_mme_channels(request.file))
+    for (const input::IsoMmeChannel& channel : input::iso_mme_channels(request.file).value())
       text += fmt::format("{:>4}  {:<16}  {:<8}  {:>8}  {}{}\n", channel.number, channel.code, channel.unit,
                           channel.samples, channel.name,
                           channel.problem.empty() ? "" : " (" + channel.problem + ")");
     text = fmt::format("{:>4}  {:<16}  {:<8}  {:>8}  {}\n", "No.", "code", "unit", "samples", "name") + text;
   } else {
     text = fmt::format("{:>4}  {:<30}  {}\n", "No.", "column", "unit");
-    for (const injury::MeasuredColumn& column : input::pulse_csv_columns(request.file))
+    for (const injury::MeasuredColumn& column : input::pulse_csv_columns(request.file).value())
       text += fmt::format("{:>4}  {:<30}  {}\n", column.number, column.name,
                           column.unit.empty() ? "not said" : column.unit);
   }

@@ -23,7 +23,8 @@ namespace {
 
 constexpr double usual_speed = 15e6;  // bytes of a table read and computed in a second, on one core of 2020
 
-input::PulseFile read(const PulseRequest& request, const PulseSettings& settings, bool is_test) {
+input::Reading<input::PulseFile> read(const PulseRequest& request, const PulseSettings& settings,
+                                      bool is_test) {
   if (is_test)
     return input::read_iso_mme(request.file, {request.channel, request.table.acceleration_unit,
                                               request.resultant, settings.sensitivities});
@@ -115,12 +116,9 @@ injury::PulseReport pulse_report(
   ProgressLine waiting("Reading " + request.file);
   if (wrong.empty()) waiting.expect(expected_time(request.file));
   std::vector<input::InputFile> files{{"the measurement", request.file}};
-  try {
-    input::PulseFile read_pulse = read(request, settings, is_test);
-    report.measured = std::move(read_pulse.measured);
-    files = std::move(read_pulse.files);
-  } catch (const input::InputError& error) {
-    add_lines(error.faults(), wrong);
+  if (auto pulse = taken(read(request, settings, is_test), wrong)) {
+    report.measured = std::move(pulse->measured);
+    files = std::move(pulse->files);
   }
   judge(files, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));

@@ -51,7 +51,7 @@ bool is_one_of_several_ranks() {
 int run_here(const StudyRequest& request, const fs::path& materials) {
   // Before the store is there: who sees its file may stop the study, and is told how it goes on.
   const StopSignal stop;
-  const study::Study study = study::read_study(request.study_file, materials);
+  const study::Study study = study::read_study(request.study_file, materials).value();
   study::Store store = open_store(study, request.store_file);
   const std::uint64_t before = store.rows_done();
   const auto begin = std::chrono::steady_clock::now();

@@ -40,7 +40,7 @@ void read_each(TableReader& top, const std::string& key, Lines& lines,
     lines[path] = entry.line;
     for (const TomlNode& child : entry.children) lines[path + "." + child.key] = child.line;
     if (entry.kind != TomlNode::Kind::table) {
-      top.faults().add(entry.line, path, entry.written(), "must be a table: [[" + key + "]]");
+      top.faults().add(entry, path, "must be a table: [[" + key + "]]");
       continue;
     }
     TableReader reader(entry, path, top.faults());
@@ -48,7 +48,7 @@ void read_each(TableReader& top, const std::string& key, Lines& lines,
   }
 }
 /// The pad in the file, or the case that it names. False after a fault.
-bool read_base(TableReader& top, const TomlNode& root, const FitFolders& folders, FitFile& into) {
+bool read_base(TableReader& top, const FitFolders& folders, FitFile& into) {
   const std::size_t before = top.faults().size();
   const bool has_case = top.has("case");
   const bool has_pad = top.has("pad");
@@ -61,14 +61,11 @@ bool read_base(TableReader& top, const TomlNode& root, const FitFolders& folders
   if (has_case) {
     const std::string name = top.text("case");
     if (name.empty()) return false;
-    try {
-      input::CaseFile read = input::read_case(folders.of_fit / name, folders.materials);
-      into.fit.base = std::move(read.impact);
-      into.fit.options = read.options;
+    if (auto read = top.faults().take(input::read_case(folders.of_fit / name, folders.materials))) {
+      into.fit.base = std::move(read->impact);
+      into.fit.options = read->options;
       into.fit.has_case = true;
-      std::ranges::move(read.files, std::back_inserter(into.files));
-    } catch (const input::InputError& error) {
-      top.faults().add(error.faults());
+      std::ranges::move(read->files, std::back_inserter(into.files));
     }
   } else if (auto table = top.table("pad")) {
     input::PadMaterial of = input::read_pad_material(*table, folders.of_fit, folders.materials);
@@ -77,7 +74,7 @@ bool read_base(TableReader& top, const TomlNode& root, const FitFolders& folders
     if (of.material) {
       std::vector<Violation> broken = violations(*of.material);
       for (Violation& violation : broken) violation.key = "pad." + violation.key;
-      if (of.is_in_line) top.faults().add(broken, root);
+      if (of.is_in_line) top.faults().add(broken);
       into.fit.base.pad.material = *std::move(of.material);
     }
   }
@@ -121,9 +118,11 @@ void leave_neighbours_to_law(Fit& fit) {
 
 }  // namespace
 
-FitFile read_fit(const std::filesystem::path& file, const std::filesystem::path& materials) {
-  const TomlNode root = input::read_toml(file);
-  input::FaultList faults(file.string());
+input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::filesystem::path& materials) {
+  const input::Reading<input::TomlFile> toml = input::read_toml(file);
+  if (!toml) return toml.faults();
+  const TomlNode& root = toml->root;
+  input::FaultList faults(*toml);
   TableReader top(root, "", faults);
   const FitFolders folders{file.parent_path(), materials};
   FitFile result;
@@ -131,7 +130,7 @@ FitFile read_fit(const std::filesystem::path& file, const std::filesystem::path&
   Fit& fit = result.fit;
   Lines lines;
   fit.title = top.text("title", Presence::optional);
-  const bool has_base = read_base(top, root, folders, result);
+  const bool has_base = read_base(top, folders, result);
   const std::vector<input::InputFile> of_base(result.files.begin() + 1, result.files.end());
   read_unknowns(top, has_base, fit, lines);
   read_each(top, "tests", lines,
@@ -145,8 +144,7 @@ FitFile read_fit(const std::filesystem::path& file, const std::filesystem::path&
   if (faults.size() == 0) seek_recoil(fit);
   // What follows from several entries is judged where each is sound.
   if (faults.size() == 0) add_broken_rules(violations(fit), root, lines, faults);
-  faults.throw_if_any();
-  return result;
+  return faults.reading(std::move(result));
 }
 
 }  // namespace dashpad::fit

@@ -20,7 +20,7 @@ double value_of(const TomlNode& node, const std::string& key, const std::string&
   }
   if (unit != "1") return read_quantity(node, key, unit, faults);
   if (node.kind == TomlNode::Kind::number && std::isfinite(node.number)) return node.number;
-  faults.add(node.line, key, node.written(), "must be a plain number, without quotes and unit");
+  faults.add(node, key, "must be a plain number, without quotes and unit");
   return no_value;
 }
 

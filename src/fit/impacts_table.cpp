@@ -37,14 +37,11 @@ ImpactMeasurement read_impact(TableReader& table, const FitFolders& folders,
   ImpactMeasurement impact;
   impact.file = table.text("case");
   if (!impact.file.empty()) {
-    try {
-      input::CaseFile read = input::read_case(folders.of_fit / impact.file, folders.materials);
-      impact.impact = std::move(read.impact);
-      impact.options = read.options;
-      impact.states_neighbours = read.states_neighbours;
-      std::ranges::move(read.files, std::back_inserter(files));
-    } catch (const input::InputError& error) {
-      table.faults().add(error.faults());
+    if (auto read = table.faults().take(input::read_case(folders.of_fit / impact.file, folders.materials))) {
+      impact.impact = std::move(read->impact);
+      impact.options = read->options;
+      impact.states_neighbours = read->states_neighbours;
+      std::ranges::move(read->files, std::back_inserter(files));
     }
   }
   for (const ImpactFigureName& name : impact_figure_names())

@@ -57,20 +57,18 @@ std::optional<MeasuredDeceleration> read_pulse(TableReader& table, const FitFold
   if (!name.empty()) {
     const std::filesystem::path file = folders.of_fit / name;
     files.push_back({"the measurements", file});
-    try {
-      injury::MeasuredPulse measured = input::read_pulse_csv(file, options).measured;
-      const std::optional<injury::SensorOffset> offset = injury::offset_before_impact(measured);
-      if (offset && offset->rest) injury::leave_out_before(measured, offset->begin);
-      const Pulse processed = injury::processed_pulse(measured, std::nullopt, filter).pulse;
-      pulse = offset ? deceleration_of(processed, injury::Stretch{offset->begin, offset->end})
-                     : deceleration_of(processed);
-      pulse->file = name;
-      pulse->filter = filter;
-    } catch (const input::InputError& error) {
-      table.faults().add(error.faults());
-    } catch (const std::invalid_argument& error) {
-      table.fault("file", error.what());
-    }
+    if (auto read = table.faults().take(input::read_pulse_csv(file, options))) try {
+        injury::MeasuredPulse& measured = read->measured;
+        const std::optional<injury::SensorOffset> offset = injury::offset_before_impact(measured);
+        if (offset && offset->rest) injury::leave_out_before(measured, offset->begin);
+        const Pulse processed = injury::processed_pulse(measured, std::nullopt, filter).pulse;
+        pulse = offset ? deceleration_of(processed, injury::Stretch{offset->begin, offset->end})
+                       : deceleration_of(processed);
+        pulse->file = name;
+        pulse->filter = filter;
+      } catch (const std::invalid_argument& error) {
+        table.fault("file", error.what());
+      }
   }
   const std::optional<injury::MeasuredImpact> impact = read_impact_of_pulse(table);
   if (pulse) pulse->impact = impact;

@@ -44,9 +44,10 @@ bool states_recoil(const TomlNode& fit_file, const std::vector<input::InputFile>
   if (in(in(fit_file.child("pad"), "parameters"), "recoil")) return true;
   return std::ranges::any_of(files, [](const input::InputFile& of) {
     if (of.file.extension() != ".toml") return false;
-    const TomlNode root = input::read_toml(of.file);
-    const TomlNode* const pad = of.kind == "the material card" ? &root : root.child("pad");
-    return in(in(pad, "parameters"), "recoil") && !in(root.child("uncertainty"), "recoil");
+    const input::Reading<input::TomlFile> toml = input::read_toml(of.file);
+    if (!toml) return false;
+    const TomlNode* const pad = of.kind == "the material card" ? &toml->root : toml->root.child("pad");
+    return in(in(pad, "parameters"), "recoil") && !in(toml->root.child("uncertainty"), "recoil");
   });
 }
 

@@ -77,16 +77,13 @@ MaterialMeasurement read_test(TableReader& table, const FitFolders& folders,
   if (test.has_offset && test.is_held_out)
     table.fault("offset", "cannot be found from a test that is held out");
   if (!test.file.empty()) {
-    try {
-      const std::filesystem::path file = folders.of_fit / test.file;
-      files.push_back({"the measurements", file});
-      input::StressStrainTable read = input::read_stress_strain_csv(file, columns);
-      test.strain = std::move(read.strain);
-      test.stress = std::move(read.stress);
-      test.time = std::move(read.time);
+    const std::filesystem::path file = folders.of_fit / test.file;
+    files.push_back({"the measurements", file});
+    if (auto read = table.faults().take(input::read_stress_strain_csv(file, columns))) {
+      test.strain = std::move(read->strain);
+      test.stress = std::move(read->stress);
+      test.time = std::move(read->time);
       if (rate && *rate > 0) test.time = times_at(*rate, test.strain);
-    } catch (const input::InputError& error) {
-      table.faults().add(error.faults());
     }
   }
   if (table.has("noise")) {

@@ -94,10 +94,9 @@ void read_unknowns(TableReader& top, bool has_base, Fit& fit, Lines& lines) {
     const CaseQuantity* const found = find_quantity(quantities, key);
     if (found == nullptr) {
       const bool on_trust = !has_base && (study::is_of_law(key) || key.starts_with("support."));
-      if (!on_trust)
-        top.faults().add(node->line, path, node->written(), study::rule_for_unknown(key, fit.base));
+      if (!on_trust) top.faults().add(*node, path, study::rule_for_unknown(key, fit.base));
     } else if (node->kind != TomlNode::Kind::table) {
-      top.faults().add(node->line, path, node->written(), "must be a table: {bounds = [..., ...]}");
+      top.faults().add(*node, path, "must be a table: {bounds = [..., ...]}");
     } else {
       TableReader reader(*node, path, top.faults());
       fit.unknowns.push_back(read_unknown(reader, *found, fit.base));

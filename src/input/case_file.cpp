@@ -72,9 +72,9 @@ bool is_card_name(std::string_view name) {
   });
 }
 
-std::vector<std::string> names_of_cards(const std::filesystem::path& materials) {
+std::vector<std::string> names_of(const std::vector<std::filesystem::path>& cards) {
   std::vector<std::string> names;
-  for (const auto& card : list_materials(materials)) names.push_back(card.stem().string());
+  for (const auto& card : cards) names.push_back(card.stem().string());
   return names;
 }
 
@@ -101,7 +101,9 @@ std::optional<std::filesystem::path> find_card(TableReader& pad, const Folders& 
   if (is_path) {
     pad.fault("material", "no such file: " + card.string());
   } else {
-    const auto names = names_of_cards(folders.materials);
+    const auto cards = pad.faults().take(list_materials(folders.materials));
+    if (!cards) return std::nullopt;
+    const std::vector<std::string> names = names_of(*cards);
     pad.fault("material", "no such card in " + folders.materials.string() +
                               (names.empty() ? ", which has none" : ", which has " + listing(names)) +
                               did_you_mean(name, names));
@@ -112,13 +114,8 @@ std::optional<std::filesystem::path> find_card(TableReader& pad, const Folders& 
 /// Nothing after a fault. `card` becomes the file that was found.
 std::optional<Material> read_named_material(TableReader& pad, const Folders& folders,
                                             std::optional<std::filesystem::path>& card) {
-  try {
-    card = find_card(pad, folders);
-    if (card) return read_material(*card);
-  } catch (const InputError& error) {
-    pad.faults().add(error.faults());
-  }
-  return std::nullopt;
+  card = find_card(pad, folders);
+  return card ? pad.faults().take(read_material(*card)) : std::nullopt;
 }
 
 std::optional<Material> read_material_in_line(TableReader& pad) {
@@ -183,7 +180,7 @@ void read_layers(TableReader& table, const Folders& folders, PadEntry& into) {
   for (const TomlNode& node : nodes->children) {
     const std::string key = table.full_key("layers") + node.key;
     if (node.kind != TomlNode::Kind::table) {
-      table.faults().add(node.line, key, node.written(), "must be a table: [[pad.layers]]");
+      table.faults().add(node, key, "must be a table: [[pad.layers]]");
       continue;
     }
     TableReader layer(node, key, table.faults());
@@ -292,27 +289,12 @@ std::vector<Violation> violations_in_terms_of(const TomlNode& root, const Impact
   return broken;
 }
 
-}  // namespace
-
-PadMaterial read_pad_material(TableReader& pad, const std::filesystem::path& folder,
-                              const std::filesystem::path& materials) {
-  PadMaterial of;
-  const bool named = pad.has("material");
-  of.is_in_line = pad.has("law") || pad.has("parameters") || pad.has("curve");
-  if (named && of.is_in_line) pad.fault("material", "give a material or a law with parameters, not both");
-  if (!named && !of.is_in_line)
-    pad.fault("material", "is missing; give the name of a card, or a law with parameters");
-  if (named && !of.is_in_line) of.material = read_named_material(pad, {folder, materials}, of.card);
-  if (of.is_in_line && !named) of.material = read_material_in_line(pad);
-  return of;
-}
-
-CaseFile read_case(const std::filesystem::path& file, const std::filesystem::path& materials,
-                   const std::vector<std::string>& settings) {
-  TomlNode root = read_toml(file);
-  FaultList faults(file.string());
-  const std::vector<LaterSetting> later = put_settings(settings, root, faults);
-  TableReader top(root, "", faults);
+/// `file` is where it stands: what it names is looked for beside it.
+Reading<CaseFile> case_in(TomlFile& toml, const std::filesystem::path& file,
+                          const std::filesystem::path& materials, const std::vector<std::string>& settings) {
+  FaultList faults(toml);
+  const std::vector<LaterSetting> later = put_settings(settings, toml.root, faults);
+  TableReader top(toml.root, "", faults);
   CaseFile result;
   result.files.push_back({"the case file", file});
   ImpactCase& impact = result.impact;
@@ -340,9 +322,36 @@ CaseFile read_case(const std::filesystem::path& file, const std::filesystem::pat
   top.refuse_others();
 
   if (faults.size() == 0) put_later(later, impact, faults);
-  faults.add(violations_in_terms_of(root, impact, materials_of_pad, support_to_check), root);
-  faults.throw_if_any();
-  return result;
+  faults.add(violations_in_terms_of(toml.root, impact, materials_of_pad, support_to_check));
+  return faults.reading(std::move(result));
+}
+
+}  // namespace
+
+PadMaterial read_pad_material(TableReader& pad, const std::filesystem::path& folder,
+                              const std::filesystem::path& materials) {
+  PadMaterial of;
+  const bool named = pad.has("material");
+  of.is_in_line = pad.has("law") || pad.has("parameters") || pad.has("curve");
+  if (named && of.is_in_line) pad.fault("material", "give a material or a law with parameters, not both");
+  if (!named && !of.is_in_line)
+    pad.fault("material", "is missing; give the name of a card, or a law with parameters");
+  if (named && !of.is_in_line) of.material = read_named_material(pad, {folder, materials}, of.card);
+  if (of.is_in_line && !named) of.material = read_material_in_line(pad);
+  return of;
+}
+
+Reading<CaseFile> read_case(const std::filesystem::path& file, const std::filesystem::path& materials,
+                            const std::vector<std::string>& settings) {
+  Reading<TomlFile> toml = read_toml(file);
+  return toml ? case_in(*toml, file, materials, settings) : toml.faults();
+}
+
+Reading<CaseFile> read_case_text(std::string text, const std::filesystem::path& file,
+                                 const std::filesystem::path& materials,
+                                 const std::vector<std::string>& settings) {
+  Reading<TomlFile> toml = read_toml_text(file.string(), std::move(text));
+  return toml ? case_in(*toml, file, materials, settings) : toml.faults();
 }
 
 }  // namespace dashpad::input

@@ -18,8 +18,9 @@ constexpr std::size_t longest_key = 120, longest_value = 70;  // bytes that are 
 constexpr std::size_t most_of_a_kind = 5;
 constexpr std::size_t most_lines = 200;  // of a message, of however many kinds its faults are
 
-/// The line without its value, with # in the place of every number.
+/// The first line without its value, with # in the place of every number.
 std::string kind_of(std::string_view line) {
+  line = line.substr(0, line.find('\n'));
   std::string kind;
   const auto value = line.find(" = "), rule = line.rfind(": ");
   if (value < rule && rule != std::string_view::npos) {
@@ -80,8 +81,12 @@ std::vector<std::string> abridged(const std::vector<std::string>& lines) {
 InputError::InputError(std::vector<Fault> faults)
     : std::runtime_error(message(faults)), faults_(std::move(faults)) {}
 
+std::vector<Fault> fault_of_file(const std::filesystem::path& file, const std::string& rule, int line) {
+  return {Fault{file.string(), line, "", "", rule}};
+}
+
 [[noreturn]] void refuse_file(const std::filesystem::path& file, const std::string& rule, int line) {
-  throw InputError({Fault{file.string(), line, "", "", rule}});
+  throw InputError(fault_of_file(file, rule, line));
 }
 
 }  // namespace dashpad::input

@@ -17,12 +17,10 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 double stress_scale(TableReader& table) {
   const std::string unit = table.text("stress_unit");
   if (unit.empty()) return not_a_number;
-  try {
-    return to_si("1 " + unit, "Pa");
-  } catch (const UnitError& error) {
-    table.fault("stress_unit", error.what());
-    return not_a_number;
-  }
+  const auto [scale, rule] = read_si("1 " + unit, "Pa");
+  if (rule.empty()) return scale;
+  table.fault("stress_unit", rule);
+  return not_a_number;
 }
 
 std::optional<TableCurve> read_points(TableReader& table) {
@@ -56,7 +54,7 @@ std::optional<RateEffect> read_curves_of_rates(TableReader& table) {
   for (const TomlNode& node : curves->children) {
     const std::string key = table.full_key("curves") + node.key;
     if (node.kind != TomlNode::Kind::table) {
-      table.faults().add(node.line, key, node.written(), "must be a table with rate, strain and stress");
+      table.faults().add(node, key, "must be a table with rate, strain and stress");
       sound = false;
       continue;
     }

@@ -58,17 +58,17 @@ std::vector<std::string> read_reservations(TableReader& card) {
     if (text.kind == TomlNode::Kind::text && !text.text.empty() && all.size() < most_also_published)
       all.push_back(text.text);
     else
-      card.faults().add(text.line, "reservations" + text.key, text.written(),
-                        "must be a text, one of at most 100");
+      card.faults().add(text, "reservations" + text.key, "must be a text, one of at most 100");
   return all;
 }
 
 }  // namespace
 
-Material read_material(const std::filesystem::path& file) {
-  const TomlNode root = read_toml(file);
-  FaultList faults(file.string());
-  TableReader card(root, "", faults);
+Reading<Material> read_material(const std::filesystem::path& file) {
+  const Reading<TomlFile> toml = read_toml(file);
+  if (!toml) return toml.faults();
+  FaultList faults(*toml);
+  TableReader card(toml->root, "", faults);
   Material material;
   material.name = file.stem().string();
   material.title = card.text("title");
@@ -93,12 +93,11 @@ Material read_material(const std::filesystem::path& file) {
   std::vector<Violation> broken = violations(material);
   if (!law)
     std::erase_if(broken, [](const Violation& violation) { return !violation.key.starts_with("fitted."); });
-  faults.add(broken, root);
-  faults.throw_if_any();
-  return material;
+  faults.add(broken);
+  return faults.reading(std::move(material));
 }
 
-std::vector<std::filesystem::path> list_materials(const std::filesystem::path& folder) {
+Reading<std::vector<std::filesystem::path>> list_materials(const std::filesystem::path& folder) {
   return toml_files(folder, "materials");
 }
 

@@ -23,7 +23,7 @@ std::optional<Profile> read_points(TableReader& table, const std::string& key, P
   for (const TomlNode& node : list->children) {
     const std::string at = table.full_key(key) + node.key;
     if (node.kind != TomlNode::Kind::array || node.children.size() != 2)
-      table.faults().add(node.line, at, node.written(),
+      table.faults().add(node, at,
                          of == Profile::Of::radius
                              ? "a point is a depth and a radius, such as [\"10 mm\", \"35 mm\"]"
                              : "a point is a depth and an area, such as [\"10 mm\", \"40 cm2\"]");
@@ -47,14 +47,9 @@ std::optional<Profile> read_file(TableReader& table, const std::filesystem::path
     table.fault("file", "no such file: " + file.string());
     return std::nullopt;
   }
-  try {
-    Profile profile = read_profile_csv(file);
-    files.push_back({"the profile of the nose", file});
-    return profile;
-  } catch (const InputError& error) {
-    table.faults().add(error.faults());
-    return std::nullopt;
-  }
+  std::optional<Profile> profile = table.faults().take(read_profile_csv(file));
+  if (profile) files.push_back({"the profile of the nose", file});
+  return profile;
 }
 
 Profile read_profile(TableReader& table, const std::filesystem::path& folder, std::vector<InputFile>& files) {

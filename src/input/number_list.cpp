@@ -33,7 +33,7 @@ std::optional<std::vector<double>> read_numbers(TableReader& table, const std::s
     const bool is_number = entry.kind == TomlNode::Kind::number;
     const std::string rule = is_number ? rule_of(stated_magnitudes, entry.number, "1") : "must be a number";
     if (rule.empty()) return scale * entry.number;
-    table.faults().add(entry.line, full, entry.written(), rule);
+    table.faults().add(entry, full, rule);
     return std::numeric_limits<double>::quiet_NaN();
   });
 }

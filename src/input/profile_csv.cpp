@@ -47,12 +47,11 @@ std::optional<ProfileColumn> find_column(const CsvColumns& columns, const std::s
       return std::nullopt;
     }
     found = ProfileColumn{column.name, static_cast<std::size_t>(column.number - 1)};
-    try {
-      if (header.unit.empty()) throw UnitError(fmt::format("the {} needs a unit in the header", name));
-      found->factor = to_si("1 " + header.unit, si_unit);
-    } catch (const UnitError& error) {
-      faults.add(line, column.name, "", error.what());
-    }
+    const auto [factor, rule] = header.unit.empty()
+                                    ? SiValue{0, fmt::format("the {} needs a unit in the header", name)}
+                                    : read_si("1 " + header.unit, si_unit);
+    found->factor = factor;
+    if (!rule.empty()) faults.add(line, column.name, "", rule);
   }
   return found;
 }
@@ -94,11 +93,9 @@ double read_field(const CsvRow& row, const ProfileColumn& column, const std::str
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace
-
-Profile read_profile_csv(const std::filesystem::path& file) {
+Profile profile_in(const std::filesystem::path& file) {
+  const std::string content = read_text_file(file).value();
   MeasurementFaults faults(file.string());
-  const std::string content = read_text_file(file);
   const std::string_view text = text_in(content, faults);
   if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
   const char separator = find_separator(text);
@@ -129,6 +126,12 @@ Profile read_profile_csv(const std::filesystem::path& file) {
   }
   faults.throw_if_any();
   return profile;
+}
+
+}  // namespace
+
+Reading<Profile> read_profile_csv(const std::filesystem::path& file) {
+  return reading_of([&] { return profile_in(file); });
 }
 
 }  // namespace dashpad::input

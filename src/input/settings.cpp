@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "dashpad/case/case_quantity.hpp"
-#include "dashpad/quantities/quantity.hpp"
 #include "input/spelling.hpp"
+#include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
 namespace {
@@ -58,20 +57,26 @@ bool is_of_card(const TomlNode& above, std::string_view table) {
   return above.child("material") != nullptr && (table == "parameters" || table == "curve" || table == "rate");
 }
 
-/// Puts a value at the end of a path; false if it waits for the case. Throws the rule that the key breaks.
-bool put(TomlNode& root, const std::vector<std::string>& path, TomlNode value) {
+enum class Put { done, waits_for_case, refused };
+
+/// Puts a value at the end of a path, or says what `rule` the key breaks.
+Put put(TomlNode& root, const std::vector<std::string>& path, TomlNode value, std::string& rule) {
+  const auto refuse = [&rule](std::string why) {
+    rule = std::move(why);
+    return Put::refused;
+  };
   TomlNode* at = &root;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    if (i + 2 == path.size() && is_of_card(*at, path[i])) return false;
+    if (i + 2 == path.size() && is_of_card(*at, path[i])) return Put::waits_for_case;
     TomlNode* next = entry(*at, path[i]);
     if (next == nullptr && at->kind == TomlNode::Kind::array)
-      throw std::runtime_error(fmt::format("there are {} of them", at->children.size()));
+      return refuse(fmt::format("there are {} of them", at->children.size()));
     if (next == nullptr) {
       at->children.push_back({.kind = TomlNode::Kind::table, .line = set_by_option, .key = path[i]});
       next = &at->children.back();
     }
     if (next->kind != TomlNode::Kind::table && next->kind != TomlNode::Kind::array)
-      throw std::runtime_error(fmt::format("{} is a value and has no entries", path[i]));
+      return refuse(fmt::format("{} is a value and has no entries", path[i]));
     at = next;
   }
   make_room(*at, path.front(), path.back());
@@ -79,10 +84,10 @@ bool put(TomlNode& root, const std::vector<std::string>& path, TomlNode value) {
   if (TomlNode* there = entry(*at, path.back()))
     *there = std::move(value);
   else if (at->kind == TomlNode::Kind::array)
-    throw std::runtime_error(fmt::format("there are {} of them", at->children.size()));
+    return refuse(fmt::format("there are {} of them", at->children.size()));
   else
     at->children.push_back(std::move(value));
-  return true;
+  return Put::done;
 }
 
 /// The material whose number a key is, as that of pad.layers[2].curve.modulus; null for other keys.
@@ -113,12 +118,11 @@ std::vector<LaterSetting> put_settings(const std::vector<std::string>& settings,
                              setting.substr(0, 40), longest_setting));
       continue;
     }
-    try {
-      const auto path = parts_of(key);
-      if (key == "support.scale" || !put(root, path, toml_value(value))) later.push_back({key, value});
-    } catch (const std::runtime_error& error) {
-      faults.add(set_by_option, key, value, error.what());
-    }
+    std::string rule;
+    const Put way =
+        key == "support.scale" ? Put::waits_for_case : put(root, parts_of(key), toml_value(value), rule);
+    if (way == Put::waits_for_case) later.push_back({key, value});
+    if (way == Put::refused) faults.add(set_by_option, key, value, rule);
   }
   return later;
 }
@@ -134,14 +138,16 @@ void put_later(const std::vector<LaterSetting>& settings, ImpactCase& impact, Fa
       faults.add(set_by_option, key, value, "is no number of this case" + did_you_mean(key, keys));
       continue;
     }
-    try {
-      found->set(impact, to_si(value, found->unit));
-      // The card has its name for other numbers.
-      if (Material* material = material_of(key, impact))
-        material->name += fmt::format(" with {} = {}", key.substr(key.rfind('.') + 1), value);
-    } catch (const std::exception& error) {
-      faults.add(set_by_option, key, value, error.what());
+    auto [number, rule] = read_stated(value, found->unit);
+    if (rule.empty() && key.starts_with("support.") && number <= 0) rule = "must be more than 0";
+    if (!rule.empty()) {
+      faults.add(set_by_option, key, value, rule);
+      continue;
     }
+    found->set(impact, number);
+    // The card has its name for other numbers.
+    if (Material* material = material_of(key, impact))
+      material->name += fmt::format(" with {} = {}", key.substr(key.rfind('.') + 1), value);
   }
   for (const Violation& violation : violations(impact))
     for (const auto& [key, value] : settings)

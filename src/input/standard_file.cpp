@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "dashpad/input/fault.hpp"
 #include "input/disk.hpp"
 #include "input/spelling.hpp"
 #include "input/table_reader.hpp"
@@ -126,7 +125,7 @@ std::vector<injury::Criterion> read_criteria(TableReader& top) {
     if (entry.kind == TomlNode::Kind::table)
       criteria.push_back(read_criterion(TableReader(entry, key, top.faults())));
     else
-      top.faults().add(entry.line, key, entry.written(), "must be a table: [[criteria]]");
+      top.faults().add(entry, key, "must be a table: [[criteria]]");
   }
   return criteria;
 }
@@ -173,10 +172,11 @@ std::vector<std::string> names_of(const std::vector<fs::path>& files) {
 
 }  // namespace
 
-injury::Standard read_standard(const fs::path& file) {
-  const TomlNode root = read_toml(file);
-  FaultList faults(file.string());
-  TableReader top(root, "", faults);
+Reading<injury::Standard> read_standard(const fs::path& file) {
+  const Reading<TomlFile> toml = read_toml(file);
+  if (!toml) return toml.faults();
+  FaultList faults(*toml);
+  TableReader top(toml->root, "", faults);
   injury::Standard standard;
   standard.name = file.stem().string();
   standard.title = top.text("title");
@@ -190,11 +190,12 @@ injury::Standard read_standard(const fs::path& file) {
   standard.criteria = read_criteria(top);
   standard.variants = read_variants(top);
   top.refuse_others();
-  faults.throw_if_any();
-  return standard;
+  return faults.reading(std::move(standard));
 }
 
-std::vector<fs::path> list_standards(const fs::path& folder) { return toml_files(folder, "standards"); }
+Reading<std::vector<fs::path>> list_standards(const fs::path& folder) {
+  return toml_files(folder, "standards");
+}
 
 StandardChoice standard_choice(const std::string& text) {
   const std::string ending = ".toml";
@@ -211,18 +212,18 @@ StandardChoice standard_choice(const std::string& text) {
   return choice;
 }
 
-fs::path find_standard(const std::string& name, const fs::path& folder) {
-  if (name.ends_with(".toml")) return name;
-  const std::vector<fs::path> files = list_standards(folder);
-  const std::vector<std::string> names = names_of(files);
+Reading<fs::path> find_standard(const std::string& name, const fs::path& folder) {
+  if (name.ends_with(".toml")) return fs::path(name);
+  const Reading<std::vector<fs::path>> files = list_standards(folder);
+  if (!files) return files.faults();
+  const std::vector<std::string> names = names_of(*files);
   const auto found = std::ranges::find(names, name);
-  if (found != names.end()) return files[static_cast<std::size_t>(found - names.begin())];
+  if (found != names.end()) return (*files)[static_cast<std::size_t>(found - names.begin())];
   if (name.find('/') != std::string::npos)
-    throw InputError({Fault{name, 0, "", "", "no such standard: a path must end in .toml"}});
-  throw InputError({Fault{name, 0, "", "",
-                          "no such standard in " + folder.string() +
-                              (names.empty() ? ", which has none" : ", which has " + listing(names)) +
-                              did_you_mean(name, names)}});
+    return fault_of_file(name, "no such standard: a path must end in .toml");
+  return fault_of_file(name, "no such standard in " + folder.string() +
+                                 (names.empty() ? ", which has none" : ", which has " + listing(names)) +
+                                 did_you_mean(name, names));
 }
 
 }  // namespace dashpad::input

@@ -23,7 +23,7 @@ Support read_linear(TableReader& table) {
 bool increases(double from, double to, const TomlNode& node, const std::string& key, std::string_view name,
                FaultList& faults) {
   if (to <= from)
-    faults.add(node.line, key, node.written(),
+    faults.add(node, key,
                fmt::format("the {} must be more than {}", name, from > 0 ? "that of the point before" : "0"));
   return to > from;
 }
@@ -41,8 +41,7 @@ Support read_curve(TableReader& table) {
   for (const TomlNode& node : points->children) {
     const std::string key = table.full_key("points") + node.key;
     if (node.kind != TomlNode::Kind::array || node.children.size() != 2) {
-      table.faults().add(node.line, key, node.written(),
-                         "a point is a deflection and a force, such as [\"0.1 in\", \"100 lbf\"]");
+      table.faults().add(node, key, "a point is a deflection and a force, such as [\"0.1 in\", \"100 lbf\"]");
       good = false;
       continue;
     }

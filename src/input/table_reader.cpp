@@ -40,13 +40,13 @@ constexpr const char* no_oblique_blow =
 double read_quantity(const TomlNode& node, const std::string& key, const std::string& si_unit,
                      FaultList& faults) {
   const bool has_text = node.kind == Kind::text || node.kind == Kind::number;
-  try {
-    const double value = stated_si(has_text ? node.text : "", si_unit);
-    if (node.kind == Kind::text) return value;
-    faults.add(node.line, key, node.written(), "must be text in quotes");
-  } catch (const UnitError& error) {
-    faults.add(node.line, key, node.written(), error.what());
-  }
+  const auto [value, rule] = read_stated(has_text ? node.text : "", si_unit);
+  if (!rule.empty())
+    faults.add(node, key, rule);
+  else if (node.kind != Kind::text)
+    faults.add(node, key, "must be text in quotes");
+  else
+    return value;
   return missing_number;
 }
 
@@ -121,17 +121,20 @@ bool TableReader::has(const std::string& key) { return find(key, Presence::optio
 
 void TableReader::fault(const std::string& key, std::string rule) {
   const TomlNode* node = table_->child(key);
-  faults_->add(node ? node->line : table_->line, full_key(key), node ? node->written() : "", std::move(rule));
+  if (node)
+    faults_->add(*node, full_key(key), std::move(rule));
+  else
+    faults_->add(table_->line, full_key(key), "", std::move(rule));
 }
 
 void TableReader::refuse_others() {
   for (const TomlNode& entry : table_->children) {
     if (std::ranges::count(known_, entry.key)) continue;
     const std::string meant = did_you_mean(entry.key, known_);
-    faults_->add(entry.line, full_key(entry.key), entry.written(),
-                 asks_for_oblique_blow(entry.key)
-                     ? no_oblique_blow
-                     : "unknown key" + (meant.empty() ? "; known here are " + listing(known_) : meant));
+    faults_->add_key(entry, full_key(entry.key),
+                     asks_for_oblique_blow(entry.key)
+                         ? no_oblique_blow
+                         : "unknown key" + (meant.empty() ? "; known here are " + listing(known_) : meant));
   }
 }
 

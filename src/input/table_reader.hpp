@@ -12,25 +12,42 @@
 
 namespace dashpad::input {
 
-/// The faults of one file.
+/// The faults of one file, which must outlive them.
 class FaultList {
  public:
-  explicit FaultList(std::string file) : file_(std::move(file)) {}
+  explicit FaultList(const TomlFile& file) : file_(&file) {}
 
   void add(int line, std::string key, std::string value, std::string rule);
-  /// Faults of another file that this one names.
+  /// Of an entry: of its value, or of the key itself.
+  void add(const TomlNode& node, std::string key, std::string rule);
+  void add_key(const TomlNode& node, std::string key, std::string rule);
+  /// Of another file that this one names.
   void add(const std::vector<Fault>& faults);
+  /// What another file that this one names gave; its faults are added.
+  template <class T>
+  std::optional<T> take(Reading<T> reading) {
+    if (reading) return *std::move(reading);
+    add(reading.faults());
+    return std::nullopt;
+  }
   /// The broken rules of what was made of the tree, with line and text of the keys; but not those of keys,
   /// or parts of keys, that have a fault already.
-  void add(const std::vector<Violation>& violations, const TomlNode& root);
-  /// Throws InputError, in the order of lines, if there is a fault.
-  void throw_if_any();
+  void add(const std::vector<Violation>& violations);
+  /// What was read or, if there is a fault, all of them in the order of lines.
+  template <class T>
+  Reading<T> reading(T value) {
+    if (faults_.empty()) return value;
+    sort();
+    return std::move(faults_);
+  }
   [[nodiscard]] std::size_t size() const { return faults_.size(); }
 
  private:
   [[nodiscard]] bool explains(std::string_view key) const;
+  void add(int line, TomlNode::Columns columns, std::string key, std::string value, std::string rule);
+  void sort();
 
-  std::string file_;
+  const TomlFile* file_;
   std::vector<Fault> faults_;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "dashpad/input/fault.hpp"
 #include "input/disk.hpp"
 #include "input/given_stream.hpp"
 
@@ -11,13 +10,14 @@ namespace {
 
 constexpr std::size_t largest_size = 1024 * 1024;  // bytes
 
-void require_text(const std::filesystem::path& file, const std::string& content) {
+Reading<std::string> text_of(const std::filesystem::path& file, std::string content) {
+  if (content.size() > largest_size) return fault_of_file(file, "is larger than 1 MiB");
   if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff"))
-    refuse_file(file, "is UTF-16; save it as UTF-8", 1);
+    return fault_of_file(file, "is UTF-16; save it as UTF-8", 1);
   const auto nul = content.find('\0');
-  if (nul == std::string::npos) return;
+  if (nul == std::string::npos) return content;
   const auto lines = std::count(content.begin(), content.begin() + static_cast<std::ptrdiff_t>(nul), '\n');
-  refuse_file(file, "is not text: it holds a NUL byte", static_cast<int>(lines) + 1);
+  return fault_of_file(file, "is not text: it holds a NUL byte", static_cast<int>(lines) + 1);
 }
 
 }  // namespace
@@ -27,16 +27,10 @@ std::string_view without_mark(std::string_view text) {
   return text;
 }
 
-std::string read_text_file(const std::filesystem::path& file) {
-  if (const std::string* given = given_stream(file)) {
-    if (given->size() > largest_size) refuse_file(file, "is larger than 1 MiB");
-    require_text(file, *given);
-    return *given;
-  }
-  std::string content = content_of(file, largest_size);
-  if (content.size() > largest_size) refuse_file(file, "is larger than 1 MiB");
-  require_text(file, content);
-  return content;
+Reading<std::string> read_text_file(const std::filesystem::path& file) {
+  if (const std::string* given = given_stream(file)) return text_of(file, *given);
+  Reading<std::string> content = content_of(file, largest_size);
+  return content ? text_of(file, *std::move(content)) : content;
 }
 
 }  // namespace dashpad::input

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "dashpad/input/fault.hpp"
 #include "input/text_file.hpp"
@@ -14,6 +16,9 @@ namespace {
 
 /// toml++ nests a table for each dot in a key, without limit, and overflows the stack with some ten thousand.
 constexpr std::ptrdiff_t most_dots = 64;
+
+/// Bytes of a line above which it is not quoted.
+constexpr std::size_t longest_excerpt = 10'000;
 
 /// Where the string that begins at `begin` ends; the end of the line or text where it is not closed.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
@@ -61,13 +66,24 @@ int line_of_overlong_name(std::string_view text) {
   return 0;
 }
 
+/// Those of a region that begins in the line; of one that ends elsewhere, to the end of the line.
+TomlNode::Columns columns_of(const toml::source_region& region, int line) {
+  if (static_cast<int>(region.begin.line) != line) return {};
+  const bool ends_there = region.end.line == region.begin.line;
+  return {region.begin.column, ends_there ? region.end.column : std::numeric_limits<std::size_t>::max()};
+}
+
 TomlNode convert(const toml::node& source, std::string key) {
   TomlNode node;
   node.line = static_cast<int>(source.source().begin.line);
+  node.columns = columns_of(source.source(), node.line);
   node.key = std::move(key);
   if (const auto* table = source.as_table()) {
     node.kind = TomlNode::Kind::table;
-    for (const auto& [name, value] : *table) node.children.push_back(convert(value, std::string(name.str())));
+    for (const auto& [name, value] : *table) {
+      node.children.push_back(convert(value, std::string(name.str())));
+      node.children.back().key_columns = columns_of(name.source(), node.children.back().line);
+    }
     std::ranges::stable_sort(node.children, {}, &TomlNode::line);
   } else if (const auto* array = source.as_array()) {
     node.kind = TomlNode::Kind::array;
@@ -113,13 +129,9 @@ std::string TomlNode::written() const {
 
 TomlNode toml_value(const std::string& value) {
   TomlNode node{.kind = TomlNode::Kind::text, .text = value};
-  if (value.find('\n') == std::string::npos && line_of_overlong_name(value) == 0) {
-    try {
-      const toml::table table = toml::parse("value = " + value);
-      if (table.size() == 1) node = convert(*table.get("value"), "");
-    } catch (const toml::parse_error&) {  // text
-    }
-  }
+  if (value.find('\n') == std::string::npos && line_of_overlong_name(value) == 0)
+    if (const toml::parse_result read = toml::parse("value = " + value); read && read.table().size() == 1)
+      node = convert(*read.table().get("value"), "");  // or else text
   const auto mark = [](TomlNode& of, const auto& again) -> void {
     of.line = set_by_option;
     for (TomlNode& child : of.children) again(child, again);
@@ -128,19 +140,47 @@ TomlNode toml_value(const std::string& value) {
   return node;
 }
 
-TomlNode read_toml(const std::filesystem::path& file) {
-  const std::string text = read_text_file(file);
+Reading<TomlFile> read_toml_text(std::string name, std::string text) {
+  const auto fault_in = [&](int line, TomlNode::Columns columns, std::string rule) {
+    return std::vector{Fault{name, line, "", "", std::move(rule), excerpt_of(text, line, columns)}};
+  };
   if (const int line = line_of_overlong_name(text))
-    refuse_file(file, fmt::format("a name holds more than {} dots; text needs quotes", most_dots), line);
-  try {
-    TomlNode root = convert(toml::parse(text), "");
-    root.line = 0;  // a key that is missing at the top is missing nowhere in particular
-    return root;
-  } catch (const toml::parse_error& error) {
-    refuse_file(file, fmt::format("is not TOML: {}", error.description()),
-                static_cast<int>(error.source().begin.line));
+    return fault_in(line, {}, fmt::format("a name holds more than {} dots; text needs quotes", most_dots));
+  const toml::parse_result read = toml::parse(text);
+  if (!read) {
+    const toml::parse_error& error = read.error();
+    const int line = static_cast<int>(error.source().begin.line);
+    return fault_in(line, columns_of(error.source(), line),
+                    fmt::format("is not TOML: {}", error.description()));
   }
-  return {};
+  TomlNode root = convert(read.table(), "");
+  root.line = 0;  // a key that is missing at the top is missing nowhere in particular
+  return TomlFile{std::move(name), std::move(text), std::move(root)};
+}
+
+Reading<TomlFile> read_toml(const std::filesystem::path& file) {
+  Reading<std::string> text = read_text_file(file);
+  if (!text) return text.faults();
+  return read_toml_text(file.string(), *std::move(text));
+}
+
+Excerpt excerpt_of(std::string_view text, int line, TomlNode::Columns columns) {
+  if (line <= 0) return {};
+  for (int before = 1; before < line; ++before) {
+    const auto end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  text = text.substr(0, text.find('\n'));
+  if (text.size() > longest_excerpt) return {};
+  const auto byte_of = [&](std::size_t column) {
+    std::size_t byte = 0;
+    for (std::size_t at = 1; at < column && byte < text.size(); ++at)
+      byte += std::max<std::size_t>(character_length(text.substr(byte)), 1);
+    return byte;
+  };
+  const std::size_t begin = byte_of(columns.begin), end = byte_of(columns.end);
+  return {std::string(text), begin, columns.begin > 0 && end > begin ? end - begin : 0};
 }
 
 }  // namespace dashpad::input

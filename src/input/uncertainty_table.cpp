@@ -62,7 +62,7 @@ std::vector<std::string> read_keys(TableReader& table, const PadLaw& law) {
   const std::vector<std::string> known = keys_of(law);
   for (const TomlNode& entry : list->children) {
     if (entry.kind != TomlNode::Kind::text || !std::ranges::count(known, entry.text))
-      table.faults().add(entry.line, table.full_key("keys") + entry.key, entry.written(),
+      table.faults().add(entry, table.full_key("keys") + entry.key,
                          "must be a number of this law" + did_you_mean(entry.text, known));
     keys.push_back(entry.text);
   }
@@ -76,7 +76,7 @@ std::vector<std::vector<double>> read_rows(TableReader& table, const std::string
   for (const TomlNode& row : list->children) {
     rows.emplace_back();
     const auto add_fault = [&](const TomlNode& of, const std::string& rule) {
-      table.faults().add(of.line, table.full_key(key) + row.key, of.written(), rule);
+      table.faults().add(of, table.full_key(key) + row.key, rule);
     };
     if (row.kind != TomlNode::Kind::array) add_fault(row, "must be a list of numbers, one for each of keys");
     for (const TomlNode& entry : row.children)

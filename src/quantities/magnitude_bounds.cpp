@@ -39,11 +39,16 @@ std::string rule_of(const Magnitudes& bounds, double value, const std::string& s
                      si_unit == "1" ? "" : " in " + si_unit);
 }
 
+SiValue read_stated(std::string_view text, const std::string& si_unit) {
+  SiValue read = read_si(text, si_unit);
+  if (read.rule.empty()) read.rule = rule_of(stated_magnitudes, read.value, si_unit);
+  return read;
+}
+
 double stated_si(std::string_view text, const std::string& si_unit) {
-  const double value = to_si(text, si_unit);
-  if (const std::string rule = rule_of(stated_magnitudes, value, si_unit); !rule.empty())
-    throw UnitError(rule);
-  return value;
+  const SiValue read = read_stated(text, si_unit);
+  if (!read.rule.empty()) throw UnitError(read.rule);
+  return read.value;
 }
 
 }  // namespace dashpad

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "dashpad/quantities/quantity.hpp"
+
 namespace dashpad {
 
 /// Magnitudes, SI. 0 is always admitted.
@@ -23,7 +25,10 @@ Magnitudes measured_magnitudes(std::string_view si_unit);
 /// The rule that a value beyond the bounds breaks; "" within them.
 std::string rule_of(const Magnitudes& bounds, double value, const std::string& si_unit);
 
-/// to_si() of what is stated. Throws UnitError also for a value beyond the bounds.
+/// read_si() of what is stated: a value beyond the bounds breaks a rule too.
+SiValue read_stated(std::string_view text, const std::string& si_unit);
+
+/// The same for those who pass the rule on as an exception: throws UnitError.
 double stated_si(std::string_view text, const std::string& si_unit);
 
 }  // namespace dashpad

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "quantities/dimension.hpp"
 #include "quantities/from_chars.hpp"
@@ -18,7 +19,10 @@ struct NumberAndUnit {
   double number = 0;
   std::string number_text;
   std::string unit;
+  std::string rule = {};  ///< that the text breaks; "" if none
 };
+
+NumberAndUnit breaks(std::string rule) { return {0, "", "", std::move(rule)}; }
 
 /// "a speed", or "a value in m4" for a dimension without a name.
 std::string name_of(const Dimension& dimension) {
@@ -36,22 +40,22 @@ std::string quoted_examples(const Dimension& dimension, std::string_view number)
 
 NumberAndUnit split(std::string_view text, const Dimension& wanted) {
   if (text.size() > longest_text)
-    throw UnitError(fmt::format("longer than {} characters; a number and a unit are needed", longest_text));
+    return breaks(fmt::format("longer than {} characters; a number and a unit are needed", longest_text));
   if (std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\t'; }))
-    throw UnitError("holds a control character");
+    return breaks("holds a control character");
   const std::string tidy = tidy_unit(text);
   const char* first = tidy.data() + (tidy.starts_with('+') && !tidy.starts_with("+-") ? 1 : 0);
   const char* last = tidy.data() + tidy.size();
   NumberAndUnit result;
   const auto [end, error] = from_chars(first, last, result.number);
   if (error == std::errc::invalid_argument)
-    throw UnitError(
+    return breaks(
         fmt::format("{} starts with a number, such as {}", name_of(wanted), quoted_examples(wanted, "20")));
   if (end != last && *end == ',')
-    throw UnitError("write the number with a decimal point and without commas, such as 1.5 or 1500");
+    return breaks("write the number with a decimal point and without commas, such as 1.5 or 1500");
   if (error == std::errc::result_out_of_range)
-    throw UnitError("the number is too large or too small to compute with");
-  if (!std::isfinite(result.number)) throw UnitError("a finite number is needed");
+    return breaks("the number is too large or too small to compute with");
+  if (!std::isfinite(result.number)) return breaks("a finite number is needed");
   result.number_text = std::string(first, end);
   result.unit = tidy_unit({end, static_cast<std::size_t>(last - end)});
   return result;
@@ -93,20 +97,20 @@ std::string unknown_unit(const std::string& unit, const Dimension& wanted) {
                      other_capitals(unit, wanted));
 }
 
-double factor_of(const std::string& unit, const Dimension& wanted) {
+/// What 1 of the unit is in SI.
+SiValue factor_of(const std::string& unit, const Dimension& wanted) {
   const std::string si_unit(wanted.si_unit);
   const auto [match, factor] = unit_factor(unit, si_unit);
   switch (match) {
     case UnitMatch::same_dimension: break;
-    case UnitMatch::other_dimension: throw UnitError(wrong_dimension(unit, wanted));
+    case UnitMatch::other_dimension: return {0, wrong_dimension(unit, wanted)};
     case UnitMatch::holds_number:
-      throw UnitError(
-          fmt::format("one number and one unit are needed, but \"{}\" holds another number", unit));
+      return {0, fmt::format("one number and one unit are needed, but \"{}\" holds another number", unit)};
     case UnitMatch::not_a_unit:
-      throw UnitError(fmt::format("\"{}\" is not a unit; use {}", unit, examples_of_units(si_unit)));
-    case UnitMatch::unknown: throw UnitError(unknown_unit(unit, wanted));
+      return {0, fmt::format("\"{}\" is not a unit; use {}", unit, examples_of_units(si_unit))};
+    case UnitMatch::unknown: return {0, unknown_unit(unit, wanted)};
   }
-  return factor;
+  return {factor, ""};
 }
 
 }  // namespace
@@ -118,26 +122,36 @@ std::string examples_of_units(const std::string& si_unit) {
   return list.empty() ? "no unit" : list;
 }
 
-double to_si(std::string_view text, const std::string& si_unit) {
+SiValue read_si(std::string_view text, const std::string& si_unit) {
   const Dimension wanted = dimension_of(si_unit);
-  const auto [number, number_text, unit] = split(text, wanted);
-  if (unit.empty() && si_unit == "1") return number;
+  const auto [number, number_text, unit, rule] = split(text, wanted);
+  if (!rule.empty()) return {0, rule};
+  if (unit.empty() && si_unit == "1") return {number, ""};
   if (unit.empty())
-    throw UnitError(
-        fmt::format("{} needs a unit, such as {}", name_of(wanted), quoted_examples(wanted, number_text)));
+    return {
+        0, fmt::format("{} needs a unit, such as {}", name_of(wanted), quoted_examples(wanted, number_text))};
   // The only units with an offset, and only where a temperature itself is asked for.
   const bool celsius = si_unit == "K" && (unit == "degC" || unit == "celsius");
   const bool fahrenheit = si_unit == "K" && (unit == "degF" || unit == "fahrenheit");
-  const double value = celsius      ? number + 273.15
-                       : fahrenheit ? (number + 459.67) / 1.8
-                                    : number * factor_of(unit, wanted);
-  if (!std::isfinite(value)) throw UnitError("the number is too large to compute with");
+  if (celsius) return {number + 273.15, ""};
+  if (fahrenheit) return {(number + 459.67) / 1.8, ""};
+  SiValue value = factor_of(unit, wanted);
+  if (value.rule.empty()) value.value *= number;
+  if (!std::isfinite(value.value)) return {0, "the number is too large to compute with"};
   return value;
+}
+
+double to_si(std::string_view text, const std::string& si_unit) {
+  SiValue read = read_si(text, si_unit);
+  if (!read.rule.empty()) throw UnitError(read.rule);
+  return read.value;
 }
 
 double from_si(double value, const std::string& si_unit, const std::string& unit) {
   if (unit == si_unit) return value;
-  return value / factor_of(tidy_unit(unit), dimension_of(si_unit));
+  const SiValue factor = factor_of(tidy_unit(unit), dimension_of(si_unit));
+  if (!factor.rule.empty()) throw UnitError(factor.rule);
+  return value / factor.value;
 }
 
 }  // namespace dashpad

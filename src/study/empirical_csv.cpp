@@ -81,36 +81,38 @@ Column choose(const input::CsvRow& header, const std::string& wanted, const std:
 
 }  // namespace
 
-std::vector<double> read_empirical(const std::filesystem::path& file, const std::string& column,
-                                   const std::string& unit) {
-  input::MeasurementFaults faults(file.string());
-  const std::string content = input::read_measurement(file);
-  const std::string_view text = input::text_in(content, faults);
-  const char separator = separator_of(text);
-  input::CsvRows rows(text, separator);
-  input::CsvRow row;
-  if (!rows.next(row)) faults.refuse(0, "", "", "is empty");
-  const Column chosen = choose(row, column, unit, faults);
-  std::vector<double> values;
-  while (rows.next(row)) {
-    const bool there = chosen.place < row.fields.size();
-    const std::string_view field =
-        there ? input::without_blanks(row.fields[chosen.place]) : std::string_view();
-    const input::ReadNumber read = input::read_csv_number(field, separator);
-    if (!row.fault.empty())
-      faults.add(row.line, "", "", std::string(row.fault));
-    else if (row.filled() > chosen.width)
-      faults.add(row.line, "", "", "has more fields than the header");
-    else if (read.kind != input::NumberKind::number)
-      faults.add(row.line, chosen.name, field, input::rule_for(read.kind));
-    else
-      values.push_back(read.value * chosen.factor);
-    if (values.size() > most_values)
-      faults.refuse(row.line, "", "", fmt::format("has more than {} values", most_values));
-  }
-  faults.throw_if_any();
-  std::ranges::sort(values);
-  return values;
+input::Reading<std::vector<double>> read_empirical(const std::filesystem::path& file,
+                                                   const std::string& column, const std::string& unit) {
+  return input::reading_of([&]() -> std::vector<double> {
+    input::MeasurementFaults faults(file.string());
+    const std::string content = input::read_measurement(file);
+    const std::string_view text = input::text_in(content, faults);
+    const char separator = separator_of(text);
+    input::CsvRows rows(text, separator);
+    input::CsvRow row;
+    if (!rows.next(row)) faults.refuse(0, "", "", "is empty");
+    const Column chosen = choose(row, column, unit, faults);
+    std::vector<double> values;
+    while (rows.next(row)) {
+      const bool there = chosen.place < row.fields.size();
+      const std::string_view field =
+          there ? input::without_blanks(row.fields[chosen.place]) : std::string_view();
+      const input::ReadNumber read = input::read_csv_number(field, separator);
+      if (!row.fault.empty())
+        faults.add(row.line, "", "", std::string(row.fault));
+      else if (row.filled() > chosen.width)
+        faults.add(row.line, "", "", "has more fields than the header");
+      else if (read.kind != input::NumberKind::number)
+        faults.add(row.line, chosen.name, field, input::rule_for(read.kind));
+      else
+        values.push_back(read.value * chosen.factor);
+      if (values.size() > most_values)
+        faults.refuse(row.line, "", "", fmt::format("has more than {} values", most_values));
+    }
+    faults.throw_if_any();
+    std::ranges::sort(values);
+    return values;
+  });
 }
 
 }  // namespace dashpad::study

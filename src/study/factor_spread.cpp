@@ -15,7 +15,7 @@ double read_entry(const input::TomlNode& entry, const std::string& key, const st
                   input::FaultList& faults) {
   if (unit != "1") return input::read_quantity(entry, key, unit, faults);
   if (entry.kind == input::TomlNode::Kind::number && std::isfinite(entry.number)) return entry.number;
-  faults.add(entry.line, key, entry.written(), "must be a finite plain number, without quotes and unit");
+  faults.add(entry, key, "must be a finite plain number, without quotes and unit");
   return std::nan("");
 }
 
@@ -63,13 +63,9 @@ Empirical read_measured(input::TableReader& table, const std::string& unit, cons
   const std::string file = table.text("file");
   const std::string column = table.text("column", input::Presence::optional);
   if (file.empty()) return {};
-  try {
-    return {read_empirical(folders.of_study / file, column, unit)};
-  } catch (const input::InputError& error) {
-    table.fault("file", "cannot be used; see its faults");
-    table.faults().add(error.faults());
-  }
-  return {};
+  input::Reading<std::vector<double>> values = read_empirical(folders.of_study / file, column, unit);
+  if (!values) table.fault("file", "cannot be used; see its faults");
+  return {table.faults().take(std::move(values)).value_or(std::vector<double>())};
 }
 
 /// An amount, or a share of the mean: "5 %".

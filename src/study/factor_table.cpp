@@ -42,24 +42,20 @@ std::optional<Material> read_named(const input::TomlNode& entry, const std::stri
                                    const FactorFolders& folders, input::FaultList& faults) {
   const std::string& name = entry.text;
   if (entry.kind != input::TomlNode::Kind::text || name.empty()) {
-    faults.add(entry.line, key, entry.written(), "must be the name of a card or a .toml file in quotes");
+    faults.add(entry, key, "must be the name of a card or a .toml file in quotes");
     return std::nullopt;
   }
-  try {
-    const bool is_path = name.ends_with(".toml");
-    const auto cards = is_path ? std::vector<std::filesystem::path>{folders.of_study / name}
-                               : input::list_materials(folders.materials);
-    std::vector<std::string> names;
-    for (const auto& card : cards) {
-      names.push_back(card.stem().string());
-      if (is_path || names.back() == name) return input::read_material(card);
-    }
-    faults.add(entry.line, key, entry.written(),
-               "no such card in " + folders.materials.string() + ", which has " + input::listing(names) +
-                   input::did_you_mean(name, names));
-  } catch (const input::InputError& error) {
-    faults.add(error.faults());
+  if (name.ends_with(".toml")) return faults.take(input::read_material(folders.of_study / name));
+  const auto cards = faults.take(input::list_materials(folders.materials));
+  if (!cards) return std::nullopt;
+  std::vector<std::string> names;
+  for (const auto& card : *cards) {
+    names.push_back(card.stem().string());
+    if (names.back() == name) return faults.take(input::read_material(card));
   }
+  faults.add(entry, key,
+             "no such card in " + folders.materials.string() + ", which has " + input::listing(names) +
+                 input::did_you_mean(name, names));
   return std::nullopt;
 }
 
@@ -113,11 +109,11 @@ bool read_entry(const Entry& entry, const std::string& path, const Known& known,
   const auto found = std::ranges::find(known.keys, key, &FactorKey::key);
   if (found == known.keys.end()) {
     const bool on_trust = !known.has_base && (is_of_law(key) || key.starts_with("support."));
-    if (!on_trust) faults.add(node->line, path, node->written(), rule_for_unknown(key, study.base));
+    if (!on_trust) faults.add(*node, path, rule_for_unknown(key, study.base));
     return false;
   }
   if (node->kind != input::TomlNode::Kind::table) {
-    faults.add(node->line, path, node->written(), "must be a table: [factors.\"" + key + "\"]");
+    faults.add(*node, path, "must be a table: [factors.\"" + key + "\"]");
     return false;
   }
   input::TableReader reader(*node, path, faults);
@@ -163,7 +159,7 @@ void add_violations(const std::vector<Violation>& broken, const input::TomlNode&
     else if (std::isnan(violation.value) && root.nearest(violation.key).written().empty())
       faults.add(root.nearest(violation.key).line, violation.key, "", violation.rule);
     else
-      faults.add({violation}, root);
+      faults.add({violation});
   }
 }
 

@@ -39,8 +39,8 @@ Spread read_spread(input::TableReader& table, const std::string& unit, const Fac
 /// A value with its unit, or a plain number where `unit` is "1". NaN after a fault.
 double read_value(input::TableReader& table, const std::string& key, const std::string& unit);
 
-/// Sorted values of a column in SI. Throws InputError with all faults of the file.
-std::vector<double> read_empirical(const std::filesystem::path& file, const std::string& column,
-                                   const std::string& unit);
+/// Sorted values of a column in SI.
+input::Reading<std::vector<double>> read_empirical(const std::filesystem::path& file,
+                                                   const std::string& column, const std::string& unit);
 
 }  // namespace dashpad::study

@@ -50,7 +50,7 @@ std::vector<std::string> read_responses(input::TableReader& table) {
   if (!list) return default_responses();
   for (const input::TomlNode& entry : list->children) {
     if (entry.kind != input::TomlNode::Kind::text)
-      table.faults().add(entry.line, table.full_key("responses") + entry.key, entry.written(),
+      table.faults().add(entry, table.full_key("responses") + entry.key,
                          "must be the name of a response in quotes");
     names.push_back(entry.text);
   }
@@ -61,12 +61,7 @@ std::vector<std::string> read_responses(input::TableReader& table) {
 std::optional<input::CaseFile> read_base(input::TableReader& table, const FactorFolders& folders) {
   const std::string name = table.text("case");
   if (name.empty()) return std::nullopt;
-  try {
-    return input::read_case(folders.of_study / name, folders.materials);
-  } catch (const input::InputError& error) {
-    table.faults().add(error.faults());
-  }
-  return std::nullopt;
+  return table.faults().take(input::read_case(folders.of_study / name, folders.materials));
 }
 
 std::size_t number_of(const Study& study, const std::string& key) {
@@ -83,7 +78,7 @@ void read_correlation(input::TableReader table, const FactorLines& lines, Study&
       factors.push_back(number_of(study, name.text));
       if (factors.back() == study.factors.size() &&
           !std::ranges::count(lines.at_fault, "factors." + name.text))
-        table.faults().add(name.line, table.full_key("between") + name.key, name.written(),
+        table.faults().add(name, table.full_key("between") + name.key,
                            "is none of the factors" + input::did_you_mean(name.text, keys));
     }
     if (factors.size() != 2)
@@ -104,7 +99,7 @@ void read_correlations(input::TableReader& table, const FactorLines& lines, Stud
     if (entry.kind == input::TomlNode::Kind::table)
       read_correlation(input::TableReader(entry, path, table.faults()), lines, study);
     else
-      table.faults().add(entry.line, path, entry.written(), "must be a table: [[correlations]]");
+      table.faults().add(entry, path, "must be a table: [[correlations]]");
   }
 }
 
@@ -118,13 +113,14 @@ void read_sampling_plan(input::TableReader& table, Study& study) {
 
 }  // namespace
 
-Study read_study(const std::filesystem::path& file, const std::filesystem::path& materials) {
-  const input::TomlNode root = input::read_toml(file);
-  input::FaultList faults(file.string());
-  input::TableReader top(root, "", faults);
+input::Reading<Study> read_study(const std::filesystem::path& file, const std::filesystem::path& materials) {
+  const input::Reading<input::TomlFile> toml = input::read_toml(file);
+  if (!toml) return toml.faults();
+  input::FaultList faults(*toml);
+  input::TableReader top(toml->root, "", faults);
   const FactorFolders folders{file.parent_path(), materials};
   Study study;
-  study.text = input::read_text_file(file);
+  study.text = toml->text;
   study.title = top.text("title", input::Presence::optional);
   const auto base = read_base(top, folders);
   if (base) {
@@ -137,9 +133,8 @@ Study read_study(const std::filesystem::path& file, const std::filesystem::path&
   read_correlations(top, lines, study);
   study.responses = read_responses(top);
   top.refuse_others();
-  if (base) add_violations(violations(study), root, lines, faults);
-  faults.throw_if_any();
-  return study;
+  if (base) add_violations(violations(study), toml->root, lines, faults);
+  return faults.reading(std::move(study));
 }
 
 }  // namespace dashpad::study

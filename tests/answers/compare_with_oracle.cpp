@@ -212,7 +212,7 @@ int run(CLI::App& app, int count, char** arguments) {
   Findings found;
   if (!settings.file.empty())
     Comparison(settings, 0, found)
-        .run(input::read_case(settings.file, std::string(DASHPAD_SOURCE_DIR) + "/materials").impact);
+        .run(input::read_case(settings.file, std::string(DASHPAD_SOURCE_DIR) + "/materials").value().impact);
   else
     found = over_cases(settings, found, [&](Findings& mine, std::uint64_t seed, const ImpactCase& impact) {
       Comparison(settings, seed, mine).run(impact);

@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   };
   for (const Column& column : {Column{"", "m/s"}, {"", "1"}, {"speed", "m/s"}, {"strain", "1"}})
     if (const auto values =
-            read_or_refuse([&] { return study::read_empirical(file, column.name, column.unit); })) {
+            read_or_refuse([&] { return study::read_empirical(file, column.name, column.unit).value(); })) {
       require_finite(*values, "measured values are finite");
       require(std::ranges::is_sorted(*values), "measured values are sorted");
     }

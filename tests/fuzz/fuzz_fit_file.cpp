@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   static const bool laid_out = lay_out();
   require(laid_out, "the files that fits name are there");
   const fs::path file = write("fit.toml", text_of(bytes, size));
-  const auto read = read_or_refuse([&] { return fit::read_fit(file, source / "materials"); });
+  const auto read = read_or_refuse([&] { return fit::read_fit(file, source / "materials").value(); });
   if (read) require(fit::violations(read->fit).empty(), "a fit that was read breaks no rule");
   return 0;
 }

@@ -11,7 +11,7 @@ using namespace dashpad::fuzz;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const auto card =
-      read_or_refuse([&] { return input::read_material(write("foam.toml", text_of(bytes, size))); });
+      read_or_refuse([&] { return input::read_material(write("foam.toml", text_of(bytes, size))).value(); });
   if (!card) return 0;
   require(violations(*card).empty(), "a card that was read breaks no rule");
   require(!card->title.empty() && !card->source.empty(), "a card has a title and a source");

@@ -36,7 +36,7 @@ void require_same_law(const Material& material, const Material& again, const cha
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const auto found = read_or_refuse(
-      [&] { return input::read_material_deck(write("deck.k", text_of(bytes, size)), plain_si()); });
+      [&] { return input::read_material_deck(write("deck.k", text_of(bytes, size)), plain_si()).value(); });
   if (!found) return 0;
   require(!found->empty(), "a deck that is read holds a foam");
   for (const input::DeckMaterial& each : *found) {
@@ -46,8 +46,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     for (const std::string& remark : material.reservations)
       require_plain_text(remark, "a remark is plain text");
     // A card has bounds of its own, such as that of the density.
-    const auto card =
-        read_or_refuse([&] { return input::read_material(write("card.toml", output::card_toml(material))); });
+    const auto card = read_or_refuse(
+        [&] { return input::read_material(write("card.toml", output::card_toml(material))).value(); });
     if (card) require_same_law(material, *card, "a card is read as the same law");
     for (const output::MaterialDeckFormat& format : output::material_deck_formats()) {
       const output::MaterialDeckOptions options{format.name, plain_si()};
@@ -55,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         continue;
       const std::string deck = output::material_deck(material, options);
       if (deck.find("Rounded to the digits") != std::string::npos) continue;
-      const auto again = input::read_material_deck(write("again.k", deck), plain_si());
+      const auto again = input::read_material_deck(write("again.k", deck), plain_si()).value();
       require(again.size() == 1, "a deck that was written holds one foam");
     }
   }

@@ -51,7 +51,7 @@ void write_and_read(const Pulse& pulse) {
   for (std::size_t i = 0; i < pulse.time.size(); ++i)
     written += fmt::format("{},{}\n", pulse.time[i], pulse.acceleration[i]);
   const Pulse again =
-      input::read_pulse_csv(write("again.csv", written), {.bridge_gaps = true}).measured.pulse;
+      input::read_pulse_csv(write("again.csv", written), {.bridge_gaps = true}).value().measured.pulse;
   require(again.time == pulse.time && again.acceleration == pulse.acceleration,
           "what is written is read as the same");
 }
@@ -60,9 +60,9 @@ void write_and_read(const Pulse& pulse) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const fs::path file = write("pulse.csv", text_of(bytes, size));
-  read_or_refuse([&] { return input::pulse_csv_columns(file); });
+  read_or_refuse([&] { return input::pulse_csv_columns(file).value(); });
   for (const input::PulseCsvOptions& way : ways_to_read()) {
-    const auto read = read_or_refuse([&] { return input::read_pulse_csv(file, way).measured; });
+    const auto read = read_or_refuse([&] { return input::read_pulse_csv(file, way).value().measured; });
     if (!read) continue;
     check(read->pulse);
     for (const std::vector<double>& component : read->components) {

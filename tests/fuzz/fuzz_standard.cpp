@@ -34,8 +34,8 @@ void require_sound(const injury::Standard& standard) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  const auto standard =
-      read_or_refuse([&] { return input::read_standard(write("standard.toml", text_of(bytes, size))); });
+  const auto standard = read_or_refuse(
+      [&] { return input::read_standard(write("standard.toml", text_of(bytes, size))).value(); });
   if (!standard) return 0;
   require_sound(*standard);
   std::vector<std::string> all;

@@ -11,8 +11,8 @@ using namespace dashpad;
 using namespace dashpad::fuzz;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  const auto table =
-      read_or_refuse([&] { return input::read_strain_csv(write("strains.csv", text_of(bytes, size))); });
+  const auto table = read_or_refuse(
+      [&] { return input::read_strain_csv(write("strains.csv", text_of(bytes, size))).value(); });
   if (!table) return 0;
   require(table->time.size() >= 2 && table->time.size() <= 10'000, "a history has 2 to 10,000 rows");
   require(table->time.size() == table->strain.size(), "every time has a strain");
@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   std::string written = "time_s,strain\n";
   for (std::size_t i = 0; i < table->time.size(); ++i)
     written += fmt::format("{},{}\n", table->time[i], table->strain[i]);
-  const input::StrainTable again = input::read_strain_csv(write("again.csv", written));
+  const input::StrainTable again = input::read_strain_csv(write("again.csv", written)).value();
   require(again.time == table->time && again.strain == table->strain, "what is written is read as the same");
   return 0;
 }

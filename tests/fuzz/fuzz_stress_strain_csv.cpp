@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   for (const input::StressStrainColumns& columns :
        {input::StressStrainColumns{}, input::StressStrainColumns{.time = "time"},
         input::StressStrainColumns{.strain_unit = "percent", .stress_unit = "MPa"}}) {
-    const auto table = read_or_refuse([&] { return input::read_stress_strain_csv(file, columns); });
+    const auto table = read_or_refuse([&] { return input::read_stress_strain_csv(file, columns).value(); });
     if (!table) continue;
     require(table->strain.size() >= 2 && table->strain.size() <= 10'000, "a test has 2 to 10,000 rows");
     require(table->strain.size() == table->stress.size(), "every strain has a stress");

@@ -23,14 +23,14 @@ void write_and_read(const injury::MeasuredPulse& read) {
                                                "m/s2", read.pulse.acceleration}}};
   for (const auto& [name, text] : output::iso_mme_files(test))
     write("written" / std::filesystem::path(name), text);
-  const injury::MeasuredPulse again = input::read_iso_mme(folder() / "written", {}).measured;
+  const injury::MeasuredPulse again = input::read_iso_mme(folder() / "written", {}).value().measured;
   require(again.pulse.acceleration == read.pulse.acceleration, "what is written is read as the same");
 }
 
 }  // namespace
 
 void read_iso_mme_test(const std::filesystem::path& test) {
-  const auto channels = read_or_refuse([&] { return input::iso_mme_channels(test); });
+  const auto channels = read_or_refuse([&] { return input::iso_mme_channels(test).value(); });
   if (!channels) return;
   std::vector<input::IsoMmeOptions> ways{
       {},
@@ -40,7 +40,7 @@ void read_iso_mme_test(const std::filesystem::path& test) {
   for (std::size_t i = 0; i < std::min(channels->size(), most_channels); ++i)
     ways.push_back({.channel = std::to_string((*channels)[i].number)});
   for (const input::IsoMmeOptions& way : ways) {
-    const auto read = read_or_refuse([&] { return input::read_iso_mme(test, way).measured; });
+    const auto read = read_or_refuse([&] { return input::read_iso_mme(test, way).value().measured; });
     if (!read) continue;
     check(read->pulse);
     for (const std::vector<double>& component : read->components) {

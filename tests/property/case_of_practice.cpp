@@ -25,7 +25,8 @@ const Material& card(int index) {
   static const std::vector<Material> read = [] {
     std::vector<Material> all;
     for (const char* name : cards)
-      all.push_back(input::read_material(std::string(DASHPAD_SOURCE_DIR) + "/materials/" + name + ".toml"));
+      all.push_back(
+          input::read_material(std::string(DASHPAD_SOURCE_DIR) + "/materials/" + name + ".toml").value());
     return all;
   }();
   return read[static_cast<std::size_t>(index)];

@@ -49,7 +49,7 @@ std::vector<PrintedRow> printed_table(const std::string& file) {
 
 spit1984::Run example(const char* name, Arithmetic arithmetic = Arithmetic::pdp10) {
   const input::CaseFile input =
-      input::read_case(source_folder / "examples" / name, source_folder / "materials");
+      input::read_case(source_folder / "examples" / name, source_folder / "materials").value();
   Settings settings;
   settings.arithmetic = arithmetic;
   return run(deck_of(input.impact), settings);

@@ -102,7 +102,7 @@ std::map<std::string, std::string> lines_of(std::istream& stream) {
 class Examples : public testing::TestWithParam<fs::path> {};
 
 TEST_P(Examples, SolveToWhatTheySolvedToBefore) {
-  input::CaseFile file = input::read_case(GetParam(), material_folder);
+  input::CaseFile file = input::read_case(GetParam(), material_folder).value();
   file.options.tolerance = solver_tolerance;
   const Summary summary = solve(file.impact, file.options).summary;
   const std::string text = text_of(summary);

@@ -9,8 +9,8 @@ namespace dashpad::fit {
 namespace {
 
 TEST(FitRegression, TheExampleFindsWhatItFoundBefore) {
-  const FitReport report =
-      run_fit(read_fit(DASHPAD_SOURCE_DIR "/examples/fits/vn600.toml", DASHPAD_SOURCE_DIR "/materials").fit);
+  const FitReport report = run_fit(
+      read_fit(DASHPAD_SOURCE_DIR "/examples/fits/vn600.toml", DASHPAD_SOURCE_DIR "/materials").value().fit);
   ASSERT_TRUE(report.converged) << report.why_not;
   EXPECT_EQ(report.starts_at_best, 8);
   // Four digits, as it prints them; searches end within far less.

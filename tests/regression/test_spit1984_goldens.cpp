@@ -53,6 +53,7 @@ std::vector<std::pair<std::string, Deck>> decks() {
     all.emplace_back(name,
                      deck_of(input::read_case(source_folder / "examples" / (std::string{name} + ".toml"),
                                               source_folder / "materials")
+                                 .value()
                                  .impact));
   all.emplace_back("elastic", deck_of(sample(sample_law<Elastic>())));
   all.emplace_back("linear-viscoelastic", deck_of(sample(sample_law<LinearViscoelastic>())));

@@ -39,9 +39,9 @@ Law sample_law() {
   if constexpr (std::is_same_v<Law, RigidFoam>)
     return {.crush_stress = 2e5, .crush_strain = 0.6, .second_stress = 4e5, .second_strain = 0.8};
   if constexpr (std::is_same_v<Law, NineParameter>)
-    return std::get<Law>(input::read_material(material_folder / "ensolite-aac-9.toml").law);
+    return std::get<Law>(input::read_material(material_folder / "ensolite-aac-9.toml").value().law);
   if constexpr (std::is_same_v<Law, TwentyOneParameter>)
-    return std::get<Law>(input::read_material(material_folder / "ensolite-aac-21.toml").law);
+    return std::get<Law>(input::read_material(material_folder / "ensolite-aac-21.toml").value().law);
   if constexpr (std::is_same_v<Law, Foam>)
     return {.friction = 0.1,
             .unloading_factor = 0.3,

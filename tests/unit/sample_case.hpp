@@ -48,7 +48,7 @@ inline std::string edited(std::string text, const std::string& from, const std::
 
 inline input::CaseFile read(const std::string& text) {
   const test::TemporaryFolder folder;
-  return input::read_case(folder.write("case.toml", text), materials);
+  return input::read_case(folder.write("case.toml", text), materials).value();
 }
 
 }  // namespace dashpad::test

@@ -46,7 +46,7 @@ inline Files sample_test() {
 
 inline std::string said(const std::filesystem::path& file, const input::IsoMmeOptions& options) {
   try {
-    input::read_iso_mme(file, options);
+    input::read_iso_mme(file, options).value();
   } catch (const input::InputError& error) {
     return error.what();
   }

@@ -327,7 +327,7 @@ TEST(case_faults, faults_of_a_card_name_the_card) {
                    "[fitted]\nhighest_strain = 2\nlowest_rate = \"1 1/s\"\nhighest_rate = \"9 1/s\"\n");
   const auto file =
       folder.write("case.toml", edited(edited(good_case, "ensolite-aac-9", "mine"), "\"20 mph\"", "20"));
-  const auto faults = faults_in([&] { input::read_case(file, folder.path()); });
+  const auto faults = faults_in([&] { input::read_case(file, folder.path()).value(); });
   expect_faults(faults, {{5, "impactor.speed", "needs a unit"},
                          {0, "source", "is missing"},
                          {4, "parameters.modulus", "must be more than 0"},
@@ -375,8 +375,8 @@ TEST(case_faults, only_regular_files_of_moderate_size_are_read) {
   if (::geteuid() != 0) rows.push_back({locked, "cannot be read"});  // root may read everything
   for (const Row& row : rows) {
     SCOPED_TRACE(row.file);
-    expect_faults(faults_in([&] { input::read_case(row.file, materials); }), {{0, "", row.rule}});
-    expect_faults(faults_in([&] { input::read_material(row.file); }), {{0, "", row.rule}});
+    expect_faults(faults_in([&] { input::read_case(row.file, materials).value(); }), {{0, "", row.rule}});
+    expect_faults(faults_in([&] { input::read_material(row.file).value(); }), {{0, "", row.rule}});
   }
 }
 

@@ -67,7 +67,7 @@ TEST(case_file, material_can_be_a_path_from_the_case) {
   std::filesystem::create_directory(folder.path() / "cards");
   std::filesystem::copy(materials / "ensolite-aac-21.toml", folder.path() / "cards" / "mine.toml");
   const auto file = folder.write("case.toml", edited(good_case, "\"ensolite-aac-9\"", "\"cards/mine.toml\""));
-  EXPECT_EQ(input::read_case(file, "/no/such/folder").impact.pad.material.name, "mine");
+  EXPECT_EQ(input::read_case(file, "/no/such/folder").value().impact.pad.material.name, "mine");
 }
 
 TEST(case_file, supports_of_each_type_are_read) {
@@ -104,7 +104,7 @@ TEST(case_file, examples_are_good) {
     if (entry.path().extension() != ".toml") continue;
     ++count;
     EXPECT_NO_THROW({
-      const ImpactCase impact = input::read_case(entry.path(), materials).impact;
+      const ImpactCase impact = input::read_case(entry.path(), materials).value().impact;
       EXPECT_FALSE(impact.title.empty());
       EXPECT_TRUE(violations(impact).empty());
     }) << entry.path();

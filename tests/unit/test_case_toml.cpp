@@ -16,7 +16,8 @@ namespace dashpad::test {
 namespace {
 
 const input::CaseFile& dashboard() {
-  static const input::CaseFile input = input::read_case(source / "examples/dashboard-20mph.toml", materials);
+  static const input::CaseFile input =
+      input::read_case(source / "examples/dashboard-20mph.toml", materials).value();
   return input;
 }
 
@@ -24,7 +25,7 @@ TEST(case_toml, is_read_as_the_same_case) {
   for (const char* name :
        {"dashboard-20mph", "dashboard-20mph-21-parameter", "load-cell-drop", "rigid-floor-bottoming"}) {
     const input::CaseFile input =
-        input::read_case(source / "examples" / (std::string{name} + ".toml"), materials);
+        input::read_case(source / "examples" / (std::string{name} + ".toml"), materials).value();
     const input::CaseFile again =
         read(output::case_toml(input.impact, {.tolerance = 3e-6, .time_limit = 0.25}));
     EXPECT_EQ(again.impact.title, input.impact.title);

@@ -17,7 +17,9 @@ using injury::injury_figures;
 
 Solution solved(double tolerance) {
   const ImpactCase impact =
-      input::read_case(source_folder / "examples/dashboard-20mph.toml", source_folder / "materials").impact;
+      input::read_case(source_folder / "examples/dashboard-20mph.toml", source_folder / "materials")
+          .value()
+          .impact;
   Options options;
   options.tolerance = tolerance;
   return solve(impact, options);

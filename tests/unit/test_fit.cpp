@@ -306,7 +306,7 @@ class FitFileTest : public testing::Test {
   }
   FitFile read(const std::string& text) {
     write("fit.toml", text);
-    return read_fit(folder_.path() / "fit.toml", DASHPAD_SOURCE_DIR "/materials");
+    return read_fit(folder_.path() / "fit.toml", DASHPAD_SOURCE_DIR "/materials").value();
   }
   std::string faults_of(const std::string& text) {
     try {
@@ -371,7 +371,7 @@ TEST_F(FitFileTest, NoiseThatWasStatedTooSmallMakesNoIntervalNarrower) {
 TEST_F(FitFileTest, MakesACardThatIsReadAgain) {
   const FitReport report = run_fit(read(edited(good_fit, "noise =", "offset = true\nnoise =")).fit);
   write("card.toml", output::card_toml(report.material));
-  const Material card = input::read_material(folder_.path() / "card.toml");
+  const Material card = input::read_material(folder_.path() / "card.toml").value();
   EXPECT_THAT(card.source, HasSubstr("test.csv (30 points"));
   EXPECT_THAT(card.reservations, testing::Contains(HasSubstr("loading only")));
   EXPECT_EQ(std::get<Foam>(card.law).curves, std::get<Foam>(report.material.law).curves);

@@ -93,11 +93,13 @@ class FitImpactsTest : public testing::Test {
     folder_.write("drop.toml", drop(1, 300));
   }
   Solution solution(const std::string& text) {
-    const input::CaseFile read = input::read_case(folder_.write("solved.toml", text), materials_);
+    const input::CaseFile read = input::read_case(folder_.write("solved.toml", text), materials_).value();
     return solve(read.impact, read.options);
   }
   Summary solved(const std::string& text) { return solution(text).summary; }
-  FitFile read(const std::string& text) { return read_fit(folder_.write("fit.toml", text), materials_); }
+  FitFile read(const std::string& text) {
+    return read_fit(folder_.write("fit.toml", text), materials_).value();
+  }
   /// Peak, rebound and time of the drop with another scale and support, as figures.
   std::string figures(double scale, double stiffness) {
     const Summary truth = solved(drop(scale, stiffness));
@@ -310,7 +312,9 @@ TEST_F(FitImpactsTest, AFormulaMovesAllItsStressesWithTheScale) {
   const double half = (axes.plus[0][0] - axes.minus[0][0]) / 2;
   EXPECT_NEAR(std::abs(half), 100e3 * scale->standard_error.value(), 0.05 * std::abs(half));
   // The card with its uncertainty is read as it was written.
-  EXPECT_EQ(input::read_material(folder_.write("tuned.toml", output::card_toml(report.material))).uncertainty,
+  EXPECT_EQ(input::read_material(folder_.write("tuned.toml", output::card_toml(report.material)))
+                .value()
+                .uncertainty,
             report.material.uncertainty);
 }
 

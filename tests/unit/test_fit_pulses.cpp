@@ -146,7 +146,7 @@ class FitPulseTest : public testing::Test {
   }
   FitFile read(const std::string& text) {
     write("fit.toml", text);
-    return read_fit(folder_.path() / "fit.toml", DASHPAD_SOURCE_DIR "/materials");
+    return read_fit(folder_.path() / "fit.toml", DASHPAD_SOURCE_DIR "/materials").value();
   }
   std::vector<input::Fault> faults_of(const std::string& text) {
     try {

@@ -110,7 +110,7 @@ TEST(iso_mme, what_is_written_reads_back_here) {
   test.histories[0].values = {0, -1.0 / 3, 1e-300, -981.123456789012345, 7, 1e8};
   const test::TemporaryFolder folder;
   write(folder.path(), output::iso_mme_files(test));
-  const injury::MeasuredPulse measured = input::read_iso_mme(folder.path(), {}).measured;
+  const injury::MeasuredPulse measured = input::read_iso_mme(folder.path(), {}).value().measured;
   EXPECT_EQ(measured.pulse.acceleration, test.histories[0].values);
   EXPECT_EQ(measured.pulse.time.front(), -0.002);
   EXPECT_DOUBLE_EQ(measured.pulse.time.back(), -0.0015);
@@ -126,7 +126,8 @@ TEST(iso_mme, times_of_a_clock_count_from_the_first_sample) {
   }
   const test::TemporaryFolder folder;
   write(folder.path(), files);
-  const injury::MeasuredPulse measured = input::read_iso_mme(folder.path(), {.channel = "1"}).measured;
+  const injury::MeasuredPulse measured =
+      input::read_iso_mme(folder.path(), {.channel = "1"}).value().measured;
   EXPECT_EQ(measured.pulse.time, (std::vector<double>{0, 0.001, 0.002}));
   EXPECT_THAT(measured.counts_from, testing::HasSubstr("1764068400.5"));
   EXPECT_THAT(measured.remarks, testing::Contains(testing::HasSubstr("1764068400.5")));
@@ -147,7 +148,7 @@ TEST(iso_mme, curves_read_back_in_the_unit_that_was_asked_for) {
                    {{"force", {"time", "s"}, {"force", "N"}, times, forces}, ""}};
     const test::TemporaryFolder folder;
     const fs::path zip = folder.write("test.zip", output::iso_mme_zip(file));
-    const injury::MeasuredPulse read = input::read_iso_mme(zip, {}).measured;
+    const injury::MeasuredPulse read = input::read_iso_mme(zip, {}).value().measured;
     EXPECT_EQ(read.acceleration.front().unit, in_g ? "g" : "m/s2");
     ASSERT_THAT(read.pulse.acceleration, SizeIs(101));
     for (std::size_t i = 0; i < 101; ++i)
@@ -182,10 +183,11 @@ TEST(iso_mme, text_may_be_latin_1_with_any_line_ends) {
   files["v1.mme"] = "\xef\xbb\xbfTitle :x";
   const test::TemporaryFolder folder;
   write(folder.path(), files);
-  EXPECT_EQ(input::iso_mme_channels(folder.path()).front().name,
+  EXPECT_EQ(input::iso_mme_channels(folder.path()).value().front().name,
             "Kopf, Pr\xc3\xbc"
             "fung");
-  const injury::MeasuredPulse measured = input::read_iso_mme(folder.path(), {.channel = "1"}).measured;
+  const injury::MeasuredPulse measured =
+      input::read_iso_mme(folder.path(), {.channel = "1"}).value().measured;
   EXPECT_THAT(measured.pulse.acceleration, ElementsAre(1, 2));
   EXPECT_EQ(measured.acceleration.front().unit, "m/s\xc2\xb2");
 }
@@ -194,9 +196,10 @@ TEST(iso_mme, remarks) {
   const test::TemporaryFolder folder;
   Files files = with_first(channel("11HEAD0000H3ACXA"));
   write(folder.path(), files);
-  EXPECT_THAT(
-      input::read_iso_mme(folder.path(), {.channel = "1", .acceleration_unit = "m/s2"}).measured.remarks,
-      ElementsAre("11HEAD0000H3ACXA: the file says g; m/s2 was given and used"));
+  EXPECT_THAT(input::read_iso_mme(folder.path(), {.channel = "1", .acceleration_unit = "m/s2"})
+                  .value()
+                  .measured.remarks,
+              ElementsAre("11HEAD0000H3ACXA: the file says g; m/s2 was given and used"));
 }
 
 TEST(iso_mme, choices_that_are_not_clear_are_told) {

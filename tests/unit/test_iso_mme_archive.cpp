@@ -80,14 +80,14 @@ TEST(iso_mme_archive, folder_file_zip_and_tar_are_the_same) {
                                folder.path() / "windows.zip", folder.path() / "inner.tar.gz"}) {
     SCOPED_TRACE(file);
     ASSERT_TRUE(input::is_iso_mme(file));
-    const auto channels = input::iso_mme_channels(file);
+    const auto channels = input::iso_mme_channels(file).value();
     ASSERT_THAT(channels, SizeIs(4));
     EXPECT_EQ(channels[3].code, "11CHST0000H3FOXB");
     EXPECT_EQ(channels[3].unit, "kN");
     EXPECT_EQ(channels[3].samples, "3");
     EXPECT_EQ(channels[3].name, "In words: 11CHST0000H3FOXB");
     for (const std::string wanted : {"1", "001", "11HEAD0000H3ACXA", "??head????h3ACX?"}) {
-      const injury::MeasuredPulse measured = input::read_iso_mme(file, {.channel = wanted}).measured;
+      const injury::MeasuredPulse measured = input::read_iso_mme(file, {.channel = wanted}).value().measured;
       EXPECT_THAT(measured.pulse.time, Pointwise(DoubleEq(), {-0.001, 0.0, 0.001}));
       EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {0.0, -3 * g, 2 * g}));
       EXPECT_EQ(measured.acceleration.front().name, "11HEAD0000H3ACXA");
@@ -95,7 +95,7 @@ TEST(iso_mme_archive, folder_file_zip_and_tar_are_the_same) {
     }
     for (const std::string wanted : {"", "11HEAD0000??AC?A"}) {
       const injury::MeasuredPulse resultant =
-          input::read_iso_mme(file, {.channel = wanted, .resultant = true}).measured;
+          input::read_iso_mme(file, {.channel = wanted, .resultant = true}).value().measured;
       EXPECT_THAT(resultant.pulse.acceleration, Pointwise(DoubleEq(), {g, 5 * g, 3 * g}));
       EXPECT_THAT(resultant.acceleration, SizeIs(3));
       ASSERT_THAT(resultant.components, SizeIs(3));
@@ -142,7 +142,7 @@ TEST(iso_mme_archive, archives_that_unpack_without_end_are_refused) {
   for (const std::string ending : {"bomb.zip", "bomb.tar.gz"}) {
     const fs::path bomb = folder.path() / ending;
     pack(bomb, files);
-    EXPECT_THAT(input::iso_mme_channels(bomb), SizeIs(4));
+    EXPECT_THAT(input::iso_mme_channels(bomb).value(), SizeIs(4));
     EXPECT_THAT(input::read_from_archive(bomb, {name}, 1000, true).at(name), SizeIs(1000));
     EXPECT_THROW(input::read_from_archive(bomb, {name}, std::size_t{1} << 22, false), input::InputError);
     EXPECT_THAT(input::read_from_archive(bomb, {name}, std::size_t{1} << 23, false).at(name),

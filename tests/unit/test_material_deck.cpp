@@ -40,7 +40,7 @@ std::string low_density_foam(const std::string& hu = "       0.4", const std::st
 class MaterialDeckTest : public testing::Test {
  protected:
   std::vector<input::DeckMaterial> read(const std::string& text, const char* units = "t-mm-s") {
-    return input::read_material_deck(folder_.write("deck.k", text), input::deck_system(units));
+    return input::read_material_deck(folder_.write("deck.k", text), input::deck_system(units)).value();
   }
   Foam foam(const std::string& text, const char* units = "t-mm-s") {
     return std::get<Foam>(read(text, units).at(0).material.law);
@@ -62,7 +62,7 @@ class MaterialDeckTest : public testing::Test {
     return lines;
   }
   Material read_card(const std::string& text) {
-    return input::read_material(folder_.write("card.toml", text));
+    return input::read_material(folder_.write("card.toml", text)).value();
   }
 
   test::TemporaryFolder folder_;

@@ -39,29 +39,30 @@ void expect_published(const PadLaw& law, const std::array<double, size>& publish
 }
 
 TEST(materials, ensolite_9_has_the_parameters_of_appendix_c) {
-  expect_published<NineParameter, 8>(input::read_material(folder / "ensolite-aac-9.toml").law,
+  expect_published<NineParameter, 8>(input::read_material(folder / "ensolite-aac-9.toml").value().law,
                                      {7.96, 0.675, 1.09, 8.81e-3, 5.45, 0.166, 9.76e-6, 0.0987});
 }
 
 TEST(materials, ensolite_21_has_the_parameters_of_appendix_c) {
-  expect_published<TwentyOneParameter, 16>(input::read_material(folder / "ensolite-aac-21.toml").law,
+  expect_published<TwentyOneParameter, 16>(input::read_material(folder / "ensolite-aac-21.toml").value().law,
                                            {7.96, 0.675, 1.09, 0.13, 0.156, 3.08, 4.153, 0.19, 3.17, 0.58,
                                             2.57, 0.296, 2.23, 1.64e-3, 9.76e-6, 0.0987});
 }
 
 std::vector<Material> all_cards() {
   std::vector<Material> cards;
-  for (const auto& card : input::list_materials(folder)) cards.push_back(input::read_material(card));
+  for (const auto& card : input::list_materials(folder).value())
+    cards.push_back(input::read_material(card).value());
   return cards;
 }
 
 bool is_of_report(const Material& material) { return material.name.starts_with("ensolite-aac"); }
 
 TEST(materials, all_cards_are_sourced_and_fitted) {
-  const auto cards = input::list_materials(folder);
+  const auto cards = input::list_materials(folder).value();
   ASSERT_EQ(cards.size(), 20U);
   for (const auto& card : cards) {
-    const Material material = input::read_material(card);
+    const Material material = input::read_material(card).value();
     EXPECT_EQ(material.name, card.stem());
     EXPECT_FALSE(material.source.empty()) << card;
     EXPECT_FALSE(material.title.empty()) << card;
@@ -94,7 +95,7 @@ TEST(materials, other_cards_say_what_they_are_worth) {
 }
 
 TEST(materials, published_values_that_no_law_uses_are_kept_as_text) {
-  const Material material = input::read_material(folder / "ensolite-aac-9.toml");
+  const Material material = input::read_material(folder / "ensolite-aac-9.toml").value();
   ASSERT_EQ(material.also_published.size(), 1U);
   EXPECT_EQ(material.also_published.front(),
             (std::pair<std::string, std::string>{"zero_time_modulus", "22.127 psi"}));
@@ -104,11 +105,11 @@ TEST(materials, a_folder_is_listed_by_name) {
   const test::TemporaryFolder temporary;
   for (const std::string name : {"b.toml", "a.toml", "notes.txt"}) temporary.write(name, "");
   std::filesystem::create_directory(temporary.path() / "c.toml");
-  const auto cards = input::list_materials(temporary.path());
+  const auto cards = input::list_materials(temporary.path()).value();
   ASSERT_EQ(cards.size(), 2U);
   EXPECT_EQ(cards[0].stem(), "a");
   EXPECT_EQ(cards[1].stem(), "b");
-  EXPECT_THROW(input::list_materials(temporary.path() / "none"), input::InputError);
+  EXPECT_THROW(input::list_materials(temporary.path() / "none").value(), input::InputError);
 }
 
 // --- How they are shown ---

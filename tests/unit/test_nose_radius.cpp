@@ -101,7 +101,7 @@ TEST(NoseRadius, RadiusOfComputedStrainsIsFound) {
   std::vector<input::Fault> faults;
   ValidationData data = read_validation_data(test::source / "data/validation", faults);
   ASSERT_TRUE(faults.empty());
-  const Material ensolite = input::read_material(test::materials / "ensolite-aac-9.toml");
+  const Material ensolite = input::read_material(test::materials / "ensolite-aac-9.toml").value();
   constexpr double truth = 2.6;
   for (MeasuredTest& test : data.measured.tests) {
     if (test.support != TestSupport::plate) continue;

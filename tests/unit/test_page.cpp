@@ -17,7 +17,8 @@ namespace dashpad::test {
 namespace {
 
 const input::CaseFile& dashboard() {
-  static const input::CaseFile input = input::read_case(source / "examples/dashboard-20mph.toml", materials);
+  static const input::CaseFile input =
+      input::read_case(source / "examples/dashboard-20mph.toml", materials).value();
   return input;
 }
 

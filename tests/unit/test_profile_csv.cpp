@@ -24,7 +24,7 @@ class ProfileCsvTest : public ::testing::Test {
     std::ofstream{file, std::ios::binary} << text;
     return file;
   }
-  Profile read(const std::string& text) { return input::read_profile_csv(write(text)); }
+  Profile read(const std::string& text) { return input::read_profile_csv(write(text)).value(); }
   /// "line: rule", one fault a line.
   std::string faults(const std::string& text) {
     try {
@@ -108,14 +108,14 @@ TEST_F(ProfileCsvTest, IsNamedFromTheFolderOfTheCase) {
                                         "nose = \"profile\"\nfile = \"" + name + "\"");
   };
   write_case("nose.csv");
-  const input::CaseFile read = input::read_case(file, test::materials);
+  const input::CaseFile read = input::read_case(file, test::materials).value();
   EXPECT_EQ(std::get<Profile>(read.impact.impactor.nose).points.size(), 2);
   ASSERT_EQ(read.files.size(), 3);
   EXPECT_EQ(read.files[1].file.filename(), "nose.csv");
   // The faults of the table, and none of the case.
   write("depth_mm,radius_mm\n0,0\n5,20\n6,10\n");
   try {
-    input::read_case(file, test::materials);
+    input::read_case(file, test::materials).value();
     FAIL();
   } catch (const input::InputError& error) {
     ASSERT_EQ(error.faults().size(), 1) << error.what();

@@ -44,7 +44,7 @@ PulseReport report_of(Pulse pulse) {
 }
 
 ImpactCase case_of(const char* example) {
-  return input::read_case(source_folder / "examples" / example, source_folder / "materials").impact;
+  return input::read_case(source_folder / "examples" / example, source_folder / "materials").value().impact;
 }
 
 const Solution& solved() {

@@ -27,7 +27,7 @@ constexpr double g = 9.80665;
 
 injury::MeasuredPulse read(const std::string& text, const input::PulseCsvOptions& options = {}) {
   const test::TemporaryFolder folder;
-  return input::read_pulse_csv(folder.write("pulse.csv", text), options).measured;
+  return input::read_pulse_csv(folder.write("pulse.csv", text), options).value().measured;
 }
 
 /// What is said, a fault a line; "" if nothing.
@@ -213,7 +213,7 @@ TEST(pulse_csv, steps_that_grow_rounded_times_and_two_rates_are_no_gaps) {
 
 TEST(pulse_csv, lists_columns) {
   const test::TemporaryFolder folder;
-  const auto columns = input::pulse_csv_columns(folder.write("a.csv", "Time,Head\nms,g\n0,1\n2,3\n"));
+  const auto columns = input::pulse_csv_columns(folder.write("a.csv", "Time,Head\nms,g\n0,1\n2,3\n")).value();
   ASSERT_EQ(columns.size(), 2U);
   EXPECT_EQ(columns[0].name, "Time");
   EXPECT_EQ(columns[0].unit, "ms");
@@ -441,7 +441,7 @@ TEST(pulse_csv, only_regular_files_of_limited_size_are_read) {
   for (const auto& [file, rule] : rows) {
     SCOPED_TRACE(file);
     try {
-      input::read_pulse_csv(file, {});
+      input::read_pulse_csv(file, {}).value();
       FAIL();
     } catch (const input::InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr(rule));

@@ -93,8 +93,8 @@ TEST(responses, keep_order_and_the_largest_error) {
 }
 
 TEST(responses, have_no_value_where_the_impact_has_none) {
-  const Solution solution =
-      solve(input::read_case(test::source / "examples/rigid-floor-bottoming.toml", test::materials).impact);
+  const Solution solution = solve(
+      input::read_case(test::source / "examples/rigid-floor-bottoming.toml", test::materials).value().impact);
   ASSERT_EQ(solution.summary.status, Status::bottomed_out);
   const Outcome outcome = outcome_of(solution, {"peak_force", "peak_acceleration", "rebound_speed", "release",
                                                 "hic15", "velocity_change", "peak_strain"});
@@ -109,8 +109,8 @@ TEST(responses, are_filled_afresh) {
   ResponseReader reader(std::vector<std::string>{"rebound_speed"});
   Outcome outcome;
   reader(dashboard(), outcome);
-  const Solution bottomed =
-      solve(input::read_case(test::source / "examples/rigid-floor-bottoming.toml", test::materials).impact);
+  const Solution bottomed = solve(
+      input::read_case(test::source / "examples/rigid-floor-bottoming.toml", test::materials).value().impact);
   reader(bottomed, outcome);
   EXPECT_TRUE(std::isnan(outcome.values.at(0)));
   EXPECT_EQ(outcome.error, 0);
@@ -137,8 +137,8 @@ TEST(responses, leave_out_what_cannot_be) {
 
 TEST(responses, missing_by_nature_make_no_row_doubtful) {
   const std::vector<std::string> names{"peak_force", "hic15", "rebound_speed", "peak_strain"};
-  const Solution bottomed =
-      solve(input::read_case(test::source / "examples/rigid-floor-bottoming.toml", test::materials).impact);
+  const Solution bottomed = solve(
+      input::read_case(test::source / "examples/rigid-floor-bottoming.toml", test::materials).value().impact);
   EXPECT_FALSE(is_doubtful(outcome_of(bottomed, names), names));
   Outcome outcome = outcome_of(dashboard(), names);
   EXPECT_FALSE(is_doubtful(outcome, names));

@@ -44,7 +44,7 @@ struct Solved {
 };
 
 Solved solved(const std::string& example) {
-  const input::CaseFile file = input::read_case(source / "examples" / example, materials);
+  const input::CaseFile file = input::read_case(source / "examples" / example, materials).value();
   Solved of{file.impact, solve(file.impact, file.options), {}};
   of.injury = injury::whole_pulse_figures(of.solution);
   return of;
@@ -267,7 +267,7 @@ TEST(ShownValues, OfAMaterialTestAreThoseOfItsRuns) {
     test.stress_limits = {60e3};
     if (kind == laboratory::TestKind::constant_rate) test.steps_of_1984 = 20;
     const laboratory::MaterialTestReport report = run_material_test(
-        input::read_material(materials / "ensolite-aac-9.toml"), test, spit1984::stresses_of_update);
+        input::read_material(materials / "ensolite-aac-9.toml").value(), test, spit1984::stresses_of_update);
     const auto panels = [&](const UnitSystem& units) {
       return std::vector<Panel>{stress_over_strain(report, units),    stress_over_time(report, units),
                                 strain_over_time(report, units),      energy_over_strain(report, units),
@@ -307,7 +307,7 @@ TEST(ShownValues, OfAMaterialTestAreThoseOfItsRuns) {
 TEST(ShownValues, OfFoamsAreTheSameInAllUnits) {
   std::vector<Material> foams;
   for (const char* name : {"vn600.toml", "ensolite-aac-9.toml", "eps-19.toml"})
-    foams.push_back(input::read_material(materials / name));
+    foams.push_back(input::read_material(materials / name).value());
   expect_same_in_all_units(
       [&](const UnitSystem& units) { return std::vector<Plot>{materials_plot(foams, units)}; });
 }

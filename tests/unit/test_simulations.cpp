@@ -22,7 +22,7 @@ class Simulations : public ::testing::Test {
     data = read_validation_data(test::source / "data/validation", faults);
   }
   ValidationData data;
-  Material ensolite = input::read_material(test::materials / "ensolite-aac-9.toml");
+  Material ensolite = input::read_material(test::materials / "ensolite-aac-9.toml").value();
   ImpactSetup soft{Projectile::aluminium, TestSupport::load_cell, 14, 2};
 };
 

@@ -17,7 +17,7 @@ namespace {
 using namespace spit1984;
 
 ImpactCase example(const char* name) {
-  return input::read_case(source_folder / "examples" / name, source_folder / "materials").impact;
+  return input::read_case(source_folder / "examples" / name, source_folder / "materials").value().impact;
 }
 
 Deck nine_parameter_deck() { return deck_of(example("dashboard-20mph.toml")); }

@@ -34,13 +34,14 @@ constexpr double kmh = 1 / 3.6;
 
 Standard preset(const std::string& text) {
   const input::StandardChoice choice = input::standard_choice(text);
-  return injury::with_variants(input::read_standard(input::find_standard(choice.name, folder)),
-                               choice.variants);
+  return injury::with_variants(
+      input::read_standard(input::find_standard(choice.name, folder).value()).value(), choice.variants);
 }
 
 std::vector<Standard> all_presets() {
   std::vector<Standard> presets;
-  for (const auto& file : input::list_standards(folder)) presets.push_back(input::read_standard(file));
+  for (const auto& file : input::list_standards(folder).value())
+    presets.push_back(input::read_standard(file).value());
   return presets;
 }
 
@@ -252,7 +253,7 @@ TEST(standards, unknown_names_and_variants_are_refused_with_those_there_are) {
   EXPECT_THAT(message_of([] { preset("fmvss-201-seat-back:any"); }), HasSubstr("it has none"));
   EXPECT_THAT(message_of([] { preset("en-1078:a:o"); }), HasSubstr("both set the mass"));
   EXPECT_THAT(message_of([] { preset("en-1078:a:a"); }), HasSubstr("both set the mass"));
-  EXPECT_THROW(input::list_standards(folder / "none"), input::InputError);
+  EXPECT_THROW(input::list_standards(folder / "none").value(), input::InputError);
   EXPECT_THAT(message_of([] { preset("../standards/en-1177"); }), HasSubstr("a path must end in .toml"));
 }
 
@@ -326,7 +327,7 @@ verified = true
 std::vector<input::Fault> faults_of(const std::string& text) {
   const test::TemporaryFolder temporary;
   try {
-    input::read_standard(temporary.write("made-up.toml", text));
+    input::read_standard(temporary.write("made-up.toml", text)).value();
   } catch (const input::InputError& error) {
     return error.faults();
   }
@@ -352,15 +353,16 @@ void expect_faults(const std::string& text, const std::vector<Expected>& expecte
 
 TEST(standard_faults, a_good_preset_has_none) {
   const test::TemporaryFolder temporary;
-  const Standard standard = input::read_standard(temporary.write("made-up.toml", good_preset));
+  const Standard standard = input::read_standard(temporary.write("made-up.toml", good_preset)).value();
   EXPECT_EQ(standard.name, "made-up");
   EXPECT_DOUBLE_EQ(*standard.speed.value, std::sqrt(2 * g));
   EXPECT_EQ(injury::with_variants(standard, {"light"}).mass.value, 4);
   EXPECT_FALSE(standard.criteria[0].strict);
   for (const std::string value : {"true", "false"}) {
     const std::string text = edited(good_preset, "limit =", "strict = " + value + "\nlimit =");
-    EXPECT_EQ(input::read_standard(temporary.write("strict-" + value + ".toml", text)).criteria[0].strict,
-              value == "true");
+    EXPECT_EQ(
+        input::read_standard(temporary.write("strict-" + value + ".toml", text)).value().criteria[0].strict,
+        value == "true");
   }
 }
 

@@ -54,7 +54,7 @@ TEST_F(StoredStudyTest, TheStudiesOfTheExamples) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(source / "examples/studies")) {
     if (entry.path().extension() != ".toml") continue;
-    expect_same_rows(study::read_study(entry.path(), source / "materials"),
+    expect_same_rows(study::read_study(entry.path(), source / "materials").value(),
                      entry.path().stem().string() + ".db");
     ++count;
   }
@@ -105,7 +105,7 @@ TEST_F(StoredStudyTest, SupportsThatMove) {
 
 TEST_F(StoredStudyTest, RepeatedBlowsOnAPadThatWasStruckBefore) {
   Study study = small_study(3);
-  study.base.pad.material = input::read_material(source / "materials/vn600.toml");
+  study.base.pad.material = input::read_material(source / "materials/vn600.toml").value();
   study.base.pad.earlier_penetration = 1e-3;
   study.base.blows = Blows{.count = 3, .recovery = 0.5};
   study.factors.push_back(
@@ -119,9 +119,9 @@ TEST_F(StoredStudyTest, RepeatedBlowsOnAPadThatWasStruckBefore) {
 }
 
 TEST_F(StoredStudyTest, EveryCard) {
-  for (const fs::path& card : input::list_materials(source / "materials")) {
+  for (const fs::path& card : input::list_materials(source / "materials").value()) {
     Study study = small_study(10);
-    study.base.pad.material = input::read_material(card);
+    study.base.pad.material = input::read_material(card).value();
     study.base.support = Support::through({{0.001, 50}, {0.003, 1000}});
     expect_same_rows(study, card.stem().string() + ".db");
   }
@@ -129,7 +129,7 @@ TEST_F(StoredStudyTest, EveryCard) {
 
 TEST_F(StoredStudyTest, NumbersOfCurves) {
   Study study = small_study(3);
-  study.base.pad.material = input::read_material(source / "materials/plastazote-ld33.toml");
+  study.base.pad.material = input::read_material(source / "materials/plastazote-ld33.toml").value();
   study.factors.push_back({.key = "pad.curve.plateau_stress",
                            .unit = "Pa",
                            .spread = study::Levels{{4e3, 6e3}},

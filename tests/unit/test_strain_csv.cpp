@@ -22,7 +22,7 @@ class StrainCsvTest : public ::testing::Test {
   input::StrainTable read(const std::string& text) {
     const auto file = folder_.path() / "strains.csv";
     std::ofstream{file, std::ios::binary} << text;
-    return input::read_strain_csv(file);
+    return input::read_strain_csv(file).value();
   }
   std::vector<input::Fault> faults(const std::string& text) {
     try {

@@ -9,17 +9,13 @@
 
 #include "dashpad/input/fault.hpp"
 #include "input/toml_tree.hpp"
-#include "shared/temporary_folder.hpp"
 
 namespace dashpad {
 namespace {
 
 using ::testing::HasSubstr;
 
-input::TomlNode read(const std::string& text) {
-  static const test::TemporaryFolder folder;
-  return input::read_toml(folder.write("a.toml", text));
-}
+input::TomlNode read(const std::string& text) { return input::read_toml_text("a.toml", text).value().root; }
 
 std::string repeated(const std::string& part, int times) {
   std::string text;

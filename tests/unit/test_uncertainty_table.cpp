@@ -55,7 +55,7 @@ plus = [[85e3, 0.6], [80e3, 0.7]]
 )";
 
 Material material_of(const TemporaryFolder& folder, const std::string& text) {
-  return input::read_material(folder.write("foam.toml", text));
+  return input::read_material(folder.write("foam.toml", text)).value();
 }
 
 /// All faults of a card, a line each.

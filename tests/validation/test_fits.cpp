@@ -12,7 +12,8 @@ namespace {
 /// fitted up to a strain of 0.45; the rest of the way up is predicted. The formula has no knee there, so that
 /// it must come within a tenth.
 TEST(FitValidation, PredictsTheRestOfTheWayUp) {
-  Fit fit = read_fit(DASHPAD_SOURCE_DIR "/examples/fits/vn600.toml", DASHPAD_SOURCE_DIR "/materials").fit;
+  Fit fit =
+      read_fit(DASHPAD_SOURCE_DIR "/examples/fits/vn600.toml", DASHPAD_SOURCE_DIR "/materials").value().fit;
   std::erase_if(fit.unknowns, [](const Unknown& of) { return of.key == "pad.parameters.unloading_shape"; });
   MaterialMeasurement& lower = fit.tests.front();
   std::size_t top = 0;
@@ -32,8 +33,8 @@ TEST(FitValidation, PredictsTheRestOfTheWayUp) {
 
 /// The energy that comes back is no residual of the fit: it follows from both ways.
 TEST(FitValidation, GivesBackTheEnergyOfTheLoop) {
-  const FitReport report =
-      run_fit(read_fit(DASHPAD_SOURCE_DIR "/examples/fits/vn600.toml", DASHPAD_SOURCE_DIR "/materials").fit);
+  const FitReport report = run_fit(
+      read_fit(DASHPAD_SOURCE_DIR "/examples/fits/vn600.toml", DASHPAD_SOURCE_DIR "/materials").value().fit);
   ASSERT_EQ(report.tests.at(0).loops.size(), 1U);
   EXPECT_NEAR(report.tests[0].loops[0].computed_return, report.tests[0].loops[0].measured_return, 0.02);
 }

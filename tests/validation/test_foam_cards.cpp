@@ -18,7 +18,8 @@ namespace dashpad {
 namespace {
 
 Material card(const std::string& name) {
-  return input::read_material(std::filesystem::path(DASHPAD_SOURCE_DIR) / "materials" / (name + ".toml"));
+  return input::read_material(std::filesystem::path(DASHPAD_SOURCE_DIR) / "materials" / (name + ".toml"))
+      .value();
 }
 
 struct Loading {

@@ -52,7 +52,7 @@ Computed computed() {
   for (const char* card : {"vn600", "team-wendy-hard-pu", "plastazote-ld33", "ff-leap", "eps-15"}) {
     ImpactCase impact;
     impact.impactor = {.mass = 4.5, .nose = Sphere{0.08}, .speed = 7.67};  // 0.08 m: a guess
-    impact.pad = {0.3, input::read_material(test::material_folder / (std::string(card) + ".toml"))};
+    impact.pad = {0.3, input::read_material(test::material_folder / (std::string(card) + ".toml")).value()};
     std::vector<Drop> drops;
     for (int i = 0; i <= 24; ++i) {
       impact.pad.condition.scale = 0.02 * std::pow(5e4, i / 24.0);
@@ -94,7 +94,7 @@ TEST(PlaygroundSeries, PulsesAreThoseOfPadsThatHoldAndOfPadsStruckThrough) {
 /// tell the radius of the crown, which nobody wrote down: what is known of it is the prior.
 TEST(MepPad, PulseIsMetAndDoesNotTellTheRadius) {
   const fit::FitReport report = fit::run_fit(
-      fit::read_fit(test::source_folder / "examples/fits/mep-pad.toml", test::material_folder).fit);
+      fit::read_fit(test::source_folder / "examples/fits/mep-pad.toml", test::material_folder).value().fit);
   ASSERT_TRUE(report.converged) << report.why_not;
   ASSERT_EQ(report.pulses.size(), 1U);
   const fit::MetPulse& pulse = report.pulses.front();

@@ -94,7 +94,7 @@ TEST(trends_of_the_report, rows_that_are_used) {
 
 /// Figure 3-5 cannot be rebuilt; the most favourable placing has a slope below one.
 TEST(trends_of_the_report, nominal_stress_in_its_most_favourable_placing) {
-  const Material ensolite = input::read_material(source_folder / "materials/ensolite-aac-9.toml");
+  const Material ensolite = input::read_material(source_folder / "materials/ensolite-aac-9.toml").value();
   const NominalStressFit fit = fit_nominal_stress(report(), ensolite);
   EXPECT_EQ(fit.points.size(), 13U);
   EXPECT_NEAR(fit.area_in2, 5.10076, 5e-5);

@@ -21,8 +21,8 @@ const std::filesystem::path document = source_folder / "docs/validation.md";
 std::map<std::string, std::string> computed_tables() {
   std::vector<input::Fault> faults;
   const auto data = report1986::read_validation_data(source_folder / "data/validation", faults);
-  return report1986::validation_markdown_tables(
-      report1986::run_study(data, input::read_material(source_folder / "materials/ensolite-aac-9.toml")));
+  return report1986::validation_markdown_tables(report1986::run_study(
+      data, input::read_material(source_folder / "materials/ensolite-aac-9.toml").value()));
 }
 
 /// What is predicted by fits repeats as well as their runs of the solver do, which are within 0.1 % of the

@@ -20,7 +20,7 @@ Study study_of_the_report() {
   std::vector<input::Fault> faults;
   const ValidationData data = read_validation_data(test::source_folder / "data/validation", faults);
   EXPECT_TRUE(faults.empty());
-  return run_study(data, input::read_material(test::material_folder / "ensolite-aac-9.toml"));
+  return run_study(data, input::read_material(test::material_folder / "ensolite-aac-9.toml").value());
 }
 
 const Verdict& verdict(const std::vector<Verdict>& verdicts, Program program, TestSupport support,
@@ -200,7 +200,7 @@ constexpr ExpectedHeldOut expected_held_out[] = {
 
 /// The card that is delivered has the numbers of the fit.
 void check_card(const FittedFoam& fitted) {
-  const Material card = input::read_material(test::material_folder / "ensolite-33-tests.toml");
+  const Material card = input::read_material(test::material_folder / "ensolite-33-tests.toml").value();
   const Foam delivered = std::get<Foam>(card.law), found = std::get<Foam>(material_of(fitted).law);
   const AvalleCurve a = std::get<AvalleCurve>(delivered.curves.base),
                     b = std::get<AvalleCurve>(found.curves.base);

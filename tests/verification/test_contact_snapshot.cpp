@@ -52,8 +52,9 @@ TYPED_TEST(Snapshot, stress_adds_up_to_the_force_with_few_steps_and_with_many) {
 TEST(contact_snapshot, stress_adds_up_to_the_force_in_the_examples) {
   for (const char* name :
        {"dashboard-20mph", "dashboard-20mph-21-parameter", "load-cell-drop", "rigid-floor-bottoming"})
-    expect_sound(
-        input::read_case(source_folder / "examples" / (std::string{name} + ".toml"), material_folder).impact);
+    expect_sound(input::read_case(source_folder / "examples" / (std::string{name} + ".toml"), material_folder)
+                     .value()
+                     .impact);
 }
 
 TEST(contact_snapshot, deeper_than_the_radius_the_edge_is_the_sphere_s_side) {
@@ -105,7 +106,7 @@ TEST(contact_snapshot, a_locked_pad_and_held_foam_are_said_to_be_undetermined) {
   EXPECT_FALSE(held.back().determined);
 
   const ImpactCase floor =
-      input::read_case(source_folder / "examples/rigid-floor-bottoming.toml", material_folder).impact;
+      input::read_case(source_folder / "examples/rigid-floor-bottoming.toml", material_folder).value().impact;
   EXPECT_FALSE(contact_snapshots(floor, solve(floor, {}).history).back().determined);
 }
 

@@ -20,8 +20,10 @@ using ::testing::Contains;
 using ::testing::Field;
 
 Solution solved(const std::string& name, double tolerance) {
-  const input::CaseFile input = input::read_case(
-      source_folder / "tests/verification/cases" / (name + ".toml"), source_folder / "materials");
+  const input::CaseFile input =
+      input::read_case(source_folder / "tests/verification/cases" / (name + ".toml"),
+                       source_folder / "materials")
+          .value();
   return solve(input.impact, {.tolerance = tolerance});
 }
 

@@ -50,7 +50,8 @@ TEST(IndependentCases, FiguresAreTrue) {
     for (const auto& [name, figures] : all) {
       const input::CaseFile input =
           input::read_case(source_folder / "tests/verification/cases/independent" / (name + ".toml"),
-                           source_folder / "materials");
+                           source_folder / "materials")
+              .value();
       const Summary summary = solve(input.impact, {.tolerance = tolerance}).summary;
       EXPECT_EQ(summary.status, Status::released) << name << ' ' << tolerance;
       for (const TrueFigure& figure : figures) {
@@ -73,7 +74,9 @@ TEST(IndependentCases, FiguresAreTrue) {
 /// What the crushed columns give back is known in closed form: its error fell no further than 1e-3.
 TEST(IndependentCases, LinersOfEpsMeetTheDefaultTolerance) {
   ImpactCase liner =
-      input::read_case(source_folder / "examples/helmet-on-anvil.toml", source_folder / "materials").impact;
+      input::read_case(source_folder / "examples/helmet-on-anvil.toml", source_folder / "materials")
+          .value()
+          .impact;
   liner.backing = {};
   liner.support = Support::rigid();
   int missed = 0;
@@ -88,6 +91,7 @@ TEST(IndependentCases, ARunThatDidNotLeaveHasNoRebound) {
   const Summary summary =
       solve(input::read_case(source_folder / "tests/verification/cases/left-and-came-back.toml",
                              source_folder / "materials")
+                .value()
                 .impact)
           .summary;
   ASSERT_EQ(summary.status, Status::bottomed_out);
@@ -102,6 +106,7 @@ TEST(IndependentCases, SlowFoamIsMetAgainAsItWasLeft) {
   const ImpactCase impact =
       input::read_case(source_folder / "tests/verification/cases/slow-foam-met-again.toml",
                        source_folder / "materials")
+          .value()
           .impact;
   const Summary fine = solve(impact, {.tolerance = 1e-6}).summary;
   ASSERT_EQ(fine.status, Status::released);
@@ -119,6 +124,7 @@ TEST(IndependentCases, APadThatCreepsOnHasNoDepthOfItsOwn) {
   const Summary summary =
       solve(input::read_case(source_folder / "tests/verification/cases/still-sinking.toml",
                              source_folder / "materials")
+                .value()
                 .impact,
             {.tolerance = 1e-3})
           .summary;
@@ -132,7 +138,9 @@ TEST(IndependentCases, APadThatCreepsOnHasNoDepthOfItsOwn) {
 /// its share of the mass.
 TEST(IndependentCases, ALightPanelTendsToNone) {
   ImpactCase impact =
-      input::read_case(source_folder / "examples/helmet-pad-10fps.toml", source_folder / "materials").impact;
+      input::read_case(source_folder / "examples/helmet-pad-10fps.toml", source_folder / "materials")
+          .value()
+          .impact;
   impact.support = Support::linear(3e5);
   const Summary none = solve(impact).summary;
   for (const double share : {1e-6, 4e-6, 1e-4}) {

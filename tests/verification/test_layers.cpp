@@ -270,10 +270,11 @@ TEST(Layers, OneStruckThroughLeavesTheOthers) {
 TEST(Layers, ThatCloseKeepTheLedgerToTheEnd) {
   ImpactCase impact = impact_on(sample_law<LinearViscoelastic>(), Support::rigid());
   impact.impactor = {.mass = 0.94, .nose = Cone{.radius = 0.025, .half_angle = 1.1}, .speed = 0.92};
-  impact = in_layers(impact, {layer_of(0.0041, input::read_material(material_folder / "ff-leap.toml").law),
-                              layer_of(0.0036, LinearViscoelastic{.asymptotic_modulus = 207e3,
-                                                                  .initial_modulus = 834e3,
-                                                                  .relaxation_time = 5.8e-3})});
+  impact =
+      in_layers(impact, {layer_of(0.0041, input::read_material(material_folder / "ff-leap.toml").value().law),
+                         layer_of(0.0036, LinearViscoelastic{.asymptotic_modulus = 207e3,
+                                                             .initial_modulus = 834e3,
+                                                             .relaxation_time = 5.8e-3})});
   const Summary coarse = solve(impact, {.tolerance = 1e-4, .fixed_runs = 3}).summary;
   const Summary fine = solve(impact, {.tolerance = 1e-4, .fixed_runs = 4}).summary;
   ASSERT_TRUE(coarse.bottomed && fine.bottomed);

@@ -269,7 +269,7 @@ TEST(Panel, IsMetByCrushedLayersFromRestOn) {
   thick.curves.rate_effect = FactorRateEffect{{0.49, 35, 270, 1640}, {1.67, 2.55, 2.64, 4.36}};
   std::vector<PadLayer> layers(2);
   layers[0].thickness = 0.0025;
-  layers[0].material.law = input::read_material(material_folder / "eps-29.toml").law;
+  layers[0].material.law = input::read_material(material_folder / "eps-29.toml").value().law;
   layers[1].thickness = 0.0051;
   layers[1].material.law = thick;
   ImpactCase impact = impact_on(thick, Support::through({{0.00128, 301}, {0.00262, 690}, {0.00354, 2570}}));

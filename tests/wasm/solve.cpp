@@ -1,5 +1,5 @@
-// Solves one impact in WebAssembly and compares the peak force with its closed form, that of
-// tests/consumer/main.cpp.
+// Reads a case in WebAssembly, refuses a spoilt one, and compares the peak force with its closed form, that
+// of tests/consumer/main.cpp.
 
 #include <cmath>
 #include <cstddef>
@@ -7,11 +7,19 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/hic.hpp"
+#include "dashpad/input/case_file.hpp"
 #include "dashpad/version.hpp"
+#include "input/disk.hpp"
 
 extern "C" {
 // The C++ library has no exceptions, so that one ends the program; everything that Dashpad throws is a
@@ -26,6 +34,38 @@ std::uintptr_t __stack_chk_guard = 0x5bd1e995;
 void __stack_chk_fail() { std::abort(); }
 }
 
+namespace dashpad::input {
+// There is no disk, so no card and no profile of a nose.
+bool is_there(const std::filesystem::path& /*file*/) { return false; }
+Reading<std::string> content_of(const std::filesystem::path& file, std::size_t /*most*/) {
+  return fault_of_file(file, "no such file");
+}
+Reading<std::vector<std::filesystem::path>> toml_files(const std::filesystem::path& /*folder*/,
+                                                       std::string_view /*of*/) {
+  return std::vector<std::filesystem::path>{};
+}
+}  // namespace dashpad::input
+
+namespace {
+
+/// Whether every fault of a spoilt case is found, each in its line, without an exception.
+bool refuses(std::string text) {
+  const auto spoil = [&](std::string_view from, std::string_view to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  spoil("kg", "kpg"), spoil("thickness", "thicknes"), spoil("elastic", "elastik"), spoil("rigid", "soft");
+  std::string lines;
+  for (const auto& fault : dashpad::input::read_case_text(text, "case.toml", "materials").faults())
+    lines += fmt::format("{} ", fault.line);
+  const bool is_right = lines == "2 5 6 8 11 ";
+  const auto of_nothing = dashpad::input::read_case_text("[", "case.toml", "materials");
+  const auto of_a_card = dashpad::input::read_material("materials/vn600.toml");
+  if (!is_right || of_nothing || of_a_card) std::printf("faults in lines %s\n", lines.c_str());
+  return is_right && !of_nothing && !of_a_card;
+}
+
+}  // namespace
+
 int main() {
   constexpr double modulus = 1e5, thickness = 0.05, radius = 0.1, mass = 1, penetration = 0.01;
   constexpr double scale = 2 * std::numbers::pi * modulus / thickness;
@@ -33,13 +73,24 @@ int main() {
   const double expected_force =
       scale * (radius * std::pow(penetration, 2) / 2 - std::pow(penetration, 3) / 6);
 
-  dashpad::ImpactCase impact;
-  impact.title = "elastic pad on a rigid support";
-  impact.impactor = {.mass = mass, .nose = dashpad::Sphere{radius}, .speed = std::sqrt(2 * work / mass)};
-  impact.pad.thickness = thickness;
-  impact.pad.material.name = dashpad::foam_of_the_case;
-  impact.pad.material.law = dashpad::Elastic{.modulus = modulus};
-  impact.support = dashpad::Support::rigid();
+  const std::string text = fmt::format(R"([impactor]
+mass = "{} kg"
+radius = "{} m"
+speed = "{} m/s"
+[pad]
+thickness = "{} m"
+neighbours = 0
+law = "elastic"
+parameters.modulus = "{} Pa"
+[support]
+type = "rigid"
+)",
+                                       mass, radius, std::sqrt(2 * work / mass), thickness, modulus);
+  if (!refuses(text)) return 1;
+  const auto read = dashpad::input::read_case_text(text, "case.toml", "materials");
+  for (const dashpad::input::Fault& fault : read.faults()) std::printf("%s\n", with_excerpt(fault).c_str());
+  if (!read) return 1;
+  const dashpad::ImpactCase& impact = read->impact;
 
   const dashpad::Solution solution = dashpad::solve(impact);
   const dashpad::Summary& summary = solution.summary;

@@ -6,6 +6,7 @@
 
 #include "dashpad/fit/fit.hpp"
 #include "dashpad/input/input_file.hpp"
+#include "dashpad/input/reading.hpp"
 
 namespace dashpad::fit {
 
@@ -15,7 +16,7 @@ struct FitFile {
 };
 
 /// `materials` is the folder in which material names are looked up; other files are looked for beside the fit
-/// file. Throws InputError with every fault of it and of the files that it names.
-FitFile read_fit(const std::filesystem::path& file, const std::filesystem::path& materials);
+/// file. All faults of it and of the files that it names.
+input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::filesystem::path& materials);
 
 }  // namespace dashpad::fit

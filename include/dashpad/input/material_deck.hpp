@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dashpad/input/reading.hpp"
 #include "dashpad/model/pad/material.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
@@ -24,8 +25,9 @@ struct DeckMaterial {
 
 /// The foams of a deck, in its order: *MAT_057, 063, 083 and 163 of LS-DYNA, /MAT/LAW33, LAW62, LAW70 and
 /// LAW90 of Radioss, with the curves that they name. `units` are those of the deck, which does not say them
-/// itself. Throws InputError with all faults, or the first 200; a deck without such a material is a fault.
-std::vector<DeckMaterial> read_material_deck(const std::filesystem::path& file, const UnitSystem& units);
+/// itself. All faults, or the first 200; a deck without such a material is a fault.
+Reading<std::vector<DeckMaterial>> read_material_deck(const std::filesystem::path& file,
+                                                      const UnitSystem& units);
 
 /// The consistent system of that name, or of its units in another order: "mm-t-s" is "t-mm-s". Throws
 /// std::invalid_argument that names the systems on offer.

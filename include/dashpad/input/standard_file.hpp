@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "dashpad/injury/standard.hpp"
+#include "dashpad/input/reading.hpp"
 
 namespace dashpad::input {
 
-/// Reads and checks one preset. Throws InputError with every fault in it.
-injury::Standard read_standard(const std::filesystem::path& file);
+/// Reads and checks one preset.
+Reading<injury::Standard> read_standard(const std::filesystem::path& file);
 
-/// The presets in a folder, sorted by name (the file name without .toml). Throws InputError if the folder
-/// cannot be read.
-std::vector<std::filesystem::path> list_standards(const std::filesystem::path& folder);
+/// The presets in a folder, sorted by name (the file name without .toml).
+Reading<std::vector<std::filesystem::path>> list_standards(const std::filesystem::path& folder);
 
 /// A name of a preset with variants, as people give it: "en-1078:kerbstone:small".
 struct StandardChoice {
@@ -23,8 +23,8 @@ struct StandardChoice {
 };
 StandardChoice standard_choice(const std::string& text);
 
-/// The file of a preset: of that name in the folder, or a file anywhere if the name ends in .toml. Throws
-/// InputError that names the presets there are.
-std::filesystem::path find_standard(const std::string& name, const std::filesystem::path& folder);
+/// The file of a preset: of that name in the folder, or a file anywhere if the name ends in .toml. A
+/// fault names the presets there are.
+Reading<std::filesystem::path> find_standard(const std::string& name, const std::filesystem::path& folder);
 
 }  // namespace dashpad::input

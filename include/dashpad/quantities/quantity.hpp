@@ -14,10 +14,19 @@ class UnitError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A value in SI, or the rule that a text breaks, in the user's words.
+struct SiValue {
+  double value = 0;  ///< 0 where a rule is broken
+  std::string rule;  ///< "" where none is
+};
+
 /// Value of `text` ("20 mph", "7.96 psi", "1.05 kN/cm") in the SI unit `si_unit` ("m/s", "Pa", "N/m"; "1" for
-/// a pure number). Any unit of that dimension is accepted. Throws UnitError: no number, no unit (the message
-/// names units that it could have), unknown unit, wrong dimension, not finite. The pound (lb)
-/// is a mass, the pound-force (lbf) a force and g a gram.
+/// a pure number). Any unit of that dimension is accepted. Rules: a number, a unit (the rule names some that
+/// it could have), a known one, of the dimension; finite. The pound (lb) is a mass, the pound-force (lbf) a
+/// force and g a gram.
+SiValue read_si(std::string_view text, const std::string& si_unit);
+
+/// The same for those who pass the rule on as an exception: throws UnitError.
 double to_si(std::string_view text, const std::string& si_unit);
 
 /// An SI value in another unit of its dimension ("m/s" to "mph"). Throws UnitError for a wrong unit.

@@ -180,26 +180,28 @@ bool is_iso_mme(const std::filesystem::path& file) {
          is_archive(file);
 }
 
-std::vector<IsoMmeChannel> iso_mme_channels(const std::filesystem::path& file) {
-  return list(find_mme_test(file));
+Reading<std::vector<IsoMmeChannel>> iso_mme_channels(const std::filesystem::path& file) {
+  return reading_of([&]() -> std::vector<IsoMmeChannel> { return list(find_mme_test(file)); });
 }
 
-PulseFile read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options) {
-  const MmeTestFiles test = find_mme_test(file);
-  injury::MeasuredPulse result{.format = "ISO-MME",
-                               .time = {.name = "implicit", .unit = "s", .unit_origin = "format"},
-                               .resultant = options.resultant};
-  Combiner combiner(test, options, result);
-  const Channels chosen = chosen_channels(file, list(test), options);
-  if (options.sensitivity.size() > 1 && options.sensitivity.size() != chosen.size())
-    refuse_file(file, wrong_number_of_sensitivities(options.sensitivity.size(), chosen.size()));
-  for (const IsoMmeChannel& channel : chosen) {
-    if (!channel.problem.empty())
-      throw InputError({Fault{file.string(), 0, channel.code, "", channel.problem}});
-    const std::string& name = test.channels.at(channel.number);
-    combiner.add(channel, test.whole({name}).at(name));
-  }
-  return {std::move(result), test.files()};
+Reading<PulseFile> read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options) {
+  return reading_of([&]() -> PulseFile {
+    const MmeTestFiles test = find_mme_test(file);
+    injury::MeasuredPulse result{.format = "ISO-MME",
+                                 .time = {.name = "implicit", .unit = "s", .unit_origin = "format"},
+                                 .resultant = options.resultant};
+    Combiner combiner(test, options, result);
+    const Channels chosen = chosen_channels(file, list(test), options);
+    if (options.sensitivity.size() > 1 && options.sensitivity.size() != chosen.size())
+      refuse_file(file, wrong_number_of_sensitivities(options.sensitivity.size(), chosen.size()));
+    for (const IsoMmeChannel& channel : chosen) {
+      if (!channel.problem.empty())
+        throw InputError({Fault{file.string(), 0, channel.code, "", channel.problem}});
+      const std::string& name = test.channels.at(channel.number);
+      combiner.add(channel, test.whole({name}).at(name));
+    }
+    return {std::move(result), test.files()};
+  });
 }
 
 }  // namespace dashpad::input

@@ -69,26 +69,29 @@ const UnitSystem& deck_system(std::string_view name) {
   return consistent_system(name);
 }
 
-std::vector<DeckMaterial> read_material_deck(const std::filesystem::path& file, const UnitSystem& units) {
-  MeasurementFaults faults(file.string());
-  const std::string content = read_deck(file);
-  const std::string_view text = text_in(content, faults);
-  if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
-  const Solver solver = solver_of(text);
-  if (solver == Solver::unknown)
-    faults.refuse(0, "", "", "is no deck: no line begins with * (LS-DYNA) or / (Radioss)");
-  const DeckUnits deck_units(units);
-  std::vector<DeckFoam> foams = solver == Solver::ls_dyna ? read_ls_dyna(text, deck_units, faults)
-                                                          : read_radioss(text, units, deck_units, faults);
-  std::vector<DeckMaterial> materials;
-  for (DeckFoam& foam : foams) {
-    foam.source = fmt::format("{} {} of the deck {}, line {}, in the units {}", foam.card, foam.id,
-                              to_utf8(file.filename().string()), foam.line, units.name);
-    if (auto material = material_of(foam, faults)) materials.push_back(*std::move(material));
-  }
-  faults.throw_if_any();
-  make_names_differ(materials);
-  return materials;
+Reading<std::vector<DeckMaterial>> read_material_deck(const std::filesystem::path& file,
+                                                      const UnitSystem& units) {
+  return reading_of([&]() -> std::vector<DeckMaterial> {
+    MeasurementFaults faults(file.string());
+    const std::string content = read_deck(file);
+    const std::string_view text = text_in(content, faults);
+    if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
+    const Solver solver = solver_of(text);
+    if (solver == Solver::unknown)
+      faults.refuse(0, "", "", "is no deck: no line begins with * (LS-DYNA) or / (Radioss)");
+    const DeckUnits deck_units(units);
+    std::vector<DeckFoam> foams = solver == Solver::ls_dyna ? read_ls_dyna(text, deck_units, faults)
+                                                            : read_radioss(text, units, deck_units, faults);
+    std::vector<DeckMaterial> materials;
+    for (DeckFoam& foam : foams) {
+      foam.source = fmt::format("{} {} of the deck {}, line {}, in the units {}", foam.card, foam.id,
+                                to_utf8(file.filename().string()), foam.line, units.name);
+      if (auto material = material_of(foam, faults)) materials.push_back(*std::move(material));
+    }
+    faults.throw_if_any();
+    make_names_differ(materials);
+    return materials;
+  });
 }
 
 }  // namespace dashpad::input

@@ -179,47 +179,50 @@ void take_row(const CsvRow& row, const StressColumns& columns, char separator, s
 
 }  // namespace
 
-DeckMaterial read_stress_table(const std::filesystem::path& file, std::optional<double> rate) {
-  MeasurementFaults faults(file.string());
-  const std::string content = read_measurement(file);
-  const std::string_view text = text_in(content, faults);
-  if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
-  const char separator = find_separator(text);
-  const CsvHeader header = read_csv_header(text, separator);
-  if (header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
-  StressColumns columns = choose_stresses(header, faults);
-  settle_rates_of(columns, rate, faults);
-  faults.throw_if_any();
+Reading<DeckMaterial> read_stress_table(const std::filesystem::path& file, std::optional<double> rate) {
+  return reading_of([&]() -> DeckMaterial {
+    MeasurementFaults faults(file.string());
+    const std::string content = read_measurement(file);
+    const std::string_view text = text_in(content, faults);
+    if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
+    const char separator = find_separator(text);
+    const CsvHeader header = read_csv_header(text, separator);
+    if (header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
+    StressColumns columns = choose_stresses(header, faults);
+    settle_rates_of(columns, rate, faults);
+    faults.throw_if_any();
 
-  std::vector<DeckCurve> curves;
-  for (const StressColumn& column : columns.stresses)
-    curves.push_back({column.name, columns.line, {}, {}, {}});
-  CsvRows rows(text, separator);
-  std::size_t count = 0;
-  for (CsvRow row; rows.next(row);) {
-    if (row.line < header.first_line) continue;
-    if (count++ == most_rows_of_stresses)
-      faults.refuse(row.line, "", "", fmt::format("more than {} rows", most_rows_of_stresses));
-    take_row(row, columns, separator, curves, faults);
-  }
-  faults.throw_if_any();
+    std::vector<DeckCurve> curves;
+    for (const StressColumn& column : columns.stresses)
+      curves.push_back({column.name, columns.line, {}, {}, {}});
+    CsvRows rows(text, separator);
+    std::size_t count = 0;
+    for (CsvRow row; rows.next(row);) {
+      if (row.line < header.first_line) continue;
+      if (count++ == most_rows_of_stresses)
+        faults.refuse(row.line, "", "", fmt::format("more than {} rows", most_rows_of_stresses));
+      take_row(row, columns, separator, curves, faults);
+    }
+    faults.throw_if_any();
 
-  DeckFoam foam;
-  foam.card = "table";
-  foam.title = to_utf8(file.stem().string());
-  foam.line = columns.line;
-  foam.linear_in_rate = false;
-  foam.basis = "test";
-  foam.source = "Table " + to_utf8(file.filename().string());
-  foam.assumptions.emplace_back(
-      "The unloading is not in the table; the foam unloads along its slowest curve, without loss on it. Set "
-      "unloading_factor and unloading_shape.");
-  for (std::size_t i = 0; i < curves.size(); ++i)
-    foam.loading.push_back({columns.stresses[i].rate, columns.line, std::move(curves[i])});
-  auto material = material_of(foam, faults);
-  faults.throw_if_any();
-  if (!material) faults.refuse(0, "", "", "holds no curve");
-  return *std::move(material);
+    DeckFoam foam;
+    foam.card = "table";
+    foam.title = to_utf8(file.stem().string());
+    foam.line = columns.line;
+    foam.linear_in_rate = false;
+    foam.basis = "test";
+    foam.source = "Table " + to_utf8(file.filename().string());
+    foam.assumptions.emplace_back(
+        "The unloading is not in the table; the foam unloads along its slowest curve, without loss on it. "
+        "Set "
+        "unloading_factor and unloading_shape.");
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      foam.loading.push_back({columns.stresses[i].rate, columns.line, std::move(curves[i])});
+    auto material = material_of(foam, faults);
+    faults.throw_if_any();
+    if (!material) faults.refuse(0, "", "", "holds no curve");
+    return *std::move(material);
+  });
 }
 
 }  // namespace dashpad::input

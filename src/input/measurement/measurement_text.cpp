@@ -21,6 +21,7 @@ namespace dashpad::input {
 namespace {
 
 constexpr std::size_t longest_number = 100;
+constexpr std::size_t longest_excerpt = 10'000;  // bytes of a line that is quoted
 
 /// Closes a file at the end of its scope.
 class Descriptor {
@@ -33,6 +34,14 @@ class Descriptor {
  private:
   int number_;
 };
+
+/// The line, in which the value, or the column that the fault is about, is marked where it is found.
+Excerpt excerpt_in(std::string_view line, const Fault& fault) {
+  const std::string& meant = fault.value.empty() ? fault.key : fault.value;
+  const auto begin = meant.empty() ? std::string_view::npos : line.find(meant);
+  if (begin == std::string_view::npos) return {std::string(line)};
+  return {std::string(line), begin, meant.size()};
+}
 
 /// Its size as the file system tells it.
 std::size_t require_regular(int descriptor, const std::string& name) {
@@ -50,17 +59,29 @@ void MeasurementFaults::add(std::size_t line, std::string key, std::string_view 
   faults_.push_back({file_, static_cast<int>(line), std::move(key), quoted_part(value), std::move(rule)});
   if (faults_.size() == most_measurement_faults) {
     faults_.back().rule += "; reading stopped here, after so many faults";
-    throw InputError(faults_);
+    throw_all();
   }
 }
 
 void MeasurementFaults::throw_if_any() const {
-  if (!faults_.empty()) throw InputError(faults_);
+  if (!faults_.empty()) throw_all();
 }
 
 void MeasurementFaults::refuse(std::size_t line, std::string key, std::string_view value, std::string rule) {
   add(line, std::move(key), value, std::move(rule));
-  throw InputError(faults_);
+  throw_all();
+}
+
+void MeasurementFaults::throw_all() const {
+  std::vector<Fault> faults = faults_;
+  int last = 0;
+  for (const Fault& fault : faults) last = std::max(last, fault.line);
+  LineReader lines(text_);
+  for (std::string_view line; lines.number() < static_cast<std::size_t>(last) && lines.next(line);)
+    for (Fault& fault : faults)
+      if (static_cast<std::size_t>(fault.line) == lines.number() && line.size() <= longest_excerpt)
+        fault.excerpt = excerpt_in(line, fault);
+  throw InputError(std::move(faults));
 }
 
 std::string read_descriptor(int descriptor, const std::string& name, std::size_t most, bool cut) {
@@ -101,7 +122,10 @@ std::string_view text_in(std::string_view content, MeasurementFaults& faults) {
     return byte < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f' && c != '\x1a';
   };
   const auto found = std::ranges::find_if(content, is_binary);
-  if (found == content.end()) return without_mark(content);
+  if (found == content.end()) {
+    faults.are_in(without_mark(content));
+    return without_mark(content);
+  }
   const auto line = static_cast<std::size_t>(std::count(content.begin(), found, '\n')) + 1;
   faults.refuse(line, "", "",
                 fmt::format("is not text: it holds the byte {}", static_cast<unsigned char>(*found)));

@@ -20,6 +20,8 @@ class MeasurementFaults {
  public:
   explicit MeasurementFaults(std::string file) : file_(std::move(file)) {}
 
+  /// The text that the lines are of, for excerpts. It must outlive what is thrown here.
+  void are_in(std::string_view text) { text_ = text; }
   /// Long values are cut. Throws InputError once there are most_measurement_faults.
   void add(std::size_t line, std::string key, std::string_view value, std::string rule);
   void throw_if_any() const;
@@ -28,7 +30,10 @@ class MeasurementFaults {
   [[noreturn]] void refuse(std::size_t line, std::string key, std::string_view value, std::string rule);
 
  private:
+  [[noreturn]] void throw_all() const;
+
   std::string file_;
+  std::string_view text_;
   std::vector<Fault> faults_;
 };
 

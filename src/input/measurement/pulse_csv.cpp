@@ -282,58 +282,62 @@ void judge_gaps(const NumberReader& numbers, const injury::MeasuredColumn& time,
 
 }  // namespace
 
-PulseFile read_pulse_csv(const std::filesystem::path& file, const PulseCsvOptions& options) {
-  MeasurementFaults faults(file.string());
-  Table table;
-  read_table(file, options, faults, table);
-  if (table.has_one_column && !options.interval)
-    faults.refuse(
-        table.header.first_line, "", "",
-        "has one column of numbers, and no times; if that is the acceleration, --interval \"0.1 ms\" "
-        "tells the time between two samples");
-  injury::MeasuredPulse result{.format = "CSV", .resultant = options.resultant};
-  choose_columns(table.columns, table.header, options, faults, result.remarks);
-  faults.throw_if_any();
-  require_no_numbers(table.header, table.columns, table.separator, faults);
+Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const PulseCsvOptions& options) {
+  return reading_of([&]() -> PulseFile {
+    MeasurementFaults faults(file.string());
+    Table table;
+    read_table(file, options, faults, table);
+    if (table.has_one_column && !options.interval)
+      faults.refuse(
+          table.header.first_line, "", "",
+          "has one column of numbers, and no times; if that is the acceleration, --interval \"0.1 ms\" "
+          "tells the time between two samples");
+    injury::MeasuredPulse result{.format = "CSV", .resultant = options.resultant};
+    choose_columns(table.columns, table.header, options, faults, result.remarks);
+    faults.throw_if_any();
+    require_no_numbers(table.header, table.columns, table.separator, faults);
 
-  NumberReader numbers(table.columns, options.interval, table.separator, faults);
-  CsvRows rows(table.text, table.separator);
-  CsvRow row;
-  std::size_t blank_lines = 0;
-  while (rows.next(row))
-    if (row.line >= table.header.first_line) {
-      if (options.interval && row.line > table.header.first_line && rows.blank_lines() > blank_lines)
-        faults.add(row.line - 1, "", "", "has no content; without times a sample may be missing here");
-      blank_lines = rows.blank_lines();
-      rows.begin_numbers();
-      numbers.add(row);
-    }
-  result.counts_from = numbers.count_from_first();
-  const std::size_t count = numbers.pulse.time.size();
-  if (faults.none() && count < 2) faults.add(0, "", "", "has one sample only; a pulse needs two");
-  faults.throw_if_any();
-  judge_pulse(numbers.pulse, table.header.first_line, faults);
-  faults.throw_if_any();
-  std::vector<std::string> bridged;
-  if (!options.interval) judge_gaps(numbers, table.columns.time, options.bridge_gaps, faults, bridged);
-  faults.throw_if_any();
+    NumberReader numbers(table.columns, options.interval, table.separator, faults);
+    CsvRows rows(table.text, table.separator);
+    CsvRow row;
+    std::size_t blank_lines = 0;
+    while (rows.next(row))
+      if (row.line >= table.header.first_line) {
+        if (options.interval && row.line > table.header.first_line && rows.blank_lines() > blank_lines)
+          faults.add(row.line - 1, "", "", "has no content; without times a sample may be missing here");
+        blank_lines = rows.blank_lines();
+        rows.begin_numbers();
+        numbers.add(row);
+      }
+    result.counts_from = numbers.count_from_first();
+    const std::size_t count = numbers.pulse.time.size();
+    if (faults.none() && count < 2) faults.add(0, "", "", "has one sample only; a pulse needs two");
+    faults.throw_if_any();
+    judge_pulse(numbers.pulse, table.header.first_line, faults);
+    faults.throw_if_any();
+    std::vector<std::string> bridged;
+    if (!options.interval) judge_gaps(numbers, table.columns.time, options.bridge_gaps, faults, bridged);
+    faults.throw_if_any();
 
-  for (std::string& remark : remarks_on(numbers.findings, rows, table.has_mark))
-    result.remarks.push_back(std::move(remark));
-  if (!result.counts_from.empty()) result.remarks.push_back(remark_on_clock(result.counts_from));
-  for (std::string& remark : bridged) result.remarks.push_back(std::move(remark));
-  result.pulse = std::move(numbers.pulse);
-  result.components = std::move(numbers.components);
-  result.time = table.columns.time;
-  result.acceleration = table.columns.acceleration;
-  return {std::move(result), {{"the measurement", file}}};
+    for (std::string& remark : remarks_on(numbers.findings, rows, table.has_mark))
+      result.remarks.push_back(std::move(remark));
+    if (!result.counts_from.empty()) result.remarks.push_back(remark_on_clock(result.counts_from));
+    for (std::string& remark : bridged) result.remarks.push_back(std::move(remark));
+    result.pulse = std::move(numbers.pulse);
+    result.components = std::move(numbers.components);
+    result.time = table.columns.time;
+    result.acceleration = table.columns.acceleration;
+    return {std::move(result), {{"the measurement", file}}};
+  });
 }
 
-std::vector<injury::MeasuredColumn> pulse_csv_columns(const std::filesystem::path& file) {
-  MeasurementFaults faults(file.string());
-  Table table;
-  read_table(file, {}, faults, table);
-  return table.columns.all;
+Reading<std::vector<injury::MeasuredColumn>> pulse_csv_columns(const std::filesystem::path& file) {
+  return reading_of([&]() -> std::vector<injury::MeasuredColumn> {
+    MeasurementFaults faults(file.string());
+    Table table;
+    read_table(file, {}, faults, table);
+    return table.columns.all;
+  });
 }
 
 }  // namespace dashpad::input

@@ -173,29 +173,31 @@ class StrainReader {
 
 }  // namespace
 
-StrainTable read_strain_csv(const std::filesystem::path& file) {
-  MeasurementFaults faults(file.string());
-  const std::string content = read_measurement(file);
-  const std::string_view text = text_in(content, faults);
-  if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
-  const char separator = find_separator(text);
-  const CsvHeader header = read_csv_header(text, separator);
-  if (header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
+Reading<StrainTable> read_strain_csv(const std::filesystem::path& file) {
+  return reading_of([&]() -> StrainTable {
+    MeasurementFaults faults(file.string());
+    const std::string content = read_measurement(file);
+    const std::string_view text = text_in(content, faults);
+    if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
+    const char separator = find_separator(text);
+    const CsvHeader header = read_csv_header(text, separator);
+    if (header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
 
-  const StrainColumns columns = choose(header, faults);
-  require_no_numbers(header, columns, separator, faults);
-  StrainReader reader(columns, separator, faults);
-  CsvRows rows(text, separator);
-  for (CsvRow row; rows.next(row);)
-    if (row.line >= header.first_line) reader.add(row);
-  reader.finish();
-  faults.throw_if_any();
-  if (const double begin = reader.table.time.front(); begin != 0) {
-    for (double& time : reader.table.time) time -= begin;
-    reader.table.remarks.push_back(
-        fmt::format("the first time, {:g} s, is first contact; it was taken off all times", begin));
-  }
-  return std::move(reader.table);
+    const StrainColumns columns = choose(header, faults);
+    require_no_numbers(header, columns, separator, faults);
+    StrainReader reader(columns, separator, faults);
+    CsvRows rows(text, separator);
+    for (CsvRow row; rows.next(row);)
+      if (row.line >= header.first_line) reader.add(row);
+    reader.finish();
+    faults.throw_if_any();
+    if (const double begin = reader.table.time.front(); begin != 0) {
+      for (double& time : reader.table.time) time -= begin;
+      reader.table.remarks.push_back(
+          fmt::format("the first time, {:g} s, is first contact; it was taken off all times", begin));
+    }
+    return std::move(reader.table);
+  });
 }
 
 }  // namespace dashpad::input

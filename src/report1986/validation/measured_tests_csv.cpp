@@ -38,7 +38,7 @@ CsvTable::CsvTable(const std::filesystem::path& file, std::vector<std::string> c
                    std::vector<input::Fault>& faults)
     : file_(file.string()), columns_(std::move(columns)), faults_(&faults) {
   try {
-    read(input::read_text_file(file));
+    read(input::read_text_file(file).value());
   } catch (const input::InputError& error) {
     faults.insert(faults.end(), error.faults().begin(), error.faults().end());
   }

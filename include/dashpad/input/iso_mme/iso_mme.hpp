@@ -8,6 +8,7 @@
 
 #include "dashpad/input/measurement/sensitivity.hpp"
 #include "dashpad/input/pulse_file.hpp"
+#include "dashpad/input/reading.hpp"
 
 namespace dashpad::input {
 
@@ -23,8 +24,8 @@ struct IsoMmeChannel {
   std::string problem;  ///< why it cannot be read; empty if nothing is known against it
 };
 
-/// All channels, by number. Throws InputError.
-std::vector<IsoMmeChannel> iso_mme_channels(const std::filesystem::path& file);
+/// All channels, by number.
+Reading<std::vector<IsoMmeChannel>> iso_mme_channels(const std::filesystem::path& file);
 
 struct IsoMmeOptions {
   std::string channel = {};  ///< number, or code in which ? stands for any character; empty: the only
@@ -35,8 +36,8 @@ struct IsoMmeOptions {
 };
 
 /// Nothing outside of the folder or archive is read: links are not followed, and an archive with a name that
-/// leads elsewhere is refused. Throws InputError with all faults, or the first 200. At most 1 GiB unpacked
+/// leads elsewhere is refused. All faults, or the first 200. At most 1 GiB unpacked
 /// and 50 million samples a channel.
-PulseFile read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options);
+Reading<PulseFile> read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options);
 
 }  // namespace dashpad::input

@@ -8,6 +8,7 @@
 
 #include "dashpad/input/measurement/sensitivity.hpp"
 #include "dashpad/input/pulse_file.hpp"
+#include "dashpad/input/reading.hpp"
 
 namespace dashpad::input {
 
@@ -30,11 +31,11 @@ struct PulseCsvOptions {
 /// Separated by commas, semicolons, tabs or blanks, or of one column; with header rows or without; decimal
 /// commas where no comma separates. Units are never guessed. What is repaired is a remark; gaps, in the
 /// rows and, unless they are to be bridged, in the times, text, numbers that are not
-/// finite, times that do not increase and choices that are not clear are faults: InputError with all of them,
+/// finite, times that do not increase and choices that are not clear are faults: all of them,
 /// or the first 200. At most 1 GiB and 50 million samples.
-PulseFile read_pulse_csv(const std::filesystem::path& file, const PulseCsvOptions& options);
+Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const PulseCsvOptions& options);
 
-/// The columns with the units that the header gives; without header, numbers only. Throws InputError.
-std::vector<injury::MeasuredColumn> pulse_csv_columns(const std::filesystem::path& file);
+/// The columns with the units that the header gives; without header, numbers only.
+Reading<std::vector<injury::MeasuredColumn>> pulse_csv_columns(const std::filesystem::path& file);
 
 }  // namespace dashpad::input
