@@ -172,7 +172,7 @@ constexpr std::array<OtherWay, 2> all_other_ways{{
 
 std::span<const OtherWay> other_ways() { return all_other_ways; }
 
-std::vector<CaseQuantity> quantities_of(const ImpactCase& base) {
+CaseQuantities quantities_of(const ImpactCase& base) {
   std::vector<CaseQuantity> all;
   add_parameters<Impactor>(
       base, "impactor.", [](auto& impact) -> auto& { return impact.impactor; }, none, all);
@@ -188,12 +188,16 @@ std::vector<CaseQuantity> quantities_of(const ImpactCase& base) {
     add_parameters<Blows>(
         base, "blows.", [](auto& impact) -> auto& { return *impact.blows; },
         [](const Parameter<Blows>& parameter) { return parameter.member.is_count(); }, all);
-  return all;
+  return CaseQuantities(std::move(all));
 }
 
-const CaseQuantity* find_quantity(const std::vector<CaseQuantity>& quantities, std::string_view key) {
-  const auto found = std::ranges::find(quantities, key, &CaseQuantity::key);
-  return found == quantities.end() ? nullptr : &*found;
+CaseQuantities::CaseQuantities(std::vector<CaseQuantity> all) : all_(std::move(all)) {
+  for (std::size_t i = 0; i < all_.size(); ++i) places_.emplace(all_[i].key, i);
+}
+
+const CaseQuantity* CaseQuantities::find(const std::string& key) const {
+  const auto place = places_.find(key);
+  return place == places_.end() ? nullptr : &all_[place->second];
 }
 
 }  // namespace dashpad

@@ -213,10 +213,9 @@ std::optional<FittedCase> fitted_case_of(const Fit& fit, std::span<const double>
     found = {first.impact, first.options};
   }
   const std::vector<double> written = written_values(fit, values);
-  const std::vector<CaseQuantity> quantities = quantities_of(found.impact);
+  const CaseQuantities quantities = quantities_of(found.impact);
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
-    if (!is_of_card(fit.unknowns[i].key))
-      find_quantity(quantities, fit.unknowns[i].key)->set(found.impact, written[i]);
+    if (!is_of_card(fit.unknowns[i].key)) quantities.find(fit.unknowns[i].key)->set(found.impact, written[i]);
   found.impact.pad.material = {};
   if (std::ranges::count(fit.unknowns, "pad.scale", &Unknown::key) > 0) found.impact.pad.condition.scale = 1;
   return found;

@@ -24,7 +24,7 @@ constexpr double one_rate = 2;
 void check_key_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
   const std::string key = "unknowns." + unknown.key;
   const auto has = [&](const ImpactCase& impact) {
-    return find_quantity(quantities_of(impact), unknown.key) != nullptr;
+    return quantities_of(impact).find(unknown.key) != nullptr;
   };
   if (!has(fit.base)) {
     broken.push_back({key, no_value,
@@ -50,8 +50,8 @@ void check_key_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
 
 /// The rule that the base case breaks with this value of the unknown.
 std::string rule_at(const Fit& fit, const Unknown& unknown, double value) {
-  const std::vector<CaseQuantity> quantities = quantities_of(fit.base);
-  const CaseQuantity* const quantity = find_quantity(quantities, unknown.key);
+  const CaseQuantities quantities = quantities_of(fit.base);
+  const CaseQuantity* const quantity = quantities.find(unknown.key);
   if (quantity == nullptr) return "";
   ImpactCase impact = fit.base;
   quantity->set(impact, value);

@@ -31,9 +31,9 @@ using Setter = std::function<void(ImpactCase&, double)>;
 /// How each unknown gets into an impact. Throws std::invalid_argument where that has no such quantity.
 std::vector<Setter> setters_of(const Fit& fit, const std::string& file, const ImpactCase& impact) {
   std::vector<Setter> setters;
-  const std::vector<CaseQuantity> quantities = quantities_of(impact);
+  const CaseQuantities quantities = quantities_of(impact);
   for (const Unknown& unknown : fit.unknowns) {
-    const CaseQuantity* const found = find_quantity(quantities, unknown.key);
+    const CaseQuantity* const found = quantities.find(unknown.key);
     if (found == nullptr) throw std::invalid_argument(file + " has no " + unknown.key);
     setters.push_back(found->set);
   }

@@ -84,14 +84,14 @@ void read_unknowns(TableReader& top, bool has_base, Fit& fit, Lines& lines) {
   lines["unknowns"] = table->node().line;
   std::vector<UnknownEntry> entries;
   collect_unknowns(table->node(), "", entries);
-  const std::vector<CaseQuantity> quantities = quantities_of(fit.base);
+  const CaseQuantities quantities = quantities_of(fit.base);
   for (const auto& [key, node] : entries) {
     const std::string path = "unknowns." + key;
     for (const char* part : {"", ".bounds", ".start", ".prior", ".scale"}) {
       const TomlNode* own = *part ? node->child(part + 1) : node;
       lines[path + part] = own ? own->line : node->line;
     }
-    const CaseQuantity* const found = find_quantity(quantities, key);
+    const CaseQuantity* const found = quantities.find(key);
     if (found == nullptr) {
       const bool on_trust = !has_base && (study::is_of_law(key) || key.starts_with("support."));
       if (!on_trust) top.faults().add(*node, path, study::rule_for_unknown(key, fit.base));

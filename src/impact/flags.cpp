@@ -91,20 +91,28 @@ std::string series_cut(const Summary& summary) {
 }
 
 /// A pad of which next to nothing was left, or the layers in the order in which they were struck through;
-/// empty if none was. What bottomed out is said to have done so.
-std::string striking_through(const Summary& summary) {
+/// nothing if none was. What bottomed out is said to have done so.
+std::optional<Flag> striking_through(const Summary& summary) {
+  const char* const name = "STRUCK THROUGH";
   if (summary.layers.empty() && !summary.bottomed && is_struck_through(summary.peak_strain, 1))
-    return "STRUCK THROUGH: less than a thousandth of the pad was left, which no test of a foam reaches; "
-           "forces and accelerations are not to be relied on";
+    return Flag{
+        name,
+        "STRUCK THROUGH: less than a thousandth of the pad was left, which no test of a foam reaches; "
+        "forces and accelerations are not to be relied on",
+        {{"peak_strain", summary.peak_strain}}};
   std::vector<std::pair<double, std::size_t>> layers;
   for (std::size_t i = 0; i < summary.layers.size(); ++i)
     if (const auto& time = summary.layers[i].struck_through) layers.emplace_back(*time, i + 1);
-  if (layers.empty()) return "";
+  if (layers.empty()) return std::nullopt;
   std::ranges::sort(layers);
   std::string text;
-  for (const auto& [time, layer] : layers)
+  std::vector<FlagFigure> figures;
+  for (const auto& [time, layer] : layers) {
+    figures.push_back({fmt::format("layer_{}_s", layer), time});
     text += fmt::format("{}layer {} at {:.4g} ms", text.empty() ? "" : ", then ", layer, 1e3 * time);
-  return fmt::format("STRUCK THROUGH: {}; from then on the others alone gave way", text);
+  }
+  return Flag{name, fmt::format("STRUCK THROUGH: {}; from then on the others alone gave way", text),
+              std::move(figures)};
 }
 
 std::string softening(const Summary& summary) {
@@ -165,9 +173,11 @@ std::optional<Flag> extrapolation_flag(const Summary& summary, const Extrapolati
     return plain;
   const Effect effect = effect_of(source, *intervals, decisive);
   if (effect.largest() <= worth_saying) return std::nullopt;
-  return Flag{name, plain.text + "; " + words_of(effect) +
-                        (of.beyond == Beyond::strain ? " by how it goes on there, which is a guess"
-                                                     : " if the stress follows the rate otherwise there")};
+  return Flag{name,
+              plain.text + "; " + words_of(effect) +
+                  (of.beyond == Beyond::strain ? " by how it goes on there, which is a guess"
+                                               : " if the stress follows the rate otherwise there"),
+              {{effect.key + "_lower_fraction", effect.down}, {effect.key + "_higher_fraction", effect.up}}};
 }
 
 }  // namespace
@@ -223,7 +233,7 @@ std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& 
   if (summary.status == Status::not_run)
     all.push_back({"NOT RUN", "NOT RUN: nothing was computed"});
   else if (!summary.trustworthy())
-    all.push_back({"TOLERANCE NOT MET", missed_tolerance(summary)});
+    all.push_back({"TOLERANCE NOT MET", missed_tolerance(summary), {{"tolerance", summary.tolerance}}});
   if (summary.status == Status::time_limit)
     all.push_back(
         {"TIME LIMIT", "TIME LIMIT: the impactor was still on the pad when the time limit was reached"});
@@ -236,20 +246,31 @@ std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& 
         {"SHEET STRUCK FLAT",
          fmt::format("SHEET STRUCK FLAT: the flat nose loses {:.2g} m/s to the sheet at first contact, in "
                      "a blow that no force or acceleration here shows",
-                     summary.speed_to_sheet)});
+                     summary.speed_to_sheet),
+         {{"speed_lost_m_per_s", summary.speed_to_sheet}}});
   if (summary.still_sinking)
     all.push_back(
         {"STILL SINKING",
          fmt::format("STILL SINKING: the pad creeps on; the impactor counts as at rest at {:.2g} mm/s, and "
                      "its penetration and displacement are those so far",
-                     1e3 * summary.rest->velocity)});
-  if (gained_energy(summary)) all.push_back({"ENERGY GAINED", gain(summary)});
-  if (summary.force_on_way_in > 0) all.push_back({"PEAK ON THE WAY BACK", pushing_back(summary)});
-  if (summary.bottomed) all.push_back({"BOTTOMED", bottoming(summary)});
-  if (is_series_cut(summary)) all.push_back({"SERIES CUT", series_cut(summary)});
-  if (const std::string text = striking_through(summary); !text.empty())
-    all.push_back({"STRUCK THROUGH", text});
-  if (!summary.softening_rates.empty()) all.push_back({"SOFTENING", softening(summary)});
+                     1e3 * summary.rest->velocity),
+         {{"velocity_m_per_s", summary.rest->velocity}}});
+  if (gained_energy(summary))
+    all.push_back({"ENERGY GAINED", gain(summary), {{"energy_gained_fraction", energy_gained(summary)}}});
+  if (summary.force_on_way_in > 0)
+    all.push_back(
+        {"PEAK ON THE WAY BACK", pushing_back(summary), {{"force_on_way_in_N", summary.force_on_way_in}}});
+  if (summary.bottomed)
+    all.push_back({"BOTTOMED",
+                   bottoming(summary),
+                   {{"time_s", summary.bottomed->time}, {"velocity_m_per_s", summary.bottomed->velocity}}});
+  if (is_series_cut(summary))
+    all.push_back({"SERIES CUT",
+                   series_cut(summary),
+                   {{"blow", double(summary.blow)}, {"blows", double(summary.blows)}}});
+  if (std::optional<Flag> flag = striking_through(summary)) all.push_back(*std::move(flag));
+  if (!summary.softening_rates.empty())
+    all.push_back({"SOFTENING", softening(summary), {{"rate_per_s", summary.softening_rates.front()}}});
   for (const Extrapolation& of : summary.extrapolations)
     if (std::optional<Flag> flag = extrapolation_flag(summary, of, decisive)) all.push_back(*std::move(flag));
   if (summary.intervals && !summary.intervals->warning.empty())

@@ -10,13 +10,21 @@ namespace {
 
 constexpr const char* option = "--set";  ///< by which a value was given that is in no file
 
+/// Faults that have one: more are not shown, and each costs a line of the file.
+constexpr std::size_t most_excerpts = 1000;
+
 }  // namespace
 
 void FaultList::add(int line, TomlNode::Columns columns, std::string key, std::string value,
                     std::string rule) {
   const bool is_set = line == set_by_option;
-  faults_.push_back({is_set ? option : file_->name, is_set ? 0 : line, std::move(key), std::move(value),
-                     std::move(rule), excerpt_of(file_->text, line, columns)});
+  faults_.push_back({is_set ? option : file_->name,
+                     is_set ? 0 : line,
+                     std::move(key),
+                     std::move(value),
+                     std::move(rule),
+                     {}});
+  if (faults_.size() <= most_excerpts) faults_.back().excerpt = excerpt_of(file_->text, line, columns);
 }
 
 void FaultList::add(int line, std::string key, std::string value, std::string rule) {

@@ -129,11 +129,11 @@ std::vector<LaterSetting> put_settings(const std::vector<std::string>& settings,
 
 void put_later(const std::vector<LaterSetting>& settings, ImpactCase& impact, FaultList& faults) {
   if (settings.empty()) return;
-  const std::vector<CaseQuantity> quantities = quantities_of(impact);
+  const CaseQuantities quantities = quantities_of(impact);
   std::vector<std::string> keys;
   for (const CaseQuantity& quantity : quantities) keys.push_back(quantity.key);
   for (const auto& [key, value] : settings) {
-    const CaseQuantity* const found = find_quantity(quantities, key);
+    const CaseQuantity* const found = quantities.find(key);
     if (found == nullptr) {
       faults.add(set_by_option, key, value, "is no number of this case" + did_you_mean(key, keys));
       continue;

@@ -93,42 +93,14 @@ ResultRow row_of(const ResultQuantity& of, double value, const UnitSystem& units
   return {of.key, of.title, significant(shown.scale * value, digits), shown.unit, {}, ""};
 }
 
-/// Those that a designer asks for first on top. Release and energy residual are for files.
-constexpr const char* rows_of_summary[] = {"peak_force",
-                                           "peak_acceleration",
-                                           "time_to_peak_force",
-                                           "peak_penetration",
-                                           "peak_transmitted_force",
-                                           "peak_motion",
-                                           "peak_support_deflection",
-                                           "support_set",
-                                           "rebound_speed",
-                                           "body_speed",
-                                           "contact_end",
-                                           "rest",
-                                           "energy_absorbed_fraction",
-                                           "peak_strain",
-                                           "peak_strain_rate",
-                                           "force_below_weight"};
-
-constexpr const char* main_rows[] = {"peak_acceleration",
-                                     "hic15",
-                                     "hic36",
-                                     "hic_unlimited",
-                                     "clip_3ms",
-                                     "cumulative_3ms",
-                                     "peak_force",
-                                     "peak_penetration",
-                                     "peak_transmitted_force",
-                                     "support_set",
-                                     "body_speed",
-                                     "peak_motion",
-                                     "rebound_speed",
-                                     "contact_end",
-                                     "energy_absorbed_fraction",
-                                     "velocity_change"};
-
-bool is_main(const std::string& key) { return std::ranges::find(main_rows, key) != std::end(main_rows); }
+/// What the text shows, those that a designer asks for first on top.
+std::vector<const SummaryQuantity*> rows_of_summary() {
+  std::vector<const SummaryQuantity*> rows;
+  for (const SummaryQuantity& of : summary_quantities())
+    if (of.quantity->role.row > 0) rows.push_back(&of);
+  std::ranges::sort(rows, {}, [](const SummaryQuantity* of) { return of->quantity->role.row; });
+  return rows;
+}
 
 /// `length` is that of the pulse, s.
 std::string remark_on(const injury::InjuryValue& of, double length, const UnitSystem& units, int digits) {
@@ -199,18 +171,18 @@ std::vector<ResultRow> summary_rows(const ImpactCase& impact, const Summary& sum
   std::vector<ResultRow> rows;
   if (summary.status == Status::not_run) return rows;
   const int digits = digits_of(detail);
-  for (const std::string key : rows_of_summary) {
-    const auto entry = std::ranges::find_if(
-        summary_quantities(), [&](const SummaryQuantity& each) { return key == each.quantity->key; });
+  for (const SummaryQuantity* entry : rows_of_summary()) {
     const ResultQuantity& quantity = *entry->quantity;
+    const std::string key = quantity.key;
     const EstimatedValue of = entry->of(summary);
-    if (detail == Detail::main && (!is_main(key) || (key == "peak_motion" && impact.support.is_rigid())))
+    if (detail == Detail::main &&
+        (!quantity.role.is_main || (key == "peak_motion" && impact.support.is_rigid())))
       continue;
     if (key == "peak_force" && std::isnan(of.value))
       rows.push_back({key, quantity.title, "none", "", {}, "not finite once the pad is fully compressed"});
     if (std::isnan(of.value)) continue;
     rows.push_back(row_of(quantity, of.value, units, digits));
-    if (quantity.has_estimate) rows.back().error = of.error;
+    if (quantity.has_estimate()) rows.back().error = of.error;
     rows.back().remark = remark_on(key, impact, summary, units, digits);
   }
   add_layers(rows, impact.pad, summary, digits);
@@ -227,7 +199,7 @@ std::vector<ResultRow> pulse_rows(const injury::InjuryFigures& figures, const Un
   std::string same;
   for (const injury::InjuryValue& of : values) {
     const ResultQuantity& quantity = *of.quantity;
-    if (detail == Detail::main && !is_main(quantity.key)) continue;
+    if (detail == Detail::main && !quantity.role.is_main) continue;
     // Of a pulse that is shorter than the clip.
     if (detail == Detail::main && of.value == 0 && std::string_view{quantity.key}.ends_with("_3ms")) continue;
     if (detail == Detail::main && before != nullptr && is_same(of, *before)) {

@@ -26,10 +26,7 @@ std::span<const SummaryQuantity> summary_quantities() {
   static const std::vector<SummaryQuantity> all = [] {
     std::vector<SummaryQuantity> list;
     const auto figure = [&](const char* key, EstimatedValue (*of)(const Summary&)) {
-      list.push_back({&result_quantity(key), of, false});
-    };
-    const auto moment = [&](const char* key, EstimatedValue (*of)(const Summary&)) {
-      list.push_back({&result_quantity(key), of, true});
+      list.push_back({&result_quantity(key), of});
     };
     figure("peak_force", [](const Summary& of) { return present(of.peak_force, of.errors.peak_force); });
     figure("peak_acceleration",
@@ -45,12 +42,12 @@ std::span<const SummaryQuantity> summary_quantities() {
     figure("rebound_speed",
            [](const Summary& of) { return present(of.rebound_speed, of.errors.rebound_speed); });
     figure("restitution", [](const Summary& of) { return present(of.restitution, of.errors.rebound_speed); });
-    moment("contact_end", [](const Summary& of) { return present(of.contact_end, of.errors.contact_end); });
-    moment("release", [](const Summary& of) { return present(of.release); });
-    moment("force_below_weight",
+    figure("contact_end", [](const Summary& of) { return present(of.contact_end, of.errors.contact_end); });
+    figure("release", [](const Summary& of) { return present(of.release); });
+    figure("force_below_weight",
            [](const Summary& of) { return present(of.force_below_weight, of.errors.force_below_weight); });
-    moment("bottomed", [](const Summary& of) { return present(of.bottomed, of.errors.bottomed); });
-    moment("rest", [](const Summary& of) { return present(of.rest); });
+    figure("bottomed", [](const Summary& of) { return present(of.bottomed, of.errors.bottomed); });
+    figure("rest", [](const Summary& of) { return present(of.rest); });
     figure("peak_transmitted_force", [](const Summary& of) {
       return of_support(of, [](const SupportFigures& support) { return support.peak_transmitted; });
     });

@@ -21,7 +21,6 @@ struct EstimatedValue {
 struct SummaryQuantity {
   const ResultQuantity* quantity;
   EstimatedValue (*of)(const Summary&);
-  bool is_moment;  ///< a time at which something happened, with the velocity then
 };
 
 /// In the order of the table of results.

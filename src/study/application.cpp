@@ -79,7 +79,7 @@ bool is_of_law(const std::string& key) {
 }
 
 Application::Application(const Study& study) {
-  const std::vector<CaseQuantity> quantities = quantities_of(study.base);
+  const CaseQuantities quantities = quantities_of(study.base);
   // What is nominal for one material may not be for another.
   const bool is_nominal = study.base.pad.neighbours == nominal_neighbours(study.base.pad) &&
                           std::ranges::count(study.factors, "pad.neighbours", &Factor::key) == 0;
@@ -93,7 +93,7 @@ Application::Application(const Study& study) {
       });
       continue;
     }
-    const CaseQuantity* const found = find_quantity(quantities, factor.key);
+    const CaseQuantity* const found = quantities.find(factor.key);
     if (found == nullptr) throw std::invalid_argument("no quantity of the case: " + factor.key);
     steps_.push_back(found->set);
   }

@@ -21,8 +21,8 @@ std::vector<std::string> names_of(const std::vector<StoredColumn>& columns) {
 }
 
 bool grows_with_force(const Study& study, std::size_t response) {
-  const ResponseKind* kind = find_response_kind(study.responses[response]);
-  return kind != nullptr && kind->growth == Growth::with_force;
+  const ResultQuantity* kind = find_response_kind(study.responses[response]);
+  return kind != nullptr && kind->role.growth == Growth::with_force;
 }
 
 std::uint64_t combinations(const Study& study) {
@@ -77,7 +77,7 @@ Records read_records(const Study& study, const Store& store) {
 bool is_doubtful(const Outcome& outcome, std::span<const std::string> responses) {
   if (outcome.status == Status::tolerance_not_met || outcome.status == Status::not_run) return true;
   for (std::size_t i = 0; i < responses.size(); ++i) {
-    const ResponseKind* kind = find_response_kind(responses[i]);
+    const ResultQuantity* kind = find_response_kind(responses[i]);
     if (kind != nullptr && std::isnan(outcome.values.at(i)) && has_response(*kind, outcome.status))
       return true;
   }
@@ -127,8 +127,8 @@ std::vector<double> values_of(const Study& study, const Records& records, const 
 
 std::vector<Reading> readings_of(const Study& study, const Records& records, const Group& group,
                                  std::size_t response) {
-  const ResponseKind* kind = find_response_kind(study.responses[response]);
-  const bool grows = kind != nullptr && kind->growth != Growth::none;
+  const ResultQuantity* kind = find_response_kind(study.responses[response]);
+  const bool grows = kind != nullptr && kind->role.growth != Growth::none;
   const std::vector<double> values = values_of(study, records, group, response);
   std::vector<Reading> readings;
   readings.reserve(values.size());

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <stdexcept>
 #include <string_view>
 
@@ -15,12 +14,11 @@ namespace {
 
 /// How a response is got: one of the two functions.
 struct Recipe {
-  ResponseKind kind;
+  ResultQuantity kind;
   EstimatedValue (*of_summary)(const Summary&) = nullptr;
   EstimatedValue (*of_pulse)(PulseFigures&) = nullptr;
 };
 
-/// A figure of a pulse grows with what is missing of it, but for the velocity change.
 struct PulseRecipe {
   const char* key;
   EstimatedValue (*of)(PulseFigures&);
@@ -36,44 +34,12 @@ constexpr PulseRecipe of_pulses[] = {
     {"velocity_change", [](PulseFigures& of) { return of.velocity_change(); }},
 };
 
-/// What is no figure of a study: moments of which not every impact has one, and an audit of the run.
-constexpr std::string_view left_out[] = {"force_below_weight", "bottomed", "rest",
-                                         "energy_residual_fraction"};
-
-/// Not every support has them: they are responses where they are asked for.
-constexpr std::string_view of_supports[] = {"peak_transmitted_force", "peak_support_deflection",
-                                            "support_set", "body_speed"};
-bool is_of_support(const ResponseKind& kind) {
-  return std::ranges::find(of_supports, std::string_view{kind.key}) != std::end(of_supports);
-}
-bool is_of_release(const ResponseKind& kind) {
-  for (const char* key : {"rebound_speed", "restitution", "contact_end", "release"})
-    if (kind.key == std::string_view{key}) return true;
-  return false;
-}
-
-Growth growth_of(std::string_view key) {
-  for (const char* with_force : {"peak_force", "peak_acceleration", "peak_transmitted_force"})
-    if (key == with_force) return Growth::with_force;
-  for (const char* with_motion : {"peak_motion", "peak_penetration", "peak_strain", "peak_strain_rate",
-                                  "peak_support_deflection", "support_set"})
-    if (key == with_motion) return Growth::with_motion;
-  return Growth::none;
-}
-
+/// In the order of the table of results.
 std::vector<Recipe> make_recipes() {
   std::vector<Recipe> all;
-  for (const SummaryQuantity& entry : summary_quantities()) {
-    const std::string_view key = entry.quantity->key;
-    if (std::ranges::find(left_out, key) == std::end(left_out))
-      all.push_back(
-          {{*entry.quantity, false, growth_of(key), key == "energy_absorbed_fraction"}, entry.of, nullptr});
-  }
-  for (const PulseRecipe& entry : of_pulses)
-    all.push_back({{result_quantity(entry.key), true,
-                    entry.key == std::string_view{"velocity_change"} ? Growth::none : Growth::with_force},
-                   nullptr,
-                   entry.of});
+  for (const SummaryQuantity& entry : summary_quantities())
+    if (entry.quantity->role.in_studies) all.push_back({*entry.quantity, entry.of, nullptr});
+  for (const PulseRecipe& entry : of_pulses) all.push_back({result_quantity(entry.key), nullptr, entry.of});
   return all;
 }
 
@@ -84,32 +50,34 @@ const std::vector<Recipe>& recipes() {
 
 }  // namespace
 
-const std::vector<ResponseKind>& response_kinds() {
-  static const std::vector<ResponseKind> kinds = [] {
-    std::vector<ResponseKind> all;
+const std::vector<ResultQuantity>& response_kinds() {
+  static const std::vector<ResultQuantity> kinds = [] {
+    std::vector<ResultQuantity> all;
     for (const Recipe& recipe : recipes()) all.push_back(recipe.kind);
     return all;
   }();
   return kinds;
 }
 
-const ResponseKind* find_response_kind(const std::string& name) {
+const ResultQuantity* find_response_kind(const std::string& name) {
   const auto& kinds = response_kinds();
-  const auto found = std::ranges::find_if(kinds, [&](const ResponseKind& kind) { return name == kind.key; });
+  const auto found =
+      std::ranges::find_if(kinds, [&](const ResultQuantity& kind) { return name == kind.key; });
   return found == kinds.end() ? nullptr : &*found;
 }
 
-bool is_possible(const ResponseKind& kind, double value) {
-  return std::isfinite(value) && (kind.is_signed || value >= 0);
+bool is_possible(const ResultQuantity& kind, double value) {
+  return std::isfinite(value) && (kind.role.is_signed || value >= 0);
 }
 
-bool has_response(const ResponseKind& kind, Status status) {
+bool has_response(const ResultQuantity& kind, Status status) {
+  const ResultRole& role = kind.role;
   switch (status) {
     // Contact may never be lost: a rigid foam stops the impactor on a rigid support.
-    case Status::released: return kind.key != std::string_view{"contact_end"} && !is_of_support(kind);
-    case Status::at_rest: return !is_of_support(kind) && !is_of_release(kind);
-    case Status::bottomed_out: return kind.growth == Growth::with_motion;
-    case Status::time_limit: return kind.growth != Growth::none && !kind.of_pulse;
+    case Status::released: return kind.key != std::string_view{"contact_end"} && role.needs != Needs::support;
+    case Status::at_rest: return role.needs == Needs::nothing;
+    case Status::bottomed_out: return role.growth == Growth::with_motion;
+    case Status::time_limit: return role.growth != Growth::none && kind.part != Part::pulse;
     case Status::tolerance_not_met:
     case Status::not_run: break;
   }
@@ -118,17 +86,18 @@ bool has_response(const ResponseKind& kind, Status status) {
 
 std::vector<std::string> default_responses() {
   std::vector<std::string> names;
-  for (const ResponseKind& kind : response_kinds())
-    if (!kind.of_pulse && !is_of_support(kind)) names.emplace_back(kind.key);
+  // Not every support has its figures: they are responses where they are asked for.
+  for (const ResultQuantity& kind : response_kinds())
+    if (kind.part != Part::pulse && kind.role.needs != Needs::support) names.emplace_back(kind.key);
   return names;
 }
 
 ResponseReader::ResponseReader(std::span<const std::string> names) {
   for (const std::string& name : names) {
-    const ResponseKind* kind = find_response_kind(name);
+    const ResultQuantity* kind = find_response_kind(name);
     if (kind == nullptr) throw std::invalid_argument("no response: " + name);
     kinds_.push_back(static_cast<std::size_t>(kind - response_kinds().data()));
-    if (kind->of_pulse && !pulse_) pulse_ = std::make_unique<PulseFigures>();
+    if (kind->part == Part::pulse && !pulse_) pulse_ = std::make_unique<PulseFigures>();
   }
 }
 

@@ -40,7 +40,7 @@ std::uint64_t bytes_per_row(const StoreHeading& heading) {
 }
 
 StoredColumn response_column(const std::string& name) {
-  const ResponseKind* kind = find_response_kind(name);
+  const ResultQuantity* kind = find_response_kind(name);
   if (kind == nullptr) throw std::invalid_argument("no response \"" + name + "\"");
   return {name, kind->si_unit, kind->meaning};
 }
@@ -111,7 +111,7 @@ void check_units(const Database& database, const StoreHeading& heading) {
     database.damaged(fmt::format("{} has another unit than it was computed in", quoted_part(name)));
   };
   for (const StoredColumn& column : heading.responses)
-    if (const ResponseKind* kind = find_response_kind(column.name);
+    if (const ResultQuantity* kind = find_response_kind(column.name);
         kind != nullptr && kind->si_unit != column.unit)
       changed(column.name);
   const Json resolved = Json::parse(heading.resolved, nullptr, false);

@@ -49,7 +49,7 @@ void read_row(const Statement& from, const Database& database, const StoreHeadin
   }
   for (std::size_t i = 0; i < row.outcome.values.size(); ++i) {
     const double value = row.outcome.values[i] = from.number(place++);
-    const ResponseKind* kind = find_response_kind(heading.responses[i].name);
+    const ResultQuantity* kind = find_response_kind(heading.responses[i].name);
     const bool possible = kind == nullptr ? std::isfinite(value) : is_possible(*kind, value);
     if (!std::isnan(value) && !possible) impossible(database, heading.responses[i].name, value);
   }
@@ -88,7 +88,7 @@ std::vector<double> Store::column(const std::string& name) const {
   Statement query{file_->database, "SELECT samples." + sql_name(name) + " FROM samples ORDER BY row"};
   std::vector<double> values;
   values.reserve(file_->rows_done);
-  const ResponseKind* kind = find_response_kind(name);
+  const ResultQuantity* kind = find_response_kind(name);
   while (query.next()) {
     values.push_back(query.number(0));
     if (kind != nullptr && !std::isnan(values.back()) && !is_possible(*kind, values.back()))

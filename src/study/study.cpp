@@ -118,7 +118,7 @@ void check_correlations(const Study& study, std::vector<Violation>& broken) {
 
 void check_responses(const Study& study, std::vector<Violation>& broken) {
   std::vector<std::string> known;
-  for (const ResponseKind& kind : response_kinds()) known.emplace_back(kind.key);
+  for (const ResultQuantity& kind : response_kinds()) known.emplace_back(kind.key);
   if (study.responses.empty()) broken.push_back({"responses", no_value, "needs one response or more"});
   if (study.responses.size() > 2 * known.size()) {
     broken.push_back(

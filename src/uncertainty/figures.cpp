@@ -3,6 +3,7 @@
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/injury/dwell.hpp"
 #include "dashpad/injury/figures.hpp"
+#include "result/summary_values.hpp"
 
 namespace dashpad::uncertainty {
 
@@ -30,12 +31,8 @@ std::vector<double> figures_of(const Solution& solution, std::span<const FigureN
   const Summary& summary = solution.summary;
   const auto injury = injury::whole_pulse_figures(solution);
   const auto value_of = [&](const FigureName& name) {
-    if (name.key == "peak_acceleration") return summary.peak_acceleration.value_or(none);
-    if (name.key == "peak_force") return summary.peak_force.value_or(none);
-    if (name.key == "peak_penetration") return summary.peak_penetration;
-    if (name.key == "peak_strain") return summary.peak_strain;
-    if (name.key == "rebound_speed") return summary.rebound_speed.value_or(none);
-    if (name.key == "restitution") return summary.restitution.value_or(none);
+    for (const SummaryQuantity& of : summary_quantities())
+      if (name.key == of.quantity->key) return of.of(summary).value;
     if (!injury) return none;
     if (name.key == "dwell_time")
       return injury::cumulative_dwell(injury::pulse_of(solution.history), name.level);

@@ -41,9 +41,9 @@ void add_scatter(const ImpactCase& impact, const std::vector<Part>& parts, Open&
 /// The case with the values of one end of an axis.
 ImpactCase with_values(ImpactCase impact, const std::string& prefix, const PosteriorAxes& axes,
                        std::size_t axis, bool is_plus) {
-  const std::vector<CaseQuantity> quantities = quantities_of(impact);
+  const CaseQuantities quantities = quantities_of(impact);
   for (std::size_t i = 0; i < axes.keys.size(); ++i) {
-    if (const CaseQuantity* const of = find_quantity(quantities, prefix + axes.keys[i]))
+    if (const CaseQuantity* const of = quantities.find(prefix + axes.keys[i]))
       of->set(impact, (is_plus ? axes.plus : axes.minus)[axis][i]);
   }
   return impact;

@@ -290,7 +290,7 @@ TEST_F(NamesTest, OfStandardsAndTheirAssessmentsAreThoseOfTheTable) {
 TEST_F(NamesTest, OfAStudyAreThoseOfTheTable) {
   Names keys, headings;
   std::string list;
-  for (const study::ResponseKind& kind : study::response_kinds()) {
+  for (const ResultQuantity& kind : study::response_kinds()) {
     const ResultQuantity& of = result_quantity(kind.key);
     EXPECT_STREQ(kind.title, of.title);
     EXPECT_STREQ(kind.si_unit, of.si_unit);

@@ -13,6 +13,7 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::MatchesRegex;
+using testing::StartsWith;
 
 class ValidateTest : public CommandTest {
  protected:
@@ -35,6 +36,7 @@ TEST_F(ValidateTest, WritesPageJsonAndFigures) {
   EXPECT_THAT(outcome.err, MatchesRegex("([A-Z][a-z ]+ will take about [0-9]+ minutes\n)*"));
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("33 tests"), HasSubstr("verdict"), HasSubstr("anomaly")));
   EXPECT_THAT(read_file(file("v.html")), HasSubstr("The tests of 1986 are not all met"));
+  EXPECT_THAT(read_file(file("v.json")), StartsWith("{\n  \"format\": 3,\n"));
   const json study = json::parse(read_file(file("v.json")));
   EXPECT_EQ(study["tests"].size(), 33U);
   EXPECT_TRUE(study["passed"].is_boolean());

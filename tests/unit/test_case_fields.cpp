@@ -6,10 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 
@@ -18,6 +15,7 @@
 #include "dashpad/case/case_field.hpp"
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/quantities/unit_system.hpp"
+#include "shared/generated_text.hpp"
 
 namespace dashpad::test {
 namespace {
@@ -26,13 +24,6 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 const fs::path root = DASHPAD_SOURCE_DIR;
-const bool regenerate = std::getenv("DASHPAD_REGENERATE") != nullptr;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::string in_unit(const std::string& unit) { return unit == "1" ? "" : unit; }
 
 std::string words_if_left_out(const CaseField& field) {
@@ -58,19 +49,7 @@ std::string table_of_fields() {
 }
 
 TEST(CaseFields, AreInTheReferenceOfCaseFiles) {
-  const fs::path document = root / "docs" / "case-files.md";
-  std::string text = text_of(document);
-  const std::string begin = "<!-- begin numbers of a case -->\n", end = "<!-- end numbers of a case -->";
-  const std::size_t from = text.find(begin) + begin.size(), to = text.find(end);
-  ASSERT_TRUE(to != std::string::npos && from <= to);
-  const std::string table = "\n" + table_of_fields() + "\n";
-  if (!regenerate) {
-    EXPECT_EQ(text.substr(from, to - from), table);
-    return;
-  }
-  text.replace(from, to - from, table);
-  std::ofstream(document) << text;
-  GTEST_SKIP() << "wrote " << document;
+  expect_generated(root / "docs" / "case-files.md", "numbers of a case", table_of_fields());
 }
 
 /// Where the schema describes the echo of a table of the case.
@@ -86,7 +65,7 @@ TEST(CaseFields, AreInTheSchemaOfResults) {
     if (field.table == "solver") continue;  // no echo: results say what they were solved with
     Json& echo = echo_of(schema, field.table);
     const std::string name = name_with_unit(field.key, field.unit);
-    if (regenerate && !echo["properties"].contains(name)) {
+    if (is_regenerating() && !echo["properties"].contains(name)) {
       echo["properties"][name] = {{"description", fmt::format("{}. Unit: {}.", field.meaning, field.unit)},
                                   {"type", {"number", "null"}}};
       echo["required"].push_back(name);
@@ -97,7 +76,7 @@ TEST(CaseFields, AreInTheSchemaOfResults) {
     const std::set<std::string> required = echo["required"];
     EXPECT_TRUE(required.contains(name)) << field.table << " " << name;
   }
-  if (regenerate) std::ofstream(file) << schema.dump(2) << "\n";
+  if (is_regenerating()) write_text(file, schema.dump(2) + "\n");
 }
 
 }  // namespace

@@ -54,15 +54,16 @@ std::vector<ImpactCase> cases() {
   return all;
 }
 
-const CaseQuantity& found(const std::vector<CaseQuantity>& quantities, const std::string& key) {
-  const auto place = std::ranges::find(quantities, key, &CaseQuantity::key);
-  if (place == quantities.end()) throw std::logic_error("no " + key);
+const CaseQuantity& found(const CaseQuantities& quantities, const std::string& key) {
+  const CaseQuantity* const place = quantities.find(key);
+  if (place == nullptr) throw std::logic_error("no " + key);
   return *place;
 }
 
 TEST(CaseQuantities, EachHasAPlaceOfItsOwn) {
   for (const ImpactCase& base : cases()) {
-    std::vector<CaseQuantity> quantities = quantities_of(base);
+    const CaseQuantities all = quantities_of(base);
+    std::vector<CaseQuantity> quantities(all.begin(), all.end());
     // Other ways to say a number that is among them.
     std::erase_if(quantities, [](const CaseQuantity& of) {
       return std::ranges::count(other_ways(), of.key, &OtherWay::key) > 0;

@@ -125,7 +125,7 @@ TEST(Clips, OfAPublishedHalfSine) {
 /// For 100 g; contiguous and cumulative are the same for a pulse with one rise and one fall. With 20 000
 /// pieces a chord is off by at most 2e-7 g.
 TEST(Clips, AreTheClosedFormsOfSmoothPulses) {
-  const double pi = std::numbers::pi;
+  using std::numbers::pi;
   const auto expect = [](double length, const std::function<double(double)>& shape, double expected) {
     const Pulse pulse = sampled(length, 20000, [&](double t) { return 100 * shape(t / length); });
     EXPECT_NEAR(contiguous_clip(pulse, 3e-3).level, expected, 1e-6);

@@ -18,10 +18,12 @@
 #include "dashpad/output/fit.hpp"
 #include "output/text/fit_words.hpp"
 #include "shared/temporary_folder.hpp"
+#include "unit/sample_case.hpp"
 
 namespace dashpad::fit {
 namespace {
 
+using test::edited;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -70,14 +72,9 @@ type = "linear"
 stiffness = "STIFFNESS N/mm"
 )";
 
-std::string with(std::string text, const std::string& old, const std::string& fresh) {
-  const auto place = text.find(old);
-  EXPECT_NE(place, std::string::npos) << old;
-  return place == std::string::npos ? text : text.replace(place, old.size(), fresh);
-}
-
 std::string drop(double scale, double stiffness) {
-  return with(with(drop_case, "SCALE", fmt::format("{}", scale)), "STIFFNESS", fmt::format("{}", stiffness));
+  return edited(edited(drop_case, "SCALE", fmt::format("{}", scale)), "STIFFNESS",
+                fmt::format("{}", stiffness));
 }
 
 double value_of(const FitReport& report, const std::string& key) {
@@ -137,7 +134,7 @@ TEST_F(FitImpactsTest, ThePulseHasFigures) {
       "velocity_change = {{value = \"{} m/s\", deviation = \"1 %\"}}\n",
       of.hic15.value, of.hic36.value, of.hic_unlimited.value, of.clip_3ms.level, of.cumulative_3ms.level,
       of.velocity_change);
-  const std::string of_scale = with(fit_of_scale(1.2, 300), "\"support.stiffness\"", "#");
+  const std::string of_scale = edited(fit_of_scale(1.2, 300), "\"support.stiffness\"", "#");
   const FitReport report = run_fit(read(of_scale + held_out).fit);
   ASSERT_TRUE(report.converged) << report.why_not;
   std::size_t held = 0;
@@ -219,7 +216,7 @@ case = "drop.toml"
 /// What the sensor feels over the pulse is the change of velocity and what gravity adds meanwhile.
 TEST_F(FitImpactsTest, GravityIsNoPartOfTheReboundOfAPulse) {
   const std::string falling =
-      with(drop(1, 300), "speed = \"4 m/s\"", "speed = \"4 m/s\"\ngravity = \"9.80665 m/s2\"");
+      edited(drop(1, 300), "speed = \"4 m/s\"", "speed = \"4 m/s\"\ngravity = \"9.80665 m/s2\"");
   folder_.write("falling.toml", falling);
   const Solution truth = solution(falling);
   std::string csv = "time_s,acceleration_g\n0,0\n0.0005,0\n";
@@ -254,7 +251,7 @@ TEST_F(FitImpactsTest, AScaleGoesIntoTheStressesOfTheCard) {
   const double stiffness = value_of(report, "support.stiffness") / 1000;
   EXPECT_NEAR(stiffness, 250, 5);
   const double fitted = *solved(drop(value_of(report, "pad.scale"), stiffness)).peak_acceleration;
-  const double by_card = *solved(with(drop(1, stiffness), "foam.toml", "tuned.toml")).peak_acceleration;
+  const double by_card = *solved(edited(drop(1, stiffness), "foam.toml", "tuned.toml")).peak_acceleration;
   EXPECT_NEAR(by_card / fitted, 1, 1e-4);
   ASSERT_TRUE(report.fitted_case);
   const double by_case = *solved(output::fitted_case_toml(report)).peak_acceleration;
@@ -268,7 +265,7 @@ TEST_F(FitImpactsTest, AScaleGoesIntoTheStressesOfTheCard) {
 }
 
 TEST_F(FitImpactsTest, LeavesWhatNeighboursDoToTheLawUnlessACaseSaysOtherwise) {
-  folder_.write("drop.toml", with(drop(1, 300), "neighbours = 0\n", ""));
+  folder_.write("drop.toml", edited(drop(1, 300), "neighbours = 0\n", ""));
   const FitFile silent = read(fit_of_scale(1, 300));
   EXPECT_EQ(silent.fit.impacts.front().impact.pad.neighbours, 0);
   EXPECT_EQ(silent.fit.base.pad.neighbours, 0);
@@ -276,7 +273,7 @@ TEST_F(FitImpactsTest, LeavesWhatNeighboursDoToTheLawUnlessACaseSaysOtherwise) {
   ASSERT_TRUE(report.material.nose_over_pad);
   EXPECT_NEAR(*report.material.nose_over_pad, 80.0 / 50, 1e-6);
   EXPECT_THAT(output::card_toml(report.material), HasSubstr("[measured_by]"));
-  folder_.write("drop.toml", with(drop(1, 300), "neighbours = 0", "neighbours = 0.7"));
+  folder_.write("drop.toml", edited(drop(1, 300), "neighbours = 0", "neighbours = 0.7"));
   const FitFile told = read(fit_of_scale(1, 300));
   EXPECT_EQ(told.fit.impacts.front().impact.pad.neighbours, 0.7);
   EXPECT_FALSE(run_fit(told.fit).material.nose_over_pad);
@@ -284,8 +281,8 @@ TEST_F(FitImpactsTest, LeavesWhatNeighboursDoToTheLawUnlessACaseSaysOtherwise) {
 
 TEST_F(FitImpactsTest, ImpactsTestRatesButNoStrains) {
   // The pad is struck to a strain of more than 0.7.
-  folder_.write("drop.toml", with(drop(1, 300), "50 mm", "25 mm"));
-  ASSERT_GT(solved(with(drop(1, 300), "50 mm", "25 mm")).peak_strain, 0.75);
+  folder_.write("drop.toml", edited(drop(1, 300), "50 mm", "25 mm"));
+  ASSERT_GT(solved(edited(drop(1, 300), "50 mm", "25 mm")).peak_strain, 0.75);
   FitFile file = read(fit_of_scale(1, 300));
   const FitReport report = run_fit(file.fit);
   ASSERT_TRUE(report.converged) << report.why_not;
@@ -299,10 +296,10 @@ TEST_F(FitImpactsTest, ImpactsTestRatesButNoStrains) {
 
 TEST_F(FitImpactsTest, AFormulaMovesAllItsStressesWithTheScale) {
   folder_.write("foam.toml",
-                with(with(with(table_card, "form = \"table\"", "form = \"power\""),
-                          "stress_unit = \"kPa\"\nstrain = [0.05, 0.3, 0.5, 0.6, 0.7]\n",
-                          "modulus = \"100 kPa\"\ncontact_exponent = 0.5\n"),
-                     "stress = [60, 90, 140, 200, 330]", "compaction_exponent = 1\nhighest_strain = 0.7"));
+                edited(edited(edited(table_card, "form = \"table\"", "form = \"power\""),
+                              "stress_unit = \"kPa\"\nstrain = [0.05, 0.3, 0.5, 0.6, 0.7]\n",
+                              "modulus = \"100 kPa\"\ncontact_exponent = 0.5\n"),
+                       "stress = [60, 90, 140, 200, 330]", "compaction_exponent = 1\nhighest_strain = 0.7"));
   const FitReport report = run_fit(read(fit_of_scale(1.1, 250)).fit);
   ASSERT_TRUE(report.converged) << report.why_not;
   const PosteriorAxes& axes = report.material.uncertainty.posterior;
@@ -329,9 +326,10 @@ class RecoilTest : public FitImpactsTest {
  protected:
   /// A case with a foam that says nothing of its recoil.
   static std::string case_with(const std::string& parameters) {
-    return with(with(drop(1, 300), "material = \"foam.toml\"\nscale = 1\n", "law = \"foam\"\n"), "[support]",
-                "[pad.parameters]\nfriction = 0.05\nunloading_factor = 0.5\n" + parameters +
-                    R"([pad.curve]
+    return edited(edited(drop(1, 300), "material = \"foam.toml\"\nscale = 1\n", "law = \"foam\"\n"),
+                  "[support]",
+                  "[pad.parameters]\nfriction = 0.05\nunloading_factor = 0.5\n" + parameters +
+                      R"([pad.curve]
 form = "power"
 rate = "0.01 1/s"
 modulus = "100 kPa"
@@ -400,9 +398,9 @@ TEST_F(RecoilTest, IsSoughtWhereAFastTestComesBack) {
                          10 * std::min(i, 20 - i) + 1);
     folder_.write("fast.csv", csv);
     folder_.write("in-line.toml", case_with(""));
-    return read(with(in_line, "[[impacts]]\ncase = \"in-line.toml\"\n",
-                     "[[tests]]\nfile = \"fast.csv\"\nstrain_unit = \"fraction\"\n"
-                     "columns = {time = \"time\"}\n"))
+    return read(edited(in_line, "[[impacts]]\ncase = \"in-line.toml\"\n",
+                       "[[tests]]\nfile = \"fast.csv\"\nstrain_unit = \"fraction\"\n"
+                       "columns = {time = \"time\"}\n"))
         .fit.unknowns.size();
   };
   EXPECT_EQ(unknowns(11), 1U);

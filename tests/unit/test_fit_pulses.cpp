@@ -15,10 +15,12 @@
 #include "dashpad/input/fault.hpp"
 #include "fit/reservations.hpp"
 #include "shared/temporary_folder.hpp"
+#include "unit/sample_case.hpp"
 
 namespace dashpad::fit {
 namespace {
 
+using test::edited;
 using testing::HasSubstr;
 
 constexpr double pi = 3.141592653589793;
@@ -101,7 +103,7 @@ TEST(DecelerationOf, RefusesPulsesWithoutOnsetWithoutHeightAndWithTooFewSamples)
   EXPECT_THAT(fault_in({{0, 1, 2, 3}, {0, 5, 0, 0}}), HasSubstr("a fit needs 5"));
 }
 
-const std::string drop_case = R"(title = "Drop"
+const std::string elastic_drop = R"(title = "Drop"
 [impactor]
 mass = "5 kg"
 radius = "80 mm"
@@ -123,16 +125,10 @@ case = "drop.toml"
 pulse = {file = "drop.csv", deviation = "5 %"}
 )";
 
-std::string with(std::string text, const std::string& old, const std::string& fresh) {
-  const auto place = text.find(old);
-  EXPECT_NE(place, std::string::npos) << old;
-  return place == std::string::npos ? text : text.replace(place, old.size(), fresh);
-}
-
 class FitPulseTest : public testing::Test {
  protected:
   void SetUp() override {
-    write("drop.toml", drop_case);
+    write("drop.toml", elastic_drop);
     write("drop.csv", csv(half_sine()));
   }
   static std::string csv(const Pulse& pulse) {
@@ -163,7 +159,7 @@ class FitPulseTest : public testing::Test {
 
 TEST_F(FitPulseTest, TakesTheDeviationAsAShareOfThePeakOrInUnits) {
   const auto deviation = [&](const std::string& text) {
-    return read(with(pulse_fit, "\"5 %\"", text)).fit.impacts.at(0).pulse.value().deviation;
+    return read(edited(pulse_fit, "\"5 %\"", text)).fit.impacts.at(0).pulse.value().deviation;
   };
   EXPECT_NEAR(deviation("\"5 %\""), 25, 1e-3);
   EXPECT_NEAR(deviation("\"3 g\""), 3 * standard_gravity, 1e-9);
@@ -171,10 +167,10 @@ TEST_F(FitPulseTest, TakesTheDeviationAsAShareOfThePeakOrInUnits) {
 }
 
 TEST_F(FitPulseTest, TakesColumnsUnitsAndAFilter) {
-  write("drop.csv", with(csv(half_sine()), "time_ms,acceleration_g", "t,a"));
-  const FitFile of = read(with(pulse_fit, "deviation =",
-                               "columns = {time = \"t\", acceleration = \"a\"}, time_unit = \"ms\", "
-                               "acceleration_unit = \"g\", filter = \"CFC600\", deviation ="));
+  write("drop.csv", edited(csv(half_sine()), "time_ms,acceleration_g", "t,a"));
+  const FitFile of = read(edited(pulse_fit, "deviation =",
+                                 "columns = {time = \"t\", acceleration = \"a\"}, time_unit = \"ms\", "
+                                 "acceleration_unit = \"g\", filter = \"CFC600\", deviation ="));
   const MeasuredDeceleration& pulse = of.fit.impacts.at(0).pulse.value();
   EXPECT_EQ(pulse.filter.value().channel_frequency_class, 600);
   EXPECT_NEAR(pulse.peak, 500, 5);
@@ -209,7 +205,7 @@ TEST_F(FitPulseTest, NamesOneFaultForEach) {
       {"deviation =", "speed = \"3 m/s\", drop_height = \"1 m\", deviation =", "not both"},
   };
   for (const Row& row : rows) {
-    const auto faults = faults_of(with(pulse_fit, row.old, row.fresh));
+    const auto faults = faults_of(edited(pulse_fit, row.old, row.fresh));
     ASSERT_EQ(faults.size(), 1U) << row.fresh;
     EXPECT_THAT(faults[0].rule + faults[0].key, HasSubstr(row.said));
   }
@@ -221,7 +217,7 @@ TEST_F(FitPulseTest, PulsesOfOtherImpactsAreReservations) {
     Pulse pulse = half_sine();
     for (double& each : pulse.acceleration) each *= factor;
     write("drop.csv", csv(pulse));
-    const FitFile of = read(with(pulse_fit, "deviation =", stated + "deviation ="));
+    const FitFile of = read(edited(pulse_fit, "deviation =", stated + "deviation ="));
     std::string all;
     for (const std::string& each :
          reservations_of(of.fit, std::vector<double>(of.fit.unknowns.size(), 3e5), {}))
@@ -249,7 +245,7 @@ TEST_F(FitPulseTest, NamesFileAndLineOfBadSamples) {
                          Row{"\n0.100000,-0.000000", "\n0.100000,nan", "", 4},
                          Row{"\n0.100000,0.000000", "\n0.100000,nan", "", 4}}) {
     if (sound.find(row.old) == std::string::npos) continue;  // of the two signs of nothing one is there
-    write("drop.csv", with(sound, row.old, row.fresh));
+    write("drop.csv", edited(sound, row.old, row.fresh));
     const auto faults = faults_of(pulse_fit);
     ASSERT_EQ(faults.size(), 1U) << row.fresh;
     EXPECT_EQ(faults[0].line, row.line);

@@ -13,6 +13,7 @@
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/output/post_impact.hpp"
 #include "example_result.hpp"
+#include "json/flags_json.hpp"
 
 namespace dashpad {
 namespace {
@@ -116,6 +117,49 @@ TEST(Flags, TellARigidSupportFromOneThatYields) {
   EXPECT_THAT(flags(summary)[0].text, HasSubstr("no finite value"));
   summary.status = Status::tolerance_not_met;  // on the way there
   EXPECT_THAT(flags(summary)[1].text, HasSubstr("no finite value"));
+}
+
+/// What a text says in a person's units, in SI.
+TEST(Flags, HaveTheFiguresOfTheirTexts) {
+  Summary summary = test::example_summary();
+  summary.bottomed = Moment{.time = 0.005, .velocity = 1};
+  summary.force_on_way_in = 1330;
+  summary.energy_absorbed_fraction = -0.0652;
+  summary.softening_rates = {0.5, 20};
+  summary.extrapolations = {{Beyond::strain, "strain"}};
+  summary.intervals =
+      Intervals{.figures = {{.key = "hic15", .nominal = 128, .sources = {{Source::continuation, 96, 160}}}},
+                .sources = {{Source::continuation, "how it goes on", ""}},
+                .warning = {}};
+  EXPECT_EQ(flags_json(flags(summary, {"hic15"})).dump(),
+            R"([{"name":"ENERGY GAINED","severity":"doubtful","text":")" + flags(summary)[0].text +
+                R"(","figures":{"energy_gained_fraction":0.0652}},)"
+                R"({"name":"PEAK ON THE WAY BACK","severity":"doubtful","text":")" +
+                flags(summary)[1].text +
+                R"(","figures":{"force_on_way_in_N":1330.0}},)"
+                R"({"name":"BOTTOMED","severity":"doubtful","text":")" +
+                flags(summary)[2].text +
+                R"(","figures":{"time_s":0.005,"velocity_m_per_s":1.0}},)"
+                R"({"name":"SOFTENING","severity":"note","text":")" +
+                flags(summary)[3].text +
+                R"(","figures":{"rate_per_s":0.5}},)"
+                R"({"name":"EXTRAPOLATED STRAIN","severity":"doubtful","text":")" +
+                flags(summary, {"hic15"})[4].text +
+                R"(","figures":{"hic15_lower_fraction":0.25,"hic15_higher_fraction":0.25}}])");
+}
+
+TEST(Flags, NameEachLayerThatWasStruckThrough) {
+  Summary summary = test::example_summary();
+  summary.layers.resize(3);
+  summary.layers[0].struck_through = 0.004;
+  summary.layers[2].struck_through = 0.002;
+  const std::vector<Flag> all = flags(summary);
+  ASSERT_EQ(all.size(), 1U);
+  ASSERT_EQ(all[0].figures.size(), 2U);
+  EXPECT_EQ(all[0].figures[0].key, "layer_3_s");
+  EXPECT_EQ(all[0].figures[0].value, 0.002);
+  EXPECT_EQ(all[0].figures[1].key, "layer_1_s");
+  EXPECT_EQ(all[0].figures[1].value, 0.004);
 }
 
 /// Every name that a source gives a flag has a severity of its own, and is made by some source.

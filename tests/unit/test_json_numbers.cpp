@@ -209,6 +209,11 @@ TEST(JsonNumbers, OfAnImpact) {
     expected["/" + std::string(key) + "/velocity_m_per_s"] = at->velocity;
   }
   add(expected, "/softening_rates_per_s", of.softening_rates);
+  expected["/flags/0/figures/time_s"] = of.bottomed->time;
+  expected["/flags/0/figures/velocity_m_per_s"] = of.bottomed->velocity;
+  expected["/flags/1/figures/layer_1_s"] = *of.layers[0].struck_through;
+  expected["/flags/1/figures/layer_2_s"] = *of.layers[1].struck_through;
+  expected["/flags/2/figures/rate_per_s"] = of.softening_rates[0];
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string layer = "/layers/" + std::to_string(i), blow = "/blows/" + std::to_string(i);
     expected[layer + "/layer"] = static_cast<double>(i + 1);

@@ -170,7 +170,7 @@ TEST(LayerCases, AreRefusedByTheProgramOf1984) {
 
 TEST(LayerCases, VaryLayerByLayer) {
   ImpactCase impact = read(layered_case).impact;
-  const std::vector<CaseQuantity> all = quantities_of(impact);
+  const CaseQuantities all = quantities_of(impact);
   const auto find = [&](const std::string& key) { return std::ranges::find(all, key, &CaseQuantity::key); };
   for (const char* key :
        {"pad.layers[1].thickness", "pad.layers[1].scale", "pad.layers[1].parameters.friction",

@@ -39,7 +39,7 @@ KeyFigure figure_of(const std::vector<KeyFigure>& figures, const std::string& la
   return {};
 }
 
-Material spring() {
+Material spring_card() {
   return {.name = "spring",
           .title = "A spring",
           .source = "a test",
@@ -50,7 +50,7 @@ Material spring() {
 
 /// Plateau and wall: the efficiency has its maximum at a strain of 0.5, given by hand.
 laboratory::MaterialTestReport with_a_wall() {
-  laboratory::MaterialTestReport report{.material = spring(), .test = {.rates = {1, 50}, .strain = 0.8}};
+  laboratory::MaterialTestReport report{.material = spring_card(), .test = {.rates = {1, 50}, .strain = 0.8}};
   for (const double rate : report.test.rates) {
     laboratory::MaterialTestRun run;
     run.rate = rate;
@@ -92,7 +92,7 @@ TEST(MaterialTestLead, SaysWhereTheFoamIsUsedBestAtTheHighestRate) {
 TEST(MaterialTestLead, AFoamThatHasNotRunOutIsNotSaidToHaveABestStress) {
   laboratory::MaterialTest test;
   test.strain = 0.4;
-  const Lead lead = lead_of(run_material_test(spring(), test));
+  const Lead lead = lead_of(run_material_test(spring_card(), test));
   EXPECT_THAT(lead.answer, HasSubstr("and has not run out there"));
   EXPECT_THAT(labels_of(lead.figures),
               ElementsAre("Energy taken", "Given back", "Strain reached", "Largest stress"));
@@ -104,7 +104,7 @@ TEST(MaterialTestLead, AnswersTheStressLimitThatWasAskedFor) {
   test.strain = 0.4;
   test.rates = {5};
   test.stress_limits = {30e3, 130e3};
-  const Lead lead = lead_of(run_material_test(spring(), test));
+  const Lead lead = lead_of(run_material_test(spring_card(), test));
   EXPECT_EQ(lead.answer, "Takes 1.5 kJ/m³ before its stress reaches 30 kPa (at 5 per second)");
   EXPECT_EQ(figure_of(lead.figures, "Energy below 130 kPa").limit, "which is not reached");
 }
@@ -114,7 +114,7 @@ TEST(MaterialTestLead, OfAHoldItSaysWhatIsLeft) {
   test.kind = laboratory::TestKind::relaxation;
   test.strain = 0.4;
   test.rates = {5};
-  const Lead lead = lead_of(run_material_test(spring(), test));
+  const Lead lead = lead_of(run_material_test(spring_card(), test));
   EXPECT_EQ(lead.answer, "Keeps 100 % of its stress for 1000 ms at a strain of 0.4 (at 5 per second)");
   EXPECT_THAT(lead.curve->panels.at(0).x.label, HasSubstr("Time"));
 }

@@ -84,15 +84,15 @@ TEST(PostImpact, NamesWhatIsWrong) {
     }
     return "accepted";
   };
-  const double nan = std::nan("");
+  const double unknown = std::nan("");
   EXPECT_EQ(message({0, 1}, {1, 0}, 0.5), "post impact: the mass of the first body is not positive");
-  EXPECT_EQ(message({1, 1}, {nan, 0}, 0.5), "post impact: the mass of the second body is not positive");
-  EXPECT_EQ(message({1, nan}, {1, 0}, 0.5), "post impact: the velocity of the first body is not finite");
+  EXPECT_EQ(message({1, 1}, {unknown, 0}, 0.5), "post impact: the mass of the second body is not positive");
+  EXPECT_EQ(message({1, unknown}, {1, 0}, 0.5), "post impact: the velocity of the first body is not finite");
   EXPECT_EQ(message({1, 1}, {1, -infinite}, 0.5),
             "post impact: the velocity of the second body is not finite");
   EXPECT_EQ(message({infinite, 1}, {infinite, 0}, 0.5), "post impact: both masses are infinite");
   EXPECT_EQ(message({1, 1}, {1, 1}, 0.5), "post impact: the bodies do not approach");
-  for (const double absorbed : {-0.01, 1.01, nan})
+  for (const double absorbed : {-0.01, 1.01, unknown})
     EXPECT_EQ(message({1, 1}, {1, 0}, absorbed), "post impact: the absorbed fraction is not in [0, 1]");
 }
 

@@ -110,13 +110,13 @@ TEST(quantity, goes_back_to_its_unit) {
   EXPECT_THROW(from_si(1, "N", "furlng"), UnitError);
 }
 
-struct Bad {
+struct BadText {
   std::string text;
   std::string si_unit;
   std::string rule;  ///< part of the message
 };
 
-const std::vector<Bad> bad{
+const std::vector<BadText> bad_texts{
     {"20", "m/s", "a speed needs a unit, such as \"20 m/s\", \"20 km/h\", \"20 mph\""},
     {"", "m/s", "a speed starts with a number, such as \"20 m/s\""},
     {"mph", "m/s", "a speed starts with a number"},
@@ -167,7 +167,7 @@ const std::vector<Bad> bad{
 };
 
 TEST(quantity, bad_text_is_refused_with_the_rule) {
-  for (const auto& [text, si_unit, rule] : bad) {
+  for (const auto& [text, si_unit, rule] : bad_texts) {
     try {
       ADD_FAILURE() << text.substr(0, 40) << " was read as " << to_si(text, si_unit);
     } catch (const UnitError& error) {

@@ -68,8 +68,8 @@ TEST(responses, are_the_injury_figures) {
         {"severity_index", {of.severity_index, of.errors.severity_index}},
         {"velocity_change", {of.velocity_change, of.errors.velocity_change}}};
     std::size_t of_pulse = 0;
-    for (const ResponseKind& kind : response_kinds()) {
-      if (!kind.of_pulse) continue;
+    for (const ResultQuantity& kind : response_kinds()) {
+      if (kind.part != Part::pulse) continue;
       ++of_pulse;
       const Outcome outcome = outcome_of(solution, {kind.key});
       EXPECT_NEAR(outcome.values.at(0), expected.at(kind.key).first, 1e-11 * std::abs(outcome.values[0]))

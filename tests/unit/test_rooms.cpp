@@ -58,10 +58,10 @@ std::string first_part(const fs::path& path) { return path.begin()->string(); }
 
 TEST(Rooms, IncludeOnlyWhatTheyStandOn) {
   const std::map<std::string, Folders> reach = reach_of_folders();
-  const fs::path root(DASHPAD_SOURCE_DIR);
+  const fs::path checkout(DASHPAD_SOURCE_DIR);
   const std::regex include_line(R"re(#include "(?:dashpad/)?([^"]+)")re");
   std::size_t seen = 0;
-  for (const fs::path& base : {root / "src", root / "include" / "dashpad"})
+  for (const fs::path& base : {checkout / "src", checkout / "include" / "dashpad"})
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(base)) {
       const std::string ending = entry.path().extension().string();
       const fs::path place = fs::relative(entry.path(), base);

@@ -35,8 +35,6 @@ namespace {
 
 using namespace output;
 
-constexpr double g = standard_gravity;
-
 struct Solved {
   ImpactCase impact;
   Solution solution;

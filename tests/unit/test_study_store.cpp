@@ -481,7 +481,7 @@ TEST_F(StudyStore, that_does_not_fit_the_disk_is_refused_before_work_starts) {
                            .highest = {}});
   study.sampling = study::Sampling::monte_carlo;
   study.samples = 1'000'000;
-  for (const study::ResponseKind& kind : study::response_kinds()) study.responses.emplace_back(kind.key);
+  for (const ResultQuantity& kind : study::response_kinds()) study.responses.emplace_back(kind.key);
   if (static_cast<double>(std::filesystem::space(folder_.path()).available) >
       1e9 * 9.0 * static_cast<double>(study.responses.size()))
     GTEST_SKIP() << "this disk holds every study";

@@ -8,22 +8,14 @@
 
 #include <gtest/gtest.h>
 
-#include "dashpad/input/case_file.hpp"
 #include "dashpad/report1986/validation_report.hpp"
 #include "shared/markdown_table.hpp"
+#include "validation/study_of_the_report.hpp"
 
 namespace dashpad::test {
 namespace {
 
-const std::filesystem::path source_folder = DASHPAD_SOURCE_DIR;
 const std::filesystem::path document = source_folder / "docs/validation.md";
-
-std::map<std::string, std::string> computed_tables() {
-  std::vector<input::Fault> faults;
-  const auto data = report1986::read_validation_data(source_folder / "data/validation", faults);
-  return report1986::validation_markdown_tables(report1986::run_study(
-      data, input::read_material(source_folder / "materials/ensolite-aac-9.toml").value()));
-}
 
 /// What is predicted by fits repeats as well as their runs of the solver do, which are within 0.1 % of the
 /// full tolerance: another order of roundings ends a fit elsewhere in there.
@@ -46,7 +38,7 @@ TEST(ValidationDocument, HoldsTheTablesOfTheStudy) {
   std::stringstream content;
   content << stream.rdbuf();
   std::string text = content.str();
-  for (const auto& [name, table] : computed_tables()) {
+  for (const auto& [name, table] : report1986::validation_markdown_tables(study_of_the_report())) {
     const std::string begin = "<!-- begin " + name + " -->\n", end = "<!-- end " + name + " -->";
     const std::size_t from = text.find(begin), to = text.find(end);
     ASSERT_TRUE(from != std::string::npos && to != std::string::npos && from < to) << "no block " << name;

@@ -1,27 +1,17 @@
 /// The study on the report's 33 tests, by the rules of docs/decisions/0007-validation-rules.md.
 ///
 /// A model that fails a rule is a result, not a fault of the program: what is checked here is that the study
-/// still says what it said. "fails" below is what the model does. One test, since each runs in a process of
-/// its own and the study takes a minute on two cores.
+/// still says what it said. "fails" below is what the model does.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "dashpad/input/case_file.hpp"
-#include "dashpad/report1986/validation/study.hpp"
-#include "shared/samples.hpp"
+#include "validation/study_of_the_report.hpp"
 
 namespace dashpad::report1986 {
 namespace {
-
-Study study_of_the_report() {
-  std::vector<input::Fault> faults;
-  const ValidationData data = read_validation_data(test::source_folder / "data/validation", faults);
-  EXPECT_TRUE(faults.empty());
-  return run_study(data, input::read_material(test::material_folder / "ensolite-aac-9.toml").value());
-}
 
 const Verdict& verdict(const std::vector<Verdict>& verdicts, Program program, TestSupport support,
                        Quantity quantity, std::optional<Projectile> projectile = {}) {
@@ -238,7 +228,7 @@ void check_held_out(const HeldOut& held_out) {
 }
 
 TEST(VerdictOfTheReport, IsWhatItWas) {
-  const Study study = study_of_the_report();
+  const Study& study = test::study_of_the_report();
   check_radius(study);
   check_radius_of_the_report(study);
   check_verdicts(study);

@@ -1,10 +1,11 @@
 #pragma once
 /// The quantities of an impact case by name, to be read and set: what studies vary.
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
-#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
@@ -37,12 +38,25 @@ struct OtherWay {
 /// sqrt(2 g h) with the gravity of the case; with standard gravity where the case has none.
 std::span<const OtherWay> other_ways();
 
+/// The numbers of a case in the order of case files, and each by its key.
+class CaseQuantities {
+ public:
+  explicit CaseQuantities(std::vector<CaseQuantity> all);
+
+  /// Null for a key that is none of them.
+  [[nodiscard]] const CaseQuantity* find(const std::string& key) const;
+  [[nodiscard]] auto begin() const { return all_.begin(); }
+  [[nodiscard]] auto end() const { return all_.end(); }
+  [[nodiscard]] std::size_t size() const { return all_.size(); }
+
+ private:
+  std::vector<CaseQuantity> all_;
+  std::unordered_map<std::string, std::size_t> places_;
+};
+
 /// All that a case with this nose, this law with these forms of its curves, and this support has. They serve
 /// every such case; another law throws std::bad_variant_access. `support.scale` counts from the support of
 /// `base`.
-std::vector<CaseQuantity> quantities_of(const ImpactCase& base);
-
-/// Null for a key that is none of them.
-const CaseQuantity* find_quantity(const std::vector<CaseQuantity>& quantities, std::string_view key);
+CaseQuantities quantities_of(const ImpactCase& base);
 
 }  // namespace dashpad

@@ -50,9 +50,16 @@ std::span<const FlagKind> flag_kinds();
 /// Doubtful for a name that is none of them.
 Severity severity_of(std::string_view name);
 
+/// A number that a flag speaks of.
+struct FlagFigure {
+  std::string key;  ///< with its SI unit: "time_s", "energy_gained_fraction"
+  double value;
+};
+
 struct Flag {
   std::string name;  ///< of flag_kinds()
   std::string text;  ///< a line that begins with the name
+  std::vector<FlagFigure> figures = {};
 };
 
 /// What a person decides by where no standard says it.

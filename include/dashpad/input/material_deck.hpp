@@ -25,7 +25,7 @@ struct DeckMaterial {
 
 /// The foams of a deck, in its order: *MAT_057, 063, 083 and 163 of LS-DYNA, /MAT/LAW33, LAW62, LAW70 and
 /// LAW90 of Radioss, with the curves that they name. `units` are those of the deck, which does not say them
-/// itself. All faults, or the first 200; a deck without such a material is a fault.
+/// itself. Gives all faults, or the first 200; a deck without such a material is a fault.
 Reading<std::vector<DeckMaterial>> read_material_deck(const std::filesystem::path& file,
                                                       const UnitSystem& units);
 

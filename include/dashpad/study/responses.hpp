@@ -12,29 +12,17 @@
 
 namespace dashpad::study {
 
-/// How a response grows during the impact: what is known of it where the impact is not seen to its end.
-enum class Growth {
-  with_force,   ///< a lower bound at the time limit; unbounded where the pad bottoms out on a rigid support
-  with_motion,  ///< a lower bound at the time limit; final where the pad bottoms out on a rigid support
-  none,         ///< unknown before the end
-};
-
-/// A quantity of the table of results, as a study keeps it: in SI.
-struct ResponseKind : ResultQuantity {
-  bool of_pulse = false;  ///< an injury figure: needs the history
-  Growth growth = Growth::none;
-  bool is_signed = false;  ///< may be below zero
-};
-const std::vector<ResponseKind>& response_kinds();
+/// The quantities of the table of results that a study may keep, in SI; those of a pulse need the history.
+const std::vector<ResultQuantity>& response_kinds();
 /// Null for a name that is none of response_kinds().
-const ResponseKind* find_response_kind(const std::string& name);
+const ResultQuantity* find_response_kind(const std::string& name);
 
 /// Whether an impact can have this value, SI: finite, and not below zero unless the response has a sign.
-bool is_possible(const ResponseKind& kind, double value);
+bool is_possible(const ResultQuantity& kind, double value);
 
 /// Whether a good solution of that status has the response: always, but for the end of contact of an impactor
 /// that stays on the pad. An injury figure counts as promised, although a pulse that is not whole has none.
-bool has_response(const ResponseKind& kind, Status status);
+bool has_response(const ResultQuantity& kind, Status status);
 
 /// Those that cost nothing beyond the solution: all that are not of the pulse.
 std::vector<std::string> default_responses();

@@ -24,11 +24,11 @@ void add_figures(Json& result, Json& errors, const Summary& summary) {
     const ResultQuantity& quantity = *entry.quantity;
     const EstimatedValue of = entry.of(summary);
     const bool absent = std::isnan(of.value);
-    if (entry.is_moment)
+    if (quantity.part == Part::moment)
       result[quantity.key] = absent ? Json(nullptr) : moment(of);
     else
       result[key_with_unit(quantity)] = number(scaled_unit(quantity.si_unit, plain_si()).scale * of.value);
-    if (quantity.has_estimate) errors[quantity.key] = number_if(!absent, of.error);
+    if (quantity.has_estimate()) errors[quantity.key] = number_if(!absent, of.error);
   }
 }
 

@@ -19,8 +19,8 @@ constexpr double shown_quantiles[] = {0.05, 0.5, 0.95};
 
 /// Of so many rows: "229 (22.9 %)". Only what grows with the force is unbounded then.
 std::string struck_through(const std::string& response, std::uint64_t count, std::uint64_t rows) {
-  const study::ResponseKind* kind = study::find_response_kind(response);
-  if (kind == nullptr || kind->growth != study::Growth::with_force) return "-";
+  const ResultQuantity* kind = study::find_response_kind(response);
+  if (kind == nullptr || kind->role.growth != Growth::with_force) return "-";
   return fmt::format("{} ({} %)", count,
                      four_digits(100 * static_cast<double>(count) / static_cast<double>(rows)));
 }

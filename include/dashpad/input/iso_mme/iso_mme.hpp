@@ -36,8 +36,8 @@ struct IsoMmeOptions {
 };
 
 /// Nothing outside of the folder or archive is read: links are not followed, and an archive with a name that
-/// leads elsewhere is refused. All faults, or the first 200. At most 1 GiB unpacked
-/// and 50 million samples a channel.
+/// leads elsewhere is refused. Gives all faults, or the first 200. At most 1 GiB unpacked and 50 million
+/// samples a channel.
 Reading<PulseFile> read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options);
 
 }  // namespace dashpad::input

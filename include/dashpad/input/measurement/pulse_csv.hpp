@@ -30,9 +30,9 @@ struct PulseCsvOptions {
 
 /// Separated by commas, semicolons, tabs or blanks, or of one column; with header rows or without; decimal
 /// commas where no comma separates. Units are never guessed. What is repaired is a remark; gaps, in the
-/// rows and, unless they are to be bridged, in the times, text, numbers that are not
-/// finite, times that do not increase and choices that are not clear are faults: all of them,
-/// or the first 200. At most 1 GiB and 50 million samples.
+/// rows and, unless they are to be bridged, in the times, text, numbers that are not finite, times that do
+/// not increase and choices that are not clear are faults, of which the first 200 are given. At most 1 GiB
+/// and 50 million samples.
 Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const PulseCsvOptions& options);
 
 /// The columns with the units that the header gives; without header, numbers only.

@@ -17,8 +17,8 @@ struct StrainTable {
 
 /// Separators, quotes, comments, decimal commas and header as in pulse_csv.hpp. The header is needed: it
 /// names the time with its unit ("time [ms]", "t_s") and a column called strain, a pure number or in %
-/// ("strain", "strain [%]"). Two rows at least, 10,000 at most; strain 0 first. All
-/// faults, each with its line, or the first 200.
+/// ("strain", "strain [%]"). Two rows at least, 10,000 at most; strain 0 first. Gives
+/// all faults, each with its line, or the first 200.
 Reading<StrainTable> read_strain_csv(const std::filesystem::path& file);
 
 }  // namespace dashpad::input

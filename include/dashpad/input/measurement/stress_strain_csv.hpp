@@ -26,9 +26,9 @@ struct StressStrainTable {
 };
 
 /// Separators, quotes, comments, decimal commas and header as in pulse_csv.hpp; the header is needed. Two
-/// rows at least, 10,000 at most. All faults, each with its line, or the first 200: a
-/// column that is missing, a unit that nobody stated, numbers that are not finite, times that do not
-/// increase, a strain of 1 or more (per cent taken for a fraction), strains that are negative in compression.
+/// rows at least, 10,000 at most. Gives all faults, each with its line, or the first 200: a column that is
+/// missing, a unit that nobody stated, numbers that are not finite, times that do not increase, a strain of 1
+/// or more (per cent taken for a fraction), strains that are negative in compression.
 Reading<StressStrainTable> read_stress_strain_csv(const std::filesystem::path& file,
                                                   const StressStrainColumns& columns);
 

@@ -1,0 +1,133 @@
+// The quantities of a result stand in their table, and nowhere else: docs/results.md and the schema of
+// results are held to it. To write both anew after a change: DASHPAD_REGENERATE=1 test_unit
+// --gtest_filter='ResultFields.*', then look at the difference.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "dashpad/quantities/unit_system.hpp"
+#include "dashpad/result/result_quantity.hpp"
+#include "shared/generated_text.hpp"
+
+namespace dashpad::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+const fs::path root = DASHPAD_SOURCE_DIR;
+
+std::string unit_in_files(const ResultQuantity& of, const UnitSystem& units) {
+  return scaled_unit(of.si_unit, units).unit;
+}
+
+std::string unit_or(const char* none, const std::string& unit) { return unit == "1" ? none : unit; }
+
+std::string with_capital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+/// A row for each quantity of these parts.
+std::string table_of(const std::string& head, std::initializer_list<Part> parts,
+                     const std::function<std::string(const ResultQuantity&)>& row) {
+  std::string text = head + "\n|";
+  for (std::size_t i = 1; i < head.size(); ++i)
+    if (head[i] == '|') text += "---|";
+  text += "\n";
+  for (const Part part : parts)
+    for (const ResultQuantity& of : result_quantities())
+      if (of.part == part) text += row(of) + "\n";
+  return text;
+}
+
+std::string table_of_impact() {
+  return table_of("| title | key | unit in files | error | meaning | none |",
+                  {Part::impact, Part::moment, Part::energy}, [](const ResultQuantity& of) {
+                    return fmt::format("| {} | `{}` | {} | {} | {} | {} |", of.title, of.key,
+                                       unit_or("", unit_in_files(of, plain_si())), of.role.estimate,
+                                       of.meaning, of.role.absent);
+                  });
+}
+
+std::string table_of_pulse() {
+  return table_of("| title | key | unit | meaning |", {Part::pulse}, [](const ResultQuantity& of) {
+    return fmt::format("| {} | `{}` | {} | {} |", of.title, of.key,
+                       unit_or("", unit_in_files(of, plain_si())), of.meaning);
+  });
+}
+
+/// Files of numbers are in plain SI where a reader sees its prefixes.
+std::string table_of_history() {
+  const auto in_files = [](const UnitSystem& units) { return units.name == "si" ? plain_si() : units; };
+  std::string head = "| column |";
+  for (const UnitSystem& units : unit_systems()) head += fmt::format(" `--units {}` |", units.name);
+  return table_of(head + " meaning |", {Part::history}, [&](const ResultQuantity& of) {
+    std::string row = fmt::format("| `{}` |", of.key);
+    for (const UnitSystem& units : unit_systems())
+      row += fmt::format(" {} |", unit_or("-", unit_in_files(of, in_files(units))));
+    return row + fmt::format(" {} |", of.meaning);
+  });
+}
+
+TEST(ResultFields, AreInTheReferenceOfResults) {
+  const fs::path document = root / "docs" / "results.md";
+  expect_generated(document, "figures of the impact", table_of_impact());
+  expect_generated(document, "figures of the pulse", table_of_pulse());
+  expect_generated(document, "columns of the history", table_of_history());
+}
+
+std::string description_of(const ResultQuantity& of) {
+  std::string text = with_capital(of.meaning);
+  if (*of.role.absent != '\0') text += fmt::format("; null {}", of.role.absent);
+  const std::string unit = unit_in_files(of, plain_si());
+  const bool says_unit = std::string_view(of.meaning).ends_with("g^2.5 s");
+  return text + (says_unit                 ? ". Unit: g^2.5 s."
+                 : of.part == Part::moment ? "."
+                                           : fmt::format(". Unit: {}.", unit));
+}
+
+/// The description of a property that has to be there.
+void expect_description(Json& properties, const std::string& key, const std::string& description) {
+  ASSERT_TRUE(properties.contains(key)) << key;
+  if (is_regenerating())
+    properties[key]["description"] = description;
+  else
+    EXPECT_EQ(properties[key]["description"], description) << key;
+}
+
+TEST(ResultFields, AreInTheSchemaOfResults) {
+  const fs::path file = root / "schema" / "summary.schema.json";
+  Json schema = Json::parse(text_of(file));
+  Json& top = schema["properties"];
+  for (const ResultQuantity& of : result_quantities()) {
+    switch (of.part) {
+      case Part::impact: expect_description(top, key_with_unit(of), description_of(of)); break;
+      case Part::moment: expect_description(top, of.key, description_of(of)); break;
+      case Part::energy:
+        if (std::string_view(of.key) != "total_energy")  // over time, on the page
+          expect_description(top["energy"]["properties"], key_with_unit(of), description_of(of));
+        break;
+      case Part::pulse:
+        if (of.role.in_studies) expect_description(top["injury"]["properties"], of.key, description_of(of));
+        break;
+      case Part::history: break;
+    }
+    if (of.has_estimate() && (of.part == Part::impact || of.part == Part::moment))
+      expect_description(top["errors"]["properties"], of.key,
+                         fmt::format("Estimated error of {}: {}; null if that figure is absent. Unit: 1.",
+                                     of.key, of.role.estimate));
+  }
+  if (is_regenerating()) write_text(file, schema.dump(2) + "\n");
+}
+
+}  // namespace
+}  // namespace dashpad::test
