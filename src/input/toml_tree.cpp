@@ -172,6 +172,7 @@ Excerpt excerpt_of(std::string_view text, int line, TomlNode::Columns columns) {
     text.remove_prefix(end + 1);
   }
   text = text.substr(0, text.find('\n'));
+  if (text.ends_with('\r')) text.remove_suffix(1);
   if (text.size() > longest_excerpt) return {};
   const auto byte_of = [&](std::size_t column) {
     std::size_t byte = 0;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include "input/profile_csv.hpp"
+#include "quantities/text.hpp"
 
 #include "dashpad/output/text/case.hpp"
 #include "shared/temporary_folder.hpp"
@@ -92,6 +93,13 @@ TEST(excerpt, marks_what_is_meant_among_characters_of_any_length) {
                                    "[support]\n  type = \"linear\"  # é\n\tstiffness = 600")),
             "  11 |  stiffness = 600\n"
             "     |              ^^^");
+}
+
+TEST(excerpt, is_the_same_whatever_lines_end_in) {
+  std::string text = edited(good_case, "\"20 mph\"", "\"20\"");
+  const std::vector<std::string> expected = faults_of(text);
+  replace_all(text, "\n", "\r\n");
+  EXPECT_EQ(faults_of(text), expected);
 }
 
 TEST(excerpt, of_a_long_line_shows_what_is_meant) {
