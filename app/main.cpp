@@ -81,10 +81,13 @@ constexpr Command commands[]{{"Every day", "run", add_run},
 /// More than that nobody reads, of however many kinds the faults are.
 constexpr std::size_t most_lines = 200;
 
-/// One line, and below it the excerpt of the file where it has one.
+/// One line, and below it the excerpt of the file where it has one. A line break in a name that somebody gave
+/// begins none.
 std::string shown(const std::string& complaint) {
-  const auto end = std::min(complaint.find("\n  "), complaint.size());
-  return one_line(without_endless_words(complaint.substr(0, end))) + complaint.substr(end);
+  const auto line = complaint.find("\n  "), bar = complaint.find_first_not_of(" 0123456789", line + 1);
+  const bool has_excerpt = line != std::string::npos && bar != std::string::npos && complaint[bar] == '|';
+  const auto end = has_excerpt ? line : complaint.size();
+  return one_line(without_endless_words(complaint.substr(0, end))) + without_controls(complaint.substr(end));
 }
 
 int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {

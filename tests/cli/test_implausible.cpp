@@ -152,6 +152,8 @@ TEST_F(Implausible, NamesGivenByHandReachNoTerminalAsTheyAre) {
   write_file(file("p.csv"), "time_s,acc_g\n0,0\n0.001,1\n");
   for (const std::vector<std::string>& command : {std::vector<std::string>{"materials", "\x1b[31m"},
                                                   {"study", "summary", "x\x1b[31m\xc2\x9b.db"},
+                                                  {"study", "summary", "x\n  \x1b[31m.db"},
+                                                  {"study", "summary", "x\n  3 | \x1b[31m\xc2\x9b.db"},
                                                   {"material", "import", "\xe2\x80\xae.k"},
                                                   {"pulse", file("p.csv"), "--dwell", "\x1b[2J"},
                                                   {"\x1b[31m"},
