@@ -94,12 +94,15 @@ ResultRow row_of(const ResultQuantity& of, double value, const UnitSystem& units
 }
 
 /// What the text shows, those that a designer asks for first on top.
-std::vector<const SummaryQuantity*> rows_of_summary() {
-  std::vector<const SummaryQuantity*> rows;
-  for (const SummaryQuantity& of : summary_quantities())
-    if (of.quantity->role.row > 0) rows.push_back(&of);
-  std::ranges::sort(rows, {}, [](const SummaryQuantity* of) { return of->quantity->role.row; });
-  return rows;
+const std::vector<const SummaryQuantity*>& rows_of_summary() {
+  static const std::vector<const SummaryQuantity*> all = [] {
+    std::vector<const SummaryQuantity*> rows;
+    for (const SummaryQuantity& of : summary_quantities())
+      if (of.quantity->role.row > 0) rows.push_back(&of);
+    std::ranges::sort(rows, {}, [](const SummaryQuantity* of) { return of->quantity->role.row; });
+    return rows;
+  }();
+  return all;
 }
 
 /// `length` is that of the pulse, s.

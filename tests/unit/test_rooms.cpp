@@ -14,17 +14,14 @@
 #include <string>
 #include <vector>
 
+#include "shared/generated_text.hpp"
+
 namespace dashpad::test {
 namespace {
 
 namespace fs = std::filesystem;
 
 using Folders = std::set<std::string>;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Of each folder, those whose headers it may include.
 std::map<std::string, Folders> reach_of_folders() {

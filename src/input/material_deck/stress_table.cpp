@@ -183,11 +183,7 @@ Reading<DeckMaterial> read_stress_table(const std::filesystem::path& file, std::
   return reading_of([&]() -> DeckMaterial {
     MeasurementFaults faults(file.string());
     const std::string content = read_measurement(file);
-    const std::string_view text = text_in(content, faults);
-    if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
-    const char separator = find_separator(text);
-    const CsvHeader header = read_csv_header(text, separator);
-    if (header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
+    const auto [text, separator, header] = csv_table_in(content, faults);
     StressColumns columns = choose_stresses(header, faults);
     settle_rates_of(columns, rate, faults);
     faults.throw_if_any();

@@ -227,6 +227,15 @@ CsvHeader read_csv_header(std::string_view text, char separator, int fewest) {
   return header;
 }
 
+CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults) {
+  CsvTable table{.text = text_in(content, faults), .header = {}};
+  if (without_blanks(table.text).empty()) faults.refuse(0, "", "", "is empty");
+  table.separator = find_separator(table.text);
+  table.header = read_csv_header(table.text, table.separator);
+  if (table.header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
+  return table;
+}
+
 CsvColumns name_columns(const CsvHeader& header) {
   CsvColumns columns;
   columns.names = row_of_names(header);

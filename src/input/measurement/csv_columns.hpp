@@ -26,6 +26,16 @@ struct CsvHeader {
 /// one with so many.
 CsvHeader read_csv_header(std::string_view text, char separator, int fewest = 2);
 
+/// A table of numbers as it begins.
+struct CsvTable {
+  std::string_view text;
+  char separator = ',';
+  CsvHeader header;
+};
+
+/// Refuses what is no text, is empty, or has no row of two numbers. `content` must outlive table and faults.
+CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults);
+
 struct CsvColumns {
   std::vector<injury::MeasuredColumn> all;           ///< units as in the header
   const CsvHeader::Row* names = nullptr;             ///< the row that names them

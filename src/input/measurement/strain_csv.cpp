@@ -177,11 +177,7 @@ Reading<StrainTable> read_strain_csv(const std::filesystem::path& file) {
   return reading_of([&]() -> StrainTable {
     MeasurementFaults faults(file.string());
     const std::string content = read_measurement(file);
-    const std::string_view text = text_in(content, faults);
-    if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
-    const char separator = find_separator(text);
-    const CsvHeader header = read_csv_header(text, separator);
-    if (header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
+    const auto [text, separator, header] = csv_table_in(content, faults);
 
     const StrainColumns columns = choose(header, faults);
     require_no_numbers(header, columns, separator, faults);
