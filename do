@@ -146,7 +146,7 @@ task_test() {
     preset="$1"
     shift
   fi
-  need_packages run test format shellcheck
+  need_packages run test format shellcheck wasm
   say "Building the tests ..."
   configure "$preset" -DDASHPAD_BUILD_TESTS=ON
   build "$preset"

@@ -55,7 +55,8 @@ std::optional<injury::SensorOffset> offset_of(const PulseRequest& request, const
                                               injury::MeasuredPulse& measured,
                                               std::vector<std::string>& wrong) {
   std::optional<injury::SensorOffset> offset = injury::offset_before_impact(measured);
-  const std::optional<double> begin = offset && offset->rest ? std::optional{offset->begin} : std::nullopt;
+  std::optional<double> begin;
+  if (offset && offset->rest) begin = offset->begin;
   if (!settings.zero_interval) {
     if (request.zero && !offset)
       wrong.emplace_back(

@@ -5,13 +5,12 @@
 #include <string>
 #include <string_view>
 
-#include <Eigen/Dense>
-
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/study/application.hpp"
 #include "fit/card.hpp"
 #include "fit/impact_residuals.hpp"
 #include "fit/met.hpp"
+#include "fit/principal_axes.hpp"
 #include "fit/recoil.hpp"
 #include "quantities/text.hpp"
 
@@ -41,24 +40,20 @@ std::vector<std::size_t> card_coordinates(const Fit& fit, const Solved& solved) 
 
 std::vector<Axis> axes_of(const Solved& solved, const std::vector<std::size_t>& of) {
   const std::vector<double>& x = solved.minimum.x;
-  const auto n = static_cast<Eigen::Index>(of.size());
-  Eigen::MatrixXd covariance(n, n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j)
-      covariance(i, j) =
-          solved.uncertainty
-              .covariance[of[static_cast<std::size_t>(i)] * x.size() + of[static_cast<std::size_t>(j)]];
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance);
+  std::vector<double> covariance;
+  for (const std::size_t i : of)
+    for (const std::size_t j : of) covariance.push_back(solved.uncertainty.covariance[i * x.size() + j]);
+  const PrincipalAxes found = principal_axes(covariance, of.size());
   // A direction of which the data say nothing counts as even between the bounds.
   const double of_even = std::sqrt(1.0 / 12);
   std::vector<Axis> axes;
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const double deviation = std::min(std::sqrt(std::max(eigen.eigenvalues()[k], 0.0)), of_even);
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    const double deviation = std::min(std::sqrt(std::max(found.values[k], 0.0)), of_even);
     const auto end = [&](double side) {
       std::vector<double> place = x;
-      for (Eigen::Index i = 0; i < n; ++i) {
-        double& at = place[of[static_cast<std::size_t>(i)]];
-        at = std::clamp(at + side * deviation * eigen.eigenvectors()(i, k), 0.0, 1.0);
+      for (std::size_t i = 0; i < of.size(); ++i) {
+        double& at = place[of[i]];
+        at = std::clamp(at + side * deviation * found.direction(k)[i], 0.0, 1.0);
       }
       return place;
     };

@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
-#include <boost/math/distributions/students_t.hpp>
+
+#include "uncertainty/student.hpp"
 
 namespace dashpad::fit {
 
@@ -43,8 +44,7 @@ void estimate_noise(Problem& problem, const LeastSquares& residuals, Minimum& mi
 /// Of the misfit, at the ends of an interval.
 double threshold_of(const FitReport& report) {
   if (report.noise_is_stated || report.degrees_of_freedom < 1) return threshold_of_95;
-  const boost::math::students_t student(report.degrees_of_freedom);
-  const double t = boost::math::quantile(student, 0.975);
+  const double t = uncertainty::student_95(report.degrees_of_freedom);
   return t * t;
 }
 

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
-#include <boost/math/distributions/students_t.hpp>
 
 #include "fit/comparison.hpp"
 #include "fit/prediction.hpp"
 #include "fit/search.hpp"
 #include "fit/solve.hpp"
+#include "uncertainty/student.hpp"
 
 namespace dashpad::fit {
 
@@ -62,8 +62,8 @@ double deviation_of(const Missed& of, double surest, bool is_predicted) {
   const double mean = (worth_of_surest * surest * surest + of.squares) / all;
   // What was fitted says that the law is no better than that, not that it is as good.
   const double square = is_predicted ? mean : std::max(mean, surest * surest);
-  const boost::math::students_t student(is_predicted ? all : worth_of_surest);
-  return std::min(std::sqrt(square) * boost::math::quantile(student, 0.975) / two_sided_95, 1.0);
+  const double t = uncertainty::student_95(is_predicted ? all : worth_of_surest);
+  return std::min(std::sqrt(square) * t / two_sided_95, 1.0);
 }
 
 /// The problem without the impacts that are held out now, and the place to start from.

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <boost/math/distributions/normal.hpp>
 
+#include "fit/principal_axes.hpp"
 #include "study/random.hpp"
 
 namespace dashpad::fit {
@@ -50,14 +51,14 @@ std::vector<std::vector<double>> laplace_sample(std::span<const double> minimum,
     P.setZero();
     g.setZero();
   }
-  const Eigen::MatrixXd directions = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(P).eigenvectors();
+  const PrincipalAxes axes = principal_axes({P.data(), static_cast<std::size_t>(P.size())}, minimum.size());
   Eigen::VectorXd x = centre;
   std::vector<std::vector<double>> draws;
   std::uint64_t step = 0;
   for (std::size_t draw = 0; draw < count; ++draw) {
     for (int sweep = 0; sweep < sweeps_between_draws; ++sweep, ++step)
       for (Eigen::Index k = 0; k < n; ++k) {
-        const Eigen::VectorXd along = directions.col(k);
+        const Eigen::Map<const Eigen::VectorXd> along(axes.direction(static_cast<std::size_t>(k)).data(), n);
         double low = -1e300, high = 1e300;
         for (Eigen::Index i = 0; i < n; ++i) {
           if (std::abs(along[i]) < 1e-14) continue;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Dense>
+#include "fit/principal_axes.hpp"
 
 namespace dashpad::fit {
 
@@ -30,12 +30,11 @@ std::vector<std::optional<double>> prediction_deviations(const Fit& fit, const I
     return figures;
   };
   const std::vector<double> here = at(x);
-  const auto n = static_cast<Eigen::Index>(x.size());
-  const Eigen::Map<const Eigen::MatrixXd> covariance(uncertainty.covariance.data(), n, n);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(covariance);
+  const std::size_t n = x.size();
+  const PrincipalAxes axes = principal_axes(uncertainty.covariance, n);
   std::vector<double> variance(count, 0);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const double deviation = std::min(std::sqrt(std::max(axes.eigenvalues()[k], 0.0)), deviation_of_even);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double deviation = std::min(std::sqrt(std::max(axes.values[k], 0.0)), deviation_of_even);
     if (deviation == 0) continue;
     // Differences over what stays of the way within the bounds.
     std::vector<double> way(count, 0), difference(count, 0);
@@ -43,18 +42,16 @@ std::vector<std::optional<double>> prediction_deviations(const Fit& fit, const I
       std::vector<double> place(x.begin(), x.end());
       double share = 1;
       // Rounding must not move a coordinate at a bound, of which the covariance knows nothing.
-      const auto axis = [&](Eigen::Index i) {
-        return covariance(i, i) > 0 ? axes.eigenvectors()(i, k) : 0.0;
+      const auto axis = [&](std::size_t i) {
+        return uncertainty.covariance[i * n + i] > 0 ? axes.direction(k)[i] : 0.0;
       };
-      for (Eigen::Index i = 0; i < n; ++i) {
+      for (std::size_t i = 0; i < n; ++i) {
         const double step = side * deviation * axis(i);
-        const double room =
-            step > 0 ? 1 - place[static_cast<std::size_t>(i)] : place[static_cast<std::size_t>(i)];
+        const double room = step > 0 ? 1 - place[i] : place[i];
         if (std::abs(step) > room) share = std::min(share, room / std::abs(step));
       }
-      for (Eigen::Index i = 0; i < n; ++i)
-        place[static_cast<std::size_t>(i)] =
-            std::clamp(place[static_cast<std::size_t>(i)] + share * side * deviation * axis(i), 0.0, 1.0);
+      for (std::size_t i = 0; i < n; ++i)
+        place[i] = std::clamp(place[i] + share * side * deviation * axis(i), 0.0, 1.0);
       const std::vector<double> there = at(place);
       for (std::size_t i = 0; i < count; ++i) {
         if (!std::isfinite(there[i])) continue;

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
-#include <Eigen/Dense>
+#include <Eigen/QR>
 
 namespace dashpad::fit {
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+
+#include "fit/principal_axes.hpp"
 
 namespace dashpad::fit {
 
@@ -24,11 +26,14 @@ struct Curvature {
 };
 
 Curvature curvature_of(const Matrix& hessian) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(hessian);
+  const Eigen::Index n = hessian.rows();
+  const PrincipalAxes axes =
+      principal_axes({hessian.data(), static_cast<std::size_t>(hessian.size())}, static_cast<std::size_t>(n));
   Curvature curvature;
-  curvature.vectors = eigen.eigenvectors();
-  const double least = least_eigenvalue * std::max(eigen.eigenvalues().maxCoeff(), 1e-300);
-  curvature.values = eigen.eigenvalues().cwiseMax(least);
+  curvature.vectors = Eigen::Map<const Eigen::MatrixXd>(axes.directions.data(), n, n);
+  curvature.values = Eigen::Map<const Eigen::VectorXd>(axes.values.data(), n);
+  const double least = least_eigenvalue * std::max(curvature.values.maxCoeff(), 1e-300);
+  curvature.values = curvature.values.cwiseMax(least);
   curvature.inverse =
       curvature.vectors * curvature.values.cwiseInverse().asDiagonal() * curvature.vectors.transpose();
   return curvature;

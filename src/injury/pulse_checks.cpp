@@ -34,13 +34,14 @@ double scatter(const PulseReport& report, const Pulse& pulse, double peak) {
   return found <= most_quiet_scatter * peak ? found : 0;
 }
 
-std::string cut(const std::string& where, double acceleration, double peak, const std::string& missing) {
-  return fmt::format(
+Flag cut(const std::string& where, double acceleration, double peak, const std::string& missing) {
+  const double left = std::abs(acceleration), share = left / peak;
+  std::string text = fmt::format(
       "PULSE CUT: it {} at {} g, {} of its peak: {}, or the sensor has an offset; of a pulse that is not "
       "whole "
       "HIC, clips and velocity change are lower bounds",
-      where, brief(std::abs(acceleration) / standard_gravity), in_percent(std::abs(acceleration) / peak),
-      missing);
+      where, brief(left / standard_gravity), in_percent(share), missing);
+  return {"PULSE CUT", std::move(text), {{"acceleration_m_per_s2", left}, {"peak_fraction", share}}};
 }
 
 }  // namespace
@@ -68,9 +69,9 @@ std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse) {
   const bool begins_quietly =
       report.offset && (!report.offset->given || report.offset->offset.end <= report.contact.begin);
   if (!begins_quietly && std::abs(pulse.acceleration.front()) > limit)
-    all.push_back({"PULSE CUT", cut("starts", pulse.acceleration.front(), peak, "its beginning is missing")});
+    all.push_back(cut("starts", pulse.acceleration.front(), peak, "its beginning is missing"));
   if (std::abs(pulse.acceleration.back()) > limit)
-    all.push_back({"PULSE CUT", cut("ends", pulse.acceleration.back(), peak, "its end is missing")});
+    all.push_back(cut("ends", pulse.acceleration.back(), peak, "its end is missing"));
   const std::optional<SpeedCheck> check = speed_check(report);
   if (check && !check->agrees()) {
     const bool is_short = check->shortfall > 0;
@@ -81,7 +82,8 @@ std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse) {
                                is_short ? "the pulse is cut, the unit or the sensitivity is wrong, or the "
                                           "sensor has an offset"
                                         : "the sensor has an offset, the unit or the sensitivity is wrong, "
-                                          "or there is more than one impact in the pulse")});
+                                          "or there is more than one impact in the pulse"),
+                   {{"velocity_change_m_per_s", check->change}, {"speed_m_per_s", report.impact->speed}}});
   }
   if (std::optional<Flag> flag = height_in_doubt(report)) all.push_back(*std::move(flag));
   return all;

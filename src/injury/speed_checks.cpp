@@ -77,7 +77,8 @@ std::optional<Flag> unlike_speeds(const MeasuredImpact& measured, const Measured
                   "differences are those of two impacts",
                   shown(computed.speed), in_percent(std::abs(share)), share < 0 ? "slower" : "faster",
                   shown(measured.speed),
-                  measured.drop_height ? fmt::format(" (from {} m)", brief(*measured.drop_height, 4)) : "")};
+                  measured.drop_height ? fmt::format(" (from {} m)", brief(*measured.drop_height, 4)) : ""),
+      {{"speed_m_per_s", computed.speed}, {"measured_speed_m_per_s", measured.speed}}};
 }
 
 std::optional<Flag> height_in_doubt(const PulseReport& report) {
@@ -91,7 +92,8 @@ std::optional<Flag> height_in_doubt(const PulseReport& report) {
   return Flag{
       "DROP HEIGHT IN DOUBT",
       fmt::format("DROP HEIGHT IN DOUBT: the fall in the record takes {} ms, as from {} m; {} m was said",
-                  brief(1e3 * fall, 4), brief(height, 3), brief(said, 4))};
+                  brief(1e3 * fall, 4), brief(height, 3), brief(said, 4)),
+      {{"fall_s", fall}, {"height_m", height}, {"stated_height_m", said}}};
 }
 
 }  // namespace dashpad::injury

@@ -143,9 +143,11 @@ std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run)
                "taken "
                "to have followed the platen without force, and to start again from stress zero"});
   if (run.unloads && -run.figures.hysteresis > std::max(1e-9, run.figures.energy_error))
-    flags.push_back({"ENERGY GAIN", fmt::format("ENERGY GAIN: the law gives back {:.3g} % more energy than "
-                                                "was put in",
-                                                -100 * run.figures.hysteresis)});
+    flags.push_back({"ENERGY GAIN",
+                     fmt::format("ENERGY GAIN: the law gives back {:.3g} % more energy than "
+                                 "was put in",
+                                 -100 * run.figures.hysteresis),
+                     {{"energy_gained_fraction", -run.figures.hysteresis}}});
   if (const auto& update = run.update_of_1984;
       update && std::ranges::any_of(update->stress, [&](double stress) {
         return stress > highest_drawn * run.figures.peak_stress ||
@@ -154,7 +156,8 @@ std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run)
     flags.push_back({"OUT OF BOUNDS",
                      fmt::format("OUT OF BOUNDS: with steps of {:.3g} s the update of 1984 leaves the range "
                                  "from {:g} to {:g} times the exact peak stress; those points are not drawn",
-                                 update->step, lowest_drawn, highest_drawn)});
+                                 update->step, lowest_drawn, highest_drawn),
+                     {{"step_s", update->step}}});
   return flags;
 }
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/students_t.hpp>
 
 #include "quantities/special_numbers.hpp"
+#include "uncertainty/student.hpp"
 
 namespace dashpad::study {
 
@@ -39,8 +39,7 @@ void set_moments(Distribution& of, const std::vector<double>& values, bool drawn
   of.mean = {mean, no_value, no_value};
   of.deviation = values.size() > 1 ? std::sqrt(squares / (count - 1)) : no_value;
   if (!drawn || values.size() < 2) return;
-  const double factor = boost::math::quantile(boost::math::students_t{count - 1}, 1 - tail);
-  const double half = factor * of.deviation / std::sqrt(count);
+  const double half = uncertainty::student_95(count - 1) * of.deviation / std::sqrt(count);
   of.mean.low = mean - half;
   of.mean.high = mean + half;
 }

@@ -7,41 +7,33 @@
 
 namespace dashpad::uncertainty {
 
-std::vector<FigureName> figure_names(std::span<const double> dwell_levels) {
-  using Kind = FigureName::Kind;
-  std::vector<FigureName> names{{"peak_acceleration", Kind::acceleration},
-                                {"peak_force", Kind::acceleration},
-                                {"hic15", Kind::hic},
-                                {"hic36", Kind::hic},
-                                {"hic_unlimited", Kind::hic},
-                                {"hic_d", Kind::hic_d},
-                                {"clip_3ms", Kind::acceleration},
-                                {"cumulative_3ms", Kind::acceleration},
-                                {"severity_index", Kind::hic},
-                                {"peak_penetration", Kind::penetration},
-                                {"peak_strain", Kind::penetration},
-                                {"rebound_speed", Kind::rebound},
-                                {"restitution", Kind::rebound}};
-  for (const double level : dwell_levels) names.push_back({"dwell_time", Kind::dwell, level});
-  return names;
+std::vector<AskedFigure> asked_figures(std::span<const double> dwell_levels) {
+  std::vector<AskedFigure> asked;
+  for (const ResultQuantity& of : result_quantities())
+    if (of.role.doubt == Doubt::of_level) {
+      for (const double level : dwell_levels) asked.push_back({&of, level});
+    } else if (of.has_interval()) {
+      asked.push_back({&of});
+    }
+  return asked;
 }
 
-std::vector<double> figures_of(const Solution& solution, std::span<const FigureName> names) {
+std::vector<double> figures_of(const Solution& solution, std::span<const AskedFigure> asked) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const Summary& summary = solution.summary;
   const auto injury = injury::whole_pulse_figures(solution);
-  const auto value_of = [&](const FigureName& name) {
+  const auto value_of = [&](const AskedFigure& figure) {
     for (const SummaryQuantity& of : summary_quantities())
-      if (name.key == of.quantity->key) return of.of(summary).value;
+      if (figure.quantity == of.quantity) return of.of(summary).value;
     if (!injury) return none;
-    if (name.key == "dwell_time")
-      return injury::cumulative_dwell(injury::pulse_of(solution.history), name.level);
+    if (figure.quantity->role.doubt == Doubt::of_level)
+      return injury::cumulative_dwell(injury::pulse_of(solution.history), figure.level);
     for (const injury::InjuryValue& of : injury::injury_values(*injury))
-      if (name.key == of.quantity->key) return of.value;
+      if (figure.quantity == of.quantity) return of.value;
     return none;
   };
   std::vector<double> values;
-  for (const FigureName& name : names) values.push_back(value_of(name));
+  for (const AskedFigure& figure : asked) values.push_back(value_of(figure));
   return values;
 }
 

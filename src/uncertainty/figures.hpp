@@ -3,26 +3,22 @@
 
 #include <limits>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/result/result_quantity.hpp"
 
 namespace dashpad::uncertainty {
 
-struct FigureName {
-  /// What a share of the acceleration or of the penetration is a share of.
-  enum class Kind { acceleration, hic, hic_d, dwell, penetration, rebound };
-
-  std::string key;
-  Kind kind = Kind::acceleration;
+struct AskedFigure {
+  const ResultQuantity* quantity;
   double level = 0;  ///< m/s2, of a dwell time
 };
 
 /// All of them; with a dwell time for each level.
-std::vector<FigureName> figure_names(std::span<const double> dwell_levels);
+std::vector<AskedFigure> asked_figures(std::span<const double> dwell_levels);
 
 /// Their values, SI; NaN where the impact has none.
-std::vector<double> figures_of(const Solution& solution, std::span<const FigureName> names);
+std::vector<double> figures_of(const Solution& solution, std::span<const AskedFigure> asked);
 
 }  // namespace dashpad::uncertainty

@@ -53,14 +53,15 @@ struct Solved {
 /// The figures of a case; empty where it could not be solved well enough. A pad that bottoms out has no
 /// finite force.
 std::vector<double> solved_figures(const ImpactCase& impact, const Options& options,
-                                   const std::vector<FigureName>& names) {
+                                   const std::vector<AskedFigure>& asked) {
   if (!violations(impact).empty()) return {};
   const Solution solution = solve(impact, options);
   const Summary& summary = solution.summary;
-  std::vector<double> values = figures_of(solution, names);
+  std::vector<double> values = figures_of(solution, asked);
   if (bottomed_on_rigid_support(summary)) {
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (std::isnan(values[i])) values[i] = names[i].kind == FigureName::Kind::rebound ? 0 : infinite;
+    for (std::size_t i = 0; i < asked.size(); ++i)
+      if (std::isnan(values[i]))
+        values[i] = asked[i].quantity->role.doubt == Doubt::of_rebound ? 0 : infinite;
     return values;
   }
   if (summary.status == Status::not_run || is_cut(summary) || !(summary.errors.peak_force < largest_error))
@@ -71,8 +72,8 @@ std::vector<double> solved_figures(const ImpactCase& impact, const Options& opti
 class Search {
  public:
   Search(const ImpactCase& impact, const Options& options, const Solution& nominal,
-         const std::vector<FigureName>& names, const std::vector<Line>& lines)
-      : impact_(impact), options_(options), names_(names), nominal_(figures_of(nominal, names)) {
+         const std::vector<AskedFigure>& asked, const std::vector<Line>& lines)
+      : impact_(impact), options_(options), asked_(asked), nominal_(figures_of(nominal, asked)) {
     options_.tolerance = std::max(options.tolerance, tolerance_of_ends);
     options_.fixed_runs = 0;
     for (const Line& line : lines) solved_.push_back({.line = &line, .places = {}});
@@ -94,7 +95,7 @@ class Search {
   void solve_all(std::vector<Job>& jobs) {
     tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
       Job& job = jobs[i];
-      job.figures = solved_figures(job.of ? job.of->line->at(job.at) : impact_, options_, names_);
+      job.figures = solved_figures(job.of ? job.of->line->at(job.at) : impact_, options_, asked_);
     });
     impacts_ += static_cast<int>(jobs.size());
   }
@@ -137,7 +138,7 @@ class Search {
         jobs.push_back({&of, of.line->ends.front() / 2});
     solve_all(jobs);
     base_ = std::move(jobs.front().figures);
-    for (Solved& of : solved_) of.places.push_back({0, std::vector<double>(names_.size(), 0.0)});
+    for (Solved& of : solved_) of.places.push_back({0, std::vector<double>(asked_.size(), 0.0)});
     take(jobs);
   }
 
@@ -149,7 +150,7 @@ class Search {
         continue;
       double most = worth_solving;
       std::optional<double> best;
-      for (std::size_t figure = 0; figure < names_.size(); ++figure)
+      for (std::size_t figure = 0; figure < asked_.size(); ++figure)
         for (std::size_t i = 0; i + 2 < of.places.size(); ++i)
           if (const auto turn = turning_point(of, i, figure); turn && turn->second > most) {
             most = turn->second;
@@ -184,7 +185,7 @@ class Search {
 
   const ImpactCase& impact_;
   Options options_;
-  const std::vector<FigureName>& names_;
+  const std::vector<AskedFigure>& asked_;
   std::vector<double> nominal_, base_;
   std::vector<Solved> solved_;
   int impacts_ = 0;
@@ -223,30 +224,30 @@ Deviation deviation_of(const Solved& of, std::size_t figure) {
 }
 
 /// 95 % of what is given as a share.
-Deviation deviation_of(const Shares& shares, const FigureName& name, double nominal,
+Deviation deviation_of(const Shares& shares, const AskedFigure& figure, double nominal,
                        const Solution& solution) {
-  using Kind = FigureName::Kind;
   const auto even = [](double value) { return Deviation{two_sided_95 * value, two_sided_95 * value}; };
-  switch (name.kind) {
-    case Kind::acceleration: return even(shares.acceleration * nominal);
-    case Kind::hic: return even(shares.hic * nominal);
-    case Kind::hic_d: return even(shares.hic * (nominal - injury::hic_d(0)));
-    case Kind::rebound: return even(shares.rebound * nominal);
-    case Kind::penetration: {
+  switch (figure.quantity->role.doubt) {
+    case Doubt::none: break;
+    case Doubt::of_acceleration: return even(shares.acceleration * nominal);
+    case Doubt::of_hic: return even(shares.hic * nominal);
+    case Doubt::of_hic_d: return even(shares.hic * (nominal - injury::hic_d(0)));
+    case Doubt::of_rebound: return even(shares.rebound * nominal);
+    case Doubt::of_penetration: {
       Deviation deviation = even(shares.penetration * nominal);
-      const double scale = name.key == "peak_strain" ? solution.summary.peak_strain : nominal;
+      const double deepest = solution.summary.peak_penetration;
       const double of_figure =
-          solution.summary.peak_penetration > 0 ? scale / solution.summary.peak_penetration : 0;
+          deepest > 0 ? nominal / deepest : 0;  // 1, or of the strain one over the thickness
       deviation.down = std::hypot(deviation.down, shares.shallower * of_figure);
       deviation.up = std::hypot(deviation.up, shares.deeper * of_figure);
       return deviation;
     }
-    case Kind::dwell: {
+    case Doubt::of_level: {
       // A pulse that is higher by a share lies above a level as long as it did above a lower one.
       const Pulse pulse = injury::pulse_of(solution.history);
       const double share = two_sided_95 * shares.acceleration;
-      return {nominal - injury::cumulative_dwell(pulse, name.level * (1 + share)),
-              injury::cumulative_dwell(pulse, name.level * std::max(1 - share, 0.0)) - nominal};
+      return {nominal - injury::cumulative_dwell(pulse, figure.level * (1 + share)),
+              injury::cumulative_dwell(pulse, figure.level * std::max(1 - share, 0.0)) - nominal};
     }
   }
   return {};
@@ -261,9 +262,10 @@ constexpr std::array all_sources{Source::continuation, Source::rate,   Source::w
                                  Source::posterior,    Source::misfit, Source::neighbours};
 
 /// Eq. 77.
-FigureInterval interval_of(const FigureName& name, std::size_t figure, double nominal, const Search& search,
+FigureInterval interval_of(const AskedFigure& asked, std::size_t figure, double nominal, const Search& search,
                            const Open& open, const Solution& solution) {
-  FigureInterval interval{.key = name.key, .level = name.level, .nominal = nominal, .sources = {}};
+  FigureInterval interval{
+      .key = asked.quantity->key, .level = asked.level, .nominal = nominal, .sources = {}};
   Deviation ranges, statistics;
   for (const Source source : all_sources) {
     Deviation alone;
@@ -273,7 +275,7 @@ FigureInterval interval_of(const FigureName& name, std::size_t figure, double no
     for (const Solved& of : search.solved())
       if (of.line->source == source && !of.failed) add(deviation_of(of, figure));
     for (const Shares& shares : open.shares)
-      if (shares.source == source) add(deviation_of(shares, name, nominal, solution));
+      if (shares.source == source) add(deviation_of(shares, asked, nominal, solution));
     if (alone.down <= 0 && alone.up <= 0) continue;
     interval.sources.push_back({source, std::max(nominal - alone.down, 0.0), nominal + alone.up});
     is_statistical(source) ? statistics.add_in_quadrature(alone) : ranges.add(alone);
@@ -299,17 +301,17 @@ void add_intervals(const ImpactCase& impact, const Options& options, Solution& s
   add_neighbours(impact, summary, open);
   Intervals intervals{.figures = {}, .sources = std::move(open.sources), .warning = warning_of_model(impact)};
   if (!bottomed_on_rigid_support(summary) && !is_cut(summary)) {
-    const std::vector<FigureName> names = figure_names(dwell_levels);
-    const Search search(impact, options, solution, names, open.lines);
+    const std::vector<AskedFigure> asked = asked_figures(dwell_levels);
+    const Search search(impact, options, solution, asked, open.lines);
     intervals.impacts = search.impacts();
     for (const Solved& of : search.solved())
       if (of.failed)
         for (OpenSource& source : intervals.sources)
           if (source.source == of.line->source && source.why_not.empty())
             source.why_not = "an impact at one of its ends could not be solved";
-    for (std::size_t i = 0; i < names.size(); ++i)
+    for (std::size_t i = 0; i < asked.size(); ++i)
       if (std::isfinite(search.nominal()[i]))
-        intervals.figures.push_back(interval_of(names[i], i, search.nominal()[i], search, open, solution));
+        intervals.figures.push_back(interval_of(asked[i], i, search.nominal()[i], search, open, solution));
   }
   solution.summary.intervals = std::move(intervals);
 }

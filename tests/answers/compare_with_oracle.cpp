@@ -99,10 +99,18 @@ class Comparison {
     findings_.seconds += seconds_;
     for (const Blow& blow : blows) {
       begin = processor_seconds();
-      std::optional<oracle::AnyImpact> truth;
+      const Summary& summary = blow.solution.summary;
       std::string why_not;
+      Compared found;
       try {
-        truth = oracle::solve_any(blow.impact, settings_.oracle);
+        found = compare(blow, settings_.oracle, why_not);
+        // Of what is off it is the oracle that may have too few columns.
+        oracle::AnyOptions finer = settings_.oracle;
+        finer.fineness *= 2, finer.most_seconds *= 8;
+        std::string not_even_so;
+        if (!found.text.empty() && summary.trustworthy())
+          if (Compared again = compare(blow, finer, not_even_so); not_even_so.empty())
+            found = std::move(again);
       } catch (const std::invalid_argument& error) {
         why_not = error.what();
       }
@@ -110,56 +118,66 @@ class Comparison {
       findings_.oracle_seconds += oracle_seconds_;
       if (oracle_seconds_ > findings_.longest)
         findings_.longest = oracle_seconds_, findings_.longest_seed = seed_;
-      const Summary& summary = blow.solution.summary;
-      if (truth && truth->ending == Ending::failed) why_not = "the oracle failed";
+      // What the solver itself is not sure of is shown, and not counted.
       if (!summary.trustworthy()) why_not = "the solver: " + to_string(summary.status);
       if (!why_not.empty()) ++findings_.left_out[why_not];
-      if (truth && truth->ending != Ending::failed)
-        compare(blow, figures_of(*truth), why_not);
-      else
-        say(blow, 0, why_not, "");
+      if (why_not.empty()) {
+        Findings of_blow;
+        of_blow.blows = 1, of_blow.blows_off = !found.text.empty(), of_blow.figures = found.figures;
+        findings_.add(of_blow);
+      }
+      say(blow, found, why_not);
     }
   }
 
  private:
-  /// What the solver itself is not sure of is shown, and not counted.
-  void compare(const Blow& blow, const std::map<std::string, double>& truths, const std::string& why_not) {
-    std::string text;
-    std::uint64_t compared = 0;
-    const bool counts = why_not.empty();
-    std::map<std::string, FigureCount> unsure;
+  struct Compared {
+    std::map<std::string, FigureCount> figures;
+    std::string text;  ///< what is off
+  };
+
+  Compared compare(const Blow& blow, const oracle::AnyOptions& options, std::string& why_not) const {
+    const oracle::AnyImpact truth = oracle::solve_any(blow.impact, options);
+    if (truth.ending != Ending::failed) return compare(blow, figures_of(truth));
+    why_not = "the oracle failed";
+    return {};
+  }
+
+  [[nodiscard]] Compared compare(const Blow& blow, const std::map<std::string, double>& truths) const {
+    Compared found;
     const std::vector<AnswerFigure> figures = test::figures_of(blow.impact, blow.solution);
     const auto has = [&](const char* name) {
       return std::ranges::any_of(figures,
                                  [&](const AnswerFigure& of) { return std::string(of.name) == name; });
     };
-    if (has("bottoming") != truths.contains("bottoming")) text += "  bottoming of one only";
+    if (has("bottoming") != truths.contains("bottoming")) found.text += "  bottoming of one only";
     for (const AnswerFigure& figure : figures) {
       const auto truth = truths.find(figure.name);
       if (truth == truths.end()) continue;
-      FigureCount& count = (counts ? findings_.figures : unsure)[figure.name];
+      FigureCount& count = found.figures[figure.name];
       count.held = figure.allowed > 0;
       const double difference = std::abs(figure.value - truth->second) / figure.scale;
       const bool is_beyond = difference > figure.estimate + own_error * settings_.tolerance;
       const bool is_off =
           difference > settings_.tolerance * (count.held ? figure.allowed : 1) && (count.held || is_beyond);
-      ++compared, ++count.compared;
+      ++count.compared;
       count.beyond_estimate += is_beyond, count.off += is_off;
       count.worst = std::max(count.worst, difference);
       if (is_off)
-        text += fmt::format("  {} {:.8g} / {:.8g} ({:.1e}, {:.2g} times its estimate)", figure.name,
-                            figure.value, truth->second, difference, difference / figure.estimate);
+        found.text += fmt::format("  {} {:.8g} / {:.8g} ({:.1e}, {:.2g} times its estimate)", figure.name,
+                                  figure.value, truth->second, difference, difference / figure.estimate);
     }
-    findings_.blows += counts, findings_.blows_off += counts && !text.empty();
-    say(blow, compared, why_not, text);
+    return found;
   }
 
-  void say(const Blow& blow, std::uint64_t compared, const std::string& why_not, const std::string& text) {
-    if (text.empty() && !settings_.all && why_not != "the oracle failed") return;
+  void say(const Blow& blow, const Compared& found, const std::string& why_not) {
+    if (found.text.empty() && !settings_.all && why_not != "the oracle failed") return;
     const Summary& s = blow.solution.summary;
+    std::uint64_t compared = 0;
+    for (const auto& [name, count] : found.figures) compared += count.compared;
     fmt::print("{} blow {} ({}): {}; {} figures; {:.1f} s, the oracle {:.1f} s{}{}{}\n", seed_, s.blow,
                words_of(blow.impact), to_string(s.status), compared, seconds_, oracle_seconds_,
-               why_not.empty() ? "" : "; not counted: ", why_not, text);
+               why_not.empty() ? "" : "; not counted: ", why_not, found.text);
   }
 
   const Settings& settings_;

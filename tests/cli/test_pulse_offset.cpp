@@ -203,7 +203,10 @@ TEST_F(PulseOffsetTest, ASpeedGivesRestitutionAndChecksTheVelocityChange) {
       HasSubstr(
           "IMPOSSIBLE VELOCITY CHANGE: 6.2431 m/s is more than twice the impact speed, 3 m/s; likely the "
           "sensor has an offset, the unit or the sensitivity is wrong, or there is more than one impact"));
-  EXPECT_EQ(result({drop, "--speed", "3 m/s"}).at("flags").at(0).at("name"), "IMPOSSIBLE VELOCITY CHANGE");
+  const nlohmann::json fast = result({drop, "--speed", "3 m/s"}).at("flags").at(0);
+  EXPECT_EQ(fast.at("name"), "IMPOSSIBLE VELOCITY CHANGE");
+  EXPECT_NEAR(fast.at("figures").at("velocity_change_m_per_s").get<double>(), 6.2431, 5e-5);
+  EXPECT_EQ(fast.at("figures").at("speed_m_per_s"), 3);
 }
 
 /// Cut on either side, the rest of the pulse gives less.
@@ -216,6 +219,9 @@ TEST_F(PulseOffsetTest, ACutPulseIsToldAndItsFiguresAreLowerBounds) {
   EXPECT_THAT(
       unwrapped(end.out),
       HasSubstr("PULSE CUT: it ends at 100 g, 100 % of its peak: its end is missing, " + consequence));
+  const nlohmann::json cut = result({file("drop.csv")}).at("flags").at(0).at("figures");
+  EXPECT_NEAR(cut.at("acceleration_m_per_s2").get<double>(), 980.665, 1e-9);
+  EXPECT_NEAR(cut.at("peak_fraction").get<double>(), 1, 1e-12);
   EXPECT_LT(hic15({file("drop.csv")}), 0.6 * exact_hic);
   const Outcome begin = pulse({written(table(0, 2, 20))});
   EXPECT_THAT(

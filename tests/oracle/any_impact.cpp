@@ -52,7 +52,7 @@ class Impact final : public AnyMotion {
       }
       const double* state = session->state();
       if (!comes_back_ && kind_ == Kind::at_once && state[velocity] < -0.2 * speed_) break;
-      if (!touches_ && has_left(state)) {
+      if (!touches_ && still_waited_for(state) <= 0) {
         answer_.ending = AnyImpact::Ending::released;
         break;
       }
@@ -99,6 +99,7 @@ class Impact final : public AnyMotion {
                                    : now.x;
     values[event_up] = creeps_ && !stands_ && is_on_curve() ? footing_.up(piece_, now.x) + slack() : 1;
     values[event_down] = creeps_ && !stands_ && is_on_curve() ? footing_.down(piece_, now.x) + slack() : 1;
+    values[event_parting] = touches_ ? 1 : still_waited_for(state);
     values[event_slow] = 1;
     if (pad_->has_rates() && kind_ == Kind::damper && !stands_)
       values[event_slow] = !creeps_ ? (pad_->is_loading() ? closing / speed_ - slow : 1)
@@ -119,6 +120,7 @@ class Impact final : public AnyMotion {
     event_slow,
     event_up,
     event_down,
+    event_parting,
     event_number
   };
   void note(double time, const double* state) {
@@ -143,6 +145,10 @@ class Impact final : public AnyMotion {
     const Moment moment{time, state[velocity]};
     const Now now = at(time, state);
     bool changed = false;
+    if (crossed[event_parting] < 0) {
+      answer_.ending = AnyImpact::Ending::released;
+      return false;
+    }
     if (crossed[event_bottom] < 0) {
       answer_.bottomed = moment;
       answer_.ending = AnyImpact::Ending::bottomed_out;
@@ -207,12 +213,16 @@ class Impact final : public AnyMotion {
     return 1 - elsewhere / moving(mass_, speed_);
   }
 
-  /// Nothing that the panel still may do brings it to the impactor again.
-  [[nodiscard]] bool has_left(const double* state) const {
-    if (kind_ != Kind::panel) return true;
-    const double away = state[body_velocity] - state[velocity];
-    const double moves = state[rate] * state[rate] + 2 * footing_.energy_left(state[deflection]) / of_.mass;
-    return stands_ ? away > 0 : away > 0 && away * away >= moves;
+  /// m/s; at 0 nothing that the panel still may do brings it to the impactor again, nor does it still go
+  /// away. Panel and body swing about their centre of gravity, undamped at most.
+  [[nodiscard]] double still_waited_for(const double* state) const {
+    if (kind_ != Kind::panel) return 0;
+    const double of_body = of_.body_mass > 0 ? of_.body_mass / (of_.mass + of_.body_mass) : 1;
+    const double centre = state[body_velocity] + (1 - of_body) * state[rate];
+    if (stands_) return state[velocity] - centre;
+    const double swing = std::sqrt(state[rate] * state[rate] +
+                                   2 * footing_.energy_left(state[deflection]) / (of_.mass * of_body));
+    return std::fmax(state[velocity] - (centre - of_body * swing), state[rate]);
   }
 
   bool touches_ = true;

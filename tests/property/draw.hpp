@@ -3,9 +3,16 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 
 namespace dashpad::test {
+
+/// How many random cases a test draws and from which seed, where somebody wants more of them.
+inline std::uint64_t environment(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text == nullptr || *text == '\0' ? otherwise : std::strtoull(text, nullptr, 10);
+}
 
 class Draw {
  public:

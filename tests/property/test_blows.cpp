@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 
 #include "dashpad/impact/blows.hpp"
 #include "dashpad/impact/flags.hpp"
@@ -18,11 +17,6 @@ namespace dashpad::test {
 namespace {
 
 constexpr double tolerance = 1e-3;
-
-std::uint64_t environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr || *text == '\0' ? otherwise : std::strtoull(text, nullptr, 10);
-}
 
 /// A foam case on a pad that an earlier blow has strained to between 2 and 90 % on the axis.
 ImpactCase struck_case(std::uint64_t seed) {

@@ -5,22 +5,17 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <map>
 #include <string>
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/solve.hpp"
+#include "property/draw.hpp"
 #include "property/random_case.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {
 namespace {
-
-std::uint64_t environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr || *text == '\0' ? otherwise : std::strtoull(text, nullptr, 10);
-}
 
 /// No impact gives back more than it took, and next to all are solved.
 TEST(FoamImpacts, LoseEnergyAndAreSolved) {

@@ -5,21 +5,16 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <map>
 #include <string>
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/solve.hpp"
+#include "property/draw.hpp"
 #include "property/random_case.hpp"
 
 namespace dashpad::test {
 namespace {
-
-std::uint64_t number_in(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr || *text == '\0' ? otherwise : std::strtoull(text, nullptr, 10);
-}
 
 std::string layers_in_words(const ImpactCase& impact) {
   std::string text;
@@ -29,8 +24,8 @@ std::string layers_in_words(const ImpactCase& impact) {
 
 /// No impact gives back more than it took, and next to all are solved. Their strains make up that of the pad.
 TEST(LayeredImpacts, LoseEnergyAndAreSolved) {
-  const std::uint64_t first = number_in("DASHPAD_RANDOM_SEED", 1);
-  const std::uint64_t cases = number_in("DASHPAD_RANDOM_CASES", 40);
+  const std::uint64_t first = environment("DASHPAD_RANDOM_SEED", 1);
+  const std::uint64_t cases = environment("DASHPAD_RANDOM_CASES", 40);
   std::map<std::string, std::uint64_t> count;
   for (std::uint64_t seed = first; seed < first + cases; ++seed) {
     const ImpactCase impact = layered_case(seed);

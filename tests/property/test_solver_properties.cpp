@@ -5,25 +5,20 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <map>
 
 #include "dashpad/impact/blows.hpp"
 #include "dashpad/impact/solve.hpp"
+#include "property/draw.hpp"
 #include "property/random_case.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {
 namespace {
 
-constexpr std::uint64_t default_cases = 300;
+constexpr std::uint64_t solved_cases = 300;
 /// Share of random cases that may end without meeting the tolerance.
 constexpr double most_not_met = 0.06;
-
-std::uint64_t environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr || *text == '\0' ? otherwise : std::strtoull(text, nullptr, 10);
-}
 
 void expect_finite(const char* name, double value) {
   EXPECT_TRUE(std::isfinite(value)) << name << ": " << value;
@@ -117,7 +112,7 @@ void expect_physics(const ImpactCase& impact, const Summary& s) {
 /// Every other nose, on the laws 1 to 5.
 TEST(RandomCases, OfEveryNoseAreSolved) {
   const std::uint64_t first = environment("DASHPAD_RANDOM_SEED", 1);
-  const std::uint64_t cases = environment("DASHPAD_RANDOM_CASES", default_cases);
+  const std::uint64_t cases = environment("DASHPAD_RANDOM_CASES", solved_cases);
   std::uint64_t not_met = 0;
   for (std::uint64_t seed = first; seed < first + cases; ++seed) {
     const ImpactCase impact = nose_case(seed);
@@ -190,7 +185,7 @@ TEST(RandomCases, OnAnySupportHaveFiguresThatMakeSense) {
 
 TEST(RandomCases, AreSolvedOrSaidNotToBe) {
   const std::uint64_t first = environment("DASHPAD_RANDOM_SEED", 1);
-  const std::uint64_t cases = environment("DASHPAD_RANDOM_CASES", default_cases);
+  const std::uint64_t cases = environment("DASHPAD_RANDOM_CASES", solved_cases);
   std::map<std::string, std::uint64_t> count;
   double slowest = 0;
   std::uint64_t slowest_seed = 0;

@@ -7,28 +7,22 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/impact/solver.hpp"
 #include "property/answer_comparison.hpp"
+#include "property/draw.hpp"
 #include "property/random_case.hpp"
 
 namespace dashpad::test {
 namespace {
 
-constexpr std::uint64_t default_cases = 200;
+constexpr std::uint64_t compared_cases = 200;
 constexpr double tolerance = 1e-3;
-
-std::uint64_t environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr || *text == '\0' ? otherwise : std::strtoull(text, nullptr, 10);
-}
 
 /// Shares of the cases: at least so many can be compared, at most so many end with another status.
 void expect_agreement(ImpactCase (*draw)(std::uint64_t), double least_compared, double most_other_status) {
   const std::uint64_t first = environment("DASHPAD_RANDOM_SEED", 1);
-  const std::uint64_t cases = environment("DASHPAD_RANDOM_CASES", default_cases);
+  const std::uint64_t cases = environment("DASHPAD_RANDOM_CASES", compared_cases);
   Solver solver;
   std::uint64_t compared = 0;
   std::uint64_t other_status = 0;

@@ -41,7 +41,7 @@ constexpr double rounding = 1e-8;
 /// Cases whose branches hang on rounding, of 218. Seen with vectors of another width: one.
 constexpr int most_outliers = 4;
 
-const std::filesystem::path expected_file = source_folder / "tests/regression/fixed-resolution.txt";
+const std::filesystem::path stored_runs = source_folder / "tests/regression/fixed-resolution.txt";
 
 using Numbers = std::vector<std::pair<std::string, double>>;
 
@@ -128,7 +128,7 @@ std::string differences(const Line& now, const Line& coarse, const std::map<std:
 
 std::map<std::string, std::string> stored_lines() {
   std::map<std::string, std::string> lines;
-  std::ifstream stream(expected_file);
+  std::ifstream stream(stored_runs);
   for (std::string line; std::getline(stream, line);) {
     if (line.empty() || line[0] == '#') continue;
     const auto end_of_key = line.find(": ");
@@ -159,13 +159,13 @@ void for_each_case(Visit&& visit) {
 
 TEST(FixedResolution, GivesTheFiguresOfBefore) {
   if (std::getenv("DASHPAD_REGENERATE") != nullptr) {
-    std::ofstream file(expected_file);
+    std::ofstream file(stored_runs);
     file << "# Single runs at resolution " << resolution
          << ", SI. Written by DASHPAD_REGENERATE=1 test_regression.\n";
     for_each_case([&](const std::string& key, const ImpactCase& impact) {
       file << key << ": " << text_of(line_of(impact, run_once(impact, resolution))) << '\n';
     });
-    GTEST_SKIP() << "wrote " << expected_file;
+    GTEST_SKIP() << "wrote " << stored_runs;
   }
   const bool exact = std::getenv("DASHPAD_EXACT") != nullptr;
   const auto before = stored_lines();

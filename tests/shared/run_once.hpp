@@ -1,8 +1,10 @@
 #pragma once
 /// One run of the solver at one resolution: no refinement, no extrapolation.
 
-#include "impact/contacts.hpp"
-#include "impact/march.hpp"
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
+#include "impact/figures.hpp"
+#include "impact/track.hpp"
 
 namespace dashpad::test {
 
@@ -11,13 +13,6 @@ struct Run {
   Track track;
 };
 
-inline Run run_once(const ImpactCase& impact, double resolution, const Options& options = {}) {
-  Run run;
-  Contacts().visit(impact, ColumnMath::vector, [&](auto& contact) {
-    March march(impact, contact, options);
-    run.figures = march.run(resolution, run.track);
-  });
-  return run;
-}
+[[nodiscard]] Run run_once(const ImpactCase& impact, double resolution, const Options& options = {});
 
 }  // namespace dashpad::test

@@ -24,6 +24,13 @@ inline const std::filesystem::path source_folder = DASHPAD_SOURCE_DIR;
 inline const std::filesystem::path material_folder = source_folder / "materials";
 inline const std::filesystem::path reference_file = source_folder / "data/reference-cases.csv";
 
+using LawsOfTheReport =
+    testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter>;
+using SmoothLaws = testing::Types<Elastic, LinearViscoelastic, NineParameter, TwentyOneParameter>;
+using LawsWithMemory = testing::Types<LinearViscoelastic, NineParameter, TwentyOneParameter>;
+using AllLaws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter,
+                               Foam, CrushableFoam, ViscoelasticFoam>;
+
 /// The slowest test of a soft foam.
 inline TableCurve soft_table() {
   return {{0.03, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8},

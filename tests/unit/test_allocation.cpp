@@ -7,7 +7,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "shared/run_once.hpp"
+#include "impact/contacts.hpp"
+#include "impact/march.hpp"
 #include "shared/samples.hpp"
 
 namespace {
@@ -66,9 +67,7 @@ void expect_none_in_the_time_loop(const ImpactCase& impact) {
 
 template <class Law>
 class AllocationOf : public testing::Test {};
-using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter, Foam,
-                            CrushableFoam, ViscoelasticFoam>;
-TYPED_TEST_SUITE(AllocationOf, Laws);
+TYPED_TEST_SUITE(AllocationOf, AllLaws);
 
 /// Deep impacts included: stations are added as the pad bottoms, and it locks on the support.
 TYPED_TEST(AllocationOf, TheTimeLoopIsNone) {

@@ -177,6 +177,8 @@ TEST(MaterialTestReport, SaysWhereTheUpdateOf1984IsUnstable) {
       run_material_test(foam(), test, spit1984::stresses_of_update);
   ASSERT_THAT(unstable.runs[0].flags, SizeIs(1));
   EXPECT_EQ(unstable.runs[0].flags[0].name, "OUT OF BOUNDS");
+  EXPECT_EQ(unstable.runs[0].flags[0].figures.at(0).key, "step_s");
+  EXPECT_EQ(unstable.runs[0].flags[0].figures.at(0).value, unstable.runs[0].update_of_1984->step);
   const double peak = unstable.runs[0].figures.peak_stress / 1e3;
   const output::Plot plot = output::material_test_plot(unstable, unit_system("si"));
   for (const double stress : plot.panels[0].series[1].y)

@@ -50,18 +50,19 @@ std::string table_of(const std::string& head, std::initializer_list<Part> parts,
 }
 
 std::string table_of_impact() {
-  return table_of("| title | key | unit in files | error | meaning | none |",
+  return table_of("| title | key | unit in files | error | interval | meaning | none |",
                   {Part::impact, Part::moment, Part::energy}, [](const ResultQuantity& of) {
-                    return fmt::format("| {} | `{}` | {} | {} | {} | {} |", of.title, of.key,
+                    return fmt::format("| {} | `{}` | {} | {} | {} | {} | {} |", of.title, of.key,
                                        unit_or("", unit_in_files(of, plain_si())), of.role.estimate,
-                                       of.meaning, of.role.absent);
+                                       of.has_interval() ? "yes" : "", of.meaning, of.role.absent);
                   });
 }
 
 std::string table_of_pulse() {
-  return table_of("| title | key | unit | meaning |", {Part::pulse}, [](const ResultQuantity& of) {
-    return fmt::format("| {} | `{}` | {} | {} |", of.title, of.key,
-                       unit_or("", unit_in_files(of, plain_si())), of.meaning);
+  return table_of("| title | key | unit | interval | meaning |", {Part::pulse}, [](const ResultQuantity& of) {
+    return fmt::format("| {} | `{}` | {} | {} | {} |", of.title, of.key,
+                       unit_or("", unit_in_files(of, plain_si())), of.has_interval() ? "yes" : "",
+                       of.meaning);
   });
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
+#include "shared/samples.hpp"
 
 namespace dashpad {
 namespace {
@@ -32,8 +33,7 @@ using Keys = std::vector<std::string>;
 
 template <class Law>
 class law_rules : public ::testing::Test {};
-using Laws = ::testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter>;
-TYPED_TEST_SUITE(law_rules, Laws);
+TYPED_TEST_SUITE(law_rules, test::LawsOfTheReport);
 
 template <class Law>
 const Law& sound() {

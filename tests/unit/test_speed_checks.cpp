@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "dashpad/injury/pulse_report.hpp"
 
@@ -88,6 +89,10 @@ TEST(UnlikeSpeeds, AreMoreThanOnePercentApart) {
   for (const double share : {0.9899, 1.0101}) EXPECT_TRUE(flag(5 * share)) << share;
   EXPECT_EQ(flag(4)->name, "UNLIKE SPEEDS");
   EXPECT_THAT(flag(4)->text, HasSubstr("strikes at 4 m/s, 20 % slower than the measured impact at 5 m/s:"));
+  EXPECT_EQ(flag(4)->figures[0].key, "speed_m_per_s");
+  EXPECT_EQ(flag(4)->figures[0].value, 4);
+  EXPECT_EQ(flag(4)->figures[1].key, "measured_speed_m_per_s");
+  EXPECT_EQ(flag(4)->figures[1].value, 5);
   EXPECT_THAT(flag(60)->text, HasSubstr("1100 % faster"));
   EXPECT_THAT(unlike_speeds(after_fall(1.8), {.speed = 5})->text, HasSubstr("(from 1.8 m)"));
 }
@@ -107,6 +112,13 @@ TEST(HeightInDoubt, IsOneThatTheFallInTheRecordDoesNotHave) {
   for (const double share : {0.9885, 1.0115}) EXPECT_TRUE(flag(height / share, true)) << share;
   EXPECT_FALSE(flag(2 * height, false));
   EXPECT_THAT(flag(2, true)->text, HasSubstr("takes 600 ms, as from 1.77 m; 2 m was said"));
+  const std::vector<FlagFigure> figures = flag(2, true)->figures;
+  for (const auto& [i, expected] : {std::pair{0U, FlagFigure{"fall_s", fall}},
+                                    {1U, {"height_m", height}},
+                                    {2U, {"stated_height_m", 2}}}) {
+    EXPECT_EQ(figures.at(i).key, expected.key);
+    EXPECT_NEAR(figures.at(i).value, expected.value, 1e-12);
+  }
   PulseReport of_speed = report_of(6, MeasuredImpact{.speed = 1});
   EXPECT_FALSE(height_in_doubt(of_speed));
 }

@@ -232,11 +232,11 @@ TEST_F(StoredStudyTest, CushionCurvesHoldTheRowsInOrder) {
   ASSERT_EQ(thin.static_stress.size(), 3U);
   for (std::size_t place = 0; place < records.rows.size(); ++place) {
     if (records.factors[0][place] != curves->drops[0].speed || records.factors[1][place] != 0.04) continue;
-    const double mass = records.factors[2][place];
-    const auto i = static_cast<std::size_t>(mass) - 1;
+    const double heavy = records.factors[2][place];
+    const auto i = static_cast<std::size_t>(heavy) - 1;
     EXPECT_EQ(thin.peak_deceleration[i], records.responses[1][place]);
     EXPECT_DOUBLE_EQ(thin.static_stress[i],
-                     mass * standard_gravity / Sphere{0.08}.sections().area(records.responses[0][place]));
+                     heavy * standard_gravity / Sphere{0.08}.sections().area(records.responses[0][place]));
   }
   EXPECT_FALSE(curves->whole_cushion);
 

@@ -20,9 +20,7 @@ using test::sample_law;
 
 template <class Law>
 class Scale : public testing::Test {};
-using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter, Foam,
-                            CrushableFoam, ViscoelasticFoam>;
-TYPED_TEST_SUITE(Scale, Laws);
+TYPED_TEST_SUITE(Scale, test::AllLaws);
 
 /// Twice the stress under twice the mass is the same motion.
 TYPED_TEST(Scale, OfTheStressIsThatOfTheMass) {

@@ -23,8 +23,7 @@ constexpr double duration = 2e-4;
 
 template <class Law>
 class SweepOfLaw : public testing::Test {};
-using Laws = testing::Types<LinearViscoelastic, NineParameter, TwentyOneParameter>;
-TYPED_TEST_SUITE(SweepOfLaw, Laws);
+TYPED_TEST_SUITE(SweepOfLaw, LawsWithMemory);
 
 /// A step of columns in any state, from `before` to `after`; their number is no multiple of a vector's lanes.
 template <class Law>

@@ -15,6 +15,7 @@
 #include "report1986/validation/nominal_stress_placings.hpp"
 #include "report1986/validation/placings.hpp"
 #include "report1986/validation/trends_least_squares.hpp"
+#include "uncertainty/student.hpp"
 
 namespace dashpad::report1986 {
 namespace {
@@ -22,10 +23,10 @@ namespace {
 // --- Least squares. Quantiles of Student's t: tables, two-sided 95 %. ---
 
 TEST(least_squares, student_quantiles) {
-  EXPECT_NEAR(student_95(1), 12.7062, 5e-5);
-  EXPECT_NEAR(student_95(2), 4.30265, 5e-6);
-  EXPECT_NEAR(student_95(13), 2.16037, 5e-6);
-  EXPECT_TRUE(std::isinf(student_95(0)));
+  EXPECT_NEAR(uncertainty::student_95(1), 12.7062, 5e-5);
+  EXPECT_NEAR(uncertainty::student_95(2), 4.30265, 5e-6);
+  EXPECT_NEAR(uncertainty::student_95(13), 2.16037, 5e-6);
+  EXPECT_TRUE(std::isinf(uncertainty::student_95(0)));
 }
 
 /// x = 1, 2, 2 and y = 2, 3, 5: constant 18/9 = 2, residuals 0, -1, 1, variance 2/2, standard error 1/3.

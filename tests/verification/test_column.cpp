@@ -136,8 +136,7 @@ TEST(ColumnStep, FollowsAColumnThatIsUnloadedAtAnotherRate) {
 
 template <class Law>
 class SmoothHistory : public testing::Test {};
-using Laws = testing::Types<LinearViscoelastic, NineParameter, TwentyOneParameter>;
-TYPED_TEST_SUITE(SmoothHistory, Laws);
+TYPED_TEST_SUITE(SmoothHistory, LawsWithMemory);
 
 TYPED_TEST(SmoothHistory, IsFollowedOnLoadingAndUnloading) {
   const auto law = sample_law<TypeParam>();

@@ -170,8 +170,7 @@ TEST(ColumnLaboratory, NineParameterLawRelaxesInClosedForm) {
 
 template <class Law>
 class Laboratory : public testing::Test {};
-using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter>;
-TYPED_TEST_SUITE(Laboratory, Laws);
+TYPED_TEST_SUITE(Laboratory, LawsOfTheReport);
 
 TYPED_TEST(Laboratory, GivesTheSameStressAtAnyPlaces) {
   const auto law = sample_law<TypeParam>();

@@ -55,9 +55,7 @@ TEST(Conservation, AnElasticPadThatLocksOnAYieldingSupportLosesNothing) {
 
 template <class Law>
 class ConservationOf : public testing::Test {};
-using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter, Foam,
-                            CrushableFoam, ViscoelasticFoam>;
-TYPED_TEST_SUITE(ConservationOf, Laws);
+TYPED_TEST_SUITE(ConservationOf, AllLaws);
 
 std::vector<ImpactCase> impacts_on(const PadLaw& law) {
   std::vector<ImpactCase> impacts;

@@ -34,9 +34,7 @@ void expect_sound(const ImpactCase& impact, double tolerance = 1e-4) {
 
 template <class Law>
 class Snapshot : public testing::Test {};
-using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter, Foam,
-                            CrushableFoam, ViscoelasticFoam>;
-TYPED_TEST_SUITE(Snapshot, Laws);
+TYPED_TEST_SUITE(Snapshot, AllLaws);
 
 TYPED_TEST(Snapshot, stress_adds_up_to_the_force) {
   for (const Support& support : {Support::rigid(), Support::linear(1e5)})

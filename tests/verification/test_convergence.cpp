@@ -62,8 +62,7 @@ void expect_order(const std::vector<double>& error, const Figure& figure) {
 
 template <class Law>
 class Convergence : public testing::Test {};
-using Laws = testing::Types<Elastic, LinearViscoelastic, NineParameter, TwentyOneParameter>;
-TYPED_TEST_SUITE(Convergence, Laws);
+TYPED_TEST_SUITE(Convergence, SmoothLaws);
 
 /// The largest errors over several speeds, so that none is small because two parts of it happen to cancel.
 TYPED_TEST(Convergence, IsOfSecondOrder) {

@@ -144,9 +144,7 @@ class Invariance : public testing::Test {
       }
   }
 };
-using Laws = testing::Types<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter, Foam,
-                            CrushableFoam, ViscoelasticFoam>;
-TYPED_TEST_SUITE(Invariance, Laws);
+TYPED_TEST_SUITE(Invariance, AllLaws);
 
 TYPED_TEST(Invariance, UnderOtherUnitsOfLengthAndMass) { this->check(other_lengths_and_masses); }
 

@@ -13,8 +13,7 @@ namespace {
 
 template <class Law>
 class Order : public testing::Test {};
-using Laws = testing::Types<Elastic, LinearViscoelastic, NineParameter, TwentyOneParameter>;
-TYPED_TEST_SUITE(Order, Laws);
+TYPED_TEST_SUITE(Order, SmoothLaws);
 
 /// Well before the turning point. Five halvings, against a step a quarter of the finest of them. With memory
 /// the force of Eq. 23 is a parabola, whose error is of third order: on a rigid support it outweighs that of
@@ -44,7 +43,6 @@ TYPED_TEST(Order, OfTheTimeStepsIsTwoAtLeast) {
 
 template <class Law>
 class ColumnOrder : public testing::Test {};
-using LawsWithMemory = testing::Types<LinearViscoelastic, NineParameter, TwentyOneParameter>;
 TYPED_TEST_SUITE(ColumnOrder, LawsWithMemory);
 
 /// The force at the end of one path of the penetration, by ever more columns.

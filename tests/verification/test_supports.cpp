@@ -490,7 +490,9 @@ TEST(Preload, StopsThePanelAndNotTheImpactor) {
     ASSERT_EQ(s.status, Status::released);
     EXPECT_NEAR(s.energy.residual, 0, 1e-3 * s.energy.impact);
     EXPECT_GT(s.energy.support_loss, 0);
-    if (body == 0) EXPECT_GT(*s.rebound_speed, 0.3);
+    if (body == 0) {
+      EXPECT_GT(*s.rebound_speed, 0.3);
+    }
   }
 }
 

@@ -29,6 +29,17 @@ enum class Growth {
 /// Without what an impact has no such figure.
 enum class Needs { nothing, release, support };
 
+/// What a source of doubt that is known as a share (Eq. 77) is a share of, for the interval of a figure.
+enum class Doubt {
+  none,  ///< the figure has no interval
+  of_acceleration,
+  of_hic,
+  of_hic_d,  ///< of what HIC(d) has of HIC36
+  of_level,  ///< of the acceleration: a dwell time above a level
+  of_penetration,
+  of_rebound
+};
+
 /// Where a quantity is shown, and what is known of it before it is computed.
 struct ResultRole {
   int row = 0;              ///< its place among the rows of a result, from 1; 0: in files alone
@@ -37,6 +48,7 @@ struct ResultRole {
   bool is_signed = false;   ///< may be below zero
   Growth growth = Growth::none;
   Needs needs = Needs::nothing;
+  Doubt doubt = Doubt::none;
   const char* estimate = "";  ///< what the estimate of its numerical error counts from; "" without one
   const char* absent = "";    ///< where an impact does not have it, if that is not said by its meaning
 };
@@ -53,6 +65,7 @@ struct ResultQuantity {
   ResultRole role = {};
 
   [[nodiscard]] bool has_estimate() const { return *role.estimate != '\0'; }
+  [[nodiscard]] bool has_interval() const { return role.doubt != Doubt::none; }
 };
 
 /// All of them: figures of the impact, of the pulse, energies at the end, columns of the history.

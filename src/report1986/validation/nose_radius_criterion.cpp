@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "dashpad/report1986/validation/nose_radius.hpp"
+#include "uncertainty/student.hpp"
 
 namespace dashpad::report1986 {
 
@@ -97,7 +97,7 @@ RadiusCriterion radius_criterion(
   if (missing > 0) criterion.remark += fmt::format("; no figure at {} of {} radii", missing, radii.size());
   if (criterion.readings < 2 || std::ssize(radii) - missing < 3) return criterion;
   const int freedom = criterion.readings - 1;
-  const double quantile = boost::math::quantile(boost::math::fisher_f(1, freedom), 0.95);
+  const double quantile = std::pow(uncertainty::student_95(freedom), 2);  // of F(1, freedom)
   const double limit = least.sum * (1 + quantile / freedom);
   criterion.admitted = {border(radii, sums, least, limit, -1), border(radii, sums, least, limit, 1)};
   return criterion;

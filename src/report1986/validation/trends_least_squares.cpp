@@ -1,10 +1,10 @@
 #include "report1986/validation/trends_least_squares.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include "quantities/special_numbers.hpp"
+#include "uncertainty/student.hpp"
 
 namespace dashpad::report1986 {
 
@@ -27,12 +27,6 @@ Estimate ratio_of(double intercept, double slope, double t2_aa, double t2_ab, do
 
 }  // namespace
 
-double student_95(std::size_t degrees_of_freedom) {
-  if (degrees_of_freedom == 0) return infinite;
-  const boost::math::students_t distribution(static_cast<double>(degrees_of_freedom));
-  return boost::math::quantile(boost::math::complement(distribution, 0.025));
-}
-
 ProportionalFit fit_proportional(const std::vector<Point>& points) {
   double xx = 0;
   double xy = 0;
@@ -44,10 +38,10 @@ ProportionalFit fit_proportional(const std::vector<Point>& points) {
   double squares = 0;
   for (const Point& point : points) squares += std::pow(point.y - constant * point.x, 2);
 
-  const std::size_t freedom = points.size() - 1;
+  const auto freedom = static_cast<double>(points.size() - 1);
   if (freedom == 0) return {estimate(constant, infinite), 0};
-  const double scatter = std::sqrt(squares / static_cast<double>(freedom));
-  return {estimate(constant, student_95(freedom) * scatter / std::sqrt(xx)), scatter};
+  const double scatter = std::sqrt(squares / freedom);
+  return {estimate(constant, uncertainty::student_95(freedom) * scatter / std::sqrt(xx)), scatter};
 }
 
 LineFit fit_line(const std::vector<Point>& points) {
@@ -68,12 +62,12 @@ LineFit fit_line(const std::vector<Point>& points) {
   double squares = 0;
   for (const Point& point : points) squares += std::pow(point.y - intercept - slope * point.x, 2);
 
-  const std::size_t freedom = points.size() - 2;
+  const auto freedom = static_cast<double>(points.size() - 2);
   if (freedom == 0)
     return {estimate(intercept, infinite), estimate(slope, infinite), estimate(intercept / slope, infinite),
             0};
-  const double variance = squares / static_cast<double>(freedom);
-  const double t2 = std::pow(student_95(freedom), 2) * variance;
+  const double variance = squares / freedom;
+  const double t2 = std::pow(uncertainty::student_95(freedom), 2) * variance;
   const double t2_bb = t2 / xx;
   const double t2_aa = t2 / n + mean.x * mean.x * t2_bb;
   const double t2_ab = -mean.x * t2_bb;

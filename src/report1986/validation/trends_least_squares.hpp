@@ -18,9 +18,6 @@ struct Estimate {
   Interval confidence;
 };
 
-/// The 95 % quantile of Student's t for both sides: P(|t| < it) = 0.95. Infinite below one degree of freedom.
-double student_95(std::size_t degrees_of_freedom);
-
 /// y = constant x; at least one point.
 struct ProportionalFit {
   Estimate constant;
