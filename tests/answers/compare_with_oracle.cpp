@@ -69,13 +69,13 @@ struct FigureCount {
 
 /// What one thread finds; all of them together are the count.
 struct Findings {
-  std::uint64_t blows = 0, blows_off = 0, longest_seed = 0;
+  std::uint64_t blows = 0, blows_off = 0, asked_again = 0, longest_seed = 0;
   double seconds = 0, oracle_seconds = 0, longest = 0;
   std::map<std::string, FigureCount> figures;
   std::map<std::string, std::uint64_t> left_out;
 
   void add(const Findings& other) {
-    blows += other.blows, blows_off += other.blows_off;
+    blows += other.blows, blows_off += other.blows_off, asked_again += other.asked_again;
     seconds += other.seconds, oracle_seconds += other.oracle_seconds;
     if (other.longest > longest) longest = other.longest, longest_seed = other.longest_seed;
     for (const auto& [reason, count] : other.left_out) left_out[reason] += count;
@@ -108,9 +108,11 @@ class Comparison {
         oracle::AnyOptions finer = settings_.oracle;
         finer.fineness *= 2, finer.most_seconds *= 8;
         std::string not_even_so;
-        if (!found.text.empty() && summary.trustworthy())
-          if (Compared again = compare(blow, finer, not_even_so); not_even_so.empty())
-            found = std::move(again);
+        if (!found.text.empty() && summary.trustworthy()) {
+          ++findings_.asked_again;
+          Compared again = compare(blow, finer, not_even_so);
+          if (not_even_so.empty()) found = std::move(again);
+        }
       } catch (const std::invalid_argument& error) {
         why_not = error.what();
       }
@@ -189,11 +191,11 @@ class Comparison {
 /// Whether as many figures were compared and as few of those held to the tolerance are off as asked for.
 bool print(const Settings& settings, const Findings& found) {
   fmt::print(
-      "{} cases ({}) from seed {} at {:.0e}: {} blows compared, {} of them off; {:.1f} s of processor time, "
-      "the "
-      "oracle {:.1f} s (longest {:.1f} s, seed {})\n",
-      settings.cases, settings.kind, settings.from, settings.tolerance, found.blows, found.blows_off,
-      found.seconds, found.oracle_seconds, found.longest, found.longest_seed);
+      "{} cases ({}) from seed {} at {:.0e}: {} blows compared ({} again, with twice the oracle's columns), "
+      "{} of "
+      "them off; {:.1f} s of processor time, the oracle {:.1f} s (longest {:.1f} s, seed {})\n",
+      settings.cases, settings.kind, settings.from, settings.tolerance, found.blows, found.asked_again,
+      found.blows_off, found.seconds, found.oracle_seconds, found.longest, found.longest_seed);
   for (const auto& [reason, count] : found.left_out) fmt::print("  not compared: {} ({})\n", count, reason);
   FigureCount held, pulse;
   for (const auto& [name, c] : found.figures) {

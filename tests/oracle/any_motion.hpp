@@ -269,7 +269,7 @@ class AnyMotion : public OdeSystem {
     pace_.load(speed_);
     piece_ = footing_.piece(0);
     for (int i = 0; i < 30; ++i) {
-      pad_->begin(begin.data() + memory_, speed);
+      static_cast<void>(pad_->begin(begin.data() + memory_, speed));
       const double force = pad_->pressed(y, begin.data() + memory_, false).force;
       begin[motion] = y + (stands_ ? 0 : footing_.deflection_at(force));
       time = begin[motion] / speed_;

@@ -172,8 +172,8 @@ TEST(trends, come_back_from_readings_without_scatter) {
 TEST(trends, span_over_placings) {
   ValidationData data = made_up();
   data.measured.tests.resize(4);
-  for (int i = 0; i < 4; ++i)
-    data.measured.tests[i].rebound_mph = i < 2 ? std::optional(i + 1.0) : std::nullopt;
+  for (std::size_t i = 0; i < 4; ++i)
+    data.measured.tests[i].rebound_mph = i < 2 ? std::optional(static_cast<double>(i + 1)) : std::nullopt;
   MeasuredTest plate = made_up().measured.tests[5];
   data.measured.tests.push_back(plate);
   plate.speed_mph = 11;
@@ -222,7 +222,8 @@ TEST(nominal_stress, of_the_law) {
 /// Six tests, three plug strains, a diameter strain, and two of the six forces in two rows of three.
 MeasuredTests strains_without_tests() {
   MeasuredTests measured = tests_of(6);
-  for (const int i : {0, 4, 5}) measured.tests[i].peak_force_lb = 300.0 + 700 * i;
+  for (const std::size_t i : {0U, 4U, 5U})
+    measured.tests[i].peak_force_lb = 300 + 700 * static_cast<double>(i);
   measured.unplaced = {{"plug_strain", 1, 6, {0.5, 0.8, 0.7}},
                        {"diameter_strain", 2, 5, {0.9}},
                        {"peak_force_lb", 2, 4, {900, 1500}}};
