@@ -44,11 +44,9 @@ std::vector<Axis> axes_of(const Solved& solved, const std::vector<std::size_t>& 
   for (const std::size_t i : of)
     for (const std::size_t j : of) covariance.push_back(solved.uncertainty.covariance[i * x.size() + j]);
   const PrincipalAxes found = principal_axes(covariance, of.size());
-  // A direction of which the data say nothing counts as even between the bounds.
-  const double of_even = std::sqrt(1.0 / 12);
   std::vector<Axis> axes;
   for (std::size_t k = 0; k < of.size(); ++k) {
-    const double deviation = std::min(std::sqrt(std::max(found.values[k], 0.0)), of_even);
+    const double deviation = deviation_along(found, k);
     const auto end = [&](double side) {
       std::vector<double> place = x;
       for (std::size_t i = 0; i < of.size(); ++i) {

@@ -10,8 +10,6 @@ namespace dashpad::fit {
 
 namespace {
 
-/// Standard deviation of what is even between 0 and 1.
-const double deviation_of_even = std::sqrt(1.0 / 12);
 constexpr int runs_of_prediction = 4;
 
 }  // namespace
@@ -34,7 +32,7 @@ std::vector<std::optional<double>> prediction_deviations(const Fit& fit, const I
   const PrincipalAxes axes = principal_axes(uncertainty.covariance, n);
   std::vector<double> variance(count, 0);
   for (std::size_t k = 0; k < n; ++k) {
-    const double deviation = std::min(std::sqrt(std::max(axes.values[k], 0.0)), deviation_of_even);
+    const double deviation = deviation_along(axes, k);
     if (deviation == 0) continue;
     // Differences over what stays of the way within the bounds.
     std::vector<double> way(count, 0), difference(count, 0);

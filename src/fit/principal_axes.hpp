@@ -19,4 +19,8 @@ struct PrincipalAxes {
 /// `matrix` holds `size` rows of `size` numbers.
 [[nodiscard]] PrincipalAxes principal_axes(std::span<const double> matrix, std::size_t size);
 
+/// Of a covariance of coordinates from 0 to 1, the standard deviation along an axis. A direction of which the
+/// data say nothing counts as even between the bounds.
+[[nodiscard]] double deviation_along(const PrincipalAxes& axes, std::size_t k);
+
 }  // namespace dashpad::fit

@@ -100,49 +100,47 @@ class Comparison {
     for (const Blow& blow : blows) {
       begin = processor_seconds();
       const Summary& summary = blow.solution.summary;
-      std::string why_not;
-      Compared found;
-      try {
-        found = compare(blow, settings_.oracle, why_not);
-        // Of what is off it is the oracle that may have too few columns.
+      Compared found = compare(blow, settings_.oracle);
+      // Of what is off it is the oracle that may have too few columns.
+      if (!found.off.empty() && summary.trustworthy()) {
+        ++findings_.asked_again;
         oracle::AnyOptions finer = settings_.oracle;
         finer.fineness *= 2, finer.most_seconds *= 8;
-        std::string not_even_so;
-        if (!found.text.empty() && summary.trustworthy()) {
-          ++findings_.asked_again;
-          Compared again = compare(blow, finer, not_even_so);
-          if (not_even_so.empty()) found = std::move(again);
-        }
-      } catch (const std::invalid_argument& error) {
-        why_not = error.what();
+        if (Compared again = compare(blow, finer); again.why_not.empty()) found = std::move(again);
       }
       oracle_seconds_ = processor_seconds() - begin;
       findings_.oracle_seconds += oracle_seconds_;
       if (oracle_seconds_ > findings_.longest)
         findings_.longest = oracle_seconds_, findings_.longest_seed = seed_;
       // What the solver itself is not sure of is shown, and not counted.
-      if (!summary.trustworthy()) why_not = "the solver: " + to_string(summary.status);
-      if (!why_not.empty()) ++findings_.left_out[why_not];
-      if (why_not.empty()) {
-        Findings of_blow;
-        of_blow.blows = 1, of_blow.blows_off = !found.text.empty(), of_blow.figures = found.figures;
-        findings_.add(of_blow);
-      }
-      say(blow, found, why_not);
+      if (!summary.trustworthy()) found.why_not = "the solver: " + to_string(summary.status);
+      Findings of_blow;
+      if (found.why_not.empty())
+        of_blow.blows = 1, of_blow.blows_off = !found.off.empty(), of_blow.figures = found.figures;
+      else
+        of_blow.left_out[found.why_not] = 1;
+      findings_.add(of_blow);
+      say(blow, found);
     }
   }
 
  private:
   struct Compared {
     std::map<std::string, FigureCount> figures;
-    std::string text;  ///< what is off
+    std::string off;      ///< in words
+    std::string why_not;  ///< they do not count; "" where they do
   };
 
-  Compared compare(const Blow& blow, const oracle::AnyOptions& options, std::string& why_not) const {
-    const oracle::AnyImpact truth = oracle::solve_any(blow.impact, options);
-    if (truth.ending != Ending::failed) return compare(blow, figures_of(truth));
-    why_not = "the oracle failed";
-    return {};
+  [[nodiscard]] Compared compare(const Blow& blow, const oracle::AnyOptions& options) const {
+    Compared none;
+    try {
+      const oracle::AnyImpact truth = oracle::solve_any(blow.impact, options);
+      if (truth.ending != Ending::failed) return compare(blow, figures_of(truth));
+      none.why_not = "the oracle failed";
+    } catch (const std::invalid_argument& error) {
+      none.why_not = error.what();
+    }
+    return none;
   }
 
   [[nodiscard]] Compared compare(const Blow& blow, const std::map<std::string, double>& truths) const {
@@ -152,7 +150,7 @@ class Comparison {
       return std::ranges::any_of(figures,
                                  [&](const AnswerFigure& of) { return std::string(of.name) == name; });
     };
-    if (has("bottoming") != truths.contains("bottoming")) found.text += "  bottoming of one only";
+    if (has("bottoming") != truths.contains("bottoming")) found.off += "  bottoming of one only";
     for (const AnswerFigure& figure : figures) {
       const auto truth = truths.find(figure.name);
       if (truth == truths.end()) continue;
@@ -166,20 +164,20 @@ class Comparison {
       count.beyond_estimate += is_beyond, count.off += is_off;
       count.worst = std::max(count.worst, difference);
       if (is_off)
-        found.text += fmt::format("  {} {:.8g} / {:.8g} ({:.1e}, {:.2g} times its estimate)", figure.name,
-                                  figure.value, truth->second, difference, difference / figure.estimate);
+        found.off += fmt::format("  {} {:.8g} / {:.8g} ({:.1e}, {:.2g} times its estimate)", figure.name,
+                                 figure.value, truth->second, difference, difference / figure.estimate);
     }
     return found;
   }
 
-  void say(const Blow& blow, const Compared& found, const std::string& why_not) {
-    if (found.text.empty() && !settings_.all && why_not != "the oracle failed") return;
+  void say(const Blow& blow, const Compared& found) {
+    if (found.off.empty() && !settings_.all && found.why_not != "the oracle failed") return;
     const Summary& s = blow.solution.summary;
     std::uint64_t compared = 0;
     for (const auto& [name, count] : found.figures) compared += count.compared;
     fmt::print("{} blow {} ({}): {}; {} figures; {:.1f} s, the oracle {:.1f} s{}{}{}\n", seed_, s.blow,
                words_of(blow.impact), to_string(s.status), compared, seconds_, oracle_seconds_,
-               why_not.empty() ? "" : "; not counted: ", why_not, found.text);
+               found.why_not.empty() ? "" : "; not counted: ", found.why_not, found.off);
   }
 
   const Settings& settings_;

@@ -73,7 +73,8 @@ TEST(Sheet, OnAPadThatGivesNoForceSharesTheMomentum) {
 struct Other {
   double peak_force = 0, rebound = 0;
   Other(double sheet, double stiffness, double gravity) {
-    constexpr double mass = 4, radius = 0.08, thickness = 0.03, modulus = 3e5, pi = std::numbers::pi;
+    using std::numbers::pi;
+    constexpr double mass = 4, radius = 0.08, thickness = 0.03, modulus = 3e5;
     const auto force = [&](double y) { return modulus / thickness * pi * (radius * y * y - y * y * y / 3); };
     const auto rates = [&](const std::array<double, 2>& of) {
       const double y = of[0], area = pi * (2 * radius * y - y * y), widening = 2 * pi * (radius - y);
