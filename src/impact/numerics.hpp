@@ -175,10 +175,10 @@ struct Numerics {
   double lightest_panel = 0.05;
 
   /// Work of all runs of an impact together after which it is given up, s; for a tolerance t below 1e-3 more,
-  /// by (1e-3 / t)^(3/4), but no more than `most_patience` times as much. A run that would exceed it is not
+  /// by (1e-3 / t)^(5/6), but no more than `most_patience` times as much. A run that would exceed it is not
   /// begun.
-  double most_work = 2;
-  double most_patience = 10;
+  double most_work = 1.7;
+  double most_patience = 12;
   /// Runs that may be given up one after the other before no more are begun: some stall where others get
   /// through.
   int most_given_up = 2;

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
@@ -28,20 +29,26 @@ class ValidateTest : public CommandTest {
   }
 };
 
+/// The example of the help, in a folder that is kept for the tests of the pages.
 TEST_F(ValidateTest, WritesPageJsonAndFigures) {
-  const Outcome outcome = dashpad(
-      {"validate", "--report", file("v.html"), "--json", file("v.json"), "--figures", file("figures")});
+  const char* kept = std::getenv("DASHPAD_VALIDATION_FILES");
+  const fs::path folder = kept ? kept : file("files");
+  fs::remove_all(folder);
+  fs::create_directory(folder);
+  const std::string example = "validate --report validation.html --json validation.json --figures figures\n";
+  ASSERT_THAT(dashpad({"validate", "--help"}).out, HasSubstr("\n  dashpad " + example));
+  const Outcome outcome = shell("cd '" + folder.string() + "' && $DASHPAD " + example);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   // No bar: it is no terminal. Where it takes more than a minute, that is said.
   EXPECT_THAT(outcome.err, MatchesRegex("([A-Z][a-z ]+ will take about [0-9]+ minutes\n)*"));
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("33 tests"), HasSubstr("verdict"), HasSubstr("anomaly")));
-  EXPECT_THAT(read_file(file("v.html")), HasSubstr("The tests of 1986 are not all met"));
-  EXPECT_THAT(read_file(file("v.json")), StartsWith("{\n  \"format\": 3,\n"));
-  const json study = json::parse(read_file(file("v.json")));
+  EXPECT_THAT(read_file(folder / "validation.html"), HasSubstr("The tests of 1986 are not all met"));
+  EXPECT_THAT(read_file(folder / "validation.json"), StartsWith("{\n  \"format\": 3,\n"));
+  const json study = json::parse(read_file(folder / "validation.json"));
   EXPECT_EQ(study["tests"].size(), 33U);
   EXPECT_TRUE(study["passed"].is_boolean());
   std::size_t stills = 0;
-  for (const auto& still : fs::directory_iterator(file("figures"))) {
+  for (const auto& still : fs::directory_iterator(folder / "figures")) {
     EXPECT_THAT(read_file(still.path()), HasSubstr("<svg")) << still.path();
     ++stills;
   }

@@ -16,7 +16,7 @@
 namespace dashpad::test {
 namespace {
 
-constexpr double tolerance = 1e-3;
+constexpr double blow_tolerance = 1e-3;
 
 /// A foam case on a pad that an earlier blow has strained to between 2 and 90 % on the axis.
 ImpactCase struck_case(std::uint64_t seed) {
@@ -34,7 +34,7 @@ TEST(StruckPads, GiveNothingBackThatTheyDidNotTake) {
   for (std::uint64_t seed = first; seed < first + cases; ++seed) {
     const ImpactCase impact = struck_case(seed);
     SCOPED_TRACE(fmt::format("seed {}, {}", seed, name_of(impact.pad.material.law)));
-    const Solution& solution = solver.solve(impact, {.tolerance = tolerance});
+    const Solution& solution = solver.solve(impact, {.tolerance = blow_tolerance});
     const Summary& s = solution.summary;
     EXPECT_FALSE(gained_energy(s)) << "absorbed " << s.energy_absorbed_fraction;
     EXPECT_GE(s.peak_penetration, 0);
@@ -56,10 +56,10 @@ TEST(StruckPads, AreTheSameByVectorsAndPlain) {
   Solver solver;
   std::uint64_t compared = 0;
   for (std::uint64_t seed = first; seed < first + cases; ++seed) {
-    const AnswerComparison paths = compare_paths(solver, struck_case(seed), tolerance);
+    const AnswerComparison paths = compare_paths(solver, struck_case(seed), blow_tolerance);
     if (!paths.compared()) continue;
     ++compared;
-    EXPECT_TRUE(paths.alike(2 * tolerance)) << "seed " << seed << ": " << paths.text();
+    EXPECT_TRUE(paths.alike(2 * blow_tolerance)) << "seed " << seed << ": " << paths.text();
   }
   EXPECT_GE(static_cast<double>(compared), 0.9 * static_cast<double>(cases));
 }
@@ -70,12 +70,12 @@ TEST(StruckPads, AreNotPenetratedLessThanNewOnes) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     ImpactCase impact = struck_case(seed);
     if (!std::holds_alternative<Foam>(impact.pad.material.law)) continue;
-    const Summary again = Solver().solve(impact, {.tolerance = tolerance}).summary;
+    const Summary again = Solver().solve(impact, {.tolerance = blow_tolerance}).summary;
     impact.pad.earlier_penetration = 0;
-    const Summary fresh = Solver().solve(impact, {.tolerance = tolerance}).summary;
+    const Summary fresh = Solver().solve(impact, {.tolerance = blow_tolerance}).summary;
     if (!again.trustworthy() || !fresh.trustworthy()) continue;
     ++compared;
-    EXPECT_GE(again.peak_penetration, fresh.peak_penetration * (1 - 2 * tolerance)) << "seed " << seed;
+    EXPECT_GE(again.peak_penetration, fresh.peak_penetration * (1 - 2 * blow_tolerance)) << "seed " << seed;
   }
   EXPECT_GE(compared, 40);
 }
@@ -85,11 +85,11 @@ TEST(StruckPads, LeaveNothingInTheSolversMemory) {
   Solver used;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     ImpactCase impact = struck_case(seed);
-    const double first = used.solve(impact, {.tolerance = tolerance}).summary.energy_absorbed_fraction;
+    const double first = used.solve(impact, {.tolerance = blow_tolerance}).summary.energy_absorbed_fraction;
     impact.pad.earlier_penetration = 0;
-    used.solve(impact, {.tolerance = tolerance});
+    used.solve(impact, {.tolerance = blow_tolerance});
     const ImpactCase again = struck_case(seed);
-    EXPECT_EQ(used.solve(again, {.tolerance = tolerance}).summary.energy_absorbed_fraction, first)
+    EXPECT_EQ(used.solve(again, {.tolerance = blow_tolerance}).summary.energy_absorbed_fraction, first)
         << "seed " << seed;
   }
 }

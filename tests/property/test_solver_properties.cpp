@@ -169,15 +169,18 @@ TEST(RandomCases, OnAnySupportHaveFiguresThatMakeSense) {
     for (const Blow& blow : solve_blows(impact, {.tolerance = 1e-3})) {
       EXPECT_TRUE(violations(blow.impact).empty());
       const Summary& s = blow.solution.summary;
-      if (s.trustworthy()) EXPECT_LE(std::abs(s.energy.residual), 1e-3 * s.energy.impact);
+      if (s.trustworthy()) {
+        EXPECT_LE(std::abs(s.energy.residual), 1e-3 * s.energy.impact);
+      }
       if (!s.trustworthy()) ++not_met;
       EXPECT_GE(s.energy.support_loss, -1e-9 * s.energy.impact);
       if (!s.support) continue;
       EXPECT_GE(s.support->peak_transmitted.value_or(0), 0);
       EXPECT_GE(s.support->peak_deflection, 0);
       EXPECT_GE(s.support->set.value_or(0), 0);
-      if (blow.impact.backing.earlier_force == 0)
+      if (blow.impact.backing.earlier_force == 0) {
         EXPECT_LE(s.support->set.value_or(0), 1.001 * s.support->peak_deflection + 1e-12);
+      }
     }
   }
   EXPECT_EQ(not_met, 0);

@@ -17,7 +17,7 @@ namespace dashpad::test {
 namespace {
 
 constexpr std::uint64_t compared_cases = 200;
-constexpr double tolerance = 1e-3;
+constexpr double path_tolerance = 1e-3;
 
 /// Shares of the cases: at least so many can be compared, at most so many end with another status.
 void expect_agreement(ImpactCase (*draw)(std::uint64_t), double least_compared, double most_other_status) {
@@ -28,11 +28,11 @@ void expect_agreement(ImpactCase (*draw)(std::uint64_t), double least_compared, 
   std::uint64_t other_status = 0;
   double worst = 0;
   for (std::uint64_t seed = first; seed < first + cases; ++seed) {
-    const AnswerComparison paths = compare_paths(solver, draw(seed), tolerance);
+    const AnswerComparison paths = compare_paths(solver, draw(seed), path_tolerance);
     if (paths.status != paths.reference_status) ++other_status;
     if (!paths.compared()) continue;
     ++compared;
-    EXPECT_TRUE(paths.alike(2 * tolerance)) << "seed " << seed << ": " << paths.text();
+    EXPECT_TRUE(paths.alike(2 * path_tolerance)) << "seed " << seed << ": " << paths.text();
     for (const ComparedFigure& figure : paths.figures) worst = std::max(worst, figure.difference);
   }
   fmt::print("compared {} of {}; status differs in {}; largest difference {:.1e}\n", compared, cases,
@@ -47,7 +47,7 @@ TEST(VectorPath, AgreesWithThePlainOneOnExtremeCases) { expect_agreement(random_
 
 /// The same whatever was solved before in the same memory.
 TEST(VectorPath, LeavesNothingInTheSolversMemory) {
-  const Options fast{.tolerance = tolerance};
+  const Options fast{.tolerance = path_tolerance};
   Solver used;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     const ImpactCase impact = random_case(seed);

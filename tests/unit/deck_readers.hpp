@@ -102,13 +102,13 @@ inline std::vector<ReadCurve> read_blocks(const std::string& text) {
   return curves;
 }
 
-struct Columns {
+struct CsvColumns {
   std::string header;
   std::vector<double> x, y;
 };
 
-inline Columns read_csv(const std::string& text) {
-  Columns columns;
+inline CsvColumns read_csv(const std::string& text) {
+  CsvColumns columns;
   for (const std::string& line : lines_of(text)) {
     if (line.starts_with("#")) continue;
     const auto comma = line.find(',');

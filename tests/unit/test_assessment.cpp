@@ -38,7 +38,7 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 constexpr double g = standard_gravity;
-constexpr double duration = 10e-3;
+constexpr double pulse_duration = 10e-3;
 
 /// A half sine of 10 ms with a peak of 100 g: 3 ms lie above 100 g cos(0.15 pi) = 89.10 g, and the time above
 /// 50 g is two thirds of it.
@@ -46,7 +46,7 @@ Solution half_sine(double error = 1e-4) {
   constexpr int steps = 1000;
   Solution solution;
   for (int i = 0; i <= steps; ++i) {
-    solution.history.time.push_back(duration * i / steps);
+    solution.history.time.push_back(pulse_duration * i / steps);
     solution.history.acceleration.push_back(-100 * g * std::sin(std::numbers::pi * i / steps));
   }
   test::add_coarser_run(solution);
@@ -154,7 +154,7 @@ TEST(assessment, what_may_be_a_strict_limit_does_not_pass_it) {
 
 TEST(assessment, a_history_too_short_for_an_error_decides_nothing_but_the_peak) {
   Solution solution = half_sine();
-  solution.history.time = {0, duration / 2, duration};
+  solution.history.time = {0, pulse_duration / 2, pulse_duration};
   solution.history.acceleration = {0, -100 * g, 0};
   solution.coarser = {};
   for (const Metric metric : injury::metrics()) {
@@ -175,7 +175,7 @@ TEST(assessment, values_are_those_of_the_pulse) {
   const double clip = 100 * g * std::cos(0.15 * std::numbers::pi);
   EXPECT_NEAR(assessment.results[0].value.value(), clip, 1e-4 * clip);
   EXPECT_NEAR(assessment.results[1].value.value(), clip, 1e-4 * clip);
-  EXPECT_NEAR(assessment.results[2].value.value(), duration * 2 / 3, 1e-3 * duration);
+  EXPECT_NEAR(assessment.results[2].value.value(), pulse_duration * 2 / 3, 1e-3 * pulse_duration);
 }
 
 /// Two triangles of 4 ms with a peak of 100 g: of each 4 ms (1 - a / 100 g) lie above a.
@@ -199,7 +199,7 @@ TEST(assessment, of_two_humps_only_the_cumulative_time_counts_both) {
 /// 1 % more or less force moves the crossings of 50 g by 0.01 tan(pi / 6) / pi of the duration each.
 TEST(assessment, the_error_of_a_dwell_time_follows_from_that_of_the_force) {
   const Assessment assessment = assess(standard_with({criterion(Metric::dwell_time, 4e-3)}), half_sine(0.01));
-  const double expected = 2 * 0.01 * std::tan(std::numbers::pi / 6) / std::numbers::pi * duration;
+  const double expected = 2 * 0.01 * std::tan(std::numbers::pi / 6) / std::numbers::pi * pulse_duration;
   EXPECT_NEAR(assessment.results[0].error, expected, 0.05 * expected);
 }
 
@@ -375,7 +375,7 @@ Solution rising_flank() {
   solution.summary.contact_end.reset();
   solution.summary.rebound_speed = 0;
   solution.summary.restitution = 0;
-  solution.summary.release = Moment{.time = duration / 2, .velocity = 0};
+  solution.summary.release = Moment{.time = pulse_duration / 2, .velocity = 0};
   return solution;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using injury::chord_error;
 
-constexpr double length = 0.02, peak = 600, duration = 3e-3;
+constexpr double length = 0.02, peak = 600, window = 3e-3;
 
 /// Samples at uneven steps of about a hundredth, the first behind the begin by a share of a step.
 Pulse half_sine(double share, double sign) {
@@ -29,13 +29,13 @@ Pulse half_sine(double share, double sign) {
 }
 
 TEST(ChordError, CoversTheErrorOfTheClipAndIsNoMoreThanAFewTimesIt) {
-  const double exact = peak * std::cos(std::numbers::pi * duration / (2 * length));
+  const double exact = peak * std::cos(std::numbers::pi * window / (2 * length));
   double largest = 0, least_bound = 1;
   for (double share = 0.05; share < 0.9; share += 0.05)
     for (const double sign : {1.0, -1.0}) {
       const Pulse pulse = half_sine(share, sign);
       for (const injury::Clip& clip :
-           {injury::contiguous_clip(pulse, duration), injury::cumulative_clip(pulse, duration)}) {
+           {injury::contiguous_clip(pulse, window), injury::cumulative_clip(pulse, window)}) {
         const double error = std::abs(clip.level / exact - 1), bound = chord_error(pulse, clip);
         EXPECT_LE(error, 1.02 * bound) << share;
         largest = std::max(largest, error), least_bound = std::min(least_bound, bound);
@@ -47,7 +47,7 @@ TEST(ChordError, CoversTheErrorOfTheClipAndIsNoMoreThanAFewTimesIt) {
 
 TEST(ChordError, IsNoneOfStraightLinesAndOfNoClip) {
   const Pulse ramp{{0, 1e-3, 2e-3, 5e-3, 9e-3}, {0, 10, 20, 50, 90}};
-  EXPECT_LT(chord_error(ramp, injury::contiguous_clip(ramp, duration)), 1e-14);
+  EXPECT_LT(chord_error(ramp, injury::contiguous_clip(ramp, window)), 1e-14);
   EXPECT_EQ(chord_error(ramp, injury::Clip{}), 0);
 }
 

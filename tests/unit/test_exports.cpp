@@ -92,7 +92,7 @@ TEST(Decks, LeaveABlankBetweenColumns) {
 
 TEST(CurveCsv, GivesBackTheVerySameNumbers) {
   const Curve curve = awkward_curve();
-  const Columns read = read_csv(curve_csv(file_of({curve})));
+  const CsvColumns read = read_csv(curve_csv(file_of({curve})));
   EXPECT_EQ(read.header, "time_s,acceleration_m_per_s2");
   EXPECT_EQ(read.x, curve.x);
   EXPECT_EQ(read.y, curve.y);

@@ -21,10 +21,12 @@
 #include "fit/solve.hpp"
 #include "fit/uncertainty.hpp"
 #include "shared/temporary_folder.hpp"
+#include "unit/sample_case.hpp"
 
 namespace dashpad::fit {
 namespace {
 
+using test::edited;
 using testing::HasSubstr;
 
 // --- Least squares and profiles, against closed forms ---
@@ -282,12 +284,6 @@ strain_unit = "fraction"
 rate = "0.01 1/s"
 noise = "2 kPa"
 )";
-
-std::string edited(std::string text, const std::string& old, const std::string& fresh) {
-  const auto place = text.find(old);
-  EXPECT_NE(place, std::string::npos) << old;
-  return place == std::string::npos ? text : text.replace(place, old.size(), fresh);
-}
 
 class FitFileTest : public testing::Test {
  protected:

@@ -58,22 +58,22 @@ std::string said(const OtherChoice& choice, const char* units = "si") {
   return output::other_choice(choice, standard(1), given(), unit_system(units)).text;
 }
 
-constexpr Kept nothing{}, nose{.nose = true, .speed = false}, speed{.nose = false, .speed = true},
-    both{.nose = true, .speed = true};
+constexpr Kept keep_nothing{}, keep_nose{.nose = true, .speed = false},
+    keep_speed{.nose = false, .speed = true}, keep_both{.nose = true, .speed = true};
 
 TEST(OtherChoice, keeps_what_differs) {
-  const Standard kept = injury::with_kept(standard(1), given().impactor, both);
+  const Standard kept = injury::with_kept(standard(1), given().impactor, keep_both);
   EXPECT_FALSE(kept.radius.value.has_value());
   EXPECT_EQ(kept.radius.instead, 0.08);
   EXPECT_EQ(kept.speed.instead, 4);
   Impactor same = given().impactor;
   same.nose = Sphere{0.08};
-  EXPECT_EQ(injury::with_kept(standard(1), same, nose).radius.value, 0.08) << "nothing is replaced";
+  EXPECT_EQ(injury::with_kept(standard(1), same, keep_nose).radius.value, 0.08) << "nothing is replaced";
 }
 
 TEST(OtherChoice, one_that_turns_the_verdict_is_told) {
-  const double limit = (peak(nothing) + std::min(peak(nose), peak(speed))) / 2;
-  const std::vector<OtherChoice> choices = turning(limit, nothing, Verdict::pass);
+  const double limit = (peak(keep_nothing) + std::min(peak(keep_nose), peak(keep_speed))) / 2;
+  const std::vector<OtherChoice> choices = turning(limit, keep_nothing, Verdict::pass);
   ASSERT_EQ(choices.size(), 2U);
   EXPECT_THAT(said(choices[0]),
               testing::MatchesRegex("OTHER NOSE: with the case's own nose, a flat disc, the "
@@ -82,8 +82,8 @@ TEST(OtherChoice, one_that_turns_the_verdict_is_told) {
   EXPECT_THAT(said(choices[1], "us"),
               testing::MatchesRegex("OTHER SPEED: with the case's own speed, 11.185 mph, the verdict is fail "
                                     ".Peak acceleration [0-9.]+ g.: --keep-speed"));
-  EXPECT_TRUE(turning(0.9 * peak(nothing), nothing, Verdict::fail).empty());
-  EXPECT_TRUE(turning(1.1 * peak(both), nothing, Verdict::pass).empty());
+  EXPECT_TRUE(turning(0.9 * peak(keep_nothing), keep_nothing, Verdict::fail).empty());
+  EXPECT_TRUE(turning(1.1 * peak(keep_both), keep_nothing, Verdict::pass).empty());
 }
 
 TEST(OtherChoice, one_that_decides_nothing_turns_nothing) {
@@ -92,11 +92,12 @@ TEST(OtherChoice, one_that_decides_nothing_turns_nothing) {
     assessment.verdict = Verdict::undecided;
     return assessment;
   };
-  EXPECT_TRUE(injury::turning_choices(standard(1), given(), nothing, Verdict::pass, undecided).empty());
+  EXPECT_TRUE(injury::turning_choices(standard(1), given(), keep_nothing, Verdict::pass, undecided).empty());
 }
 
 TEST(OtherChoice, what_was_kept_may_be_left_out) {
-  const std::vector<OtherChoice> choices = turning((peak(nothing) + peak(speed)) / 2, speed, Verdict::fail);
+  const std::vector<OtherChoice> choices =
+      turning((peak(keep_nothing) + peak(keep_speed)) / 2, keep_speed, Verdict::fail);
   ASSERT_EQ(choices.size(), 1U);
   EXPECT_THAT(said(choices[0]),
               testing::MatchesRegex("OTHER SPEED: with the standard's speed, 4 m/s, the verdict is pass "
@@ -104,8 +105,8 @@ TEST(OtherChoice, what_was_kept_may_be_left_out) {
 }
 
 TEST(OtherChoice, both_are_tried_where_neither_alone_turns_it) {
-  const double limit = (std::max(peak(nose), peak(speed)) + peak(both)) / 2;
-  const std::vector<OtherChoice> choices = turning(limit, nothing, Verdict::pass);
+  const double limit = (std::max(peak(keep_nose), peak(keep_speed)) + peak(keep_both)) / 2;
+  const std::vector<OtherChoice> choices = turning(limit, keep_nothing, Verdict::pass);
   ASSERT_EQ(choices.size(), 1U);
   EXPECT_THAT(
       said(choices[0]),
@@ -114,9 +115,9 @@ TEST(OtherChoice, both_are_tried_where_neither_alone_turns_it) {
 }
 
 TEST(OtherChoice, a_number_of_the_user_is_no_choice) {
-  Standard chosen = injury::with_user_values(standard((peak(nothing) + peak(nose)) / 2),
+  Standard chosen = injury::with_user_values(standard((peak(keep_nothing) + peak(keep_nose)) / 2),
                                              {.mass = {}, .radius = 0.07, .speed = 4.5, .drop_height = {}});
-  EXPECT_TRUE(injury::turning_choices(chosen, given(), nothing, Verdict::pass, by_values).empty());
+  EXPECT_TRUE(injury::turning_choices(chosen, given(), keep_nothing, Verdict::pass, by_values).empty());
 }
 
 }  // namespace

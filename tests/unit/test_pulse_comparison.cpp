@@ -47,7 +47,7 @@ ImpactCase case_of(const char* example) {
   return input::read_case(source_folder / "examples" / example, source_folder / "materials").value().impact;
 }
 
-const Solution& solved() {
+const Solution& computed() {
   static const Solution solution = solve(case_of("dashboard-20mph.toml"), {});
   return solution;
 }
@@ -56,7 +56,7 @@ injury::MeasuredImpact impact() { return at(case_of("dashboard-20mph.toml").impa
 
 /// The history, as a sensor that is mounted the other way round and triggered 13 ms earlier sees it.
 Pulse measured_alike() {
-  Pulse pulse = injury::pulse_of(solved().history);
+  Pulse pulse = injury::pulse_of(computed().history);
   for (double& time : pulse.time) time += 13e-3;
   for (double& value : pulse.acceleration) value = -value;
   return pulse;
@@ -190,15 +190,15 @@ TEST(PulseComparison, AlignsAMeasuredPulseWithTheComputedOne) {
   constexpr double half_a_step = 5e-5;
   for (const auto& [alignment, shift] :
        {std::pair{Alignment::onset, -13e-3}, {Alignment::peak, -13e-3}, {Alignment::none, 0.0}}) {
-    const PulseComparison of = compare_pulses(report_of(measured_alike()), solved(), impact(), alignment);
+    const PulseComparison of = compare_pulses(report_of(measured_alike()), computed(), impact(), alignment);
     EXPECT_NEAR(of.shift, shift, alignment == Alignment::peak ? half_a_step : 1e-7)
         << injury::to_string(alignment);
     EXPECT_NEAR(*figure(of, "time_to_peak").difference(), alignment == Alignment::none ? -13e-3 : 0,
                 half_a_step);
     for (const char* key : {"peak_acceleration", "half_peak_width", "velocity_change", "hic15"})
       EXPECT_NEAR(*figure(of, key).share(), 0, 1e-4) << key;
-    EXPECT_EQ(figure(of, "peak_acceleration").computed, solved().summary.peak_acceleration);
-    EXPECT_NEAR(*figure(of, "restitution").computed, *solved().summary.restitution, 1e-3);
+    EXPECT_EQ(figure(of, "peak_acceleration").computed, computed().summary.peak_acceleration);
+    EXPECT_NEAR(*figure(of, "restitution").computed, *computed().summary.restitution, 1e-3);
   }
 }
 
@@ -225,15 +225,15 @@ TEST(PulseComparison, ComputedFiguresAreWithinTheirErrors) {
 /// What each error of the solver adds to those of the figures.
 TEST(PulseComparison, ErrorsOfTheSolverCountAsTheyEnterTheFigures) {
   const auto errors = [](const ErrorEstimates& of) {
-    Solution solution = solved();
+    Solution solution = computed();
     solution.summary.errors = of;
     const PulseComparison now = compare_pulses(report_of(triangle()), solution, impact(), Alignment::onset);
     std::map<std::string, double> all;
     for (const ComparedFigure& each : now.figures) all[each.quantity->key] = each.error;
     return all;
   };
-  const PulseComparison now = compare_pulses(report_of(triangle()), solved(), impact(), Alignment::onset);
-  const double end = solved().summary.contact_end->time / *figure(now, "time_to_peak").computed;
+  const PulseComparison now = compare_pulses(report_of(triangle()), computed(), impact(), Alignment::onset);
+  const double end = computed().summary.contact_end->time / *figure(now, "time_to_peak").computed;
   const double rebound = 1 / *figure(now, "restitution").computed;
   ASSERT_GT(end, 1.5);
   const auto none = errors({});
@@ -264,10 +264,10 @@ TEST(PulseComparison, FiltersBothPulsesAlike) {
   report.filter = injury::PulseFilter{.channel_frequency_class = 60};
   report.pulse = injury::processed_pulse(report.measured, 1e-5, report.filter).pulse;
   report.contact = injury::contact_of(report.pulse);
-  const PulseComparison of = compare_pulses(report, solved(), impact(), Alignment::onset);
+  const PulseComparison of = compare_pulses(report, computed(), impact(), Alignment::onset);
   for (const ComparedFigure& each : of.figures)
     EXPECT_NEAR(each.share().value_or(0), 0, 1e-3) << each.quantity->key;
-  EXPECT_LT(*figure(of, "peak_acceleration").computed, 0.999 * *solved().summary.peak_acceleration);
+  EXPECT_LT(*figure(of, "peak_acceleration").computed, 0.999 * *computed().summary.peak_acceleration);
   EXPECT_NEAR(of.shift, -13e-3, 1e-5);
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 using namespace output;
 
-constexpr double g = standard_gravity;
+constexpr double gravity = standard_gravity;
 
 /// A grid of speeds and thicknesses, or draws of both; the least thickness at the highest speed strikes
 /// through. Force, acceleration and penetration follow no factor alike.
@@ -33,7 +33,7 @@ study::StudyAnswers study_of(bool drawn) {
     of.study.factors[1].spread = study::Uniform{0.01, 0.05};
   of.study.responses = {"peak_force", "peak_acceleration", "peak_penetration"};
   of.responses = {0, 1, 2};
-  of.limits = {{"peak_force", 700}, {"peak_acceleration", 50 * g}};
+  of.limits = {{"peak_force", 700}, {"peak_acceleration", 50 * gravity}};
   of.records.factors.resize(2);
   of.records.responses.resize(3);
   study::StudyAnswers::OfGroup group;
@@ -67,10 +67,11 @@ study::StudyAnswers study_of(bool drawn) {
 study::StudyAnswers cushions() {
   study::StudyAnswers of = study_of(false);
   of.study.base = example_case();
-  of.cushion_curves = study::CushionCurves{
-      .drops = {{0.6,
-                 3.4,
-                 {{0.05, {1e3, 2e3, 5e3}, {40 * g, 30 * g, 60 * g}}, {0.02, {1e3, 3e3}, {90 * g, 80 * g}}}}}};
+  of.cushion_curves =
+      study::CushionCurves{.drops = {{0.6,
+                                      3.4,
+                                      {{0.05, {1e3, 2e3, 5e3}, {40 * gravity, 30 * gravity, 60 * gravity}},
+                                       {0.02, {1e3, 3e3}, {90 * gravity, 80 * gravity}}}}}};
   return of;
 }
 

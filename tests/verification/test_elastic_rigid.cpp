@@ -10,14 +10,14 @@
 namespace dashpad::test {
 namespace {
 
-struct Geometry {
+struct ElasticPad {
   const char* what;
   Impactor impactor;
   double modulus;
   double thickness;
 };
 
-const std::vector<Geometry> geometries{
+const std::vector<ElasticPad> elastic_pads{
     {"head on a thick pad", {4, Sphere{0.08}, 3}, 6e5, 0.1},
     {"slow and shallow", {4, Sphere{0.08}, 0.01}, 6e5, 0.1},
     {"deeper than its radius", {2, Sphere{0.05}, 3}, 3e5, 0.5},
@@ -27,10 +27,10 @@ const std::vector<Geometry> geometries{
     {"a grain", {1e-5, Sphere{1e-3}, 20}, 1e6, 5e-3},
 };
 
-class ElasticOnRigid : public testing::TestWithParam<Geometry> {};
+class ElasticOnRigid : public testing::TestWithParam<ElasticPad> {};
 
 TEST_P(ElasticOnRigid, FollowsTheEnergyIntegral) {
-  const Geometry& g = GetParam();
+  const ElasticPad& g = GetParam();
   const oracle::ElasticBounce bounce(g.impactor.mass, std::get<Sphere>(g.impactor.nose).radius,
                                      g.impactor.speed, g.modulus, g.thickness);
   ASSERT_LT(bounce.peak_penetration(), g.thickness);
@@ -52,7 +52,7 @@ TEST_P(ElasticOnRigid, FollowsTheEnergyIntegral) {
   expect_relative(s.rebound_speed.value(), g.impactor.speed, 1e-9, "rebound");
 }
 
-INSTANTIATE_TEST_SUITE_P(Geometries, ElasticOnRigid, testing::ValuesIn(geometries),
+INSTANTIATE_TEST_SUITE_P(Geometries, ElasticOnRigid, testing::ValuesIn(elastic_pads),
                          [](const auto& parameter) {
                            std::string name = parameter.param.what;
                            for (char& c : name)

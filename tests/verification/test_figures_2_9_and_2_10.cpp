@@ -14,7 +14,7 @@ namespace dashpad::test {
 namespace {
 
 constexpr double largest_strain = 0.95;
-constexpr int steps = 20;  ///< up, and down
+constexpr int steps_each_way = 20;  ///< up, and down
 constexpr double psi = 6894.757293168361;
 
 struct Analysis {
@@ -29,23 +29,24 @@ PadLaw twenty_one() { return sample_law<TwentyOneParameter>(); }
 
 Analysis analyse(const PadLaw& law, bool parabolic, double rate) {
   Analysis result;
-  for (int k = 0; k <= 2 * steps; ++k) {
-    const double t = k / double(steps);
+  for (int k = 0; k <= 2 * steps_each_way; ++k) {
+    const double t = k / double(steps_each_way);
     result.strain.push_back(largest_strain * (parabolic ? t * (2 - t) : t < 1 ? t : 2 - t));
   }
   result.strain.back() = 0;
   const double up = largest_strain / rate;
   const auto deck = spit1984::deck_of(impact_on(law, Support::linear(1e5)));
-  result.spit = spit1984::column_stresses(deck.pad, deck.pad_parameters, result.strain, up / steps);
+  result.spit = spit1984::column_stresses(deck.pad, deck.pad_parameters, result.strain, up / steps_each_way);
   const laboratory::StrainHistory history = parabolic ? laboratory::parabolic_test(rate, largest_strain)
                                                       : laboratory::constant_rate_test(rate, largest_strain);
   const laboratory::ColumnTest test = laboratory::drive(law, history);
-  for (int k = 0; k <= 2 * steps; ++k) {
+  for (int k = 0; k <= 2 * steps_each_way; ++k) {
     std::size_t nearest = 0;
     for (std::size_t i = 0; i < test.size(); ++i)
-      if (std::abs(test.time[i] - k * up / steps) < std::abs(test.time[nearest] - k * up / steps))
+      if (std::abs(test.time[i] - k * up / steps_each_way) <
+          std::abs(test.time[nearest] - k * up / steps_each_way))
         nearest = i;
-    EXPECT_NEAR(test.time[nearest], k * up / steps, 1e-9 * up);
+    EXPECT_NEAR(test.time[nearest], k * up / steps_each_way, 1e-9 * up);
     result.exact.push_back(test.stress[nearest] / psi);
   }
   result.figures = laboratory::cushion_figures(test);
@@ -53,15 +54,17 @@ Analysis analyse(const PadLaw& law, bool parabolic, double rate) {
 }
 
 /// "the first calculation of stress during unloading exceeded the last calculation of stress during loading"
-bool has_artefact(const std::vector<double>& stress) { return stress[steps + 1] > stress[steps]; }
+bool has_artefact(const std::vector<double>& stress) {
+  return stress[steps_each_way + 1] > stress[steps_each_way];
+}
 
 /// Said of the constant rate. Not so here: the strain falls by a twentieth in the first step, and PAD takes
 /// the slope at its start for all of it. At 100/s it comes out tensile. The exact stress is continuous.
 TEST(ConstantRate, FirstUnloadingStepOvershootsIntoTensionInsteadOfRising) {
   for (const PadLaw& law : {nine(), twenty_one()}) {
     const Analysis fast = analyse(law, false, 100);
-    EXPECT_GT(fast.spit[steps], 0);
-    EXPECT_LT(fast.spit[steps + 1], 0);
+    EXPECT_GT(fast.spit[steps_each_way], 0);
+    EXPECT_LT(fast.spit[steps_each_way + 1], 0);
     for (const double rate : {1.0, 100.0}) {
       const laboratory::ColumnTest test =
           laboratory::drive(law, laboratory::constant_rate_test(rate, largest_strain), 100000);
@@ -79,7 +82,7 @@ TEST(Parabola, ShowsNoArtefactAtOneHundredPerSecond) {
     EXPECT_FALSE(has_artefact(fast.spit));
     EXPECT_FALSE(has_artefact(fast.exact));
     // The peak of 1984 is 11 to 14 % low, for its long steps.
-    EXPECT_NEAR(fast.spit[steps] / fast.exact[steps], 0.875, 0.02);
+    EXPECT_NEAR(fast.spit[steps_each_way] / fast.exact[steps_each_way], 0.875, 0.02);
   }
 }
 
@@ -89,10 +92,10 @@ TEST(Parabola, ShowsNoArtefactAtOneHundredPerSecond) {
 TEST(Parabola, ShowsASmallArtefactAtOnePerSecondInTheNineParameterLaw) {
   const Analysis slow = analyse(nine(), true, 1);
   EXPECT_TRUE(has_artefact(slow.exact));
-  EXPECT_NEAR(slow.exact[steps + 1] / slow.exact[steps], 1.035, 0.001);
-  EXPECT_GT(std::abs(slow.spit[steps]), 1e9) << "psi";
+  EXPECT_NEAR(slow.exact[steps_each_way + 1] / slow.exact[steps_each_way], 1.035, 0.001);
+  EXPECT_GT(std::abs(slow.spit[steps_each_way]), 1e9) << "psi";
   const double growth = 0.0475 / 8.81e-3 - 1;  // of an error in a step, by Eq. 16
-  EXPECT_NEAR(std::abs(slow.spit[2 * steps] / slow.spit[2 * steps - 1]), growth, 0.01);
+  EXPECT_NEAR(std::abs(slow.spit[2 * steps_each_way] / slow.spit[2 * steps_each_way - 1]), growth, 0.01);
   EXPECT_FALSE(has_artefact(analyse(twenty_one(), true, 1).exact));
   EXPECT_FALSE(has_artefact(analyse(twenty_one(), true, 1).spit));
 }
@@ -119,7 +122,7 @@ TEST(Parabola, IsStifferInTheNineParameterLawAtHighStrainOnly) {
     const Analysis one = analyse(nine(), true, rate);
     const Analysis other = analyse(twenty_one(), true, rate);
     EXPECT_GT(one.figures.peak_stress, other.figures.peak_stress);
-    for (int k = 1; k < steps; ++k) {
+    for (int k = 1; k < steps_each_way; ++k) {
       const double strain = one.strain[static_cast<std::size_t>(k)];
       const double difference =
           one.exact[static_cast<std::size_t>(k)] - other.exact[static_cast<std::size_t>(k)];
@@ -137,7 +140,8 @@ TEST(Parabola, IsStifferInTheNineParameterLawAtHighStrainOnly) {
   EXPECT_NEAR(other_peak / psi, 299.65, 0.1);
   // At 1/s the 9-parameter stress falls off before the strain turns, and is the lower one there.
   EXPECT_NEAR(analyse(nine(), true, 1).figures.peak_stress / psi, 285.923, 0.02);
-  EXPECT_LT(analyse(nine(), true, 1).exact[steps], analyse(twenty_one(), true, 1).exact[steps]);
+  EXPECT_LT(analyse(nine(), true, 1).exact[steps_each_way],
+            analyse(twenty_one(), true, 1).exact[steps_each_way]);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 using injury::hic;
 
 constexpr double g = standard_gravity;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Shape {
   const char* name;

@@ -7,15 +7,10 @@
 /// the lag strain, u0 a thousandth of the slowest tested rate. The equation is linear in z = exp(-|g| / c),
 /// and its solution exact while the rate goes evenly from one value to another. Rates in 1/s.
 
-// Boost 1.74 calls isnan without a namespace.
-#include <math.h>  // NOLINT(modernize-deprecated-headers)
-
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <numbers>
 
 namespace dashpad {
@@ -69,16 +64,46 @@ struct SlipScale {
     const double z = followed(state, from_rate, to_rate, time);
     if (z <= 1 || state.side * direction >= 0) return {std::min(z, 1.0), state.side};
     // g comes to 0 on the way, and goes on to the other side.
-    const auto over = [&](double t) { return std::log(followed(state, from_rate, rate_at(t), t)); };
-    std::uintmax_t most = 100;
-    const double zero = boost::math::tools::toms748_solve(over, 0.0, time, std::log(state.z), std::log(z),
-                                                          boost::math::tools::eps_tolerance<double>(30), most)
-                            .second;
+    const double zero = time_of_turn(state, from_rate, to_rate, time);
     state = {1, -state.side};
     return {std::min(followed(state, rate_at(zero), to_rate, time - zero), 1.0), state.side};
   }
 
  private:
+  static constexpr double most_growth = 600;  // of log z: a double holds it
+
+  /// When g comes to 0 within a step at whose end z would be above 1: Newton's method for log z, from where
+  /// it would be at an even rate, within what is known to be before and after.
+  [[nodiscard]] double time_of_turn(State state, double from_rate, double to_rate, double time) const {
+    constexpr int most = 60;
+    constexpr double precision = 1e-9;  // of the step
+    const double growth = state.side * (to_rate - from_rate) / time;
+    const double from = state.side * from_rate;
+    const auto with_even_rate = [&](double mean_rate) {
+      const double pull = mean_rate + rate;
+      const double lags = std::log1p(pull * (1 - state.z) / std::abs(mean_rate));
+      return pull == 0 ? strain * (1 - state.z) / rate : strain / pull * lags;
+    };
+    double before = 0, after = time;
+    double t = std::min(with_even_rate(from), time);
+    t = std::min(with_even_rate(from + growth * t / 2), time);
+    for (int i = 0; i < most && after - before > precision * time; ++i) {
+      const double rate_there = from + growth * t;
+      const double z = followed(state, from_rate, state.side * rate_there, t);
+      (z > 1 ? after : before) = t;
+      const double step = strain * std::log(z) / (rate_there + rate * (1 - 1 / z));
+      const double next = t + step;
+      const double missed = (rate + std::abs(growth / rate_there)) / strain * step * step;
+      // Beyond what a double holds the slope says nothing.
+      if (next >= before && next <= after && z < std::exp(most_growth / 2)) {
+        if (missed <= precision * time) return next;
+        t = next;
+      } else {
+        t = before + (after - before) / 2;
+      }
+    }
+    return after;
+  }
   /// z where dz/dt = (u0 - pull z) / c with pull = side rate + u0; above 1 once g has come to 0.
   [[nodiscard]] double followed(State state, double from_rate, double to_rate, double time) const {
     const double from = state.side * from_rate + rate;
@@ -91,7 +116,6 @@ struct SlipScale {
   [[nodiscard]] double followed(double z, double from, double to, double time) const {
     const double lags = (from + to) / 2 * time / strain;
     const double change = (to - from) * time / strain;
-    constexpr double most_growth = 600;  // a double holds it
     const double left = std::exp(std::min(-lags, most_growth));
     if (std::abs(lags) < 1e-3)
       return z * left + rate * time / strain * (1 - lags / 2 + lags * lags / 6 - change / 12);

@@ -49,7 +49,8 @@ class StepSolver {
   [[nodiscard]] double last_excess() const { return excess_; }
   [[nodiscard]] double flexibility() const { return flexibility_; }  ///< dy/d(stress), m/Pa
   [[nodiscard]] const StrainOfStress& layer(std::size_t i) const { return last_[i]; }
-  /// Stresses of a layer that were computed.
+  /// Stresses of a layer that were computed, those of a root within a root as two: with what is around them
+  /// they take twice as long.
   [[nodiscard]] std::size_t looks() const { return looks_; }
 
  private:
