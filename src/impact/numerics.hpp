@@ -175,17 +175,17 @@ struct Numerics {
   double lightest_panel = 0.05;
 
   /// Work of all runs of an impact together after which it is given up, s; for a tolerance t below 1e-3 more,
-  /// by (1e-3 / t)^(5/6), but no more than `most_patience` times as much. A run that would exceed it is not
+  /// by (1e-3 / t)^(7/8), but no more than `most_patience` times as much. A run that would exceed it is not
   /// begun.
   double most_work = 1.7;
-  double most_patience = 12;
+  double most_patience = 15;
   /// Runs that may be given up one after the other before no more are begun: some stall where others get
   /// through.
   int most_given_up = 2;
   /// Work of a step, and of a column in a trial, s: what they take on a processor of 2024, roughly. Counted,
   /// not timed, so that the same case ends alike everywhere.
   double work_of_step = 1.5e-6;
-  double work_of_column = 1.1e-8;
+  double work_of_column = 1.4e-8;
   double work_of_layered_column = 1.5e-7;
 };
 

@@ -53,7 +53,7 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
   March<Contact> march(impact, contact, options);
   double expected = impact.pad.thickness;
   double left = numerics.most_work *
-                std::clamp(std::pow(1e-3 / options.tolerance, 5.0 / 6), 1.0, numerics.most_patience);
+                std::clamp(std::pow(1e-3 / options.tolerance, 7.0 / 8), 1.0, numerics.most_patience);
   double cost = 0;    // of the next run, as far as the runs so far tell, s
   double steps = 0;   // likewise
   double before = 0;  // work of the run before that got through
