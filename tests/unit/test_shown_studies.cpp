@@ -46,7 +46,7 @@ study::StudyAnswers study_of(bool drawn) {
       of.records.factors[0].push_back(speed);
       of.records.factors[1].push_back(thickness);
       of.records.responses[0].push_back(struck ? NAN : 3 * speed / thickness);
-      of.records.responses[1].push_back(struck ? NAN : g * speed * speed + 1 / thickness);
+      of.records.responses[1].push_back(struck ? NAN : gravity * speed * speed + 1 / thickness);
       of.records.responses[2].push_back(0.3 * thickness * std::sqrt(speed));
       of.records.statuses.push_back(struck ? Status::bottomed_out : Status::released);
     }
