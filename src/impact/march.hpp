@@ -144,8 +144,12 @@ class March {
 
   /// Of the run so far, s.
   [[nodiscard]] double work(const Track& track) const {
-    const double of_column = HasLayers<Contact> ? numerics.work_of_layered_column : numerics.work_of_column;
-    return numerics.work_of_step * double(track.size()) + of_column * double(contact_.updates());
+    const double of_steps = numerics.work_of_step * double(track.size());
+    if constexpr (HasLayers<Contact>)
+      return of_steps +
+             numerics.work_of_layered_column * double(contact_.updates() + contact_.nested_updates());
+    else
+      return of_steps + numerics.work_of_column * double(contact_.updates());
   }
 
   // ------------------------------------------------------------------ a step

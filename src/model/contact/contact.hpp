@@ -96,6 +96,8 @@ concept HasLayers = IsContact<C> && requires(const C contact, std::size_t layer)
   { contact.layers() } -> std::same_as<std::size_t>;
   /// Strain of a layer on the axis.
   { contact.axis_strain(layer) } -> std::same_as<double>;
+  /// Updates that took longer: those for a root within a root.
+  { contact.nested_updates() } -> std::same_as<std::size_t>;
 };
 
 }  // namespace dashpad

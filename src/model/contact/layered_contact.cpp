@@ -56,7 +56,7 @@ void LayeredContact::start(double resolution, double expected) {
   }
   penetration_ = largest_ = last_step_ = 0;
   touched_ = 0;
-  updates_ = 0;
+  updates_ = nested_updates_ = 0;
   last_ = {};
 }
 
@@ -148,6 +148,7 @@ void LayeredContact::solve_column(std::size_t j) {
     next.layer_flexibility[i][j] = found.layer_flexibility[i];
   }
   updates_ += found.looks;
+  nested_updates_ += found.nested_looks;
 }
 
 PadTrial LayeredContact::trial(double advance, double from, double step) {

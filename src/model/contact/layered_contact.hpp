@@ -36,6 +36,8 @@ class LayeredContact {
   [[nodiscard]] std::size_t stations() const { return columns_.size(); }
   /// Stresses of a layer that were computed in all trials since the start.
   [[nodiscard]] std::size_t updates() const { return updates_; }
+  /// Of them, those for a root within a root.
+  [[nodiscard]] std::size_t nested_updates() const { return nested_updates_; }
 
   void start(double resolution, double expected);
   PadTrial trial(double advance, double from, double step);
@@ -104,6 +106,7 @@ class LayeredContact {
   std::size_t trial_touched_ = 0;
   std::size_t trial_live_ = 0;  ///< columns under the nose at the end of the trial
   std::size_t updates_ = 0;
+  std::size_t nested_updates_ = 0;
 };
 
 static_assert(FollowsRate<LayeredContact>);

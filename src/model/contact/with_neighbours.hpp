@@ -66,6 +66,9 @@ class WithNeighbours {
   }
 
   [[nodiscard]] std::size_t layers() const requires HasLayers<Contact> { return contact_.layers(); }
+  [[nodiscard]] std::size_t nested_updates() const requires HasLayers<Contact> {
+    return contact_.nested_updates();
+  }
   [[nodiscard]] double axis_strain(std::size_t layer) const requires HasLayers<Contact> {
     return contact_.axis_strain(layer);
   }

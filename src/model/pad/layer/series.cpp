@@ -62,6 +62,7 @@ LayerSeries::Solution LayerSeries::solve(const Shortening& wanted, const LayerSt
   }
   const double excess = at.last_excess();
   found.looks = at.looks();
+  found.nested_looks = at.nested_looks();
   found.flexibility = at.flexibility();
   found.stress = is_free ? -excess / std::max(found.flexibility, 1e-300) : stress;
   for (std::size_t i = 0; i < size(); ++i) {

@@ -49,7 +49,8 @@ class LayerSeries {
     double flexibility = 0;  ///< dy/d(stress), m/Pa, >= 0
     std::array<Strain, most_layers> strain;
     PerLayer layer_flexibility{};
-    std::size_t looks = 0;  ///< as StepSolver counts them
+    std::size_t looks = 0;         ///< stresses of a layer that were computed
+    std::size_t nested_looks = 0;  ///< of them, for a root within a root
   };
   [[nodiscard]] Solution solve(const Shortening& end, const LayerStates& now, const LayerStep& step,
                                const ColumnGuess& guess) const;

@@ -53,7 +53,7 @@ void StepSolver::look(std::size_t i, double stress) {
   last = std::visit(
       [&](const auto& layer) {
         return strain_at(stress, std::min(x, LogStrain::most()), slope, stride_[i], [&](Strain strain) {
-          looks_ += 2;
+          ++looks_, ++nested_looks_;
           return layer.stress(strain, now_[i], step_);
         });
       },

@@ -49,9 +49,9 @@ class StepSolver {
   [[nodiscard]] double last_excess() const { return excess_; }
   [[nodiscard]] double flexibility() const { return flexibility_; }  ///< dy/d(stress), m/Pa
   [[nodiscard]] const StrainOfStress& layer(std::size_t i) const { return last_[i]; }
-  /// Stresses of a layer that were computed, those of a root within a root as two: with what is around them
-  /// they take twice as long.
+  /// Stresses of a layer that were computed, and how many of them for a root within a root.
   [[nodiscard]] std::size_t looks() const { return looks_; }
+  [[nodiscard]] std::size_t nested_looks() const { return nested_looks_; }
 
  private:
   double stress_of(std::size_t i, Strain strain) {
@@ -70,6 +70,7 @@ class StepSolver {
   double excess_ = 0;
   double flexibility_ = 0;
   std::size_t looks_ = 0;
+  std::size_t nested_looks_ = 0;
 };
 
 }  // namespace dashpad
