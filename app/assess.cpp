@@ -12,6 +12,7 @@
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/input/standard_file.hpp"
 #include "dashpad/output/assessment.hpp"
+#include "documents.hpp"
 #include "output.hpp"
 #include "streams.hpp"
 
@@ -59,7 +60,7 @@ struct AssessRequest {
   std::optional<std::string> mass, radius, speed, drop_height;
   injury::Kept kept;
   std::optional<std::string> json;
-  std::optional<std::string> report;
+  DocumentFiles documents;
   std::string units;
   output::Detail detail = output::Detail::main;
   std::optional<std::string> tolerance;
@@ -92,7 +93,7 @@ struct AssessInput {
 std::vector<Target> targets(const AssessRequest& request) {
   std::vector<Target> wanted;
   if (request.json) wanted.push_back({"--json", *request.json});
-  if (request.report) wanted.push_back({"--report", *request.report});
+  add_targets(request.documents, wanted);
   return wanted;
 }
 
@@ -114,8 +115,9 @@ injury::UserValues read_user_values(const AssessRequest& request, Complaints& wr
   if (request.kept.speed && (request.speed || request.drop_height))
     wrong.push_back(fmt::format("--keep-speed: give --keep-speed or {}, not both",
                                 request.speed ? "--speed" : "--drop-height"));
-  if (request.report && request.standards.size() > 1)
-    wrong.emplace_back("--report: the page is of one standard; give one --standard, or a command for each");
+  if ((request.documents.page || request.documents.markdown) && request.standards.size() > 1)
+    wrong.emplace_back(
+        "--report, --markdown: the page is of one standard; give one --standard, or a command for each");
   return {.mass = read_option("--mass", request.mass, "kg", wrong),
           .radius = read_option("--radius", request.radius, "m", wrong),
           .speed = read_option("--speed", request.speed, "m/s", wrong),
@@ -201,12 +203,16 @@ int run_assessment(const AssessRequest& request, const AssessFolders& folders) {
     judge(of, input.given, request);
     code = std::max<int>(code, exit_code(of.assessment.verdict, of.solution.summary));
     reports.push_back({of.standard, input.given.impact, of.impact, of.solution, of.assessment, of.others});
-    text += (text.empty() ? "" : "\n\n") + output::assessment_text(reports.back(), units, request.detail);
+    text += (text.empty() ? "" : "\n\n") +
+            output::to_terminal(output::assessment_document(reports.back(), units), request.detail);
   }
   publish(
       targets(request), request.force,
       [&](const Target& target) {
-        if (target.option == "--report") return output::assessment_page(reports.front(), units);
+        if (is_document(target))
+          return document_text(target, [&](output::Pictures pictures) {
+            return output::assessment_document(reports.front(), units, pictures);
+          });
         return reports.size() > 1 ? output::assessments_json(reports)
                                   : output::assessment_json(reports.front());
       },
@@ -237,7 +243,7 @@ void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
       ->disable_flag_override();
   sub->add_option("--json", request->json, "Write the assessment as JSON, SI and g (- for standard output)")
       ->type_name("FILE");
-  add_report(*sub, request->report);
+  add_documents(*sub, request->documents);
   add_units(*sub, request->units);
   add_all(*sub, request->detail);
   add_tolerance(*sub, request->tolerance);

@@ -54,11 +54,6 @@ void add_force(CLI::App& app, bool& force) {
   app.add_flag("--force", force, "Overwrite existing files")->disable_flag_override();
 }
 
-CLI::Option* add_report(CLI::App& app, std::optional<std::string>& file) {
-  return app.add_option("--report", file, "Write a page to look at in a browser, as one HTML file")
-      ->type_name("FILE");
-}
-
 ExitCode exit_code(const Summary& summary) {
   return summary.trustworthy() || bottomed_on_rigid_support(summary) ? exit_done : exit_not_trusted;
 }

@@ -15,7 +15,7 @@
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/input/fault.hpp"
-#include "dashpad/output/text/result.hpp"
+#include "dashpad/output/document.hpp"
 
 namespace dashpad::app {
 
@@ -63,8 +63,6 @@ void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance);
 std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& wrong);
 /// Adds --force.
 void add_force(CLI::App& app, bool& force);
-/// Adds --report, the file of a page.
-CLI::Option* add_report(CLI::App& app, std::optional<std::string>& file);
 /// Tells `wrong` of a picture whose name has the ending of no format.
 void judge_picture(const std::optional<std::string>& file, std::vector<std::string>& wrong);
 /// An option's value in SI; absent where there is none, or where it is no such quantity and `wrong` is told

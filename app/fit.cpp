@@ -11,6 +11,7 @@
 #include "dashpad/output/card_toml.hpp"
 #include "dashpad/output/fit.hpp"
 #include "dashpad/version.hpp"
+#include "documents.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
@@ -78,7 +79,8 @@ Exit codes: 0 done, 1 a result could not be written, 2 the fit file or its data 
 
 struct FitRequest {
   std::string file;
-  std::optional<std::string> card, fitted_case, json, report, state;
+  std::optional<std::string> card, fitted_case, json, state;
+  DocumentFiles documents;
   std::vector<std::string> posterior;  ///< N and FILE
   std::string units;
   std::string materials;
@@ -105,7 +107,7 @@ std::vector<Target> fit_targets(const FitRequest& request) {
   if (request.card) targets.push_back({"--output", *request.card});
   if (request.fitted_case) targets.push_back({"--case", *request.fitted_case});
   if (request.json) targets.push_back({"--json", *request.json});
-  if (request.report) targets.push_back({"--report", *request.report});
+  add_targets(request.documents, targets);
   if (request.posterior.size() == 2) targets.push_back({"--posterior", request.posterior.back()});
   return targets;
 }
@@ -207,10 +209,14 @@ int fit_material(const FitRequest& request, const std::filesystem::path& materia
     if (target.option == "--json") return output::fit_json(report);
     if (target.option == "--posterior") return output::posterior_csv(report);
     if (target.option == "--case") return output::fitted_case_toml(report);
-    if (target.option == "--report") return output::fit_page(report, unit_system(request.units));
+    if (is_document(target))
+      return document_text(target, [&](output::Pictures pictures) {
+        return output::fit_document(report, unit_system(request.units), pictures);
+      });
     return output::card_toml(report.material);
   };
-  std::string account = output::fit_text(report, unit_system(request.units));
+  std::string account =
+      output::to_terminal(output::fit_document(report, unit_system(request.units)), output::Detail::main);
   for (const Target& target : targets)
     if (!target.is_standard_output()) account += "written: " + target.file + "\n";
   account += kept_by_case(request, report);
@@ -239,7 +245,7 @@ void add_fit(CLI::App& app, Action& action, const std::filesystem::path& executa
   sub->add_option("--posterior", request->posterior, "Write N draws of the unknowns as CSV")
       ->expected(2)
       ->type_name("N FILE");
-  add_report(*sub, request->report);
+  add_documents(*sub, request->documents);
   sub->add_option("--state", request->state,
                   "Keep finished searches and intervals there, and go on from them")
       ->type_name("FILE");

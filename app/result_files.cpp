@@ -5,10 +5,9 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/output/csv/history.hpp"
 #include "dashpad/output/drawing/impact_drawing.hpp"
+#include "dashpad/output/impact.hpp"
 #include "dashpad/output/json/result.hpp"
-#include "dashpad/output/page/page.hpp"
 #include "dashpad/output/plot/result.hpp"
-#include "dashpad/output/text/result.hpp"
 #include "output.hpp"
 
 namespace dashpad::app {
@@ -19,7 +18,7 @@ std::vector<Target> targets(const ResultFiles& files) {
   std::vector<Target> wanted;
   if (files.json) wanted.push_back({"--json", *files.json});
   if (files.csv) wanted.push_back({"--csv", *files.csv});
-  if (files.report) wanted.push_back({"--report", *files.report});
+  add_targets(files.documents, wanted);
   if (files.png) wanted.push_back({"--png", *files.png});
   if (files.drawing) wanted.push_back({"--drawing", *files.drawing});
   return wanted;
@@ -32,7 +31,7 @@ void add_result_files(CLI::App& app, ResultFiles& files) {
       ->type_name("FILE");
   app.add_option("--csv", files.csv, "Write the history, of the last blow, as CSV (- for standard output)")
       ->type_name("FILE");
-  add_report(app, files.report);
+  add_documents(app, files.documents);
   app.add_option("--png", files.png, "Draw acceleration and hysteresis as a still")->type_name("FILE");
   app.add_option("--drawing", files.drawing,
                  "Draw nose, pad and support to scale, at first contact and at greatest penetration (.svg, "
@@ -59,6 +58,7 @@ void publish(const ResultFiles& files, const SolvedCase& solved, std::string_vie
   const std::optional<injury::InjuryFigures> injury = injury::whole_pulse_figures(solution);
   const std::vector<output::BlowResult> blows = output::blow_results(solved.blows);
   const ImpactCase& last_blow = solved.blows.empty() ? impact : solved.blows.back().impact;
+  output::ImpactReport report{impact, solved.options, solution, injury, blows};
   const auto text_of = [&](const Target& target) {
     if (target.option == "--json") return output::result_json(impact, solution.summary, injury, blows);
     if (target.option == "--png")
@@ -68,11 +68,12 @@ void publish(const ResultFiles& files, const SolvedCase& solved, std::string_vie
       return output::impact_drawing(last_blow, solution, units,
                                     output::picture_format(target.file).value_or(output::PictureFormat::svg));
     if (target.option == "--csv") return output::history_csv(solution.history, units_of_files(units));
-    return output::page(impact, solved.options, solution, units,
-                        contact_snapshots(last_blow, solution.history), blows);
+    report.snapshots = contact_snapshots(last_blow, solution.history);
+    return target.option == "--markdown" ? output::to_markdown(output::impact_document(report, units))
+                                         : output::impact_page(report, units);
   };
-  std::string summary = std::string{heading} +
-                        output::result_text(impact, solution.summary, injury, units, files.detail, blows);
+  std::string summary =
+      std::string{heading} + output::to_terminal(output::impact_document(report, units), files.detail);
   publish(targets(files), files.force, text_of, summary.append(after));
 }
 

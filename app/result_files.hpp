@@ -12,18 +12,20 @@
 #include "dashpad/impact/blows.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/input/input_file.hpp"
+#include "documents.hpp"
 
 namespace dashpad::app {
 
 /// What the user wants written, and how.
 struct ResultFiles {
-  std::optional<std::string> json, csv, report, png, drawing;
+  std::optional<std::string> json, csv, png, drawing;
+  DocumentFiles documents;
   std::string units;
   output::Detail detail = output::Detail::main;
   bool force = false;
 };
 
-/// Adds --json, --csv, --report, --png, --drawing, --units and --all.
+/// Adds --json, --csv, --report, --markdown, --png, --drawing, --units and --all.
 void add_result_files(CLI::App& app, ResultFiles& files);
 
 /// Tells `wrong` what forbids writing them, as judge_targets does.

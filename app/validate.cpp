@@ -13,6 +13,7 @@
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/report1986/validation_report.hpp"
+#include "documents.hpp"
 #include "material_folder.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
@@ -42,7 +43,7 @@ misses a rule; 1 a result could not be written; 2 refused and nothing was run.)"
 constexpr const char* material = "ensolite-aac-9.toml";
 
 struct ValidateRequest {
-  std::optional<std::string> report;
+  DocumentFiles documents;
   std::optional<std::string> json;
   std::optional<std::string> figures;
   std::string format = "svg";
@@ -64,7 +65,7 @@ struct ValidateInput {
 
 std::vector<Target> files(const ValidateRequest& request) {
   std::vector<Target> wanted;
-  if (request.report) wanted.push_back({"--report", *request.report});
+  add_targets(request.documents, wanted);
   if (request.json) wanted.push_back({"--json", *request.json});
   return wanted;
 }
@@ -141,7 +142,11 @@ class InterruptsHeld {
 /// The texts of all files by file, before the first of them is written.
 std::map<std::string, std::string> texts_of(const ValidateRequest& request, const report1986::Study& study) {
   std::map<std::string, std::string> texts;
-  if (request.report) texts[*request.report] = output::figures_page(report1986::validation_page(study));
+  std::vector<Target> documents;
+  add_targets(request.documents, documents);
+  for (const Target& target : documents)
+    texts[target.file] = document_text(
+        target, [&](output::Pictures pictures) { return report1986::validation_document(study, pictures); });
   if (request.json) texts[*request.json] = report1986::validation_json(study);
   if (!request.figures) return texts;
   const std::vector<Target> targets = stills(request);
@@ -162,7 +167,7 @@ void write_results(const ValidateRequest& request, const report1986::Study& stud
   if (request.figures) fs::create_directory(*request.figures);
   publish(
       targets, request.force, [&](const Target& target) { return texts.at(target.file); },
-      report1986::validation_text(study));
+      output::to_terminal(report1986::validation_document(study), output::Detail::main));
 }
 
 int run_validation(const ValidateRequest& request, const ValidateFolders& folders) {
@@ -177,7 +182,7 @@ int run_validation(const ValidateRequest& request, const ValidateFolders& folder
 void add_validate(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::App* sub = app.add_subcommand("validate", "Compare with the validation tests of the 1986 report");
   const auto request = std::make_shared<ValidateRequest>();
-  add_report(*sub, request->report);
+  add_documents(*sub, request->documents);
   sub->add_option("--json", request->json, "Write everything as JSON (- for standard output)")
       ->type_name("FILE");
   CLI::Option* figures =

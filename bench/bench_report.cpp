@@ -53,7 +53,7 @@ std::map<std::string, std::string> blocks_of(const std::vector<Chapter>& chapter
 }
 
 void draw(const std::vector<Chapter>& chapters, const fs::path& folder) {
-  output::FiguresPage page{
+  output::Document page{
       .title = "Dashpad's benchmarks",
       .summary = {"Work against precision beside other solvers, and what studies cost. bench/README.md "
                   "says how it was measured."}};
@@ -63,7 +63,7 @@ void draw(const std::vector<Chapter>& chapters, const fs::path& folder) {
       write(folder / (chapter.figure_names[i] + ".png"),
             output::picture(chapter.section.figures[i].plot, output::PictureFormat::png));
   }
-  write(folder / "benchmarks.html", output::figures_page(page));
+  write(folder / "benchmarks.html", output::to_html(page));
 }
 
 int report(int count, char** arguments) {

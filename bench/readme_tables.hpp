@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/document.hpp"
 
 namespace dashpad::bench {
 

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/document.hpp"
 #include "raw_results.hpp"
 
 namespace dashpad::bench {
 
 /// A section of the page; its tables are also those of README.md, by `names`, its figures also stills.
 struct Chapter {
-  output::PageSection section;
+  output::Section section;
   std::vector<std::string> table_names;
   std::vector<std::string> figure_names;
 };

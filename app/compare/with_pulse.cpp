@@ -39,7 +39,7 @@ std::vector<Target> targets(const CompareRequest& request) {
   std::vector<Target> wanted;
   if (request.picture) wanted.push_back({"--picture", *request.picture});
   if (request.json) wanted.push_back({"--json", *request.json});
-  if (request.report) wanted.push_back({"--report", *request.report});
+  add_targets(request.documents, wanted);
   return wanted;
 }
 
@@ -66,11 +66,15 @@ int compare_with_pulse(const CompareRequest& request, const std::filesystem::pat
   const UnitSystem& units = unit_system(request.units);
   const auto text_of = [&](const Target& target) {
     if (target.option == "--json") return output::pulse_comparison_json(report);
-    if (target.option == "--report") return output::pulse_comparison_page(report, units);
+    if (is_document(target))
+      return document_text(target, [&](output::Pictures pictures) {
+        return output::pulse_comparison_document(report, units, pictures);
+      });
     return output::picture(output::pulse_comparison_plot(report, units),
                            *output::picture_format(target.file));
   };
-  publish(targets(request), request.force, text_of, output::pulse_comparison_text(report, units));
+  publish(targets(request), request.force, text_of,
+          output::to_terminal(output::pulse_comparison_document(report, units), output::Detail::main));
   return exit_code(solution.summary);
 }
 
@@ -87,7 +91,7 @@ void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time
   sub.add_option("--align", request.align, "In time: onset (default), peak or none")
       ->check(CLI::IsMember(names))
       ->type_name("NAME");
-  add_report(sub, request.report);
+  add_documents(sub, request.documents);
   add_source_options(sub, request.pulse);
   add_processing_options(sub, request.pulse);
   for (CLI::Option* option : sub.get_options())

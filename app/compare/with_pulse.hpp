@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "dashpad/injury/pulse_comparison.hpp"
-#include "output.hpp"
+#include "documents.hpp"
 #include "pulse/request.hpp"
 
 namespace dashpad::app {
@@ -18,7 +18,7 @@ struct CompareRequest {
   GivenCase given;
   std::optional<std::string> picture;
   std::optional<std::string> json;
-  std::optional<std::string> report;
+  DocumentFiles documents;
   std::string units;
   double time_step_ms = 0.1;
   PulseRequest pulse;

@@ -10,6 +10,7 @@
 #include "command.hpp"
 #include "dashpad/output/material_test.hpp"
 #include "dashpad/spit1984/column.hpp"
+#include "documents.hpp"
 #include "material_test/request.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
@@ -43,7 +44,8 @@ Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was r
 
 struct MaterialTestCommand {
   MaterialTestRequest test;
-  std::optional<std::string> json, csv, report, picture;
+  std::optional<std::string> json, csv, picture;
+  DocumentFiles documents;
   std::string units;
   std::string materials;
   bool force = false;
@@ -53,7 +55,7 @@ std::vector<Target> targets(const MaterialTestCommand& request) {
   std::vector<Target> wanted;
   if (request.json) wanted.push_back({"--json", *request.json});
   if (request.csv) wanted.push_back({"--csv", *request.csv});
-  if (request.report) wanted.push_back({"--report", *request.report});
+  add_targets(request.documents, wanted);
   if (request.picture) wanted.push_back({"--picture", *request.picture});
   return wanted;
 }
@@ -95,10 +97,14 @@ int show(const MaterialTestCommand& request, const fs::path& folder) {
   const auto text_of = [&](const Target& target) {
     if (target.option == "--json") return output::material_test_json(report);
     if (target.option == "--csv") return output::material_test_csv(report, units_of_files(units));
-    if (target.option == "--report") return output::material_test_page(report, units);
+    if (is_document(target))
+      return document_text(target, [&](output::Pictures pictures) {
+        return output::material_test_document(report, units, pictures);
+      });
     return output::picture(output::material_test_plot(report, units), *output::picture_format(target.file));
   };
-  publish(targets(request), request.force, text_of, output::material_test_text(report, units));
+  publish(targets(request), request.force, text_of,
+          output::to_terminal(output::material_test_document(report, units), output::Detail::main));
   return exit_done;
 }
 
@@ -113,7 +119,7 @@ void add_material_test(CLI::App& app, Action& action, const std::filesystem::pat
       ->type_name("FILE");
   sub->add_option("--csv", request->csv, "Write the stresses as CSV (- for standard output)")
       ->type_name("FILE");
-  add_report(*sub, request->report);
+  add_documents(*sub, request->documents);
   sub->add_option("--picture", request->picture, "Draw stress and efficiency (.svg, .png, .pdf)")
       ->type_name("FILE");
   add_units(*sub, request->units);

@@ -68,7 +68,7 @@ std::vector<Target> targets(const PulseRequest& request) {
   if (request.json) wanted.push_back({"--json", *request.json});
   if (request.csv) wanted.push_back({"--csv", *request.csv});
   if (request.picture) wanted.push_back({"--picture", *request.picture});
-  if (request.report) wanted.push_back({"--report", *request.report});
+  add_targets(request.documents, wanted);
   return wanted;
 }
 
@@ -86,11 +86,14 @@ int show_figures(const PulseRequest& request) {
   const auto text_of = [&](const Target& target) {
     const ProgressLine waiting("Writing " + target.file);
     if (target.option == "--json") return output::pulse_json(report);
-    if (target.option == "--report") return output::pulse_page(report, units);
+    if (is_document(target))
+      return document_text(
+          target, [&](output::Pictures pictures) { return output::pulse_document(report, units, pictures); });
     if (target.option == "--csv") return output::pulse_csv(report, units_of_files(units));
     return output::picture(output::pulse_plot(report, units), *output::picture_format(target.file));
   };
-  publish(targets(request), request.force, text_of, output::pulse_text(report, units, request.detail));
+  publish(targets(request), request.force, text_of,
+          output::to_terminal(output::pulse_document(report, units), request.detail));
   return exit_done;
 }
 
@@ -139,7 +142,7 @@ void add_pulse(CLI::App& app, Action& action, const std::filesystem::path&) {
   sub->add_option("--picture", request->picture, "Draw the pulse (.svg, .png, .pdf)")
       ->excludes(list)
       ->type_name("FILE");
-  add_report(*sub, request->report)->excludes(list);
+  for (CLI::Option* document : add_documents(*sub, request->documents)) document->excludes(list);
   add_units(*sub, request->units);
   add_all(*sub, request->detail);
   add_force(*sub, request->force);

@@ -10,7 +10,8 @@
 
 #include "dashpad/injury/pulse_report.hpp"
 #include "dashpad/input/measurement/pulse_csv.hpp"
-#include "dashpad/output/text/result.hpp"
+#include "dashpad/output/document.hpp"
+#include "documents.hpp"
 
 namespace dashpad::app {
 
@@ -37,7 +38,7 @@ struct PulseRequest {
   std::optional<std::string> json;
   std::optional<std::string> csv;
   std::optional<std::string> picture;
-  std::optional<std::string> report;
+  DocumentFiles documents;
   std::string units;
   output::Detail detail = output::Detail::main;
   bool force = false;

@@ -36,7 +36,8 @@ struct StudySummaryRequest {
   std::string store_file;
   std::vector<std::string> responses;
   std::vector<std::string> limits;
-  std::optional<std::string> json, report, picture;
+  std::optional<std::string> json, picture;
+  DocumentFiles documents;
   std::string units;
   bool force = false;
 };
@@ -44,7 +45,7 @@ struct StudySummaryRequest {
 std::vector<Target> targets(const StudySummaryRequest& request) {
   std::vector<Target> wanted;
   if (request.json) wanted.push_back({"--json", *request.json});
-  if (request.report) wanted.push_back({"--report", *request.report});
+  add_targets(request.documents, wanted);
   if (request.picture) wanted.push_back({"--picture", *request.picture});
   return wanted;
 }
@@ -92,9 +93,11 @@ int summarise(const StudySummaryRequest& request) {
   const auto text_of = [&](const Target& target) {
     if (target.option == "--json") return output::study_json(answers);
     if (target.option == "--picture") return picture;
-    return output::figures_page(output::study_page(answers, units));
+    return document_text(
+        target, [&](output::Pictures pictures) { return output::study_document(answers, units, pictures); });
   };
-  publish(targets(request), request.force, text_of, output::study_text(answers, units));
+  publish(targets(request), request.force, text_of,
+          output::to_terminal(output::study_document(answers, units), output::Detail::main));
   return exit_done;
 }
 
@@ -114,7 +117,7 @@ void add_study_summary(CLI::App& study, Action& action) {
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("LIMIT");
-  add_report(*sub, request->report);
+  add_documents(*sub, request->documents);
   sub->add_option("--json", request->json, "Write all answers as JSON, SI and g (- for standard output)")
       ->type_name("FILE");
   sub->add_option("--picture", request->picture, "Draw the most telling figure (.svg, .png, .pdf)")

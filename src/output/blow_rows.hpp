@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dashpad/output/blows.hpp"
-#include "dashpad/output/text/result.hpp"
+#include "dashpad/output/document.hpp"
 #include "dashpad/output/text/table.hpp"
 
 namespace dashpad::output {

@@ -68,29 +68,30 @@ std::string remark_on(const std::string& key, const ImpactCase& impact, const Su
 }
 
 /// Largest strain of each layer on the axis.
-void add_layers(std::vector<ResultRow>& rows, const Pad& pad, const Summary& summary, int digits) {
+void add_layers(std::vector<ValueRow>& rows, const Pad& pad, const Summary& summary, int digits) {
   for (std::size_t i = 0; i < summary.layers.size(); ++i) {
     const Material& material = pad.layers[i].material;
     const auto tested = range_of(material);
     std::string remark = one_line(material.name);
     if (tested) remark += fmt::format(", tested up to {}", significant(tested->highest_strain, digits));
-    rows.push_back({fmt::format("layer_{}_peak_strain", i + 1),
-                    fmt::format("Strain of layer {}", i + 1),
-                    significant(summary.layers[i].peak_strain, digits),
-                    "",
-                    {},
-                    remark});
+    rows.push_back({.key = fmt::format("layer_{}_peak_strain", i + 1),
+                    .label = fmt::format("Strain of layer {}", i + 1),
+                    .value = significant(summary.layers[i].peak_strain, digits),
+                    .remark = remark});
   }
 }
 
 /// 0 for what is 0 up to rounding, compared with the whole.
 double without_rounding(double part, double whole) { return std::abs(part) < 1e-9 * whole ? 0 : part; }
 
-ResultRow row_of(const ResultQuantity& of, double value, const UnitSystem& units, int digits) {
+ValueRow row_of(const ResultQuantity& of, double value, const UnitSystem& units, int digits) {
   const bool is_share = of.key == std::string_view{"energy_absorbed_fraction"};
   const ScaledUnit shown = is_share ? ScaledUnit{100, "%"} : shown_as(of.si_unit, units);
   if (is_share) value = without_rounding(value, 1);
-  return {of.key, of.title, significant(shown.scale * value, digits), shown.unit, {}, ""};
+  return {.key = of.key,
+          .label = of.title,
+          .value = significant(shown.scale * value, digits),
+          .unit = shown.unit};
 }
 
 /// What the text shows, those that a designer asks for first on top.
@@ -161,17 +162,16 @@ std::string outcome(const Summary& summary) {
 }
 
 std::vector<std::string> warnings(const Summary& summary, const UnitSystem& units) {
-  std::vector<std::string> lines;
-  for (const Flag& flag : flags(summary)) {
-    if (flag.name == "NOT RUN") continue;
-    lines.push_back(flag.name == "BOTTOMED" ? bottomed_flag(summary, units) : one_line(flag.text));
-  }
-  return lines;
+  std::vector<Flag> all = flags(summary);
+  std::erase_if(all, [](const Flag& flag) { return flag.name == "NOT RUN"; });
+  for (Flag& flag : all)
+    if (flag.name == "BOTTOMED") flag.text = bottomed_flag(summary, units);
+  return by_severity(std::move(all));
 }
 
-std::vector<ResultRow> summary_rows(const ImpactCase& impact, const Summary& summary, const UnitSystem& units,
-                                    Detail detail) {
-  std::vector<ResultRow> rows;
+std::vector<ValueRow> summary_rows(const ImpactCase& impact, const Summary& summary, const UnitSystem& units,
+                                   Detail detail) {
+  std::vector<ValueRow> rows;
   if (summary.status == Status::not_run) return rows;
   const int digits = digits_of(detail);
   for (const SummaryQuantity* entry : rows_of_summary()) {
@@ -182,7 +182,10 @@ std::vector<ResultRow> summary_rows(const ImpactCase& impact, const Summary& sum
         (!quantity.role.is_main || (key == "peak_motion" && impact.support.is_rigid())))
       continue;
     if (key == "peak_force" && std::isnan(of.value))
-      rows.push_back({key, quantity.title, "none", "", {}, "not finite once the pad is fully compressed"});
+      rows.push_back({.key = key,
+                      .label = quantity.title,
+                      .value = "none",
+                      .remark = "not finite once the pad is fully compressed"});
     if (std::isnan(of.value)) continue;
     rows.push_back(row_of(quantity, of.value, units, digits));
     if (quantity.has_estimate()) rows.back().error = of.error;
@@ -192,10 +195,10 @@ std::vector<ResultRow> summary_rows(const ImpactCase& impact, const Summary& sum
   return rows;
 }
 
-std::vector<ResultRow> pulse_rows(const injury::InjuryFigures& figures, const UnitSystem& units,
-                                  Detail detail) {
+std::vector<ValueRow> pulse_rows(const injury::InjuryFigures& figures, const UnitSystem& units,
+                                 Detail detail) {
   const int digits = digits_of(detail);
-  std::vector<ResultRow> rows;
+  std::vector<ValueRow> rows;
   const injury::InjuryValue* before = nullptr;
   const auto values = injury::injury_values(figures);
   const double length = figures.hic_unlimited.end - figures.hic_unlimited.begin;
@@ -219,31 +222,25 @@ std::vector<ResultRow> pulse_rows(const injury::InjuryFigures& figures, const Un
   return rows;
 }
 
-std::vector<ResultRow> main_rows(const ImpactCase& impact, const Summary& summary,
-                                 const std::optional<injury::InjuryFigures>& injury,
-                                 const UnitSystem& units) {
-  std::vector<ResultRow> rows = summary_rows(impact, summary, units, Detail::main);
+std::vector<ValueRow> main_rows(const ImpactCase& impact, const Summary& summary,
+                                const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units) {
+  std::vector<ValueRow> rows = summary_rows(impact, summary, units, Detail::main);
   if (!injury) return rows;
-  std::vector<ResultRow> all = pulse_rows(*injury, units, Detail::main);
-  std::erase_if(all, [](const ResultRow& row) { return row.key == "velocity_change"; });
-  std::erase_if(rows, [](const ResultRow& row) { return row.key == "peak_acceleration"; });
+  std::vector<ValueRow> all = pulse_rows(*injury, units, Detail::main);
+  std::erase_if(all, [](const ValueRow& row) { return row.key == "velocity_change"; });
+  std::erase_if(rows, [](const ValueRow& row) { return row.key == "peak_acceleration"; });
   all.insert(all.end(), std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
   return all;
 }
 
-std::string laid_out(const std::vector<ResultRow>& rows) {
-  std::size_t width = 0;
-  for (const ResultRow& row : rows) width = std::max(width, width_of(row.interval));
-  std::string text;
-  for (const ResultRow& row : rows) {
-    std::string line = fmt::format("  {:<21}{:>9} {:<7}", row.label, row.value, row.unit);
-    if (width > 0) line += row.interval + std::string(width + 2 - width_of(row.interval), ' ');
-    if (row.error) line += fmt::format("± {:<9} ", shown_error(*row.error));
-    line += row.remark;
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += wrapped(line, 40) + "\n";
-  }
-  return text;
+std::vector<ValueRow> bottoming_figures(const ImpactCase& impact, const Summary& summary,
+                                        const UnitSystem& units) {
+  if (!summary.bottomed) return {};
+  const auto shown = [&](double value, const char* unit) { return brief_quantity(value, unit, units, 3); };
+  return {{.label = "Speed when the pad bottomed",
+           .value = shown(summary.bottomed->velocity, "m/s"),
+           .remark = "after " + shown(summary.bottomed->time, "s")},
+          {.label = "Impact speed", .value = shown(impact.impactor.speed, "m/s")}};
 }
 
 std::string stretch(double begin, double end, const UnitSystem& units, int digits) {
@@ -255,12 +252,8 @@ std::string stretch(double begin, double end, const UnitSystem& units, int digit
 std::string numbers_text(const Summary& summary) {
   const std::string stations = summary.stations > 0 ? fmt::format("{} sampling points", summary.stations)
                                                     : "contact force in closed form";
-  return fmt::format("Solved {}: {} steps, {}, {} runs, {}; energy residual {} (dashpad {})",
-                     tolerance_text(summary), summary.steps, stations, summary.runs,
-                     duration(summary.wall_time),
-                     percentage(std::abs(summary.energy.residual / summary.energy.impact)), version());
+  return fmt::format("{}: {} steps, {}, {} runs, {}", tolerance_text(summary), summary.steps, stations,
+                     summary.runs, duration(summary.wall_time));
 }
-
-std::string shown_error(double error) { return error < 1e-6 ? "< 0.0001 %" : percentage(error); }
 
 }  // namespace dashpad::output

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "output/page/key_figures.hpp"
+#include "output/document.hpp"
 #include "quantities/text.hpp"
 #include "report1986/validation_series.hpp"
 #include "report1986/validation_tables.hpp"
@@ -64,22 +64,22 @@ std::string bias_with_error(const HeldOutScore& score) {
 }
 
 /// A bias with its standard error; the bar goes to whichever of bias and scatter is nearer to its limit.
-output::KeyFigure bias_figure(const Study& study, const HeldOutScore& score) {
+output::ValueRow bias_figure(const Study& study, const HeldOutScore& score) {
   const Rule& rule = rule_of(score.quantity);
   const Score* const by_law = score_by_law(study, score.support, score.quantity);
-  output::KeyFigure figure{
+  output::ValueRow figure{
       .label = fmt::format("Bias of {}, {}", to_string(score.quantity), to_string(score.support)),
       .value = bias_with_error(score),
       .tone = score.passed ? output::Tone::good : output::Tone::bad};
   // Rules are as far below zero as above.
-  figure.limit = "at most ±" + limit_text(rule, rule.high);
+  figure.remark = "at most ±" + limit_text(rule, rule.high);
   if (score.scatter)
-    figure.limit += fmt::format("; scatter {}, at most {}", scatter_text(*score.scatter, score.quantity),
-                                limit_text(rule, rule.scatter));
+    figure.remark += fmt::format("; scatter {}, at most {}", scatter_text(*score.scatter, score.quantity),
+                                 limit_text(rule, rule.scatter));
   else
-    figure.limit += "; too few tests for a scatter";
+    figure.remark += "; too few tests for a scatter";
   if (by_law != nullptr && !by_law->errors.empty())
-    figure.limit += "; by the report's law " + bias_text(by_law->bias, score.quantity);
+    figure.remark += "; by the report's law " + bias_text(by_law->bias, score.quantity);
   const double from_bias = score.bias > 0 ? score.bias / rule.high : score.bias / rule.low;
   figure.share = std::max(from_bias, score.scatter.value_or(0) / rule.scatter);
   return figure;
@@ -143,28 +143,25 @@ output::Plot predicted_over_measured(const Study& study) {
 
 }  // namespace
 
-output::Lead validation_lead(const Study& study) {
+output::Lead validation_lead(const Study& study, output::Pictures pictures) {
   const Tally by_law = tally(study, Program::accurate), held_out = held_out_tally(study);
   output::Lead lead{
       .answer = answer_of(by_law, held_out),
       .tone = tone_of(by_law, held_out),
-      .reservation =
-          "RECONSTRUCTED: the nose radius is lost, and so is the load cell's curve, which follows from what "
-          "the report prints beside it. The form of the fitted foam was chosen with all tests in sight.",
-      .subject = {fmt::format(
-                      "The {} tests of Crash Padding Research, Volume III (1986), Table 3-1; the rules "
+      .subject = {
+          fmt::format("The {} tests of Crash Padding Research, Volume III (1986), Table 3-1; the rules "
                       "were fixed before the first run",
                       study.data.measured.tests.size()),
-                  fmt::format("Figures below: a foam with {} fitted numbers at {} in, each test held out of "
-                              "its fit, ± a standard error",
-                              fitted_numbers, brief(held_out_radius_in))},
-      .curve = predicted_over_measured(study)};
+          fmt::format("Figures below: a foam with {} fitted numbers at {} in, each test held out of "
+                      "its fit, ± a standard error",
+                      fitted_numbers, brief(held_out_radius_in))}};
+  if (pictures == output::Pictures::drawn) lead.curve = predicted_over_measured(study);
   for (const HeldOutScore& score : study.held_out.scores)
     if (lead.figures.size() + 1 < output::most_key_figures) lead.figures.push_back(bias_figure(study, score));
   lead.figures.push_back(
       {.label = "Rules passed by the report's law",
        .value = fmt::format("{} of {}", by_law.passed, by_law.all),
-       .limit = fmt::format("the accurate solver at a nose radius of {:.2f} in", study.radius.favoured_in()),
+       .remark = fmt::format("the accurate solver at a nose radius of {:.2f} in", study.radius.favoured_in()),
        .tone = passes_all(by_law) ? output::Tone::good : output::Tone::bad});
   return lead;
 }

@@ -12,11 +12,6 @@ namespace dashpad::report1986 {
 
 namespace {
 
-output::Table captioned(std::string caption, output::Table table) {
-  table.caption = std::move(caption);
-  return table;
-}
-
 /// The figures of these slugs.
 std::vector<output::CaptionedPlot> chosen(const std::vector<ValidationFigure>& figures,
                                           const std::vector<std::string>& slugs) {
@@ -27,9 +22,10 @@ std::vector<output::CaptionedPlot> chosen(const std::vector<ValidationFigure>& f
   return result;
 }
 
-output::PageSection verdict_section(const Study& study, const std::vector<ValidationFigure>& figures) {
+output::Section verdict_section(const Study& study, const std::vector<ValidationFigure>& figures) {
   return {
       .heading = "Verdict",
+      .seen = output::Seen::always,
       .paragraphs =
           {"The rules were fixed before the first run: bias of peak force and rebound speed within 15 %, of "
            "time to peak within 10 %, of strain within 0.05; scatter at most 25 % for force, 15 % for time "
@@ -41,42 +37,46 @@ output::PageSection verdict_section(const Study& study, const std::vector<Valida
                "The anomaly of section 4: predicted forces fall with speed from about 1 to 0.4 of the "
                "measured ones. By the rules the support defect {}.",
                words(study.anomaly.explanation))},
-      .tables = {captioned("Predictions of the tests", verdict_table(study)),
-                 captioned(
+      .tables = {output::captioned("Predictions of the tests", verdict_table(study)),
+                 output::captioned(
                      "Rebound on the load cell: between 0.95 of the measured speed and 1.05 of the bound "
                      "of Table 3-2 in at least 80 % of the tests",
                      rebound_table(study)),
-                 captioned("On the load cell, each projectile alone", by_projectile_table(study)),
-                 captioned("Anomaly: ratio of the forces", anomaly_table(study, study.anomaly)),
-                 captioned("Anomaly: the rules", anomaly_rules_table(study.anomaly)),
-                 captioned(fmt::format("Predictions of the tests at {:.2f} in, the radius that the report's "
-                                       "own simulations point to",
-                                       study.radius.of_the_report_in()),
-                           reports_radius_table(study)),
-                 captioned("Anomaly at that radius: ratio of the forces",
-                           anomaly_table(study, study.anomaly_at_the_reports_radius)),
-                 captioned("Anomaly at that radius: the rules",
-                           anomaly_rules_table(study.anomaly_at_the_reports_radius)),
-                 captioned("The accurate solver over the nose radius: bias", score_over_radius_table(study))},
+                 output::captioned("On the load cell, each projectile alone", by_projectile_table(study)),
+                 output::captioned("Anomaly: ratio of the forces", anomaly_table(study, study.anomaly)),
+                 output::captioned("Anomaly: the rules", anomaly_rules_table(study.anomaly)),
+                 output::captioned(
+                     fmt::format("Predictions of the tests at {:.2f} in, the radius that the report's "
+                                 "own simulations point to",
+                                 study.radius.of_the_report_in()),
+                     reports_radius_table(study)),
+                 output::captioned("Anomaly at that radius: ratio of the forces",
+                                   anomaly_table(study, study.anomaly_at_the_reports_radius)),
+                 output::captioned("Anomaly at that radius: the rules",
+                                   anomaly_rules_table(study.anomaly_at_the_reports_radius)),
+                 output::captioned("The accurate solver over the nose radius: bias",
+                                   score_over_radius_table(study))},
       .figures = chosen(figures, {"force-ratio"})};
 }
 
-output::PageSection held_out_section(const Study& study) {
-  return {.heading = "The tests predicted by a foam",
-          .paragraphs = {fmt::format(
-                             "The law foam with {} fitted numbers, at a nose radius of {} in, instead of the "
-                             "report's law. On the load cell five folds by speed, on the plate test by test.",
-                             fitted_numbers, brief(held_out_radius_in)),
-                         seen_data},
-          .tables = {captioned("Predictions of tests that the fit has not seen", held_out_table(study)),
-                     captioned("The foam", fitted_foam_table(study)),
-                     captioned("Test by test", held_out_errors_table(study))}};
+output::Section held_out_section(const Study& study) {
+  return {
+      .heading = "The tests predicted by a foam",
+      .seen = output::Seen::always,
+      .paragraphs = {fmt::format(
+                         "The law foam with {} fitted numbers, at a nose radius of {} in, instead of the "
+                         "report's law. On the load cell five folds by speed, on the plate test by test.",
+                         fitted_numbers, brief(held_out_radius_in)),
+                     seen_data},
+      .tables = {output::captioned("Predictions of tests that the fit has not seen", held_out_table(study)),
+                 output::captioned("The foam", fitted_foam_table(study)),
+                 output::captioned("Test by test", held_out_errors_table(study))}};
 }
 
-output::PageSection error_section(const Study& study) {
-  output::PageSection section{.heading = "Errors test by test"};
+output::Section error_section(const Study& study) {
+  output::Section section{.heading = "Errors test by test"};
   for (const Quantity quantity : quantities)
-    section.tables.push_back(captioned(axis_label(quantity), error_table(study, quantity)));
+    section.tables.push_back(output::captioned(axis_label(quantity), error_table(study, quantity)));
   return section;
 }
 
@@ -95,17 +95,18 @@ std::vector<std::string> warnings(const Study& study) {
       study.radius.of_the_report_in(), brief(least_radius_in), brief(greatest_radius_in)));
   texts.emplace_back(
       "RECONSTRUCTED: the load cell's static curve (Figure 3-3) is lost; ours follows from slopes and "
-      "energies that the report prints.");
+      "energies that the report prints. The form of the fitted foam was chosen with all tests in sight.");
   return texts;
 }
 
 }  // namespace
 
-output::FiguresPage validation_page(const Study& study) {
-  const std::vector<ValidationFigure> figures = validation_figures(study);
-  output::FiguresPage page{
+output::Document validation_document(const Study& study, output::Pictures pictures) {
+  const std::vector<ValidationFigure> figures =
+      pictures == output::Pictures::drawn ? validation_figures(study) : std::vector<ValidationFigure>{};
+  output::Document page{
       .title = "Validation against the tests of 1986",
-      .lead = validation_lead(study),
+      .lead = validation_lead(study, pictures),
       .summary = {"The tests beside the accurate solver and the program of 1984. Units are the report's: lb, "
                   "in, mph, ms."},
       .warnings = warnings(study)};
@@ -118,22 +119,23 @@ output::FiguresPage validation_page(const Study& study) {
        .paragraphs = {"The constants of the report's trend lines, fitted again to the readings whose test is "
                       "certain. \"Over all placings\": the least and the greatest value when the other "
                       "readings are placed in every order that the scan allows."},
-       .tables = {captioned("Constants of the trend lines", constants_table(study))},
+       .tables = {output::captioned("Constants of the trend lines", constants_table(study))},
        .figures = chosen(figures, {"figure-3-4", "figure-3-5"})},
       {.heading = "Energy account and statements of the report",
-       .tables = {captioned("Statements that can be computed", claims_table(study))},
+       .tables = {output::captioned("Statements that can be computed", claims_table(study))},
        .figures = chosen(figures, {"figure-3-8", "figure-3-9"})},
       {.heading = "Simulations",
        .figures = chosen(figures, {"figure-4-1", "figure-4-2", "figure-4-3", "figure-4-4", "figure-4-5"})},
       {.heading = "Nose radius",
-       .tables = {captioned("Which radius the readings favour", radius_table(study))},
+       .tables = {output::captioned("Which radius the readings favour", radius_table(study))},
        .figures = chosen(figures, {"nose-radius"})},
       {.heading = "What remains uncertain",
        .paragraphs =
            {"The scan lost the rows of some readings: their order in a column is known, their tests "
             "are not. They take no part in scores and are not drawn."},
-       .tables = {captioned("Readings whose test is lost", unplaced_table(study)),
-                  captioned("What they would say, over all placings in their order", placed_table(study))}}};
+       .tables = {
+           output::captioned("Readings whose test is lost", unplaced_table(study)),
+           output::captioned("What they would say, over all placings in their order", placed_table(study))}}};
   return page;
 }
 

@@ -67,6 +67,6 @@ struct Tally {
 Tally tally(const Study& study, Program program);
 
 /// Whether Dashpad meets the tests, by the verdicts, and with which biases.
-output::Lead validation_lead(const Study& study);
+output::Lead validation_lead(const Study& study, output::Pictures pictures);
 
 }  // namespace dashpad::report1986

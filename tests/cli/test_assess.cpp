@@ -66,8 +66,9 @@ class AssessTest : public CommandTest {
 TEST_F(AssessTest, PassesWithExitCode0) {
   const Outcome outcome = assess({standard("mild", peak_standard("1000"))});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(StartsWith("PASS\nPeak (mild)\n"), HasSubstr("no certification"),
-                                 HasSubstr("Nothing of the case was replaced")));
+  EXPECT_THAT(outcome.out,
+              AllOf(StartsWith("Passes: Peak acceleration has "), HasSubstr("\nPeak (mild)\n"),
+                    HasSubstr("no certification"), HasSubstr("Nothing of the case was replaced")));
   EXPECT_EQ(outcome.err, "");
 }
 
@@ -75,23 +76,23 @@ TEST_F(AssessTest, APassWithoutAFittedRangeHasAReservation) {
   write_file(case_file(), measured_case());
   const Outcome outcome = assess({standard("mild", peak_standard("1000"))});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(StartsWith("PASS, with reservations: NO INTERVAL, UNKNOWN RANGE\n"),
-                                 HasSubstr("  - NO INTERVAL for what the foam gives back: "),
-                                 HasSubstr("  - UNKNOWN RANGE: ")));
+  EXPECT_THAT(outcome.out,
+              AllOf(StartsWith("Passes: "), HasSubstr("\nNO INTERVAL for what the foam gives back: "),
+                    HasSubstr("\nUNKNOWN RANGE: ")));
 }
 
 TEST_F(AssessTest, APassOfAFoamWhoseScatterNobodyMeasuredHasAReservation) {
   write_file(case_file(), with(fitted_case(), "[pad.uncertainty]\nscatter = 0\n", ""));
   EXPECT_THAT(assess({standard("mild", peak_standard("1000"))}).out,
-              AllOf(StartsWith("PASS, with reservations: NO INTERVAL\n"),
-                    HasSubstr("NO INTERVAL for how the foam scatters from sample to sample")));
+              AllOf(StartsWith("Passes: "), Not(HasSubstr("UNKNOWN RANGE")),
+                    HasSubstr("\nNO INTERVAL for how the foam scatters from sample to sample")));
 }
 
 TEST_F(AssessTest, WithoutIntervalsTheValuesAreJudgedAndItSaysSo) {
   const Outcome outcome = assess({standard("mild", peak_standard("1000")), "--no-intervals"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              AllOf(StartsWith("PASS, with reservations: NO INTERVALS\n"), Not(HasSubstr("at 95 %"))));
+              AllOf(StartsWith("Passes: "), HasSubstr("\nNO INTERVALS: "), Not(HasSubstr("at 95 %"))));
 }
 
 TEST_F(AssessTest, SaysWhichOtherNoseACaseHas) {
@@ -100,13 +101,13 @@ TEST_F(AssessTest, SaysWhichOtherNoseACaseHas) {
   EXPECT_THAT(assess({mild}).out, AllOf(HasSubstr("Nothing of the case was replaced"),
                                         ContainsRegex("Kept from the case: [^:]*radius \\(a flat disc\\)")));
   EXPECT_THAT(assess({mild, "--radius", "90 mm"}).out,
-              ContainsRegex("radius +90 mm, given by you; the case has a flat disc\n"));
+              ContainsRegex("radius +90 mm, given by you; the case has a flat disc[.]\n"));
 }
 
 TEST_F(AssessTest, FailsWithExitCode4) {
   const Outcome outcome = assess({standard("harsh", peak_standard("1"))});
   EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
-  EXPECT_THAT(outcome.out, StartsWith("FAIL\n"));
+  EXPECT_THAT(outcome.out, StartsWith("Fails: "));
 }
 
 TEST_F(AssessTest, IsUndecidedWithExitCode3) {
@@ -116,7 +117,8 @@ TEST_F(AssessTest, IsUndecidedWithExitCode3) {
   limit << first["criteria"][0]["value"].get<double>();
   const Outcome outcome = assess({standard("close", peak_standard(limit.str()))});
   EXPECT_EQ(outcome.exit_code, 3) << outcome.out << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(StartsWith("UNDECIDED\n"), HasSubstr("within the interval")));
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("Undecided: "),
+                                 ContainsRegex("undecided: the limit lies\\s+within the interval")));
 }
 
 TEST_F(AssessTest, AMissedToleranceIsExitCode3UnlessALimitIsExceeded) {
@@ -190,8 +192,8 @@ TEST_F(AssessTest, SaysWhereAnotherNoseOrSpeedWouldTurnTheVerdict) {
   const std::string between = standard("between", limiting(slow, fast));
   const Outcome fails = assess({between, "--no-intervals"});
   EXPECT_EQ(fails.exit_code, 4) << fails.out;
-  EXPECT_THAT(fails.out, ContainsRegex("- OTHER SPEED: with the case's own speed, 3 m/s, the verdict is pass "
-                                       "\\(Peak acceleration [0-9.]+ g\\):\n +--keep-speed\n"));
+  EXPECT_THAT(fails.out, ContainsRegex("\nOTHER SPEED: with the case's own speed, 3 m/s, the verdict is pass "
+                                       "\\(Peak acceleration [0-9.]+ g\\):\\s+--keep-speed\n"));
   const Outcome passes = assess({between, "--keep-speed", "--no-intervals", "--json", file("kept.json")});
   EXPECT_EQ(passes.exit_code, 0) << passes.out;
   EXPECT_THAT(passes.out,
@@ -206,7 +208,7 @@ TEST_F(AssessTest, SaysWhereAnotherNoseOrSpeedWouldTurnTheVerdict) {
   EXPECT_EQ(kept["impactor"]["speed_m_per_s"]["from"], "case");
   EXPECT_EQ(kept["impactor"]["speed_m_per_s"]["standard_value"], 3.5);
   // What is undecided both ways is turned by neither.
-  EXPECT_THAT(assess({between}).out, AllOf(StartsWith("UNDECIDED"), Not(HasSubstr("OTHER"))));
+  EXPECT_THAT(assess({between}).out, AllOf(StartsWith("Undecided: "), Not(HasSubstr("OTHER"))));
   // A value given by number is no choice, and a limit far away is turned by none.
   EXPECT_THAT(assess({between, "--speed", "4 m/s"}).out, Not(HasSubstr("OTHER")));
   EXPECT_THAT(assess({standard("far", limiting(900, 1000))}).out, Not(HasSubstr("OTHER")));
@@ -227,9 +229,10 @@ TEST_F(AssessTest, BottomingOnARigidSupportFailsAPeak) {
   const Outcome outcome =
       dashpad({"assess", examples + "rigid-floor-bottoming.toml", "--standard", "fmvss-218:large"});
   EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(ContainsRegex("Peak acceleration +none +400 g  none +fail\n +bottomed out"),
-                                 ContainsRegex("Dwell time above 200 g +none +2 ms  none +fail\n"),
-                                 HasSubstr("- BOTTOMED"), HasSubstr("- UNVERIFIED")));
+  EXPECT_THAT(outcome.out,
+              AllOf(ContainsRegex("Peak acceleration +none +at most 400 g +fail: bottomed\\s+out"),
+                    ContainsRegex("Dwell time above 200 g +none +at most 2 ms +fail"),
+                    HasSubstr("\nBOTTOMED"), HasSubstr("\nUNVERIFIED")));
 }
 
 /// A rigid foam on a rigid support: the sphere stops and stays, so the pulse has no falling flank.
@@ -258,11 +261,12 @@ TEST_F(AssessTest, APulseThatWasCutIsNotJudgedByAClip) {
   write_file(case_file(), rigid_foam_case("35 mm"));
   const Outcome outcome = assess({"fmvss-201-instrument-panel", "--speed", "24.1 km/h"});
   EXPECT_EQ(outcome.exit_code, 3) << outcome.out;
-  EXPECT_THAT(outcome.out, AllOf(StartsWith("UNDECIDED, with reservations: PULSE CUT, "),
-                                 ContainsRegex("3 ms clip +≥ 69[0-9.]* g .* none +undecided\n +PULSE CUT: it "
-                                               "ends at its peak"),
-                                 ContainsRegex("Peak acceleration +29[0-9.]* g +Peak strain +0.95"),
-                                 ContainsRegex("HIC15 +≥ 16[0-9.]+ "), HasSubstr("- PULSE CUT: ")));
+  EXPECT_THAT(outcome.out,
+              AllOf(StartsWith("Undecided: "),
+                    ContainsRegex("3 ms clip +≥ 69[0-9.]* g .* undecided: PULSE CUT: it\\s+"
+                                  "ends\\s+at\\s+its\\s+peak"),
+                    ContainsRegex("Peak acceleration +29[0-9.]* g"), ContainsRegex("Peak strain +0.95"),
+                    ContainsRegex("HIC15 +≥ 16[0-9.]+"), HasSubstr("\nPULSE CUT: ")));
   // Of the peak the falling flank would say nothing: it is judged.
   EXPECT_EQ(assess({standard("mild", peak_standard("300"))}).exit_code, 0);
   EXPECT_EQ(assess({standard("harsh", peak_standard("290"))}).exit_code, 4);
@@ -276,8 +280,10 @@ TEST_F(AssessTest, AnImpactThatRanOutOfTimeIsUndecided) {
   write_file(case_file(), fitted_case() + "[solver]\ntime_limit = \"5 ms\"\n");
   const Outcome outcome = assess({"fmvss-201-instrument-panel"});
   EXPECT_EQ(outcome.exit_code, 3) << outcome.out;
-  EXPECT_THAT(outcome.out, AllOf(StartsWith("UNDECIDED, with reservations: TIME LIMIT, PULSE CUT"),
-                                 HasSubstr("    PULSE CUT: it ends while the impactor is still on the pad")));
+  EXPECT_THAT(
+      outcome.out,
+      AllOf(StartsWith("Undecided: "), HasSubstr("\nTIME LIMIT"), HasSubstr("\nPULSE CUT"),
+            ContainsRegex("undecided: PULSE CUT: it\\s+ends\\s+while\\s+the\\s+impactor\\s+is\\s+still")));
 }
 
 /// No margin, and least of all one of 100 %.
@@ -291,14 +297,14 @@ TEST_F(AssessTest, APadThatIsStruckThroughFailsAClipWithTheSpeedThatIsLeft) {
   EXPECT_EQ(written["criteria"][0]["margin"], nullptr);
   EXPECT_NEAR(written["result"]["bottomed"]["velocity_m_per_s"].get<double>(), 6.118, 0.01);
   EXPECT_THAT(assess({"fmvss-201-instrument-panel"}).out,
-              AllOf(StartsWith("FAIL, with reservations: BOTTOMED"),
-                    ContainsRegex("\nThe pad bottomed out at 6\\.1[0-9]* m/s"), Not(HasSubstr("%"))));
+              AllOf(ContainsRegex("^Fails: the pad bottoms out with 6\\.1[0-9]* m/s left\n"),
+                    HasSubstr("\nBOTTOMED"), Not(HasSubstr("%"))));
 }
 
 TEST_F(AssessTest, OnlyWhatDiffersIsReplaced) {
   write_file(case_file(), rigid_foam_case("35 mm"));
   EXPECT_THAT(assess({"fmvss-201-instrument-panel"}).out,
-              AllOf(HasSubstr("Replaced in the case:\n  speed "), Not(HasSubstr("the case has 6.8 kg")),
+              AllOf(HasSubstr("Replaced in the case: speed "), Not(HasSubstr("the case has 6.8 kg")),
                     HasSubstr("Kept from the case: mass (6.8 kg), radius (82.5 mm), pad, support, solver.")));
 }
 
@@ -337,16 +343,16 @@ type = "rigid"
   EXPECT_EQ(assess({"en-1177", "--drop-height", "0.55 m"}).exit_code, 3);
   const Outcome outcome = assess({"en-1177", "--drop-height", "0.55 m", "--no-intervals"});
   EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(ContainsRegex("Peak acceleration +21[0-9.]* g +200 g .* fail\n"),
-                                 ContainsRegex("HIC of any window +9[0-9.]+ +1000 .* pass\n")));
+  EXPECT_THAT(outcome.out, AllOf(ContainsRegex("Peak acceleration +21[0-9.]* g +at most 200 g +fail by "),
+                                 ContainsRegex("HIC of any window +9[0-9.]+ +at most 1000 +pass with ")));
 }
 
 /// The preset's text was not read, and every figure of it was verified elsewhere.
 TEST_F(AssessTest, APassOfFiguresReadElsewhereHasAReservation) {
   const Outcome outcome = assess({"fmvss-201-instrument-panel"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
-  EXPECT_THAT(outcome.out, AllOf(ContainsRegex("^PASS, with reservations: .*SECONDARY SOURCE\n"),
-                                 HasSubstr("- SECONDARY SOURCE: not read in the standard itself: mass, "
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("Passes: "),
+                                 HasSubstr("\nSECONDARY SOURCE: not read in the standard itself: mass, "
                                            "radius, speed, limit of 3 ms clip\n")));
 }
 
@@ -354,7 +360,7 @@ TEST_F(AssessTest, UsesTheImpactorOfTheStandard) {
   const Outcome outcome = assess({"fmvss-201-instrument-panel:air-bag", "--units", "engineering-metric"});
   EXPECT_THAT(outcome.exit_code, AnyOf(0, 4)) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("A sphere of 6.8 kg and radius 82.5 mm strikes at 19.3 km/h"),
-                                 HasSubstr("speed   19.3 km/h, of the standard; the case has 10.8 km/h"),
+                                 HasSubstr("speed 19.3 km/h, of the standard; the case has 10.8"),
                                  HasSubstr("Kept from the case: pad, support, solver.")));
 }
 
@@ -402,7 +408,7 @@ TEST_F(AssessTest, RefusesWhatMakesNoSense) {
                 AllOf(HasSubstr(std::string{keep} + ": give " + keep + " or " + other + ", not both"),
                       HasSubstr("1 fault;")));
   EXPECT_THAT(refused({"en-1078", "--standard", "cpsc-1203", "--report", file("page.html")}).err,
-              AllOf(HasSubstr("--report: the page is of one standard"), HasSubstr("1 fault;")));
+              AllOf(HasSubstr("--report, --markdown: the page is of one standard"), HasSubstr("1 fault;")));
   EXPECT_THAT(refused({"en-1078", "--standard", "en-1079"}).err, HasSubstr("did you mean \"en-1078\"?"));
   refused({"en-1078", "--tolerance", "1"});
   refused({"en-1078", "--tolerance", "nan"});

@@ -14,6 +14,7 @@ namespace {
 
 using nlohmann::json;
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -71,12 +72,13 @@ TEST_F(ComparePulseTest, AnswersInWordsThenShowsFiguresAndWhatTheyRestOn) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out,
               AllOf(StartsWith("The case predicts a peak "), HasSubstr("; HIC15 is "),
-                    HasSubstr("\n  Peak acceleration       g     40.00 "), HasSubstr("\n  Time to peak "),
-                    HasSubstr("\n  Width at half the peak  ms    5.000 "), HasSubstr("\n  Velocity change "),
-                    HasSubstr("\n  HIC15 "), HasSubstr("\n  Restitution "),
+                    ContainsRegex("\n  Peak acceleration +-34 % +26[.][0-9]+ g for 40[.]00 g measured\n"),
+                    HasSubstr("\n  Time to peak "),
+                    ContainsRegex("\n  Width at half the peak .* for 5[.]000 ms measured\n"),
+                    HasSubstr("\n  Velocity change "), HasSubstr("\n  HIC15 "), HasSubstr("\n  Restitution "),
                     HasSubstr("Aligned at the onset, where each pulse first reaches 5 % of its own peak"),
-                    HasSubstr("A sphere of 5 kg"), HasSubstr("drop.csv, CSV):\n"),
-                    HasSubstr("acceleration  acc_g in g (from the file)")));
+                    ContainsRegex("Impactor +a sphere of 5 kg"), HasSubstr("drop.csv (CSV) over "),
+                    HasSubstr("Acceleration  acc_g in g (from the file)")));
   EXPECT_TRUE(other_files() == std::vector<std::string>{"drop.csv"});
 }
 

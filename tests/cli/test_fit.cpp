@@ -66,8 +66,10 @@ class FitTest : public CommandTest {
 TEST_F(FitTest, AnswersFirstAndWritesACardThatSolves) {
   const Outcome outcome = dashpad({"fit", file("fit.toml"), "--output", file("card.toml")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, testing::StartsWith("A made-up foam\n3 unknowns from 40 points of 1 test: the "
-                                               "data determine all of them.\n2 of 2 starts"));
+  EXPECT_THAT(outcome.out,
+              testing::AllOf(testing::StartsWith("The data determine all 3 unknowns; the model misses"),
+                             HasSubstr("\nA made-up foam\n3 unknowns from 40 points of 1 test: the "
+                                       "data determine all of them. 2 of 2 starts")));
   const std::string with_card =
       with(elastic_case(), "law = \"elastic\"\n[pad.parameters]\nmodulus = \"300 kPa\"",
            "material = \"card.toml\"");
@@ -288,7 +290,7 @@ TEST_F(FitTest, SaysInAPipeHowFarItIs) {
 TEST_F(FitTest, TheExampleWorks) {
   const Outcome outcome = dashpad({"fit", examples + "fits/vn600.toml"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("vn600-quasi-static.csv  127"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("vn600-quasi-static.csv +127 "));
 }
 
 }  // namespace

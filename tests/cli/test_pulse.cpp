@@ -15,6 +15,7 @@ namespace {
 
 using nlohmann::json;
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -71,12 +72,12 @@ TEST_F(PulseTest, ShowsFiguresAndHowTheyCameAbout) {
       outcome.out,
       AllOf(HasSubstr("drop.csv (CSV)\n"), HasSubstr("time [ms] in ms (from the file), 1 ms = 0.001 s\n"),
             HasSubstr("acceleration [g] in g (from the file), 1 g = 9.80665 m/s2\n"),
-            HasSubstr("201 samples from -5 to 15 ms\n"), HasSubstr("filter        none\n"),
-            HasSubstr("Peak acceleration        100.0 g      at 5 ms\n"),
+            HasSubstr("\nSamples       201 from -5 to 15 ms\n"), HasSubstr("\nFilter        none\n"),
+            ContainsRegex("Peak acceleration +100.0 g +at 5 ms\n"),
             HasSubstr("; also HIC36 and HIC of any window\n"), HasSubstr("; also cumulative 3 ms clip\n"),
             Not(HasSubstr("Dwell time above 150 g"))));
   const std::string all = pulse({file("drop.csv"), "--all"}).out;
-  EXPECT_THAT(all, HasSubstr("Peak acceleration       100.00 g      at 5 ms\n"));
+  EXPECT_THAT(all, ContainsRegex("Peak acceleration +100.00 g +at 5 ms\n"));
   for (const std::string label :
        {"HIC15 ", "HIC36 ", "HIC of any window ", "HIC(d) ", "3 ms clip ", "Cumulative 3 ms clip ",
         "Severity index ", "Velocity change ", "Dwell time above 80 g ", "Dwell time above 150 g ",
@@ -212,9 +213,9 @@ TEST_F(PulseTest, FiltersTheDirectionsOfATest) {
     if (!filter.empty()) arguments.insert(arguments.end(), {"--filter", filter, "--ends", "negated-before"});
     const Outcome outcome = pulse(arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(
-        outcome.err.find("resultant of 2 directions, each filtered, then combined\n") != std::string::npos,
-        !filter.empty());
+    EXPECT_EQ(outcome.err.find("\nResultant     of 2 directions, each filtered, then combined\n") !=
+                  std::string::npos,
+              !filter.empty());
     return json::parse(outcome.out).at("figures").at("hic15").at("value").get<double>();
   };
   EXPECT_LT(hic15("CFC180"), 0.3 * hic15(""));
@@ -250,8 +251,8 @@ TEST_F(PulseTest, BridgesGapsOnlyIfAsked) {
 TEST_F(PulseTest, RoundingNoiseInTimesIsShownAsZero) {
   write_file(file("noise.csv"), "t_ms,a_g\n7.3459e-16,100\n5,100\n10,100\n15,100\n");
   const std::string text = pulse({file("noise.csv")}).out;
-  EXPECT_THAT(text,
-              AllOf(HasSubstr("4 samples from 0 to 15 ms\n"), HasSubstr("at 0 ms\n"), Not(HasSubstr("e-1"))));
+  EXPECT_THAT(text, AllOf(HasSubstr("\nSamples       4 from 0 to 15 ms\n"), HasSubstr("at 0 ms\n"),
+                          Not(HasSubstr("e-1"))));
 }
 
 TEST_F(PulseTest, SaysWhatWasRepaired) {
@@ -265,9 +266,10 @@ TEST_F(PulseTest, ListsAndChoosesChannels) {
   const Outcome list = pulse({file("test"), "--list"});
   EXPECT_EQ(list.exit_code, 0) << list.err;
   EXPECT_THAT(list.out, AllOf(StartsWith(" No.  code"), HasSubstr("\n   2  11HEAD0000H3ACYA  g")));
-  EXPECT_THAT(pulse({file("test"), "--channel", "2"}).out, HasSubstr("Peak acceleration        40.00 g"));
-  EXPECT_THAT(pulse({file("test/v1.mme"), "--resultant"}).out,
-              AllOf(HasSubstr("Peak acceleration        50.00 g"), HasSubstr("resultant of 2 directions")));
+  EXPECT_THAT(pulse({file("test"), "--channel", "2"}).out, ContainsRegex("Peak acceleration +40.00 g"));
+  EXPECT_THAT(
+      pulse({file("test/v1.mme"), "--resultant"}).out,
+      AllOf(ContainsRegex("Peak acceleration +50.00 g"), HasSubstr("\nResultant     of 2 directions")));
   EXPECT_THAT(refused({file("test")}), HasSubstr("several channels may be meant"));
   EXPECT_THAT(pulse({file("drop.csv"), "--list"}).out,
               HasSubstr("\n   2  acceleration [g]                g\n"));

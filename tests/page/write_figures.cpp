@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/document.hpp"
 
 namespace {
 
@@ -126,7 +126,7 @@ output::Plot hostile() {
   return {.title = attack, .panels = {panel, {.title = "Nothing", .x = {"x"}, .y = {"y"}}}, .source = attack};
 }
 
-output::FiguresPage example() {
+output::Document example() {
   const output::Table table{.caption = "Peaks of force",
                             .columns = {"Case", "Peak (kN)", "Error", "Remark"},
                             .rows = {{"first", "4.60", "0.02 %", "as in the report"},
@@ -157,7 +157,7 @@ int main(int count, char** arguments) {
   if (count != 2) return 2;
   try {
     std::ofstream file{arguments[1], std::ios::binary};
-    file << output::figures_page(example());
+    file << output::to_html(example());
     return file.flush() ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -45,7 +45,7 @@ inline double in_si(const std::string& unit) {
   static const std::map<std::string, double> units = [] {
     std::map<std::string, double> all;
     for (const UnitSystem& system : unit_systems()) {
-      for (const char* si : {"m", "kg", "s", "m/s", "m/s2", "N", "N/m", "Pa", "J", "kg/m2"}) {
+      for (const char* si : {"m", "kg", "s", "m/s", "m/s2", "N", "N/m", "Pa", "J", "kg/m2", "kg/m3"}) {
         const ScaledUnit shown = shown_as(si, system);
         all[shown.unit] = 1 / shown.scale;
       }

@@ -16,8 +16,8 @@
 #include "dashpad/input/fault.hpp"
 #include "dashpad/output/json/result.hpp"
 #include "dashpad/output/text/case.hpp"
-#include "dashpad/output/text/result.hpp"
 #include "dashpad/spit1984/deck.hpp"
+#include "impact_text.hpp"
 #include "output/blow_rows.hpp"
 #include "output/text/case_toml.hpp"
 #include "sample_case.hpp"
@@ -187,15 +187,16 @@ TEST(BlowSeries, RemembersTheDeepestOfTheBlowsSoFar) {
 std::string told(const ImpactCase& impact) {
   const auto blows = solve_blows(impact, {.tolerance = 1e-3});
   const Solution& last = blows.back().solution;
-  return output::result_text(impact, last.summary, injury::whole_pulse_figures(last), unit_system("si"),
-                             output::Detail::main, output::blow_results(blows));
+  return test::impact_text(impact, last.summary, injury::whole_pulse_figures(last), unit_system("si"),
+                           output::Detail::main, output::blow_results(blows));
 }
 
 TEST(BlowTexts, AnswerFirstHowThePeaksGrow) {
   const std::string text = told(struck(sample_law<Foam>(), 3, 0));
   EXPECT_THAT(text, HasSubstr("From blow 1 to blow 3 the peak acceleration goes from "));
-  EXPECT_LT(text.find("From blow 1"), text.find("Peak acceleration, g"));
-  EXPECT_LT(text.find("Peak acceleration, g"), text.find("Blow 3:\n"));
+  EXPECT_EQ(text.find("From blow 1"), 0U);
+  EXPECT_LT(text.find("Blow 3:\n"), text.find("  Peak acceleration"));
+  EXPECT_LT(text.find("  Peak acceleration"), text.find("Peak acceleration, g"));
   EXPECT_THAT(told(struck(sample_law<Foam>(), 3, 1)), HasSubstr("All 3 blows are alike: the pad recovers"));
   EXPECT_THAT(told(struck(sample_law<Elastic>(), 3, 0)), HasSubstr("elastic recovers fully by its law"));
 }

@@ -7,27 +7,27 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/document.hpp"
 #include "output/page/check.hpp"
 
 namespace dashpad::test {
 
-using output::FiguresPage;
+using output::Document;
 using output::SeriesStyle;
 
 namespace {
 
 using ::testing::HasSubstr;
 
-FiguresPage page_of(const output::Plot& plot) { return {.sections = {{.figures = {{.plot = plot}}}}}; }
+Document page_of(const output::Plot& plot) { return {.sections = {{.figures = {{.plot = plot}}}}}; }
 
-FiguresPage page_with(const std::vector<output::Series>& series, const output::Axis& x = {},
-                      const output::Axis& y = {}) {
+Document page_with(const std::vector<output::Series>& series, const output::Axis& x = {},
+                   const output::Axis& y = {}) {
   return page_of(output::Plot{.panels = {{.x = x, .y = y, .series = series}}});
 }
 
 /// What is said of a page that does not fit together; empty if it does.
-std::string fault_of(const FiguresPage& page) {
+std::string fault_of(const Document& page) {
   try {
     output::check(page);
   } catch (const std::invalid_argument& fault) {
@@ -47,14 +47,14 @@ TEST(figures_page, refuses_what_does_not_fit_together) {
               HasSubstr("\"x\" ends at 1, not above"));
   EXPECT_THAT(fault_of(page_with({}, {}, {.label = "y", .logarithmic = true, .low = 0})),
               HasSubstr("\"y\" cannot end at 0"));
-  FiguresPage page;
+  Document page;
   page.sections = {{.tables = {{.caption = "Peaks", .columns = {"a", "b"}, .rows = {{"1", "2"}, {"3"}}}}}};
   EXPECT_EQ(fault_of(page), "row 2 of the table \"Peaks\" has 1 cells, not 2");
-  EXPECT_THROW(output::figures_page(page), std::invalid_argument);
+  EXPECT_THROW(output::to_html(page), std::invalid_argument);
 }
 
 TEST(figures_page, refuses_bars_beyond_their_bounds) {
-  FiguresPage page;
+  Document page;
   page.sections = {{.ranges = {{.label = "modulus", .place = 0.4, .from = 0.2}}}};
   EXPECT_EQ(fault_of(page), "");
   page.sections[0].ranges[0].from = -0.1;

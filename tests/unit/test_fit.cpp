@@ -383,7 +383,8 @@ TEST_F(FitFileTest, PredictsWhatIsHeldOut) {
   EXPECT_EQ(report.points, 30u);
   // The rate effect of the starting values: (1 / 0.01)^0.1 = 1.58.
   EXPECT_NEAR(report.tests[1].computed.back() / report.tests[0].computed.back(), std::pow(100, 0.1), 0.01);
-  EXPECT_THAT(output::fit_text(report, unit_system("si")), HasSubstr("held out"));
+  EXPECT_THAT(output::to_terminal(output::fit_document(report, unit_system("si")), output::Detail::main),
+              HasSubstr("held out"));
 }
 
 TEST_F(FitFileTest, LeavesOpenWhatOneRateCannotTell) {
@@ -397,7 +398,8 @@ TEST_F(FitFileTest, LeavesOpenWhatOneRateCannotTell) {
   EXPECT_FALSE(report.unknowns[2].standard_error);
   EXPECT_EQ(report.flat_directions,
             std::vector<std::vector<std::string>>{{"pad.parameters.unloading_factor"}});
-  EXPECT_THAT(output::fit_text(report, unit_system("si")), HasSubstr("is not determined by these data"));
+  EXPECT_THAT(output::to_terminal(output::fit_document(report, unit_system("si")), output::Detail::main),
+              HasSubstr("is not determined by these data"));
 }
 
 TEST_F(FitFileTest, NamesEachFault) {

@@ -206,8 +206,9 @@ case = "drop.toml"
   EXPECT_EQ(report.comparison[3].figure, ImpactFigure::peak_penetration);
   EXPECT_FALSE(report.comparison[3].is_of_pulse);
   EXPECT_FALSE(report.comparison[4].is_held_out);
-  const std::string text = output::fit_text(report, plain_si());
-  EXPECT_THAT(text, HasSubstr("Measured and model"));
+  const std::string text =
+      output::to_terminal(output::fit_document(report, plain_si()), output::Detail::main);
+  EXPECT_THAT(text, HasSubstr("measured and of the model"));
   EXPECT_THAT(text, HasSubstr("HIC of any window"));
   EXPECT_THAT(report.material.reservations,
               Contains(HasSubstr("the peak penetration by the model is 13 % below what was measured")));
@@ -359,7 +360,8 @@ TEST_F(RecoilTest, IsSoughtWhereNobodyStatedItAndImpactsShowIt) {
   ASSERT_TRUE(report.converged) << report.why_not;
   EXPECT_NEAR(value_of(report, "pad.parameters.recoil"), 0.2, 0.02);
   EXPECT_TRUE(report.unknowns[1].is_added);
-  EXPECT_THAT(output::fit_text(report, plain_si()), HasSubstr("pad.parameters.recoil\n  is sought too"));
+  EXPECT_THAT(output::to_terminal(output::fit_document(report, plain_si()), output::Detail::main),
+              HasSubstr("pad.parameters.recoil\n  is sought too"));
   const auto& range = report.material.uncertainty.recoil;
   ASSERT_TRUE(range);
   EXPECT_LT(range->low, 0.2);

@@ -15,10 +15,10 @@
 #include "dashpad/input/fault.hpp"
 #include "dashpad/output/csv/history.hpp"
 #include "dashpad/output/text/case.hpp"
-#include "dashpad/output/text/result.hpp"
 #include "dashpad/spit1984/deck.hpp"
 #include "dashpad/study/store.hpp"
 #include "dashpad/study/stored_study.hpp"
+#include "impact_text.hpp"
 #include "output/text/case_toml.hpp"
 #include "sample_case.hpp"
 #include "shared/samples.hpp"
@@ -226,7 +226,7 @@ TEST(LayerCases, SayWhatEachLayerWentThrough) {
   EXPECT_FALSE(solution.summary.layers[1].beyond_tested.has_value());
   EXPECT_GT(solution.summary.layers[0].peak_strain_rate, 50);
   const std::string text =
-      output::result_text(impact, solution.summary, std::nullopt, unit_system("si"), output::Detail::main);
+      test::impact_text(impact, solution.summary, std::nullopt, unit_system("si"), output::Detail::main);
   EXPECT_THAT(text, HasSubstr("EXTRAPOLATED STRAIN: layer 1 (team-wendy-hard-pu): strain reaches"));
   EXPECT_THAT(text, HasSubstr("Strain of layer 2"));
   const std::string csv = output::history_csv(solution.history, unit_system("si"));

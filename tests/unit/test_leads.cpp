@@ -7,10 +7,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dashpad/output/material_test.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "made_up_study.hpp"
-#include "output/page/material_test_lead.hpp"
-#include "output/page/study_key_figures.hpp"
+#include "output/documents/study_key_figures.hpp"
 #include "output/text/capitals.hpp"
 #include "output/text/study_answer.hpp"
 #include "report1986/validation_tables.hpp"
@@ -18,23 +18,23 @@
 namespace dashpad {
 namespace {
 
-using output::KeyFigure;
 using output::Lead;
 using output::Tone;
+using output::ValueRow;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-std::vector<std::string> labels_of(const std::vector<KeyFigure>& figures) {
+std::vector<std::string> labels_of(const std::vector<ValueRow>& figures) {
   std::vector<std::string> labels;
-  for (const KeyFigure& figure : figures) labels.push_back(figure.label);
+  for (const ValueRow& figure : figures) labels.push_back(figure.label);
   return labels;
 }
 
 /// The figure of that label; an empty one without it.
-KeyFigure figure_of(const std::vector<KeyFigure>& figures, const std::string& label) {
-  for (const KeyFigure& figure : figures)
+ValueRow figure_of(const std::vector<ValueRow>& figures, const std::string& label) {
+  for (const ValueRow& figure : figures)
     if (figure.label == label) return figure;
   return {};
 }
@@ -70,7 +70,7 @@ laboratory::MaterialTestReport with_a_wall() {
 }
 
 Lead lead_of(const laboratory::MaterialTestReport& report) {
-  return output::material_test_lead(report, unit_system("si"));
+  return *output::material_test_document(report, unit_system("si"), output::Pictures::drawn).lead;
 }
 
 TEST(MaterialTestLead, SaysWhereTheFoamIsUsedBestAtTheHighestRate) {
@@ -81,9 +81,9 @@ TEST(MaterialTestLead, SaysWhereTheFoamIsUsedBestAtTheHighestRate) {
                           "Strain reached", "Largest stress"));
   EXPECT_EQ(figure_of(lead.figures, "Given back").value, "25 %");
   EXPECT_EQ(figure_of(lead.figures, "Largest stress").value, "617000 kPa");  // three digits
-  const KeyFigure reached = figure_of(lead.figures, "Strain reached");
+  const ValueRow reached = figure_of(lead.figures, "Strain reached");
   EXPECT_EQ(reached.tone, Tone::doubtful);
-  EXPECT_EQ(reached.limit, "fitted up to 0.5");
+  EXPECT_EQ(reached.remark, "fitted up to 0.5");
   EXPECT_DOUBLE_EQ(*reached.share, 1.6);
   // The wall does not hide the rest.
   EXPECT_DOUBLE_EQ(*lead.curve->panels.at(0).y.high, 200);
@@ -106,7 +106,7 @@ TEST(MaterialTestLead, AnswersTheStressLimitThatWasAskedFor) {
   test.stress_limits = {30e3, 130e3};
   const Lead lead = lead_of(run_material_test(spring_card(), test));
   EXPECT_EQ(lead.answer, "Takes 1.5 kJ/m³ before its stress reaches 30 kPa (at 5 per second)");
-  EXPECT_EQ(figure_of(lead.figures, "Energy below 130 kPa").limit, "which is not reached");
+  EXPECT_EQ(figure_of(lead.figures, "Energy below 130 kPa").remark, "which is not reached");
 }
 
 TEST(MaterialTestLead, OfAHoldItSaysWhatIsLeft) {
@@ -120,24 +120,26 @@ TEST(MaterialTestLead, OfAHoldItSaysWhatIsLeft) {
 }
 
 TEST(MaterialTestLead, RestsOnTheCard) {
-  const std::vector<std::string> basis = output::material_test_basis(with_a_wall(), unit_system("si"));
-  EXPECT_THAT(basis.at(0), HasSubstr("Source: a test"));
-  EXPECT_EQ(basis.at(1), "Fitted up to a strain of 0.5, at 1 to 10 per second.");
-  EXPECT_EQ(basis.at(2), "It is made up.");
+  const output::Document document = output::material_test_document(with_a_wall(), unit_system("si"));
+  EXPECT_THAT(
+      document.sections.at(1).tables.at(0).rows.at(0),
+      ElementsAre("Foam",
+                  "A spring (spring, elastic law); fitted up to a strain of 0.5, at 1 to 10 per second",
+                  "a test", "It is made up."));
 }
 
 TEST(ValidationLead, FollowsTheVerdicts) {
   report1986::Study study = test::made_up_study();
-  Lead lead = report1986::validation_lead(study);
+  Lead lead = report1986::validation_lead(study, output::Pictures::drawn);
   EXPECT_EQ(
       lead.answer,
       "The tests of 1986 are not all met: the report's foam law passes 1 of 2 rules, a foam fitted to the "
       "other tests 0 of 1");
   EXPECT_EQ(lead.tone, Tone::bad);
   study.held_out.scores.front().passed = true;
-  EXPECT_EQ(report1986::validation_lead(study).tone, Tone::doubtful);
+  EXPECT_EQ(report1986::validation_lead(study, output::Pictures::drawn).tone, Tone::doubtful);
   study.rebounds.front().passed = true;
-  lead = report1986::validation_lead(study);
+  lead = report1986::validation_lead(study, output::Pictures::drawn);
   EXPECT_EQ(lead.tone, Tone::good);
   EXPECT_THAT(lead.answer, HasSubstr("are met: the report's foam law passes 2 of 2"));
 }
@@ -152,10 +154,10 @@ TEST(ValidationLead, ABiasStandsBesideItsRule) {
                             .standard_error = 0.04,
                             .scatter = 0.20,
                             .passed = true}};
-  const Lead lead = report1986::validation_lead(study);
-  const KeyFigure figure = figure_of(lead.figures, "Bias of peak force, load cell");
+  const Lead lead = report1986::validation_lead(study, output::Pictures::drawn);
+  const ValueRow figure = figure_of(lead.figures, "Bias of peak force, load cell");
   EXPECT_EQ(figure.value, "-3.0 ± 4.0\u00a0%");
-  EXPECT_EQ(figure.limit, "at most ±15 %; scatter 20.0 %, at most 25 %; by the report's law -12.5 %");
+  EXPECT_EQ(figure.remark, "at most ±15 %; scatter 20.0 %, at most 25 %; by the report's law -12.5 %");
   EXPECT_DOUBLE_EQ(*figure.share, 0.8);  // the scatter is nearer to its limit
   EXPECT_EQ(figure.tone, Tone::good);
   const output::Series& foam = lead.curve->panels.at(0).series.at(2);
@@ -196,10 +198,10 @@ TEST(StudyKeyFigures, OfDrawsWithALimitTheProbabilityAndTheQuantilesTowardsIt) {
   for (const double peak : peaks) readings.push_back({peak, peak});
   answers.groups[0].exceedances = {study::exceedance(readings, limit)};
   answers.records.beyond_strain = 25;
-  const std::vector<KeyFigure> figures = output::study_key_figures(answers, unit_system("si"));
+  const std::vector<ValueRow> figures = output::study_key_figures(answers, unit_system("si"));
   EXPECT_EQ(figures.at(0).label, "Peak acceleration above 80 g");
   EXPECT_EQ(figures.at(0).value, "20 %");
-  EXPECT_THAT(figures.at(0).limit, HasSubstr("95 % interval 12."));
+  EXPECT_THAT(figures.at(0).remark, HasSubstr("95 % interval 12."));
   EXPECT_EQ(figures.at(1).value, "50 g");
   EXPECT_DOUBLE_EQ(*figures.at(1).share, 0.625);
   EXPECT_EQ(figures.back().value, "25 %");
@@ -218,17 +220,17 @@ TEST(StudyKeyFigures, OfOtherResponsesNineDrawsInTen) {
   answers.records.responses.push_back(hics);
   answers.groups[0].distributions.push_back(study::distribution(hics, true));
   answers.groups[0].sensitivities.emplace_back();
-  const KeyFigure figure = figure_of(output::study_key_figures(answers, unit_system("si")), "HIC15");
+  const ValueRow figure = figure_of(output::study_key_figures(answers, unit_system("si")), "HIC15");
   EXPECT_EQ(figure.value, "136 to 946");  // the 5th and the 95th
 }
 
 TEST(StudyKeyFigures, OfAGridTheLeastAndTheGreatestWithTheirPlaces) {
-  const std::vector<KeyFigure> figures =
+  const std::vector<ValueRow> figures =
       output::study_key_figures(answers_of({300, 100, 200}, false), unit_system("si"));
   ASSERT_THAT(figures, SizeIs(2));
   EXPECT_EQ(figures[0].label, "Peak acceleration, least");
   EXPECT_EQ(figures[0].value, "10.2 g");
-  EXPECT_EQ(figures[0].limit, "at impact speed 2 m/s");
+  EXPECT_EQ(figures[0].remark, "at impact speed 2 m/s");
   EXPECT_EQ(figures[1].value, "30.6 g");
 }
 
@@ -238,7 +240,7 @@ TEST(StudyKeyFigures, OfIndicesTheLargestFirst) {
       study::Sensitivity{.indices = {{.factor = "pad.thickness", .first = {}, .total = {0.024, 0.01, 0.04}},
                                      {.factor = "impactor.speed", .first = {}, .total = {0.76, 0.7, 0.8}}},
                          .draws = 3}};
-  const std::vector<KeyFigure> figures = output::study_key_figures(answers, unit_system("si"));
+  const std::vector<ValueRow> figures = output::study_key_figures(answers, unit_system("si"));
   EXPECT_EQ(figures.at(0).label, "Peak acceleration by impact speed");
   EXPECT_EQ(figures.at(0).value, "76 %");
   EXPECT_EQ(figures.at(1).value, "2.4 %");

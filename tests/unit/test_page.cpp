@@ -7,7 +7,7 @@
 
 #include "dashpad/impact/contact_snapshot.hpp"
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/output/page/page.hpp"
+#include "dashpad/output/impact.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "output/plot/impact_energies.hpp"
 #include "sample_case.hpp"
@@ -36,8 +36,13 @@ std::size_t count(const std::string& text, const std::string& part) {
 class Page : public ::testing::Test {
  protected:
   static std::string page_of(const ImpactCase& impact, const Solution& solution) {
-    return output::page(impact, dashboard().options, solution, unit_system("us"),
-                        contact_snapshots(impact, solution.history));
+    return output::impact_page({impact,
+                                dashboard().options,
+                                solution,
+                                injury::whole_pulse_figures(solution),
+                                {},
+                                contact_snapshots(impact, solution.history)},
+                               unit_system("us"));
   }
 
   /// Without a matcher: it would print the whole page.
@@ -78,7 +83,7 @@ TEST_F(Page, has_every_unit_system) {
   EXPECT_TRUE(has("&quot;N&quot;:[&quot;kN&quot;,0.001]"));
   EXPECT_TRUE(has("data-y-unit=\"N\""));
   // What changes with them is there once for each.
-  for (const char* part : {"answer", "figures", "words", "section-1", "section-2", "section-4"})
+  for (const char* part : {"answer", "figures", "words", "section-1", "section-2"})
     EXPECT_EQ(count(text_, "data-part=\"" + std::string{part} + "\""), unit_systems().size()) << part;
   EXPECT_EQ(count(text_, "data-part=\"drawing\""), 1U);
   EXPECT_EQ(count(text_, "data-texts-of=\"drawing\""), unit_systems().size() - 1);
@@ -94,8 +99,13 @@ TEST_F(Page, of_a_long_history_is_small_and_keeps_its_peak) {
     column->assign(size, 0.01);
   for (std::size_t i = 0; i < size; ++i) history.time[i] = 1e-6 * static_cast<double>(i + 1);
   history.force[54'321] = 7777;
-  const std::string page =
-      output::page(dashboard().impact, {}, solution, plain_si(), contact_snapshots(dashboard().impact, {}));
+  const std::string page = output::impact_page({dashboard().impact,
+                                                {},
+                                                solution,
+                                                injury::whole_pulse_figures(solution),
+                                                {},
+                                                contact_snapshots(dashboard().impact, {})},
+                                               plain_si());
   EXPECT_LT(page.size(), 200'000U);
   EXPECT_NE(page.find("data-y-high=\"8000\""), std::string::npos);
 }

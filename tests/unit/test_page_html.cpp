@@ -6,11 +6,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "output/page/cell.hpp"
 #include "output/page/digest.hpp"
 #include "output/page/frame.hpp"
 #include "output/page/html.hpp"
 #include "output/page/inline_svgs.hpp"
+#include "output/text/cell.hpp"
 
 namespace dashpad::output {
 
@@ -22,17 +22,17 @@ using ::testing::Not;
 const std::string attack = "</h1><script>x</script> \"'&";
 const std::string harmless = "&lt;/h1&gt;&lt;script&gt;x&lt;/script&gt; &quot;&#39;&amp;";
 
-std::string body_of(const FiguresPage& page) { return html_of({{nullptr, page}}).body; }
+std::string body_of(const Document& page) { return html_of({{nullptr, page}}).body; }
 
 Plot rising() { return {.panels = {{.x = {"x"}, .y = {"y"}, .series = {{.x = {0, 1}, .y = {0, 1}}}}}}; }
 
 TEST(PageHtml, EscapesWhateverItIsGiven) {
-  FiguresPage page;
+  Document page;
   page.title = attack;
-  page.lead = Lead{.answer = attack, .reservation = attack, .subject = {attack}};
+  page.lead = Lead{.answer = attack, .subject = {attack}};
   page.lead->figures = {{.label = attack, .value = attack, .limit = attack}};
   page.summary = page.warnings = {attack};
-  PageSection section{.heading = attack, .paragraphs = {attack}, .copy = attack + "\n" + attack};
+  Section section{.heading = attack, .paragraphs = {attack}, .copy = attack + "\n" + attack};
   section.tables = {{.caption = attack, .columns = {attack, attack}, .rows = {{attack, attack}}}};
   section.ranges = {{.label = attack, .value = attack, .words = attack, .lowest = attack, .highest = attack}};
   section.figures = {{.name = attack, .plot = rising(), .note = attack}};
@@ -45,7 +45,7 @@ TEST(PageHtml, EscapesWhateverItIsGiven) {
 }
 
 TEST(PageHtml, SaysWhatAnAnswerMeansWithoutItsColour) {
-  FiguresPage page;
+  Document page;
   page.lead = Lead{.answer = "Fails", .tone = Tone::bad};
   EXPECT_THAT(body_of(page), HasSubstr("<h1 class=\"bad\"><span class=\"sign\">✕</span> Fails</h1>"));
   page.lead->tone = Tone::good;
@@ -57,7 +57,7 @@ TEST(PageHtml, SaysWhatAnAnswerMeansWithoutItsColour) {
 
 /// The limit lies at 1 / 1.3 of the track.
 TEST(PageHtml, DrawsBarsTowardsTheirLimit) {
-  FiguresPage page;
+  Document page;
   page.lead = Lead{.answer = "Passes"};
   page.lead->figures = {{.label = "HIC", .value = "500", .share = 0.5, .tone = Tone::good},
                         {.label = "Peak", .value = "900 g", .share = 9, .tone = Tone::bad},
@@ -71,7 +71,7 @@ TEST(PageHtml, DrawsBarsTowardsTheirLimit) {
 
 /// A bar fades where its interval has no end, and there only.
 TEST(PageHtml, FadesOpenEnds) {
-  FiguresPage page;
+  Document page;
   page.sections = {{.ranges = {{.label = "modulus", .place = 0.4, .from = 0.2}}}};
   EXPECT_THAT(body_of(page), HasSubstr("x=\"92\" width=\"8\" height=\"10\" opacity=\"0.55\""));
   page.sections[0].ranges[0].open_above = true;
@@ -80,7 +80,7 @@ TEST(PageHtml, FadesOpenEnds) {
 }
 
 TEST(PageHtml, HasEachStyleOnceAndNamesIt) {
-  FiguresPage page;
+  Document page;
   page.sections = {{.figures = {{.plot = rising()}, {.plot = rising()}}}};
   const PageHtml html = html_of({{nullptr, page}});
   ASSERT_EQ(html.styles.size(), 1U);
@@ -94,13 +94,13 @@ TEST(PageHtml, HasEachStyleOnceAndNamesIt) {
 }
 
 TEST(PageHtml, SaysWhereThereIsNothingToDraw) {
-  FiguresPage page;
+  Document page;
   page.sections = {{.figures = {{.plot = {.panels = {{.x = {"x"}, .y = {"y"}}}}}}}};
   EXPECT_THAT(body_of(page), HasSubstr("There is nothing to draw."));
 }
 
 TEST(PageHtml, ALimitAloneIsNothingToDraw) {
-  FiguresPage page;
+  Document page;
   const Series limit{.label = "limit", .style = SeriesStyle::vertical_line, .x = {1000}};
   page.sections = {{.figures = {{.plot = {.panels = {{.x = {"x"}, .y = {"y"}, .series = {limit}}}}}}}};
   EXPECT_THAT(body_of(page), HasSubstr("There is nothing to draw."));
@@ -112,7 +112,7 @@ TEST(PageHtml, LeavesPointsOutAndSaysSo) {
   series.style = SeriesStyle::points;
   series.x.assign(25'000, 0.5);
   series.y.assign(25'000, 0.5);
-  FiguresPage page;
+  Document page;
   page.sections = {{.figures = {{.plot = many}}}};
   const std::string body = body_of(page);
   EXPECT_THAT(body, HasSubstr("Of many points one in 25 is drawn here."));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -12,21 +13,21 @@
 #include "dashpad/impact/contact_snapshot.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
+#include "dashpad/output/impact.hpp"
 #include "dashpad/output/material_test.hpp"
 #include "dashpad/output/materials.hpp"
 #include "dashpad/output/plot/result.hpp"
 #include "dashpad/output/post_impact.hpp"
 #include "dashpad/output/pulse.hpp"
 #include "dashpad/output/pulse_comparison.hpp"
-#include "dashpad/output/text/result.hpp"
 #include "dashpad/report1986/comparison.hpp"
 #include "dashpad/spit1984/column.hpp"
 #include "distinct_numbers.hpp"
+#include "output/documents/pulse_comparison.hpp"
 #include "output/plot/foam_curve.hpp"
 #include "output/plot/impact_energies.hpp"
 #include "output/plot/impact_figures.hpp"
 #include "output/plot/material_test.hpp"
-#include "output/text/pulse_comparison_words.hpp"
 #include "sample_case.hpp"
 #include "shown_values.hpp"
 
@@ -54,6 +55,10 @@ const std::vector<Solved>& impacts() {
                                        solved("playground-mat-in-layers.toml"),
                                        solved("rigid-floor-bottoming.toml")};
   return all;
+}
+
+std::string without_case(const std::string& markdown) {
+  return markdown.substr(0, markdown.find("## The case"));
 }
 
 std::string title(const char* key) { return result_quantity(key).title; }
@@ -125,12 +130,14 @@ TEST(ShownValues, OfAnImpactAreTheSameInAllUnits) {
         plots.push_back(*std::move(curve));
       return plots;
     });
-    for (const Detail detail : {Detail::main, Detail::all})
+    const Options options;
+    const ImpactReport report{of.impact, options, of.solution, of.injury};
+    for (const auto& written : std::vector<std::function<std::string(const Document&)>>{
+             [](const Document& document) { return to_terminal(document, Detail::main); },
+             // The case to copy is in SI.
+             [](const Document& document) { return without_case(to_markdown(document)); }})
       expect_same_numbers_in_all_units(
-          [&](const UnitSystem& units) {
-            return numbers_in(result_text(of.impact, of.solution.summary, of.injury, units, detail));
-          },
-          1e-2);
+          [&](const UnitSystem& units) { return numbers_in(written(impact_document(report, units))); }, 1e-2);
   }
 }
 
@@ -192,8 +199,8 @@ TEST(ShownValues, OfAPulseAreItsSamplesAndItsFiguresOnTheirSide) {
 }
 
 TEST(ShownValues, OfDwellTimesAreAllAndTheLongest) {
-  const std::string text = in_one_line(pulse_text(two_humps(-1), unit_system("si"), Detail::all));
-  EXPECT_THAT(text, testing::ContainsRegex("11.000 ms in all; longest 6 ms"));
+  const std::string text = to_markdown(pulse_document(two_humps(-1), unit_system("si")));
+  EXPECT_THAT(text, testing::ContainsRegex("11.000 ms \\| in all; longest 6 ms"));
 }
 
 TEST(ShownValues, OfAPulseAreTheSameInAllUnits) {
@@ -208,7 +215,7 @@ TEST(ShownValues, OfAPulseAreTheSameInAllUnits) {
   });
   expect_same_numbers_in_all_units(
       [&](const UnitSystem& units) {
-        std::vector<double> all = numbers_in(pulse_text(report, units, Detail::all));
+        std::vector<double> all = numbers_in(to_markdown(pulse_document(report, units)));
         for (const std::string& note : comparison_notes(both, units))
           for (const double number : numbers_in(note)) all.push_back(number);
         for (const std::vector<std::string>& row : comparison_table(both, units).rows)
@@ -246,7 +253,7 @@ TEST(ShownValues, OfTwoPulsesAreBothWithTheShiftThatIsTold) {
     ASSERT_GT(std::abs(peak), 0.01);
     EXPECT_THAT(comparison_answer(both), testing::HasSubstr(peak < 0 ? "% below that" : "% above that"));
     EXPECT_THAT(
-        in_one_line(pulse_comparison_text(both, unit_system("si"))),
+        to_markdown(pulse_comparison_document(both, unit_system("si"))),
         testing::HasSubstr(later > 0 ? "ms taken off the measured times" : "ms added to the measured times"));
   }
 }

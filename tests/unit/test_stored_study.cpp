@@ -19,6 +19,14 @@
 namespace dashpad::test {
 namespace {
 
+std::string tables_of(const study::StudyAnswers& answers) {
+  return output::to_markdown(output::study_document(answers, unit_systems().front()));
+}
+
+std::string told(const study::StudyAnswers& answers) {
+  return output::to_terminal(output::study_document(answers, unit_systems().front()), output::Detail::main);
+}
+
 using study::Store;
 using study::Study;
 namespace fs = std::filesystem;
@@ -329,15 +337,16 @@ TEST_F(StoredStudyTest, RowsThatStruckThroughHaveAColumnOfTheirOwn) {
   using ::testing::HasSubstr;
   for (const bool grid : {false, true}) {
     const study::StudyAnswers answers = answers_of_a_thousand(file(grid ? "grid.db" : "drawn.db"), grid);
-    const std::string text = output::study_text(answers, unit_systems().front());
+    const std::string text = told(answers);
     EXPECT_THAT(text, AllOf(HasSubstr("BOTTOMED OUT: in 229 of 1000 rows (22.9 %)"),
                             HasSubstr("TIME LIMIT: in 1 of 1000 rows"), HasSubstr("DOUBTFUL: 3 of 1000")));
     EXPECT_THAT(
-        text, ContainsRegex("Peak force +5000 N +22.99 \\([0-9.]+ to [0-9.]+\\) +229 +229 \\(22.9 %\\) +996 "
-                            "\\(4 undecided\\)"))
-        << text;
-    EXPECT_THAT(text, ContainsRegex("Peak force \\(N\\) +- +- +1000 .* +bottomed out .*229 \\(22.9 %\\)"));
-    const auto page = output::study_page(answers, unit_systems().front());
+        tables_of(answers),
+        AllOf(
+            ContainsRegex("Peak force \\| 5000 N \\| 22.99 \\([0-9.]+ to [0-9.]+\\) \\| 229 \\| 229 \\(22.9 "
+                          "%\\) \\| 996 \\(4 undecided\\) "),
+            ContainsRegex("Peak force \\(N\\) \\| - \\| - \\| 1000 .* bottomed out .*229 \\(22.9 %\\)")));
+    const auto page = output::study_document(answers, unit_systems().front(), output::Pictures::drawn);
     EXPECT_EQ(page.sections.at(1).tables.at(1).columns.at(4), "Bottomed out");
     EXPECT_EQ(page.sections.at(1).tables.at(1).rows.at(0).at(4), "229 (22.9 %)");
     EXPECT_THAT(output::study_json(answers),
@@ -350,8 +359,8 @@ TEST_F(StoredStudyTest, AStudyOfWholePulsesHasNoColumnForThem) {
   const Study study = small_study(64);
   Store store = Store::open_for(study, file("whole.db"));
   ASSERT_TRUE(study::run(study, store));
-  const std::string text = output::study_text(
-      study::study_answers(store, {.responses = {}, .limits = {{"peak_force", 1}}}), unit_systems().front());
+  const std::string text =
+      told(study::study_answers(store, {.responses = {}, .limits = {{"peak_force", 1}}}));
   EXPECT_THAT(text, ::testing::Not(::testing::HasSubstr("truck through")));
 }
 
@@ -368,7 +377,7 @@ TEST_F(StoredStudyTest, ALatinHypercubeNamesTheFactorsThatItDoesNotStratify) {
   const auto text_of = [&](const char* name) {
     Store store = Store::open_for(study, file(name));
     EXPECT_TRUE(study::run(study, store));
-    return output::study_text(study::study_answers(store, {}), unit_systems().front());
+    return tables_of(study::study_answers(store, {}));
   };
   EXPECT_THAT(text_of("independent.db"), ::testing::Not(::testing::HasSubstr("Not stratified")));
   study.correlations = {{2, 0, 0.5}};
@@ -399,7 +408,7 @@ TEST_F(StoredStudyTest, AnUnfinishedStudyIsSummedUpWithAWarning) {
   const study::StudyAnswers answers =
       study::study_answers(store, {.responses = {"peak_force"}, .limits = {}});
   EXPECT_EQ(answers.records.rows.front(), 2 * store.batch_size());
-  EXPECT_THAT(output::study_text(answers, unit_systems().front()), ::testing::HasSubstr("NOT COMPLETE"));
+  EXPECT_THAT(told(answers), ::testing::HasSubstr("NOT COMPLETE"));
   EXPECT_THROW(study::study_answers(store, {.responses = {"hic51"}, .limits = {}}), std::invalid_argument);
 }
 

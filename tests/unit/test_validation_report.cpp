@@ -121,7 +121,7 @@ TEST(ValidationJson, HasTheTestsHeldOut) {
 }
 
 TEST(ValidationText, SaysThatTheTestsWereSeen) {
-  const std::string text = report1986::validation_text(test::made_up_study());
+  const std::string text = output::to_markdown(report1986::validation_document(test::made_up_study()));
   EXPECT_THAT(text, HasSubstr("1, 1 without prediction"));
   EXPECT_THAT(text, HasSubstr("+10.0 %"));
   EXPECT_THAT(text, HasSubstr("no blind test"));
@@ -134,17 +134,18 @@ TEST(ValidationVerdict, NeedsEveryRule) {
   EXPECT_TRUE(report1986::passes(study));
   study.verdicts[1].score.passed = false;
   EXPECT_FALSE(report1986::passes(study));
-  EXPECT_THAT(report1986::validation_text(study), HasSubstr("passes 1 of 2 rules"));
+  EXPECT_THAT(report1986::validation_document(study).lead->answer, HasSubstr("passes 1 of 2 rules"));
 }
 
 TEST(ValidationPage, BeginsWithTheVerdict) {
-  const output::FiguresPage page = report1986::validation_page(test::made_up_study());
+  const output::Document page =
+      report1986::validation_document(test::made_up_study(), output::Pictures::drawn);
   ASSERT_TRUE(page.lead);
   EXPECT_THAT(page.lead->answer, HasSubstr("1 of 2 rules"));
   EXPECT_EQ(page.sections.front().heading, "Verdict");
   EXPECT_THAT(page.warnings.front(), HasSubstr("NOT PASSED"));
   std::size_t figures = 0;
-  for (const output::PageSection& section : page.sections) figures += section.figures.size();
+  for (const output::Section& section : page.sections) figures += section.figures.size();
   EXPECT_EQ(figures, report1986::validation_figure_slugs().size());
 }
 

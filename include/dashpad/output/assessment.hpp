@@ -8,7 +8,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/other_choice.hpp"
 #include "dashpad/injury/standard.hpp"
-#include "dashpad/output/text/result.hpp"
+#include "dashpad/output/document.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
 namespace dashpad::output {
@@ -38,12 +38,9 @@ struct AssessmentReport {
 Flag other_choice(const injury::OtherChoice& choice, const injury::Standard& standard,
                   const ImpactCase& given, const UnitSystem& units);
 
-/// The verdict, a row a criterion with its margin, the reservations, what was replaced and what was kept.
-/// Errors stand beside values where they leave a criterion undecided, or with Detail::all.
-std::string assessment_text(const AssessmentReport& report, const UnitSystem& units, Detail detail);
-
-/// The page. Throws as figures_page() does.
-std::string assessment_page(const AssessmentReport& report, const UnitSystem& units);
+/// The verdict, the reservations, a row a criterion with its margin, what was replaced and what was kept.
+Document assessment_document(const AssessmentReport& report, const UnitSystem& units,
+                             Pictures pictures = Pictures::left_out);
 
 /// The same in SI, with the summary of the impact as `dashpad run --json` writes it under "result".
 std::string assessment_json(const AssessmentReport& report);

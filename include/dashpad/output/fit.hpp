@@ -4,17 +4,16 @@
 #include <string>
 
 #include "dashpad/fit/report.hpp"
+#include "dashpad/output/document.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
 namespace dashpad::output {
 
 /// What was found and how sure it is, what the data leave open, how the model meets each test.
-std::string fit_text(const fit::FitReport& report, const UnitSystem& units);
+Document fit_document(const fit::FitReport& report, const UnitSystem& units,
+                      Pictures pictures = Pictures::left_out);
 /// Everything, in SI: schema/fit.schema.json.
 std::string fit_json(const fit::FitReport& report);
-/// The answer, model over measurements, intervals within their bounds, and what the data leave open, as a
-/// page. Of a fit that converged. Throws as figures_page() does.
-std::string fit_page(const fit::FitReport& report, const UnitSystem& units);
 /// The case with what was found of it and the foam in it, as a case file. Of a fit that has one.
 std::string fitted_case_toml(const fit::FitReport& report);
 /// The sample of the unknowns as CSV: a header of keys with SI units, a row a draw.

@@ -4,13 +4,14 @@
 #include <string>
 
 #include "dashpad/laboratory/material_test.hpp"
-#include "dashpad/output/plot/plot.hpp"
+#include "dashpad/output/document.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
 namespace dashpad::output {
 
-/// What was done, flags, and tables with a row a rate.
-std::string material_test_text(const laboratory::MaterialTestReport& report, const UnitSystem& units);
+/// Where the foam is used best, flags, and tables with a row a rate.
+Document material_test_document(const laboratory::MaterialTestReport& report, const UnitSystem& units,
+                                Pictures pictures = Pictures::left_out);
 /// Everything, in SI; keys name the units.
 std::string material_test_json(const laboratory::MaterialTestReport& report);
 /// CSV text: a header row, then a row a place of output: the rate of the run, time, strain, strain_rate,
@@ -20,7 +21,5 @@ std::string material_test_csv(const laboratory::MaterialTestReport& report, cons
 /// A still: stress over strain with one curve a rate, efficiency over stress. Of relaxation and creep what
 /// changes over time is the first panel. Flags and the source of the material are in the small print.
 Plot material_test_plot(const laboratory::MaterialTestReport& report, const UnitSystem& units);
-/// The page of dashpad/output/page/figures_page.hpp: tables, all curves. Throws as figures_page() does.
-std::string material_test_page(const laboratory::MaterialTestReport& report, const UnitSystem& units);
 
 }  // namespace dashpad::output

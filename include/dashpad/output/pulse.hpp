@@ -4,20 +4,18 @@
 #include <string>
 
 #include "dashpad/injury/pulse_report.hpp"
+#include "dashpad/output/document.hpp"
 #include "dashpad/output/plot/plot.hpp"
-#include "dashpad/output/text/result.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
 namespace dashpad::output {
 
 /// What to beware of and what was repaired, the figures, and what was done to the pulse.
-std::string pulse_text(const injury::PulseReport& report, const UnitSystem& units, Detail detail);
+Document pulse_document(const injury::PulseReport& report, const UnitSystem& units,
+                        Pictures pictures = Pictures::left_out);
 
 /// The same in SI, accelerations in g.
 std::string pulse_json(const injury::PulseReport& report);
-
-/// The page. Throws as figures_page() does.
-std::string pulse_page(const injury::PulseReport& report, const UnitSystem& units);
 
 /// Time and acceleration of the pulse that the figures are of: "time_s,acceleration_g".
 std::string pulse_csv(const injury::PulseReport& report, const UnitSystem& units);

@@ -8,7 +8,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
 #include "dashpad/injury/pulse_report.hpp"
-#include "dashpad/output/plot/plot.hpp"
+#include "dashpad/output/document.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
 namespace dashpad::output {
@@ -23,15 +23,13 @@ struct PulseComparisonReport {
 };
 
 /// The answer in a sentence, what to beware of, the figures of both, and what they rest on.
-std::string pulse_comparison_text(const PulseComparisonReport& report, const UnitSystem& units);
+Document pulse_comparison_document(const PulseComparisonReport& report, const UnitSystem& units,
+                                   Pictures pictures = Pictures::left_out);
 
 /// The same in SI, accelerations in g: schema/pulse-comparison.schema.json.
 std::string pulse_comparison_json(const PulseComparisonReport& report);
 
 /// Both decelerations over time, which counts from first contact of the computed impact.
 Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem& units);
-
-/// The page. Throws as figures_page() does.
-std::string pulse_comparison_page(const PulseComparisonReport& report, const UnitSystem& units);
 
 }  // namespace dashpad::output

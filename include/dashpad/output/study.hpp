@@ -3,21 +3,19 @@
 
 #include <string>
 
-#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/document.hpp"
 #include "dashpad/output/plot/plot.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "dashpad/study/questions.hpp"
 
 namespace dashpad::output {
 
-/// For the terminal.
-std::string study_text(const study::StudyAnswers& answers, const UnitSystem& units);
-
 /// Everything, in SI; a figure that is absent or not finite is null.
 std::string study_json(const study::StudyAnswers& answers);
 
-/// The page, for figures_page().
-FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& units);
+/// The answer, what was studied, and all answers as tables.
+Document study_document(const study::StudyAnswers& answers, const UnitSystem& units,
+                        Pictures pictures = Pictures::left_out);
 
 /// The figure that answers the study: cushion curves, else Sobol' indices, else a map or curves over a grid,
 /// else distributions.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/document.hpp"
 #include "dashpad/output/plot/plot.hpp"
 #include "dashpad/report1986/validation/study.hpp"
 
@@ -28,14 +28,12 @@ std::vector<ValidationFigure> validation_figures(const Study& study);
 /// The slugs of these figures, in their order, known before there is a study.
 std::vector<std::string> validation_figure_slugs();
 
-/// Verdict, anomaly and nose radius for the terminal.
-std::string validation_text(const Study& study);
-
 /// Everything: constants, claims, errors test by test, all predictions. Keys name the units.
 std::string validation_json(const Study& study);
 
-/// The page of the study, for figures_page().
-output::FiguresPage validation_page(const Study& study);
+/// Which rules are met and by how much; the page has every table and figure.
+output::Document validation_document(const Study& study,
+                                     output::Pictures pictures = output::Pictures::left_out);
 
 /// Tables in Markdown by name, as docs/validation.md holds them between "<!-- begin NAME -->" and
 /// "<!-- end NAME -->".

@@ -5,8 +5,8 @@
 #include "dashpad/impact/flags.hpp"
 #include "json/flags_json.hpp"
 #include "json/json_values.hpp"
-#include "output/text/pulse_comparison_words.hpp"
-#include "output/text/pulse_words.hpp"
+#include "output/documents/pulse.hpp"
+#include "output/documents/pulse_comparison.hpp"
 
 namespace dashpad::output {
 

@@ -29,10 +29,10 @@ void check(const RangeBar& range) {
 
 }  // namespace
 
-void check(const FiguresPage& page) {
+void check(const Document& page) {
   if (page.lead && page.lead->curve)
     for (const Panel& panel : page.lead->curve->panels) check(panel);
-  for (const PageSection& section : page.sections) {
+  for (const Section& section : page.sections) {
     for (const RangeBar& range : section.ranges) check(range);
     for (const Table& table : section.tables) check(table);
     for (const CaptionedPlot& figure : section.figures)

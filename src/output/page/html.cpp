@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dashpad/version.hpp"
+#include "output/document.hpp"
 #include "output/page/check.hpp"
 #include "output/page/html_elements.hpp"
 #include "output/page/inline_svgs.hpp"
@@ -76,20 +77,21 @@ std::string figure(const CaptionedPlot& of, const std::string& id, InlineSvgs& s
   return html + "</figure>\n";
 }
 
-std::string texts_of(const PageSection& section) {
+std::string texts_of(const Section& section) {
   std::string html = paragraphs_html(section.paragraphs);
   if (!section.ranges.empty()) {
     html += "<ul class=\"ranges\">\n";
     for (const RangeBar& each : section.ranges) html += range_html(each);
     html += "</ul>\n";
   }
-  if (section.tables.empty()) return html;
+  const std::vector<Table> tables = tables_of(section);
+  if (tables.empty()) return html;
   html += "<div class=\"tables\">\n";
-  for (const Table& each : section.tables) html += table_html(each);
+  for (const Table& each : tables) html += table_html(each);
   return html + "</div>\n";
 }
 
-std::string section(const PageSection& of, std::size_t number, InlineSvgs& svgs) {
+std::string section(const Section& of, std::size_t number, InlineSvgs& svgs) {
   std::string html = fmt::format("<section id=\"section-{}\">\n", number);
   if (!of.heading.empty()) html += "<h2>" + text_html(of.heading) + "</h2>\n";
   if (const std::string texts = texts_of(of); !texts.empty())
@@ -104,11 +106,11 @@ std::string section(const PageSection& of, std::size_t number, InlineSvgs& svgs)
   return html + "</section>\n";
 }
 
-std::string contents(const FiguresPage& page) {
+std::string contents(const Document& page) {
   std::size_t count = 0;
   std::string list;
   for (std::size_t i = 0; i < page.sections.size(); ++i) {
-    const PageSection& of = page.sections[i];
+    const Section& of = page.sections[i];
     count += of.figures.size();
     list += fmt::format("<li><a href=\"#section-{0}\">{1}</a>", i + 1,
                         of.heading.empty() ? fmt::format("Section {}", i + 1) : text_html(of.heading));
@@ -129,17 +131,19 @@ std::string heading_of(const Lead& lead) {
   return lead.answer.substr(0, lead.answer.find_last_not_of('.') + 1);
 }
 
-std::string title_html(const FiguresPage& page) {
+std::string title_html(const Document& page) {
   const std::string title = page.lead ? heading_of(*page.lead) : page.title;
   return title.empty() ? "Dashpad" : text_html(title) + " - Dashpad";
 }
 
-std::string answer_part(const Lead& lead) {
+std::string answer_part(const Lead& lead, const std::vector<std::string>& warnings) {
   const char* const sign = sign_of_tone(lead.tone);
   std::string html = fmt::format("<h1 class=\"{}\">{}{}</h1>\n", class_of_tone(lead.tone),
                                  *sign == 0 ? "" : fmt::format("<span class=\"sign\">{}</span> ", sign),
                                  prose_html(heading_of(lead)));
-  if (!lead.reservation.empty()) html += "<p class=\"reservation\">" + text_html(lead.reservation) + "</p>\n";
+  if (!warnings.empty())
+    html += fmt::format("<p class=\"reservation\">{}{}</p>\n", text_html(warnings.front()),
+                        warnings.size() == 1 ? "" : fmt::format(" (and {} more below)", warnings.size() - 1));
   for (const std::string& line : lead.subject)
     if (!line.empty()) html += "<p class=\"subject\">" + text_html(line) + "</p>\n";
   return part("answer", html);
@@ -154,12 +158,14 @@ std::string drawing_part(const Lead& lead, InlineSvgs& svgs) {
 std::string figures_part(const Lead& lead) {
   if (lead.figures.empty()) return {};
   std::string html = "<ul class=\"key-figures\">\n";
-  for (const KeyFigure& each : lead.figures) html += key_figure_html(each);
+  for (std::size_t i = 0; i < std::min(lead.figures.size(), most_key_figures); ++i)
+    html += key_figure_html(lead.figures[i]);
   return part("figures", html + "</ul>\n");
 }
 
-std::string lead_html(const Lead& lead, InlineSvgs& svgs) {
-  std::string html = "<div class=\"lead\">\n" + answer_part(lead);
+std::string lead_html(const Document& page, InlineSvgs& svgs) {
+  const Lead& lead = *page.lead;
+  std::string html = "<div class=\"lead\">\n" + answer_part(lead, page.warnings);
   if (!lead.drawing.empty() || lead.curve) {
     html += "<div class=\"pictures\">\n" + drawing_part(lead, svgs);
     if (lead.curve) html += "<figure>" + plot_html(*lead.curve, svgs) + "</figure>\n";
@@ -168,10 +174,10 @@ std::string lead_html(const Lead& lead, InlineSvgs& svgs) {
   return html + figures_part(lead) + "</div>\n";
 }
 
-std::string words_part(const FiguresPage& page) {
+std::string words_part(const Document& page) {
   std::string warnings;
-  for (const std::string& line : page.warnings)
-    if (!page.lead || !page.lead->reservation.starts_with(line)) warnings += warning_html(line);
+  for (std::size_t i = page.lead ? 1 : 0; i < page.warnings.size(); ++i)
+    warnings += warning_html(page.warnings[i]);
   if (!warnings.empty()) warnings = "<ul class=\"warnings\">\n" + warnings + "</ul>\n";
   const std::string html = paragraphs_html(page.summary) + warnings;
   return html.empty() ? html : part("words", html);
@@ -208,12 +214,12 @@ std::string drawing_in_other_units(const Lead& lead, const Lead& shown, InlineSv
 }
 
 /// All of a page that is text, for when the reader wants it in those units.
-std::string units_template(const PageInUnits& of, const FiguresPage& shown, InlineSvgs& svgs) {
-  const FiguresPage& page = of.page;
+std::string units_template(const DocumentInUnits& of, const Document& shown, InlineSvgs& svgs) {
+  const Document& page = of.document;
   std::string html =
       fmt::format("<template{} data-factors=\"{}\">\n", units_attributes(*of.units), factors(*of.units));
   if (page.lead)
-    html += answer_part(*page.lead) + drawing_in_other_units(*page.lead, *shown.lead, svgs) +
+    html += answer_part(*page.lead, page.warnings) + drawing_in_other_units(*page.lead, *shown.lead, svgs) +
             figures_part(*page.lead);
   html += words_part(page);
   for (std::size_t i = 0; i < page.sections.size(); ++i)
@@ -222,7 +228,7 @@ std::string units_template(const PageInUnits& of, const FiguresPage& shown, Inli
   return html + "</template>\n";
 }
 
-std::string main_html(const FiguresPage& page, InlineSvgs& svgs) {
+std::string main_html(const Document& page, InlineSvgs& svgs) {
   std::string html;
   if (!page.lead) html += "<h1>" + (page.title.empty() ? "Figures" : text_html(page.title)) + "</h1>\n";
   html += words_part(page) + contents(page);
@@ -233,18 +239,27 @@ std::string main_html(const FiguresPage& page, InlineSvgs& svgs) {
 
 }  // namespace
 
-PageHtml html_of(const std::vector<PageInUnits>& pages) {
-  for (const PageInUnits& each : pages) check(each.page);
-  const FiguresPage& page = pages.front().page;
+PageHtml html_of(std::vector<DocumentInUnits> pages) {
+  for (DocumentInUnits& each : pages) {
+    std::erase_if(each.document.sections, [](const Section& of) { return of.seen == Seen::in_brief; });
+    check(each.document);
+  }
+  const Document& page = pages.front().document;
   InlineSvgs svgs;
   PageHtml html{.styles = {}, .title = title_html(page), .body = {}};
-  if (page.lead) html.body = lead_html(*page.lead, svgs);
+  if (page.lead) html.body = lead_html(page, svgs);
   html.body +=
       fmt::format("<main{}{}>\n{}</main>\n", page.is_one_impact ? " data-one-impact" : "",
                   pages.size() > 1 ? units_attributes(*pages.front().units) : "", main_html(page, svgs));
   for (std::size_t i = 1; i < pages.size(); ++i) html.body += units_template(pages[i], page, svgs);
   html.styles = svgs.styles();
   return html;
+}
+
+std::string to_html(std::vector<DocumentInUnits> documents) { return framed(html_of(std::move(documents))); }
+
+std::string to_html(const Document& document) {
+  return to_html(std::vector{DocumentInUnits{nullptr, document}});
 }
 
 }  // namespace dashpad::output

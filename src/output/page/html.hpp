@@ -4,20 +4,22 @@
 
 #include <vector>
 
-#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/document.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "output/page/frame.hpp"
 
 namespace dashpad::output {
 
-struct PageInUnits {
+struct DocumentInUnits {
   const UnitSystem* units;
-  FiguresPage page;
+  Document document;
 };
 
 /// One page in one or several unit systems, the first of which is shown. Of the others only the texts, tables
 /// and drawings are kept, out of sight: a script puts them in their places, and gives the axes of the plots,
 /// if they know their SI unit, the units that go with them.
-PageHtml html_of(const std::vector<PageInUnits>& pages);
+PageHtml html_of(std::vector<DocumentInUnits> documents);
+/// The file.
+std::string to_html(std::vector<DocumentInUnits> documents);
 
 }  // namespace dashpad::output

@@ -7,9 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "output/page/cell.hpp"
+#include "output/document.hpp"
 #include "output/svg/svg.hpp"
 #include "output/svg/text_fit.hpp"
+#include "output/text/cell.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -77,7 +78,7 @@ std::string bar(const std::string& what, const std::string& inside, double place
          "</svg>\n";
 }
 
-std::string bar_of(const KeyFigure& figure) {
+std::string bar_of(const ValueRow& figure) {
   if (!figure.share) return "";
   const auto place_of = [](double share) { return 100 * std::clamp(share / longest_bar, 0.0, 1.0); };
   std::string words = fmt::format("{:.0f} % of the limit", 100 * *figure.share);
@@ -110,23 +111,21 @@ std::string interval_of(const RangeBar& of) {
 
 }  // namespace
 
-std::string key_figure_html(const KeyFigure& figure) {
+std::string key_figure_html(const ValueRow& figure) {
   const char* const sign = sign_of_tone(figure.tone);
   std::string html =
       fmt::format("<li class=\"{}\"><span class=\"label\">{}</span>\n<b>{}{}</b>\n",
-                  class_of_tone(figure.tone), text_html(figure.label), prose_html(figure.value),
+                  class_of_tone(figure.tone), text_html(figure.label), prose_html(shown_value(figure)),
                   *sign == 0 ? "" : fmt::format("\u00a0<span class=\"sign\">{}</span>", sign));
   html += bar_of(figure);
-  if (!figure.limit.empty()) html += "<span class=\"remark\">" + prose_html(figure.limit) + "</span>\n";
+  if (const std::string words = words_beside(figure); !words.empty())
+    html += "<span class=\"remark\">" + prose_html(words) + "</span>\n";
   return html + "</li>\n";
 }
 
 std::string warning_html(const std::string& line) {
   const std::string text = one_line(line);
-  const auto is_capital = [](char c) { return (c >= 'A' && c <= 'Z') || c == ' '; };
-  auto end = static_cast<std::size_t>(std::ranges::find_if_not(text, is_capital) - text.begin());
-  while (end > 0 && text[end - 1] == ' ') --end;
-  if (end < 2) end = 0;
+  const std::size_t end = capitals_in_front(text);
   return "<li><strong>" + xml_text(text.substr(0, end)) + "</strong>" + xml_text(text.substr(end)) +
          "</li>\n";
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/document.hpp"
 
 namespace dashpad::output {
 
@@ -19,7 +19,7 @@ const char* class_of_tone(Tone tone);
 /// Beside the colour, which not all see; empty for a plain tone.
 const char* sign_of_tone(Tone tone);
 
-std::string key_figure_html(const KeyFigure& figure);
+std::string key_figure_html(const ValueRow& figure);
 /// Its first words, in capitals, are set apart.
 std::string warning_html(const std::string& line);
 std::string range_html(const RangeBar& of);

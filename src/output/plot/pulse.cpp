@@ -4,10 +4,10 @@
 
 #include "dashpad/result/result_quantity.hpp"
 #include "dashpad/version.hpp"
+#include "output/documents/pulse.hpp"
 #include "output/plot/axis_with_unit.hpp"
 #include "output/plot/hic_bracket.hpp"
 #include "output/plot/result_panels.hpp"
-#include "output/text/pulse_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "dashpad/version.hpp"
+#include "output/documents/pulse.hpp"
 #include "output/plot/axis_with_unit.hpp"
-#include "output/text/pulse_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

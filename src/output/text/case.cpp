@@ -1,5 +1,7 @@
 #include "dashpad/output/text/case.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -125,17 +127,27 @@ std::string support_in_si(const Support& support) {
 
 }  // namespace
 
-std::string case_text(const ImpactCase& impact, const UnitSystem& units) {
+CaseWords case_words(const ImpactCase& impact, const UnitSystem& units) {
   const Impactor& impactor = impact.impactor;
+  std::string pad = pad_text(impact.pad, units) + condition_text(impact.pad, units);
+  if (pad.ends_with(',')) pad.pop_back();
+  return {.impactor =
+              fmt::format("{} of {}", with_article(words_of(impactor.nose)), impactor_text(impactor, units)),
+          .speed = brief_quantity(impactor.speed, "m/s", units),
+          .pad = std::move(pad),
+          .support = support_text(impact.support, units) + backing_text(impact.backing, units),
+          .blows = impact.blows ? fmt::format("{} times; {}", impact.blows->count,
+                                              rests_text(impact.pad.material.law, *impact.blows))
+                                : ""};
+}
+
+std::string case_text(const ImpactCase& impact, const UnitSystem& units) {
+  const CaseWords words = case_words(impact, units);
   std::string text = impact.title.empty() ? "" : one_line(impact.title) + "\n";
-  text += fmt::format("{} of {} strikes at {}\n", capitalised(with_article(words_of(impactor.nose))),
-                      impactor_text(impactor, units), brief_quantity(impactor.speed, "m/s", units));
-  text +=
-      fmt::format("a pad of {}{} on {}.\n", pad_text(impact.pad, units), condition_text(impact.pad, units),
-                  support_text(impact.support, units) + backing_text(impact.backing, units));
-  if (impact.blows)
-    text += fmt::format("It strikes {} times; {}.\n", impact.blows->count,
-                        rests_text(impact.pad.material.law, *impact.blows));
+  const bool has_condition = !condition_text(impact.pad, units).empty();
+  text += fmt::format("{} strikes at {}\na pad of {}{} on {}.\n", capitalised(words.impactor), words.speed,
+                      words.pad, has_condition ? "," : "", words.support);
+  if (impact.blows) text += fmt::format("It strikes {}.\n", words.blows);
   return text;
 }
 

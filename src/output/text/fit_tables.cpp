@@ -67,7 +67,7 @@ Table table_of_figures(const fit::FitReport& report, const UnitSystem& units) {
       return brief_quantity(value, name.unit, units, digits);
     };
     table.rows.push_back(
-        {of.file, name.key, shown(of.measured, 4), shown(of.deviation, 2),
+        {of.file, result_quantity(name.key).title, shown(of.measured, 4), shown(of.deviation, 2),
          of.computed ? shown(*of.computed, 4) : "none",
          of.prediction_deviation ? "± " + shown(width_of_95 * *of.prediction_deviation, 2) : "",
          of.computed ? fmt::format("{:+.1f} deviations", (*of.computed - of.measured) / of.deviation) : "",

@@ -111,12 +111,12 @@ std::string fit_answer(const fit::FitReport& report) {
   std::string text = count_of(of.all, "unknown") + " from ";
   for (std::size_t i = 0; i < data.size(); ++i)
     text += (i == 0 ? "" : i + 1 == data.size() ? " and " : ", ") + data[i];
-  text += of.by_data == of.all ? ": the data determine all of them.\n"
-                               : fmt::format(": the data determine {}{}.\n", of.by_data, beside_data(of));
+  text += of.by_data == of.all ? ": the data determine all of them. "
+                               : fmt::format(": the data determine {}{}. ", of.by_data, beside_data(of));
   if (report.starts_at_best == 0)
-    return text + "The best fit was met away from all starts, on the way along a profile.\n";
+    return text + "The best fit was met away from all starts, on the way along a profile.";
   return text + fmt::format(
-                    "{} of {} starts came to the same misfit{}.\n", report.starts_at_best, report.starts,
+                    "{} of {} starts came to the same misfit{}.", report.starts_at_best, report.starts,
                     report.starts_failed > 0
                         ? fmt::format("; {} made no valid material or did not converge", report.starts_failed)
                         : "");

@@ -19,8 +19,7 @@ struct Misses {
 };
 Misses misses(const fit::FitReport& report, bool held_out);
 
-/// "7 unknowns from 150 points of 1 test: the data determine all of them." and how many starts came to it; a
-/// line each.
+/// "7 unknowns from 150 points of 1 test: the data determine all of them." and how many starts came to it.
 std::string fit_answer(const fit::FitReport& report);
 
 /// What was sought though the fit file does not name it, and why; empty without.

@@ -22,9 +22,4 @@ bool is_beyond(double strain, const FittedRange& range);
 /// The material's title with its name and law.
 std::string material_words(const Material& material);
 
-/// Name and source, tested range, and what to keep in mind; a sentence or two each.
-std::vector<std::string> foam_basis(const Material& material, const UnitSystem& units);
-/// The same of all foams of a pad, each once.
-std::vector<std::string> foam_basis(const Pad& pad, const UnitSystem& units);
-
 }  // namespace dashpad::output

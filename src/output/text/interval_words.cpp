@@ -73,9 +73,9 @@ std::vector<std::string> source_words(const FigureInterval& of, const Intervals&
   return all;
 }
 
-void add_intervals(std::vector<ResultRow>& rows, const Summary& summary, const UnitSystem& units) {
+void add_intervals(std::vector<ValueRow>& rows, const Summary& summary, const UnitSystem& units) {
   if (!summary.intervals) return;
-  for (ResultRow& row : rows)
+  for (ValueRow& row : rows)
     if (const FigureInterval* of = summary.intervals->find(row.key); of && !of->sources.empty())
       row.interval = interval_words(*of, units);
 }
@@ -112,14 +112,11 @@ std::string source_paragraph(const Intervals& intervals) {
   return all.empty() ? "" : capitalised(joined(all)) + ".";
 }
 
-std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units, Detail detail) {
+std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units) {
   if (!summary.intervals) return {};
   const Intervals& intervals = *summary.intervals;
   std::vector<std::string> all;
-  if (detail == Detail::all)
-    for (const FigureInterval& of : intervals.figures) all.push_back(figure_words(of, intervals, units));
-  else if (const FigureInterval* of = first_asked(intervals))
-    all.push_back(figure_words(*of, intervals, units));
+  if (const FigureInterval* of = first_asked(intervals)) all.push_back(figure_words(*of, intervals, units));
   if (const std::vector<std::string> unknown = unknown_words(intervals); !unknown.empty())
     all.push_back(fmt::format("Not in the intervals: {}.", joined(unknown)));
   return all;

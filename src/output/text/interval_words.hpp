@@ -22,7 +22,7 @@ std::vector<std::string> source_words(const FigureInterval& of, const Intervals&
                                       const UnitSystem& units);
 
 /// Beside each row its interval, where it has one.
-void add_intervals(std::vector<ResultRow>& rows, const Summary& summary, const UnitSystem& units);
+void add_intervals(std::vector<ValueRow>& rows, const Summary& summary, const UnitSystem& units);
 
 /// A figure a row, those that are asked for first: with all that is not known together, then with each source
 /// alone.
@@ -30,8 +30,8 @@ Table interval_table(const Summary& summary, const UnitSystem& units, std::vecto
 /// The sources in words, and why one gives no interval.
 std::string source_paragraph(const Intervals& intervals);
 
-/// What the intervals of a result are and rest on, a paragraph each: the figure that is asked for first, or
-/// with Detail::all every one. Empty without intervals.
-std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units, Detail detail);
+/// The interval of the figure that is asked for first, by what it is, and what is in none; a paragraph each,
+/// none without intervals.
+std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units);
 
 }  // namespace dashpad::output

@@ -12,6 +12,16 @@ namespace dashpad::output {
 /// What strikes what, in two lines, below the title if there is one.
 std::string case_text(const ImpactCase& impact, const UnitSystem& units);
 
+/// The parts of a case in words.
+struct CaseWords {
+  std::string impactor;  ///< "a sphere of 4.5 kg and radius 82.5 mm"
+  std::string speed;
+  std::string pad;      ///< "30 mm vn600 (foam law), bonded"
+  std::string support;  ///< "a rigid support"
+  std::string blows;    ///< "3 times; in between the pad recovers fully"; empty of one blow
+};
+CaseWords case_words(const ImpactCase& impact, const UnitSystem& units);
+
 /// Every value of the case as it is computed with: `key = value unit` in SI and full precision, a line each.
 std::string case_in_si(const ImpactCase& impact, const Options& options);
 

@@ -4,12 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/output/text/case.hpp"
-#include "dashpad/version.hpp"
+#include "dashpad/output/drawing/impact_drawing.hpp"
+#include "output/documents/basis.hpp"
+#include "output/documents/pulse.hpp"
+#include "output/documents/pulse_comparison.hpp"
 #include "output/result_rows.hpp"
-#include "output/text/pulse_comparison_words.hpp"
-#include "output/text/pulse_words.hpp"
-#include "output/text/table.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -104,11 +103,21 @@ std::string restitution_note(const PulseComparisonReport& report, const UnitSyst
              : fmt::format("{}; of an impact at {} that leaves no restitution between 0 and 1.", over, speed);
 }
 
-std::string indented(const std::string& lines) {
-  std::string text = "  " + lines;
-  text.pop_back();
-  replace_all(text, "\n", "\n  ");
-  return text + "\n";
+/// How far the computed figures are from the measured ones.
+std::vector<ValueRow> key_figures(const PulseComparisonReport& report, const UnitSystem& units) {
+  if (!report.comparison.computed) return {};
+  std::vector<ValueRow> rows;
+  for (const ComparedFigure& figure : report.comparison.figures) {
+    const auto [scale, unit] = shown_as(figure.quantity->si_unit, units);
+    const std::string in_unit = unit.empty() ? "" : " " + unit;
+    rows.push_back({.label = figure.quantity->title,
+                    .value = shown_share(figure),
+                    .remark = fmt::format(
+                        "{}{}{} for {} measured", shown(figure.computed, scale), in_unit,
+                        figure.computed && figure.error > 1e-4 ? " ± " + shown_error(figure.error) : "",
+                        figure.measured ? shown(figure.measured, scale) + in_unit : "none")});
+  }
+  return rows;
 }
 
 }  // namespace
@@ -168,17 +177,30 @@ std::vector<std::string> comparison_notes(const PulseComparisonReport& report, c
   return notes;
 }
 
-std::string pulse_comparison_text(const PulseComparisonReport& report, const UnitSystem& units) {
-  std::string text = wrapped(comparison_answer(report), 2) + "\n";
-  for (const std::string& line : comparison_reservations(report, units)) text += wrapped(line, 2) + "\n";
-  text += "\n" + indented(plain_text(comparison_table(report, units))) + "\n";
-  for (const std::string& line : comparison_notes(report, units)) text += wrapped(line, 2) + "\n";
-  text += fmt::format("\nThe case ({}):\n", one_line(report.case_file));
-  text += indented(case_text(report.impact, units));
-  text += wrapped("  " + numbers_text(report.solution.summary), 4) + "\n";
-  return text +
-         fmt::format("\nThe pulse ({}, {}):\n", one_line(report.pulse.file), report.pulse.measured.format) +
-         wrapped_lines(pulse_source(report.pulse, units));
+Document pulse_comparison_document(const PulseComparisonReport& report, const UnitSystem& units,
+                                   Pictures pictures) {
+  Document document{.title = comparison_answer(report), .warnings = comparison_reservations(report, units)};
+  document.lead = Lead{.answer = document.title,
+                       .tone = !report.comparison.computed ? Tone::bad
+                               : document.warnings.empty() ? Tone::plain
+                                                           : Tone::doubtful,
+                       .subject = {fmt::format("{} ({}) over {}", one_line(report.pulse.file),
+                                               report.pulse.measured.format, one_line(report.case_file))},
+                       .figures = key_figures(report, units)};
+  if (pictures == Pictures::drawn) {
+    document.lead->drawing = impact_drawing(report.impact, report.solution, units);
+    document.lead->curve = untitled(pulse_comparison_plot(report, units));
+  }
+  std::vector<Basis> of_case = case_basis(report.impact, units);
+  of_case.push_back(solver_basis(report.solution.summary));
+  document.sections = {
+      {.heading = "Figures", .seen = Seen::on_pages, .tables = {comparison_table(report, units)}},
+      {.heading = "What it rests on",
+       .seen = Seen::always,
+       .paragraphs = comparison_notes(report, units),
+       .tables = {captioned("The case", basis_table(of_case)),
+                  {.caption = "The pulse", .columns = {"", ""}, .rows = pulse_basis(report.pulse, units)}}}};
+  return document;
 }
 
 }  // namespace dashpad::output

@@ -1,4 +1,4 @@
-#include "output/page/cell.hpp"
+#include "output/text/cell.hpp"
 
 #include <string_view>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/document.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "dashpad/study/questions.hpp"
 
@@ -24,22 +24,21 @@ std::string interval_of(const study::Estimate& of, const AsText& shown);
 std::size_t leading_response(const study::StudyAnswers& answers);
 
 /// Median and 95 % quantile of a response over draws, towards its limit.
-void add_quantiles(std::vector<KeyFigure>& figures, const study::StudyAnswers& answers, std::size_t response,
+void add_quantiles(std::vector<ValueRow>& figures, const study::StudyAnswers& answers, std::size_t response,
                    const UnitSystem& units);
 
 /// Of the other responses, where most draws lie.
-void add_spreads(std::vector<KeyFigure>& figures, const study::StudyAnswers& answers, std::size_t leading,
+void add_spreads(std::vector<ValueRow>& figures, const study::StudyAnswers& answers, std::size_t leading,
                  const UnitSystem& units);
 
 /// Over several combinations of levels, the least and the greatest median of each response.
-void add_medians(std::vector<KeyFigure>& figures, const study::StudyAnswers& answers,
-                 const UnitSystem& units);
+void add_medians(std::vector<ValueRow>& figures, const study::StudyAnswers& answers, const UnitSystem& units);
 
 /// The least peak of each thickness from the highest drop, of which the answer speaks.
-void add_least_peaks(std::vector<KeyFigure>& figures, const study::CushionCurves& curves,
+void add_least_peaks(std::vector<ValueRow>& figures, const study::CushionCurves& curves,
                      const UnitSystem& units);
 
 /// The least and the greatest value of the leading response with where they are, and the range of others.
-void add_ranges(std::vector<KeyFigure>& figures, const study::StudyAnswers& answers, const UnitSystem& units);
+void add_ranges(std::vector<ValueRow>& figures, const study::StudyAnswers& answers, const UnitSystem& units);
 
 }  // namespace dashpad::output

@@ -1,4 +1,4 @@
-// A fit as a page.
+// What is said of a fit: how well it meets the data, what was found and how sure it is.
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +10,15 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/fit.hpp"
-#include "dashpad/output/page/figures_page.hpp"
-#include "output/page/key_figures.hpp"
+#include "dashpad/version.hpp"
+#include "output/document.hpp"
+#include "output/documents/basis.hpp"
 #include "output/plot/fit.hpp"
 #include "output/text/capitals.hpp"
+#include "output/text/case_toml.hpp"
 #include "output/text/factor_words.hpp"
 #include "output/text/fit_words.hpp"
+#include "output/text/foam_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -65,14 +68,14 @@ std::vector<std::string> fit_warnings(const fit::FitReport& report, const UnitSy
   return all;
 }
 
-void add_misses(std::vector<KeyFigure>& figures, const fit::FitReport& report, bool held_out) {
+void add_misses(std::vector<ValueRow>& figures, const fit::FitReport& report, bool held_out) {
   const Misses of = misses(report, held_out);
   const auto add = [&](const char* what, const std::optional<double>& miss, const char* unit,
                        const char* share_of) {
     if (!miss) return;
     figures.push_back({.label = fmt::format("{} {}", what, held_out ? "predicted, off by" : "missed by"),
                        .value = fmt::format("{:.3g}{}", *unit == 0 ? *miss : 100 * *miss, unit),
-                       .limit = share_of});
+                       .remark = share_of});
   };
   add("Tests", of.tests, " %", "of their largest stress, root mean square");
   add("Figures of impacts", of.figures, "", "times their stated deviation");
@@ -80,8 +83,8 @@ void add_misses(std::vector<KeyFigure>& figures, const fit::FitReport& report, b
 }
 
 /// How well the data are met, then the unknowns of the material; those that the data leave open first.
-std::vector<KeyFigure> fit_figures(const fit::FitReport& report, const UnitSystem& units) {
-  std::vector<KeyFigure> figures;
+std::vector<ValueRow> fit_figures(const fit::FitReport& report, const UnitSystem& units) {
+  std::vector<ValueRow> figures;
   add_misses(figures, report, false);
   add_misses(figures, report, true);
   for (const bool identified : {false, true})
@@ -90,21 +93,14 @@ std::vector<KeyFigure> fit_figures(const fit::FitReport& report, const UnitSyste
         figures.push_back(
             {.label = capitalised(factor_words(of.key)),
              .value = brief_quantity(of.value, of.unit, units, 3),
-             .limit = (of.rests_on_prior() ? "mostly from its prior; 95 % interval " : "95 % interval ") +
-                      interval_words(of, units),
+             .remark = (of.rests_on_prior() ? "mostly from its prior; 95 % interval " : "95 % interval ") +
+                       interval_words(of, units),
              .tone = identified && !of.rests_on_prior() ? Tone::plain : Tone::doubtful});
-  figures.resize(std::min(figures.size(), most_key_figures));
   return figures;
 }
 
-PageSection section(const char* heading) {
-  PageSection made;
-  made.heading = heading;
-  return made;
-}
-
-PageSection curves_section(const fit::FitReport& report, const UnitSystem& units) {
-  PageSection curves = section("Model over measurements");
+Section curves_section(const fit::FitReport& report, const UnitSystem& units) {
+  Section curves{.heading = "Model over measurements", .seen = Seen::on_pages};
   for (const fit::MetTest& test : report.tests) curves.figures.push_back(fit_test_figure(test, units));
   for (const fit::MetPulse& pulse : report.pulses) curves.figures.push_back(fit_pulse_figure(pulse, units));
   return curves;
@@ -121,15 +117,8 @@ Plot leading_curve(const fit::FitReport& report, const UnitSystem& units) {
   return plot;
 }
 
-Lead lead_of(const fit::FitReport& report, const UnitSystem& units) {
-  Lead lead{.figures = fit_figures(report, units)};
-  if (!report.title.empty()) lead.subject = {one_line(report.title)};
-  if (!report.tests.empty() || !report.pulses.empty()) lead.curve = leading_curve(report, units);
-  return lead;
-}
-
-PageSection unknowns_section(const fit::FitReport& report, const UnitSystem& units) {
-  PageSection unknowns = section("What was found");
+Section unknowns_section(const fit::FitReport& report, const UnitSystem& units) {
+  Section unknowns{.heading = "What was found", .seen = Seen::on_pages};
   unknowns.paragraphs = {
       "Value and 95 % interval of each unknown, on the way from its lowest to its highest admitted value. "
       "Where a bar fades, the interval is open: the data do not end it."};
@@ -137,8 +126,8 @@ PageSection unknowns_section(const fit::FitReport& report, const UnitSystem& uni
   return unknowns;
 }
 
-PageSection misfit_section(const fit::FitReport& report, const UnitSystem& units) {
-  PageSection misfit = section("How well it meets the data");
+Section misfit_section(const fit::FitReport& report, const UnitSystem& units) {
+  Section misfit{.heading = "How well it meets the data", .seen = Seen::always};
   const auto add = [&](const char* caption, Table table) {
     if (table.rows.empty()) return;
     table.caption = caption;
@@ -153,32 +142,69 @@ PageSection misfit_section(const fit::FitReport& report, const UnitSystem& units
   return misfit;
 }
 
+/// By their keys, for those who go on with the file.
+Section keys_section(const fit::FitReport& report, const UnitSystem& units) {
+  return {.heading = "What was found", .seen = Seen::in_brief, .tables = {table_of_unknowns(report, units)}};
+}
+
+Document failed(const fit::FitReport& report) {
+  return {.title = one_line(report.title),
+          .lead = Lead{.answer = "The fit did not converge: " + one_line(report.why_not),
+                       .tone = Tone::bad,
+                       .subject = {one_line(report.title)}},
+          .summary = {"There is no card. Start nearer (start = ...), narrow the bounds, try more starts, or "
+                      "leave unknowns out that the data do not show."}};
+}
+
 }  // namespace
 
-std::string fit_page(const fit::FitReport& report, const UnitSystem& units) {
-  FiguresPage page;
-  page.title = fit_headline(report);
-  std::string answer = fit_answer(report);
-  answer.pop_back();  // the last line break; the other is a blank
-  page.summary.push_back(std::move(answer));
-  if (std::string added = words_on_added(report); !added.empty()) page.summary.push_back(std::move(added));
-  if (std::string predicted = prediction_words(report); !predicted.empty())
-    page.summary.push_back(std::move(predicted));
-  page.warnings = fit_warnings(report, units);
-  PageSection basis = section("What it rests on");
-  basis.paragraphs = notes_on_noise(report);
-  basis.paragraphs.push_back(report.material.source + ".");
-  for (const std::string& reservation : report.material.reservations) basis.paragraphs.push_back(reservation);
-  basis.paragraphs.push_back(
-      fmt::format("{} evaluations in {}.", report.evaluations, duration_words(report.wall_time)));
-  page.lead = lead_of(report, units);
-  page.lead->answer = page.title;
-  page.lead->reservation = first_of(page.warnings);
-  if (!report.tests.empty() || !report.pulses.empty()) page.sections.push_back(curves_section(report, units));
-  page.sections.push_back(unknowns_section(report, units));
-  page.sections.push_back(misfit_section(report, units));
-  page.sections.push_back(std::move(basis));
-  return figures_page(page);
+Document fit_document(const fit::FitReport& report, const UnitSystem& units, Pictures pictures) {
+  if (!report.converged) return failed(report);
+  Document document{.title = fit_headline(report),
+                    .lead = Lead{.answer = fit_headline(report),
+                                 .subject = {one_line(report.title)},
+                                 .figures = fit_figures(report, units)},
+                    .summary = {fit_answer(report), words_on_added(report), prediction_words(report)},
+                    .warnings = fit_warnings(report, units)};
+  std::erase(document.summary, "");
+  if (pictures == Pictures::drawn && !(report.tests.empty() && report.pulses.empty())) {
+    document.lead->curve = leading_curve(report, units);
+    document.sections.push_back(curves_section(report, units));
+  }
+  document.sections.push_back(unknowns_section(report, units));
+  document.sections.push_back(keys_section(report, units));
+  document.sections.push_back(misfit_section(report, units));
+  Basis card{.what = "Card", .value = material_words(report.material), .source = report.material.source};
+  for (const std::string& reservation : report.material.reservations)
+    card.doubt += (card.doubt.empty() ? "" : " ") + one_line(reservation);
+  document.sections.push_back(
+      {.heading = basis_heading,
+       .seen = Seen::always,
+       .paragraphs = notes_on_noise(report),
+       .tables = {basis_table(
+           {card,
+            {"Search",
+             fmt::format("{} evaluations in {}", report.evaluations, duration_words(report.wall_time)),
+             fmt::format("dashpad {}", version())}})}});
+  return document;
+}
+
+std::string fitted_case_toml(const fit::FitReport& report) {
+  return case_toml(report.fitted_case.value().impact, report.fitted_case->options);
+}
+
+std::string posterior_csv(const fit::FitReport& report) {
+  std::string text;
+  for (const fit::FittedUnknown& of : report.unknowns)
+    text += fmt::format("{}{}{}", text.empty() ? "" : ",", of.key,
+                        of.unit == "1" ? "" : fmt::format(" [{}]", of.unit));
+  text += "\n";
+  for (const std::vector<double>& draw : report.posterior) {
+    std::string row;
+    for (const double value : draw) row += fmt::format("{}{}", row.empty() ? "" : ",", value);
+    text += row + "\n";
+  }
+  return text;
 }
 
 }  // namespace dashpad::output

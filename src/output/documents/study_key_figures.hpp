@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dashpad/output/page/figures_page.hpp"
+#include "dashpad/output/document.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "dashpad/study/questions.hpp"
 
@@ -11,6 +11,6 @@ namespace dashpad::output {
 
 /// Of what study_answer() speaks: a probability, the factors that matter, least peaks of cushion curves, or a
 /// range. At most most_key_figures; none without rows.
-std::vector<KeyFigure> study_key_figures(const study::StudyAnswers& answers, const UnitSystem& units);
+std::vector<ValueRow> study_key_figures(const study::StudyAnswers& answers, const UnitSystem& units);
 
 }  // namespace dashpad::output

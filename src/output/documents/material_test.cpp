@@ -1,4 +1,6 @@
-#include "output/page/material_test_lead.hpp"
+// What is said of a material test: where the foam is used best first, then why.
+
+#include "dashpad/output/material_test.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -9,7 +11,9 @@
 
 #include <fmt/format.h>
 
-#include "output/page/key_figures.hpp"
+#include "dashpad/version.hpp"
+#include "output/document.hpp"
+#include "output/documents/basis.hpp"
 #include "output/plot/foam_curve.hpp"
 #include "output/plot/material_test.hpp"
 #include "output/text/foam_words.hpp"
@@ -25,24 +29,24 @@ using laboratory::CushionPoint;
 using laboratory::MaterialTestReport;
 using laboratory::MaterialTestRun;
 
-void add_hold(std::vector<KeyFigure>& figures, const MaterialTestReport& report, const MaterialTestRun& run,
+void add_hold(std::vector<ValueRow>& figures, const MaterialTestReport& report, const MaterialTestRun& run,
               const MaterialTestValues& shown) {
   const std::string hold = "after " + brief_quantity(report.test.hold, "s", shown.units, 3);
   if (run.relaxed) {
     figures.push_back(
         {.label = "Stress at the end of the ramp", .value = shown.stress(run.relaxed->at_end_of_ramp)});
     figures.push_back(
-        {.label = "Stress held", .value = shown.stress(run.relaxed->after_hold), .limit = hold});
+        {.label = "Stress held", .value = shown.stress(run.relaxed->after_hold), .remark = hold});
   }
   if (run.crept) {
     figures.push_back({.label = "Strain at the end of loading",
                        .value = MaterialTestValues::strain(run.crept->at_end_of_loading)});
     figures.push_back(
-        {.label = "Strain held", .value = MaterialTestValues::strain(run.crept->after_hold), .limit = hold});
+        {.label = "Strain held", .value = MaterialTestValues::strain(run.crept->after_hold), .remark = hold});
   }
 }
 
-void add_limits(std::vector<KeyFigure>& figures, const MaterialTestReport& report, const MaterialTestRun& run,
+void add_limits(std::vector<ValueRow>& figures, const MaterialTestReport& report, const MaterialTestRun& run,
                 const MaterialTestValues& shown) {
   constexpr std::size_t most_limits = 2;
   for (std::size_t i = 0; i < run.at_limits.size() && i < most_limits; ++i) {
@@ -50,51 +54,50 @@ void add_limits(std::vector<KeyFigure>& figures, const MaterialTestReport& repor
     figures.push_back(
         {.label = "Energy below " + shown.stress(report.test.stress_limits[i]),
          .value = shown.energy(at ? at->energy : run.figures.energy_in),
-         .limit = at ? "at a strain of " + MaterialTestValues::strain(at->strain) : "which is not reached"});
+         .remark = at ? "at a strain of " + MaterialTestValues::strain(at->strain) : "which is not reached"});
   }
 }
 
-KeyFigure strain_reached(const MaterialTestReport& report, const MaterialTestRun& run) {
-  KeyFigure figure{.label = "Strain reached", .value = MaterialTestValues::strain(run.column.largest_strain)};
+ValueRow strain_reached(const MaterialTestReport& report, const MaterialTestRun& run) {
+  ValueRow figure{.label = "Strain reached", .value = MaterialTestValues::strain(run.column.largest_strain)};
   if (const auto range = range_of(report.material)) {
-    figure.limit = fmt::format("{} up to {}", how_known(report.material),
-                               MaterialTestValues::strain(range->highest_strain));
+    figure.remark = fmt::format("{} up to {}", how_known(report.material),
+                                MaterialTestValues::strain(range->highest_strain));
     figure.share = run.column.largest_strain / range->highest_strain;
     if (is_beyond(run.column.largest_strain, *range)) figure.tone = Tone::doubtful;
   }
   return figure;
 }
 
-std::vector<KeyFigure> test_figures(const MaterialTestReport& report, const MaterialTestRun& run,
-                                    const MaterialTestValues& shown) {
+std::vector<ValueRow> test_figures(const MaterialTestReport& report, const MaterialTestRun& run,
+                                   const MaterialTestValues& shown) {
   const laboratory::CushionFigures& of = run.figures;
-  std::vector<KeyFigure> figures;
+  std::vector<ValueRow> figures;
   add_hold(figures, report, run, shown);
   add_limits(figures, report, run, shown);
   if (runs_out(run)) {
     figures.push_back({.label = "Best used at",
                        .value = shown.stress(of.best_efficiency.stress),
-                       .limit = "the highest energy for its stress"});
+                       .remark = "the highest energy for its stress"});
     figures.push_back({.label = "Energy taken by then",
                        .value = shown.energy(of.best_efficiency.energy),
-                       .limit = "efficiency " + brief(of.best_efficiency.efficiency, 3)});
+                       .remark = "efficiency " + brief(of.best_efficiency.efficiency, 3)});
     figures.push_back({.label = "Runs out at a strain of",
                        .value = MaterialTestValues::strain(of.best_efficiency.strain),
-                       .limit = "beyond, stress grows faster than energy"});
+                       .remark = "beyond, stress grows faster than energy"});
   } else
     figures.push_back({.label = "Energy taken",
                        .value = shown.energy(of.best_efficiency.energy),
-                       .limit = "efficiency " + brief(of.best_efficiency.efficiency, 3)});
+                       .remark = "efficiency " + brief(of.best_efficiency.efficiency, 3)});
   if (run.unloads)
     figures.push_back(
         {.label = "Given back",
          .value = of.energy_in > 0 ? MaterialTestValues::share(of.energy_returned / of.energy_in) : "none",
-         .limit = fmt::format("{} of {}", shown.energy(of.energy_returned), shown.energy(of.energy_in))});
+         .remark = fmt::format("{} of {}", shown.energy(of.energy_returned), shown.energy(of.energy_in))});
   figures.push_back(strain_reached(report, run));
   figures.push_back({.label = "Largest stress",
                      .value = shown.stress(of.peak_stress),
-                     .limit = "at a strain of " + MaterialTestValues::strain(of.strain_at_peak)});
-  figures.resize(std::min(figures.size(), most_key_figures));
+                     .remark = "at a strain of " + MaterialTestValues::strain(of.strain_at_peak)});
   return figures;
 }
 
@@ -149,25 +152,51 @@ bool is_beyond_tests(const MaterialTestReport& report, const MaterialTestRun& ru
   return is_beyond(at ? at->strain : run.column.largest_strain, *range);
 }
 
-}  // namespace
-
-Lead material_test_lead(const MaterialTestReport& report, const UnitSystem& units) {
-  const MaterialTestRun& run = headline_run(report);
-  const MaterialTestValues shown{units};
-  Lead lead{.answer = material_test_answer(report, units),
-            .subject = {material_words(report.material), test_words(report.test, units)},
-            .curve = Plot{.panels = {deciding_panel(report, run, units)}},
-            .figures = test_figures(report, run, shown)};
-  lead.reservation = first_of(flag_words(report));
-  if (is_beyond_tests(report, run)) lead.tone = Tone::doubtful;
-  return lead;
+void add_plots(Document& document, const MaterialTestReport& report, const UnitSystem& units) {
+  const auto figure = [](Panel panel, std::string note = {}) {
+    std::string title = panel.title;
+    return CaptionedPlot{.plot = {.title = std::move(title), .panels = {std::move(panel)}},
+                         .note = std::move(note)};
+  };
+  document.sections.push_back(
+      {.heading = "Stress",
+       .seen = Seen::on_pages,
+       .figures = {figure(stress_over_strain(report, units)), figure(stress_over_time(report, units)),
+                   figure(strain_over_time(report, units))}});
+  document.sections.push_back(
+      {.heading = "Cushioning",
+       .seen = Seen::on_pages,
+       .figures = {
+           figure(energy_over_strain(report, units)),
+           figure(efficiency_over_strain(report), "Efficiency is energy over the largest stress so far."),
+           figure(ideality_over_strain(report), "Ideality is efficiency over the strain."),
+           figure(efficiency_over_stress(report, units),
+                  "The foam is used best at the stress where the efficiency is highest.")}});
 }
 
-std::vector<std::string> material_test_basis(const MaterialTestReport& report, const UnitSystem& units) {
-  std::vector<std::string> basis = foam_basis(report.material, units);
-  basis.push_back(test_words(report.test, units));
-  for (std::string& note : notes_on(report)) basis.push_back(std::move(note));
-  return basis;
+}  // namespace
+
+Document material_test_document(const MaterialTestReport& report, const UnitSystem& units,
+                                Pictures pictures) {
+  const MaterialTestRun& run = headline_run(report);
+  Document document{
+      .title = material_words(report.material),
+      .lead = Lead{.answer = material_test_answer(report, units),
+                   .tone = is_beyond_tests(report, run) ? Tone::doubtful : Tone::plain,
+                   .subject = {material_words(report.material), test_words(report.test, units)},
+                   .figures = test_figures(report, run, {units})},
+      .warnings = flag_words(report),
+      .sections = {{.heading = "Figures", .seen = Seen::always, .tables = tables_of(report, units)},
+                   {.heading = basis_heading,
+                    .seen = Seen::always,
+                    .paragraphs = notes_on(report),
+                    .tables = {basis_table(
+                        {foam_basis(report.material, units),
+                         {"Test", test_words(report.test, units), fmt::format("dashpad {}", version())}})}}}};
+  if (pictures == Pictures::left_out) return document;
+  document.lead->curve = Plot{.panels = {deciding_panel(report, run, units)}};
+  add_plots(document, report, units);
+  return document;
 }
 
 }  // namespace dashpad::output

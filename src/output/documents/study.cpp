@@ -1,4 +1,4 @@
-// A study as a page, and its leading figure as a still.
+// What is said of a study, and its leading figure as a still.
 
 #include <algorithm>
 #include <utility>
@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/study.hpp"
-#include "output/page/key_figures.hpp"
-#include "output/page/study_key_figures.hpp"
+#include "output/document.hpp"
+#include "output/documents/study_key_figures.hpp"
 #include "output/plot/study_figures.hpp"
 #include "output/text/study_answer.hpp"
 #include "output/text/study_tables.hpp"
@@ -21,13 +21,9 @@ namespace {
 
 constexpr std::size_t most_panels_of_still = 4;
 
-void add(FiguresPage& page, const char* heading, std::vector<CaptionedPlot> figures,
-         std::vector<std::string> paragraphs = {}) {
+void add(Document& document, const char* heading, std::vector<CaptionedPlot> figures) {
   if (!figures.empty())
-    page.sections.push_back({.heading = heading,
-                             .paragraphs = std::move(paragraphs),
-                             .tables = {},
-                             .figures = std::move(figures)});
+    document.sections.push_back({.heading = heading, .seen = Seen::on_pages, .figures = std::move(figures)});
 }
 
 /// Bad where every row breaks the limit or strikes through, good where none does.
@@ -78,40 +74,44 @@ Plot answering_plot(const study::StudyAnswers& answers, const UnitSystem& units)
   return {.panels = {std::move(answers.cushion_curves ? panels.back() : panels.front())}};
 }
 
+void add_pictures(Document& document, const study::StudyAnswers& answers, const UnitSystem& units) {
+  if (document.lead)
+    if (Plot plot = answering_plot(answers, units); !plot.panels.empty())
+      document.lead->curve = std::move(plot);
+  add(document, "Cushion curves", cushion_figures(answers, units));
+  add(document, "By name", named_figures(answers, units));
+  add(document, "Curves", curve_figures(answers, units));
+  std::vector<CaptionedPlot> maps = map_figures(answers, units);
+  for (CaptionedPlot& figure : coloured_scatter_figures(answers, units)) maps.push_back(std::move(figure));
+  add(document, "Maps", std::move(maps));
+  add(document, "Which factor matters", index_figures(answers));
+  if (answers.groups.front().group.drawn)
+    add(document, "Distributions", distribution_figures(answers, units));
+  add(document, "Scatter", scatter_figures(answers, units));
+}
+
 }  // namespace
 
-FiguresPage study_page(const study::StudyAnswers& answers, const UnitSystem& units) {
-  const bool drawn = answers.groups.front().group.drawn;
-  FiguresPage page{
+Document study_document(const study::StudyAnswers& answers, const UnitSystem& units, Pictures pictures) {
+  Document document{
       .title = answers.study.title.empty() ? "Study" : one_line(answers.study.title),
       .summary = {fmt::format("{} of {} rows, computed by Dashpad {}.", answers.records.rows.size(),
                               answers.rows, one_line(answers.program))},
-      .warnings = study_warnings(answers),
-      .sections = {}};
-  if (std::string answer = study_answer(answers, units); !answer.empty()) {
-    page.lead = Lead{.answer = std::move(answer), .tone = tone_of(answers), .subject = {page.title}};
-    page.lead->reservation = first_of(page.warnings);
-    page.lead->figures = study_key_figures(answers, units);
-    if (Plot plot = answering_plot(answers, units); !plot.panels.empty()) page.lead->curve = std::move(plot);
-  }
-  page.sections.push_back({.heading = "What was studied",
-                           .paragraphs = {},
-                           .tables = {factor_table(answers, units)},
-                           .figures = {}});
-  page.sections.push_back({.heading = "Answers",
-                           .paragraphs = {interval_note(answers)},
-                           .tables = study_tables(answers, units),
-                           .figures = {}});
-  add(page, "Cushion curves", cushion_figures(answers, units));
-  add(page, "By name", named_figures(answers, units));
-  add(page, "Curves", curve_figures(answers, units));
-  std::vector<CaptionedPlot> maps = map_figures(answers, units);
-  for (CaptionedPlot& figure : coloured_scatter_figures(answers, units)) maps.push_back(std::move(figure));
-  add(page, "Maps", std::move(maps));
-  add(page, "Which factor matters", index_figures(answers));
-  if (drawn) add(page, "Distributions", distribution_figures(answers, units));
-  add(page, "Scatter", scatter_figures(answers, units));
-  return page;
+      .warnings = study_warnings(answers)};
+  if (std::string answer = study_answer(answers, units); !answer.empty())
+    document.lead = Lead{.answer = std::move(answer),
+                         .tone = tone_of(answers),
+                         .subject = {document.title},
+                         .figures = study_key_figures(answers, units)};
+  if (!answers.records.rows.empty())
+    document.sections = {
+        {.heading = "What was studied", .seen = Seen::always, .tables = {factor_table(answers, units)}},
+        {.heading = "Answers",
+         .seen = Seen::always,
+         .paragraphs = {interval_note(answers)},
+         .tables = study_tables(answers, units)}};
+  if (pictures == Pictures::drawn) add_pictures(document, answers, units);
+  return document;
 }
 
 Plot study_plot(const study::StudyAnswers& answers, const UnitSystem& units) {

@@ -1,4 +1,4 @@
-#include "output/page/study_key_figures.hpp"
+#include "output/documents/study_key_figures.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "output/page/key_figures.hpp"
-#include "output/page/study_value_figures.hpp"
+#include "output/document.hpp"
+#include "output/documents/study_value_figures.hpp"
 #include "output/text/capitals.hpp"
 #include "output/text/factor_words.hpp"
 #include "output/text/study_answer.hpp"
@@ -23,7 +23,7 @@ namespace dashpad::output {
 namespace {
 
 using study::StudyAnswers;
-using Figures = std::vector<KeyFigure>;
+using Figures = std::vector<ValueRow>;
 
 /// Of a variance: its estimate has no more digits.
 std::string share_of_variance(double share) {
@@ -51,13 +51,13 @@ void add_probabilities(Figures& figures, const StudyAnswers& answers, const Unit
       const study::Exceedance& of = group.exceedances[i];
       const std::string above = fmt::format("{} above {}", title_of(limit.response),
                                             in_unit_of(limit.response, units)(limit.value));
-      KeyFigure figure{.label = has_levels ? words_of_levels(answers, group.group, units) : above};
+      ValueRow figure{.label = has_levels ? words_of_levels(answers, group.group, units) : above};
       figure.value = group.group.drawn ? per_cent(of.probability.value) : part_of_rows(of.exceeding, of.rows);
-      figure.limit = has_levels ? above : "";
+      figure.remark = has_levels ? above : "";
       const std::string interval = group.group.drawn  ? interval_of(of.probability, per_cent)
                                    : of.undecided > 0 ? fmt::format("{} undecided", of.undecided)
                                                       : "";
-      if (!interval.empty()) figure.limit += (figure.limit.empty() ? "" : "; ") + interval;
+      if (!interval.empty()) figure.remark += (figure.remark.empty() ? "" : "; ") + interval;
       figures.push_back(std::move(figure));
     }
   }
@@ -77,7 +77,7 @@ void add_indices(Figures& figures, const StudyAnswers& answers) {
             {.label =
                  fmt::format("{} by {}", title_of(response_name(answers, i)), factor_words(index.factor)),
              .value = share_of_variance(std::max(index.total.value, 0.0)),
-             .limit = fmt::format("of its variance, {}", interval_of(index.total, share_of_variance))});
+             .remark = fmt::format("of its variance, {}", interval_of(index.total, share_of_variance))});
     return;
   }
 }
@@ -89,7 +89,7 @@ void add_counts(Figures& figures, const StudyAnswers& answers) {
     if (count > 0 && rows > 0)
       figures.push_back({.label = label,
                          .value = per_cent(static_cast<double>(count) / static_cast<double>(rows)),
-                         .limit = part_of_rows(count, rows),
+                         .remark = part_of_rows(count, rows),
                          .tone = tone});
   };
   add("Bottomed out", answers.records.struck_through, Tone::bad);
@@ -99,7 +99,7 @@ void add_counts(Figures& figures, const StudyAnswers& answers) {
 
 }  // namespace
 
-std::vector<KeyFigure> study_key_figures(const StudyAnswers& answers, const UnitSystem& units) {
+std::vector<ValueRow> study_key_figures(const StudyAnswers& answers, const UnitSystem& units) {
   Figures figures;
   if (answers.groups.empty() || answers.responses.empty() || answers.records.rows.empty()) return figures;
   const bool drawn = answers.groups.front().group.drawn;

@@ -1,4 +1,4 @@
-#include "output/page/study_value_figures.hpp"
+#include "output/documents/study_value_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace dashpad::output {
 namespace {
 
 using study::StudyAnswers;
-using Figures = std::vector<KeyFigure>;
+using Figures = std::vector<ValueRow>;
 
 std::optional<double> limit_of(const StudyAnswers& answers, const std::string& response) {
   const auto found = std::ranges::find(answers.limits, response, &study::StudyLimit::response);
@@ -61,13 +61,13 @@ void add_quantiles(Figures& figures, const StudyAnswers& answers, std::size_t re
   for (const auto& [probability, words] :
        {std::pair{0.5, "half of the draws below"}, {0.95, "95 % of the draws below"}})
     if (const auto of = study::quantile(answers.groups.front().distributions[response], probability)) {
-      KeyFigure figure{.label = fmt::format("{}, {}", title_of(name), words),
-                       .value = shown(of->value),
-                       .limit = interval_of(*of, shown)};
+      ValueRow figure{.label = fmt::format("{}, {}", title_of(name), words),
+                      .value = shown(of->value),
+                      .remark = interval_of(*of, shown)};
       if (limit && *limit > 0 && std::isfinite(of->value)) {
         figure.share = of->value / *limit;
-        figure.limit =
-            fmt::format("limit {}{}{}", shown(*limit), figure.limit.empty() ? "" : "; ", figure.limit);
+        figure.remark =
+            fmt::format("limit {}{}{}", shown(*limit), figure.remark.empty() ? "" : "; ", figure.remark);
       }
       figures.push_back(std::move(figure));
     }
@@ -82,7 +82,7 @@ void add_spreads(Figures& figures, const StudyAnswers& answers, std::size_t lead
     const std::string& name = response_name(answers, i);
     figures.push_back({.label = title_of(name),
                        .value = three_digit_range(name, low->value, high->value, units),
-                       .limit = "nine draws in ten"});
+                       .remark = "nine draws in ten"});
   }
 }
 
@@ -95,7 +95,7 @@ void add_medians(Figures& figures, const StudyAnswers& answers, const UnitSystem
         figures.push_back(
             {.label = fmt::format("{}, {} median", title_of(name), which),
              .value = in_unit_of(name, units)(study::quantile(of->distributions[i], 0.5)->value),
-             .limit = "at " + words_of_levels(answers, of->group, units)});
+             .remark = "at " + words_of_levels(answers, of->group, units)});
     };
     add("least", least);
     add("greatest", greatest);
@@ -110,8 +110,9 @@ void add_least_peaks(Figures& figures, const study::CushionCurves& curves, const
       figures.push_back(
           {.label = fmt::format("Least peak on {}", brief_quantity(curve.thickness, "m", units, 3)),
            .value = shown(curve.peak_deceleration[*least]),
-           .limit = fmt::format("at {}, from {}", brief_quantity(curve.static_stress[*least], "Pa", units, 3),
-                                brief_quantity(drop.height, "m", units, 3))});
+           .remark =
+               fmt::format("at {}, from {}", brief_quantity(curve.static_stress[*least], "Pa", units, 3),
+                           brief_quantity(drop.height, "m", units, 3))});
 }
 
 void add_ranges(Figures& figures, const StudyAnswers& answers, const UnitSystem& units) {
@@ -130,10 +131,10 @@ void add_ranges(Figures& figures, const StudyAnswers& answers, const UnitSystem&
   const auto add = [&](const char* which, std::optional<std::size_t> at) {
     if (!at) return;
     const bool is_single = values[*least] == values[*greatest];
-    KeyFigure figure{
+    ValueRow figure{
         .label = title_of(name) + (is_single ? "" : fmt::format(", {}", which)),
         .value = in_unit_of(name, units)(values[*at]),
-        .limit = std::isfinite(values[*at]) ? factors_of(answers, group.places[*at], units) : ""};
+        .remark = std::isfinite(values[*at]) ? factors_of(answers, group.places[*at], units) : ""};
     if (limit && *limit > 0 && std::isfinite(values[*at])) figure.share = values[*at] / *limit;
     figures.push_back(std::move(figure));
   };

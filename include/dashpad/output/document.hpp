@@ -1,0 +1,117 @@
+#pragma once
+/// What is said of a subject (an impact, a pulse, a study), once: values and words are in the reader's units
+/// already. Writers lay it out for the terminal, as a page to look at in a browser and as Markdown.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dashpad/output/plot/plot.hpp"
+#include "dashpad/output/text/table.hpp"
+
+namespace dashpad::output {
+
+/// How much of a result people see.
+enum class Detail {
+  main,  ///< what matters first, to four digits; errors in one line, and where they are much larger than that
+  all,   ///< every figure to five digits, each with its error
+};
+/// Significant digits of figures.
+constexpr int digits_of(Detail detail) { return detail == Detail::all ? 5 : 4; }
+
+/// A value with its interval on the way from one bound to another, as a bar.
+struct RangeBar {
+  std::string label = {};
+  std::string value = {};   ///< as it is shown, with its unit
+  std::string words = {};   ///< the interval
+  std::string lowest = {};  ///< the bounds
+  std::string highest = {};
+  double place = 0;                             ///< of the value: 0 at the lowest, 1 at the highest
+  double from = 0, to = 1;                      ///< of the interval
+  bool open_below = false, open_above = false;  ///< it has no end there
+};
+
+/// What an answer or a figure means to whoever decides by it: never shown by its colour alone.
+enum class Tone { plain, good, doubtful, bad };
+
+/// A figure as people read it, with what goes with it; what is empty is not shown.
+struct ValueRow {
+  std::string key = {};  ///< of the table of results, where it is one of them
+  std::string label = {};
+  std::string value = {};
+  std::string unit = {};             ///< empty too where the value has it
+  std::optional<double> error = {};  ///< estimated, relative; may be infinite
+  std::string interval = {};         ///< "34.1 to 38.2 g", by what is not known
+  std::string limit = {};            ///< "at most 80 g"
+  std::string remark = {};
+  std::optional<double> share = {};  ///< value over limit, >= 0: a bar
+  /// The ends of its interval over the limit: drawn over the bar; the second may be infinite.
+  std::optional<std::pair<double, double>> share_range = {};
+  Tone tone = Tone::plain;
+};
+
+/// What a person came to decide, on top of all else.
+struct Lead {
+  std::string answer = {};  ///< one sentence: the heading of the page
+  Tone tone = Tone::plain;
+  std::vector<std::string> subject = {};  ///< what was asked, a line each
+  std::string drawing = {};               ///< an SVG that this library has made; may be empty
+  std::optional<Plot> curve = {};         ///< the one that decides
+  /// The most important first: a page shows six large, the terminal all of them in short.
+  std::vector<ValueRow> figures = {};
+};
+
+/// Where a section is seen.
+enum class Seen {
+  always,
+  in_brief,  ///< on a terminal where not everything is asked for
+  in_full,   ///< where everything is: with --all, on a page and in Markdown
+  on_pages,  ///< on a page and in Markdown
+};
+
+/// Figures that belong together, below a line of their own if there is one.
+struct RowGroup {
+  std::string caption = {};
+  std::vector<ValueRow> rows = {};
+};
+
+/// Shown in this order: heading, figures by rows, text, bars, tables, plots, text to copy.
+struct Section {
+  std::string heading = {};
+  Seen seen = Seen::in_full;
+  std::vector<RowGroup> rows = {};
+  std::vector<std::string> paragraphs = {};
+  std::vector<RangeBar> ranges = {};
+  std::vector<Table> tables = {};
+  std::vector<CaptionedPlot> figures = {};
+  std::string copy = {};  ///< text in lines of its own, to be copied, such as a case file
+};
+
+struct Document {
+  std::string title = {};
+  std::optional<Lead> lead = {};          ///< in place of the title as the heading
+  std::vector<std::string> summary = {};  ///< paragraphs below the title
+  /// What to beware of, the strongest first; their first words, in capitals, are set apart.
+  std::vector<std::string> warnings = {};
+  std::vector<Section> sections = {};
+  bool is_one_impact = false;  ///< all plots over time show the same moment to whoever points at one
+};
+
+/// Whether a document is made with its drawing and its plots, which take longer than all the rest.
+enum class Pictures { left_out, drawn };
+
+/// One HTML file, which asks nothing of any network: all there is to see is there without a script; the
+/// page's own makes the plots answer to a pointer. They are the values that picture() draws as stills. Throws
+/// std::invalid_argument for rows or columns that do not fit together, and for bars that are not between 0
+/// and 1.
+std::string to_html(const Document& document);
+
+/// Plain text of at most 100 columns, as far as the words allow: answer, subject, warnings, figures, then the
+/// sections that are seen with that detail. Plots and bars are left out.
+std::string to_terminal(const Document& document, Detail detail);
+
+/// All that a page says, without plots and drawings.
+std::string to_markdown(const Document& document);
+
+}  // namespace dashpad::output

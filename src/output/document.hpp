@@ -1,0 +1,51 @@
+#pragma once
+/// What the writers of documents share.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dashpad/impact/flags.hpp"
+#include "dashpad/output/document.hpp"
+
+namespace dashpad::output {
+
+/// "76.3 g".
+std::string shown_value(const ValueRow& row);
+
+/// An estimate as it is shown. Below a millionth of the figure nobody looks for digits.
+std::string shown_error(double error);
+
+/// "91.6 to 101 g at 95 %; at 9.431 ms", "at most 80 g": what stands below a figure that is shown large.
+std::string words_beside(const ValueRow& row);
+
+/// The rows as a table, with the columns that any of them has something for.
+Table table_of(const RowGroup& group);
+
+/// All tables of a section, those of its rows first.
+std::vector<Table> tables_of(const Section& section);
+
+/// "  Peak force             5757 N      5100 to 6400 N    ± 0.2 %  remark", at most 100 columns wide;
+/// without room for what no row has.
+std::string laid_out(const std::vector<ValueRow>& rows);
+
+/// The same table below that line.
+Table captioned(std::string caption, Table table);
+
+/// A plot for where its title and source stand already.
+Plot untitled(Plot plot);
+
+/// The texts of flags, the most severe first.
+std::vector<std::string> by_severity(std::vector<Flag> flags);
+
+/// Length of the words in capitals that a warning begins with: "PULSE CUT".
+std::size_t capitals_in_front(std::string_view text);
+
+/// More are no longer the few that matter.
+inline constexpr std::size_t most_key_figures = 6;
+
+/// Whether a section is shown where people see that much.
+bool is_seen(const Section& section, Detail detail);
+
+}  // namespace dashpad::output

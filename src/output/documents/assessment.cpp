@@ -1,0 +1,377 @@
+#include "dashpad/output/assessment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dashpad/injury/figures.hpp"
+#include "dashpad/output/drawing/impact_drawing.hpp"
+#include "dashpad/result/result_quantity.hpp"
+#include "output/documents/basis.hpp"
+#include "output/plot/foam_curve.hpp"
+#include "output/plot/impact_figures.hpp"
+#include "output/plot/result_panels.hpp"
+#include "output/result_rows.hpp"
+#include "output/text/capitals.hpp"
+#include "output/text/case_toml.hpp"
+#include "output/text/interval_words.hpp"
+#include "output/text/standard_words.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+std::string giver(const injury::StandardValue& value) {
+  return value.chosen_by_user ? "given by you" : "of the standard";
+}
+
+std::array<double, 3> numbers_of(const Impactor& impactor) {
+  return {impactor.mass, sphere_radius(impactor.nose), impactor.speed};
+}
+
+/// What the user did not want.
+std::string of_standard(const NamedValue& entry, const UnitSystem& units) {
+  if (!entry.value->instead) return "";
+  return fmt::format(", the standard {}", brief_quantity(*entry.value->instead, entry.si_unit, units));
+}
+
+/// What the standard's impactor takes the place of, and what stays, a line each.
+struct Replaced {
+  std::vector<std::string> lines;
+  std::string kept;
+};
+Replaced replaced_in(const AssessmentReport& report, const UnitSystem& units) {
+  const std::array<double, 3> of_case = numbers_of(report.given.impactor);
+  Replaced replaced;
+  std::string kept;
+  std::size_t i = 0;
+  for (const NamedValue& entry : values_of(report.standard)) {
+    const double before = of_case[i++];
+    const std::string in_case = std::isnan(before) ? with_article(words_of(report.given.impactor.nose))
+                                                   : brief_quantity(before, entry.si_unit, units);
+    const std::optional<double>& value = entry.value->value;
+    if (!value || !injury::differ(*value, before)) {
+      kept += fmt::format("{} ({}{}), ", entry.name, in_case, of_standard(entry, units));
+      continue;
+    }
+    replaced.lines.push_back(fmt::format("{} {}, {}; the case has {}", entry.name, value_text(entry, units),
+                                         giver(*entry.value), in_case) +
+                             of_standard(entry, units));
+  }
+  replaced.kept = fmt::format("Kept from the case: {}pad, support, solver.", kept);
+  return replaced;
+}
+
+/// The figures in force that have sources of one kind; what the user gives or the case has is none of them.
+std::vector<std::string> figures_from(injury::SourceKind kind, const injury::Standard& standard) {
+  std::vector<std::string> names;
+  for (const NamedValue& entry : values_of(standard))
+    if (entry.value->value && !entry.value->chosen_by_user && entry.value->origin.kind == kind)
+      names.emplace_back(entry.name);
+  for (const injury::Criterion& criterion : standard.criteria)
+    if (criterion.origin.kind == kind) names.push_back(injury::limit_of(criterion));
+  return names;
+}
+
+std::string sources_of(const injury::Standard& standard) {
+  std::vector<std::string> kinds;
+  for (const injury::SourceKind kind :
+       {injury::SourceKind::own_text, injury::SourceKind::secondary, injury::SourceKind::none})
+    if (const auto names = figures_from(kind, standard); !names.empty())
+      kinds.push_back(fmt::format("{} ({})", to_string(kind), fmt::join(names, ", ")));
+  return fmt::format("Sources of the standard's figures: {}. dashpad standards {} names them.",
+                     fmt::join(kinds, ", "), full_name(standard));
+}
+
+/// Each source of what is in force with what comes from it, for those who cannot ask for the standard.
+std::vector<Basis> sources_in_full(const injury::Standard& standard) {
+  std::vector<Basis> all;
+  const auto add = [&](const injury::Origin& origin, const std::string& name) {
+    const std::string source = fmt::format("{} ({})", one_line(origin.source), to_string(origin.kind));
+    const char* const doubt = origin.verified ? "" : "unverified";
+    const auto known =
+        std::ranges::find_if(all, [&](const Basis& of) { return of.source == source && of.doubt == doubt; });
+    if (known == all.end())
+      all.push_back({.what = "", .value = capitalised(name), .source = source, .doubt = doubt});
+    else
+      known->value += ", " + name;
+  };
+  for (const NamedValue& entry : values_of(standard))
+    if (entry.value->value && !entry.value->chosen_by_user) add(entry.value->origin, entry.name);
+  for (const injury::Criterion& criterion : standard.criteria)
+    add(criterion.origin, injury::limit_of(criterion));
+  return all;
+}
+
+/// That which is next to its limit, or farthest beyond it; null without a margin.
+const injury::CriterionResult* closest(const injury::Assessment& assessment) {
+  const injury::CriterionResult* least = nullptr;
+  for (const injury::CriterionResult& result : assessment.results)
+    if (result.relative_margin && (least == nullptr || *result.relative_margin < *least->relative_margin))
+      least = &result;
+  return least;
+}
+
+/// The one that is undecided, of several that which is next to its limit.
+const injury::CriterionResult& undecided_of(const injury::Assessment& assessment,
+                                            const injury::CriterionResult& next) {
+  if (next.verdict == injury::Verdict::undecided) return next;
+  const auto of =
+      std::ranges::find(assessment.results, injury::Verdict::undecided, &injury::CriterionResult::verdict);
+  return of == assessment.results.end() ? next : *of;
+}
+
+/// What makes a pass doubtful that its interval does not show, in words to be put behind it as they are: a
+/// pad that is struck through. Empty where nothing does.
+std::string doubt_about_pass(const AssessmentReport& report) {
+  const injury::Assessment& assessment = report.assessment;
+  const Summary& summary = report.solution.summary;
+  const injury::CriterionResult* const next = closest(assessment);
+  if (assessment.verdict != injury::Verdict::pass || next == nullptr) return "";
+  const auto in_g = [](double acceleration) {
+    return brief(rounded_to(acceleration / standard_gravity, 3)) + " g";
+  };
+  if (is_struck_through(summary.peak_penetration, report.assessed.pad.thickness))
+    return ", but the pad is struck through" +
+           (summary.peak_acceleration ? ", at a peak of " + in_g(*summary.peak_acceleration) : "");
+  return "";
+}
+
+/// "Passes: 3 ms clip has 3.66 g to spare", by the criterion next to its limit or farthest beyond it.
+std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
+  const injury::Assessment& assessment = report.assessment;
+  const Summary& summary = report.solution.summary;
+  if (assessment.verdict == injury::Verdict::fail && bottomed_on_rigid_support(summary))
+    return fmt::format("Fails: the pad bottoms out with {} left",
+                       brief_quantity(summary.bottomed->velocity, "m/s", units, 3));
+  const injury::CriterionResult* const next = closest(assessment);
+  if (next == nullptr)
+    return is_cut(summary) ? "Undecided: the run ends before the impact does"
+                           : "Undecided: the pulse says too little";
+  const std::string name = injury::title_of(next->criterion);
+  const std::string margin =
+      brief_quantity(std::abs(*next->margin), injury::quantity_of(next->criterion.metric).si_unit, units, 3);
+  switch (assessment.verdict) {
+    case injury::Verdict::pass:
+      return fmt::format("Passes: {} has {} to spare{}", name, margin, doubt_about_pass(report));
+    case injury::Verdict::fail: return fmt::format("Fails: {} is {} above its limit", name, margin);
+    case injury::Verdict::undecided: break;
+  }
+  const injury::CriterionResult& open = undecided_of(assessment, *next);
+  if (!open.interval) return fmt::format("Undecided: {} is {} from its limit", name, margin);
+  const std::string limit =
+      brief_quantity(open.criterion.limit, injury::quantity_of(open.criterion.metric).si_unit, units);
+  return fmt::format("Undecided: {} is {}, and {} {} is asked for", injury::title_of(open.criterion),
+                     interval_words(*open.interval, units), open.criterion.strict ? "below" : "at most",
+                     limit);
+}
+
+/// How far a criterion is from its limit. Of a lower bound the distance can only shrink, or grow beyond it.
+std::string distance(const injury::CriterionResult& result, const UnitSystem& units, int digits) {
+  return fmt::format("{} ({:.1f} %)",
+                     brief_quantity(std::abs(*result.margin),
+                                    injury::quantity_of(result.criterion.metric).si_unit, units, digits),
+                     100 * std::abs(*result.relative_margin));
+}
+
+std::string verdict_words(const injury::CriterionResult& result, const UnitSystem& units, int digits) {
+  std::string words = to_string(result.verdict);
+  if (result.margin && result.verdict == injury::Verdict::pass)
+    words += " with " + distance(result, units, digits) + " to spare";
+  else if (result.margin && result.verdict == injury::Verdict::fail)
+    words += " by " + distance(result, units, digits) + (result.lower_bound ? " or more" : "");
+  return words + (result.reason.empty() ? "" : ": " + one_line(result.reason));
+}
+
+Tone tone_of(injury::Verdict verdict) {
+  switch (verdict) {
+    case injury::Verdict::pass: return Tone::good;
+    case injury::Verdict::fail: return Tone::bad;
+    case injury::Verdict::undecided: break;
+  }
+  return Tone::doubtful;
+}
+
+/// Its error stands beside it only where that may decide, or is asked for.
+ValueRow row_of(const injury::CriterionResult& result, const UnitSystem& units, Detail detail) {
+  const injury::Criterion& criterion = result.criterion;
+  const std::string unit = injury::quantity_of(criterion.metric).si_unit;
+  ValueRow row{
+      .label = injury::title_of(criterion),
+      .value = result.value ? (result.lower_bound ? "≥ " : "") +
+                                  brief_quantity(*result.value, unit, units, digits_of(detail))
+                            : "none",
+      .limit = (criterion.strict ? "below " : "at most ") + brief_quantity(criterion.limit, unit, units),
+      .remark = verdict_words(result, units, digits_of(detail)),
+      .tone = tone_of(result.verdict)};
+  const bool decides = result.verdict == injury::Verdict::undecided && !result.interval;
+  if (result.value && (detail == Detail::all || decides))
+    row.error = std::abs(result.error / (*result.value == 0 ? 1 : *result.value));
+  if (result.value && criterion.limit > 0) row.share = *result.value / criterion.limit;
+  if (const auto& interval = result.interval; interval && !interval->sources.empty()) {
+    row.interval = interval_words(*interval, units);
+    if (row.share) row.share_range = {interval->low / criterion.limit, interval->high / criterion.limit};
+  }
+  return row;
+}
+
+std::vector<ValueRow> criteria(const AssessmentReport& report, const UnitSystem& units, Detail detail) {
+  std::vector<ValueRow> rows;
+  for (const injury::CriterionResult& result : report.assessment.results)
+    rows.push_back(row_of(result, units, detail));
+  return rows;
+}
+
+/// Figures to judge the impact by whatever the standard limits.
+std::vector<ValueRow> figures_of(const AssessmentReport& report, const UnitSystem& units, Detail detail) {
+  const injury::KeyFigures& of = report.assessment.figures;
+  std::vector<ValueRow> rows = bottoming_figures(report.assessed, report.solution.summary, units);
+  const auto add = [&](const char* key, const injury::Figure& figure, const char* remark = "") {
+    const ResultQuantity& quantity = result_quantity(key);
+    const auto is_limited = [&](const injury::CriterionResult& result) {
+      return injury::title_of(result.criterion) == quantity.title;
+    };
+    if (!figure.value || std::ranges::any_of(report.assessment.results, is_limited)) return;
+    rows.push_back({.key = key,
+                    .label = quantity.title,
+                    .value = (figure.lower_bound ? "≥ " : "") +
+                             brief_quantity(*figure.value, quantity.si_unit, units, digits_of(detail)),
+                    .remark = remark});
+  };
+  add("peak_acceleration", of.peak_acceleration);
+  add("peak_strain", of.peak_strain,
+      report.assessed.pad.layers.empty() ? "1 is a pad that is fully compressed"
+                                         : "of all layers together; 1 is a pad that is fully compressed");
+  add("hic15", of.hic15);
+  add("contact_end", of.contact_end);
+  add("rebound_speed", of.rebound_speed);
+  add("hic36", of.hic36);
+  add("restitution", of.restitution);
+  add_intervals(rows, report.solution.summary, units);
+  return rows;
+}
+
+/// What makes the interval of each criterion, the largest source alone.
+std::vector<std::string> interval_lines(const AssessmentReport& report, const UnitSystem& units) {
+  std::vector<std::string> lines;
+  const std::optional<Intervals>& intervals = report.solution.summary.intervals;
+  for (const injury::CriterionResult& result : report.assessment.results) {
+    if (!result.interval || !intervals || result.interval->sources.empty()) continue;
+    const std::vector<std::string> sources = source_words(*result.interval, *intervals, units);
+    lines.push_back(
+        fmt::format("{} is {} at 95 %, by {}{}.", injury::title_of(result.criterion),
+                    interval_words(*result.interval, units), sources.front(),
+                    sources.size() == 1 ? "" : fmt::format(", and by {} more (--all)", sources.size() - 1)));
+  }
+  return lines;
+}
+
+std::vector<Basis> basis_of(const AssessmentReport& report, const UnitSystem& units) {
+  std::vector<Basis> rows = case_basis(report.assessed, units);
+  const injury::Standard& standard = report.standard;
+  rows.push_back({.what = "Standard",
+                  .value = fmt::format("{} ({})", one_line(standard.title), full_name(standard)),
+                  .doubt = one_line(standard.note)});
+  for (Basis& row : sources_in_full(standard)) rows.push_back(std::move(row));
+  rows.push_back(solver_basis(report.solution.summary));
+  return rows;
+}
+
+/// The deceleration with the limits that are accelerations.
+Plot deciding_curve(const AssessmentReport& report, const UnitSystem& units) {
+  Panel panel = deceleration_panel(report.solution, injury::whole_pulse_figures(report.solution), units);
+  for (const injury::CriterionResult& result : report.assessment.results)
+    if (injury::quantity_of(result.criterion.metric).si_unit == std::string_view("m/s2"))
+      panel.series.push_back({.label = fmt::format("{}, {}", injury::limit_of(result.criterion),
+                                                   brief_quantity(result.criterion.limit, "m/s2", units)),
+                              .style = SeriesStyle::horizontal_line,
+                              .y = {result.criterion.limit / standard_gravity},
+                              .turn = 1});
+  return {.panels = {std::move(panel)}};
+}
+
+Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
+  const injury::Assessment& assessment = report.assessment;
+  const injury::Standard& standard = report.standard;
+  std::vector<ValueRow> figures = criteria(report, units, Detail::main);
+  for (ValueRow& row : figures_of(report, units, Detail::main)) figures.push_back(std::move(row));
+  const std::string title = one_line(report.assessed.title);
+  Document document{
+      .title = title,
+      .lead = Lead{.answer = answer_of(report, units),
+                   .tone = doubt_about_pass(report).empty() ? tone_of(assessment.verdict) : Tone::doubtful,
+                   .subject = {fmt::format("{} ({})", one_line(standard.title), full_name(standard)),
+                               title.empty() ? "" : "The case: " + title},
+                   .figures = std::move(figures)},
+      .is_one_impact = true};
+  document.warnings = by_severity(assessment.reservations);
+  const Replaced replaced = replaced_in(report, units);
+  std::vector<std::string> brief = interval_lines(report, units);
+  for (std::string& line : case_lines(report.assessed, units)) brief.push_back(std::move(line));
+  if (replaced.lines.empty())
+    brief.push_back("Nothing of the case was replaced.");
+  else
+    document.lead->subject.push_back(
+        fmt::format("Replaced in the case: {}.", fmt::join(replaced.lines, "; ")));
+  brief.push_back(replaced.kept);
+  brief.push_back(sources_of(standard));
+  if (!standard.note.empty()) brief.push_back(one_line(standard.note));
+  std::vector<ValueRow> rows = criteria(report, units, Detail::all);
+  for (ValueRow& row : figures_of(report, units, Detail::all)) rows.push_back(std::move(row));
+  document.sections = {{.seen = Seen::in_brief, .paragraphs = std::move(brief)},
+                       {.heading = "Figures", .rows = {{"", std::move(rows)}}}};
+  if (const auto& intervals = report.solution.summary.intervals; intervals && !intervals->figures.empty()) {
+    std::vector<std::string> limited;
+    for (const injury::CriterionResult& of : assessment.results)
+      limited.emplace_back(injury::quantity_of(of.criterion.metric).key);
+    document.sections.push_back({.heading = "How sure the figures are",
+                                 .paragraphs = {source_paragraph(*intervals)},
+                                 .tables = {interval_table(report.solution.summary, units, limited)}});
+  }
+  document.sections.push_back({.heading = basis_heading,
+                               .paragraphs = {replaced.kept},
+                               .tables = {basis_table(basis_of(report, units))}});
+  document.sections.push_back({.seen = Seen::always, .paragraphs = {assessment_caveat()}});
+  return document;
+}
+
+void add_pictures(Document& document, const AssessmentReport& report, const UnitSystem& units) {
+  document.lead->drawing = impact_drawing(report.assessed, report.solution, units);
+  document.lead->curve = deciding_curve(report, units);
+  const auto basis = std::ranges::find(document.sections, basis_heading, &Section::heading);
+  if (std::optional<Plot> foam = foam_curve_plot(report.assessed.pad, report.solution.summary, units))
+    basis->figures.push_back({.plot = *std::move(foam)});
+  document.sections.push_back(
+      {.heading = "Plots",
+       .seen = Seen::on_pages,
+       .figures = impact_figures(report.assessed, report.solution,
+                                 injury::whole_pulse_figures(report.solution), units)});
+}
+
+}  // namespace
+
+const std::string& assessment_caveat() {
+  static const std::string caveat =
+      "A computation with one rigid sphere on a flat pad: no test to the standard and no certification.";
+  return caveat;
+}
+
+Document assessment_document(const AssessmentReport& report, const UnitSystem& units, Pictures pictures) {
+  Document document = texts_of(report, units);
+  if (pictures == Pictures::drawn) add_pictures(document, report, units);
+  document.sections.push_back(
+      {.heading = "The case",
+       .seen = Seen::on_pages,
+       .paragraphs = {"In SI, with the impactor of the standard. Kept as a file, it is a case that dashpad "
+                      "run repeats."},
+       .copy = case_toml(report.assessed, {})});
+  return document;
+}
+
+}  // namespace dashpad::output

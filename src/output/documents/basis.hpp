@@ -1,0 +1,36 @@
+#pragma once
+/// What a result rests on, a row each: what, its value, its source, and the doubt about it.
+
+#include <string>
+#include <vector>
+
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
+#include "dashpad/output/text/table.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+
+namespace dashpad::output {
+
+inline constexpr const char* basis_heading = "What it rests on";
+
+struct Basis {
+  std::string what;
+  std::string value;
+  std::string source = {};
+  std::string doubt = {};
+};
+
+/// Without the columns that no row has anything for.
+Table basis_table(const std::vector<Basis>& rows);
+
+/// Impactor, pad with its foams, support, and blows if there are several.
+std::vector<Basis> case_basis(const ImpactCase& impact, const UnitSystem& units);
+/// A foam: how far it was tested, where it comes from, what to keep in mind.
+Basis foam_basis(const Material& material, const UnitSystem& units);
+/// How exactly it was computed.
+Basis solver_basis(const Summary& summary);
+
+/// The case in short, without its title.
+std::vector<std::string> case_lines(const ImpactCase& impact, const UnitSystem& units);
+
+}  // namespace dashpad::output

@@ -1,0 +1,192 @@
+// What is said of a measured pulse: its figures first, then where it comes from and what was done to it.
+
+#include "output/documents/pulse.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dashpad/injury/standard.hpp"
+#include "dashpad/output/pulse.hpp"
+#include "dashpad/result/result_quantity.hpp"
+#include "dashpad/version.hpp"
+#include "injury/pulse_words.hpp"
+#include "output/result_rows.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+constexpr int source_digits = 5;
+
+std::string stretch_of(double begin, double end, const UnitSystem& units) {
+  return stretch(begin, end, units, source_digits);
+}
+
+std::string origin(const injury::MeasuredColumn& column, const std::string& si_unit) {
+  const std::string from = column.unit_origin == "given"    ? "as given"
+                           : column.unit_origin == "header" ? "from the file"
+                                                            : "by the format";
+  std::string text = fmt::format("{} in {} ({})", one_line(column.name), column.unit, from);
+  if (!column.sensitivity.empty()) text += ", at " + one_line(column.sensitivity);
+  if (column.factor != 1) text += fmt::format(", 1 {} = {:.7g} {}", column.unit, column.factor, si_unit);
+  return text;
+}
+
+std::vector<std::string> offset_row(const injury::OffsetEffect& effect, double peak,
+                                    const UnitSystem& units) {
+  const auto& [offset, given, taken_off, with, without] = effect;
+  const std::string interval =
+      fmt::format("the mean of {} samples {}", offset.samples, stretch_of(offset.begin, offset.end, units));
+  const std::string scatter = "scatter " + injury::each_in_g(offset.scatter, peak);
+  const std::string mean = injury::each_in_g(offset.mean, peak);
+  if (!taken_off) return {"Quiet part", fmt::format("{}, {}; {}", mean, interval, scatter)};
+  return {"Zeroed",
+          fmt::format("{} taken off, {}; {}; {}", mean, interval, scatter, injury::change_of_hic15(effect))};
+}
+
+/// Restitution, HIC with windows of one's own and dwell times. With Detail::main no level that is not
+/// reached.
+std::vector<ValueRow> further_rows(const injury::PulseReport& report, const UnitSystem& units,
+                                   Detail detail) {
+  const int digits = digits_of(detail);
+  std::vector<ValueRow> rows;
+  const auto add = [&](const char* key, const std::string& label, double value, const std::string& remark) {
+    const ScaledUnit unit = shown_as(result_quantity(key).si_unit, units);
+    rows.push_back({.key = key,
+                    .label = label,
+                    .value = significant(unit.scale * value, digits),
+                    .unit = unit.unit,
+                    .remark = remark});
+  };
+  if (report.impact) {
+    const injury::MeasuredImpact& impact = *report.impact;
+    const double given = impact.gravity * (report.contact.end - report.contact.begin);
+    if (const std::optional<double> restitution = injury::restitution(report.contact, impact))
+      add("restitution", result_quantity("restitution").title, *restitution,
+          "of an impact at " + brief_quantity(impact.speed, "m/s", units) +
+              (given > 0 ? ", without gravity's " + brief_quantity(given, "m/s", units, 3) : ""));
+  }
+  for (const injury::WindowedHic& of : report.windows)
+    add("hic_unlimited", "HIC of " + brief(1e3 * of.longest_window) + " ms", of.hic.value,
+        stretch(of.hic.begin, of.hic.end, units, digits));
+  for (const injury::DwellTime& of : report.dwells)
+    if (of.cumulative > 0 || detail == Detail::all)
+      add("dwell_time",
+          injury::title_of(injury::Criterion{
+              .metric = injury::Metric::dwell_time, .level = of.level, .description = {}, .origin = {}}),
+          of.cumulative, "in all; longest " + brief_quantity(of.longest, "s", units, digits));
+  return rows;
+}
+
+/// The figures of the pulse, and what else it was asked for.
+std::vector<ValueRow> rows_of(const injury::PulseReport& report, const UnitSystem& units, Detail detail) {
+  std::vector<ValueRow> rows = pulse_rows(report.figures, units, detail);
+  for (ValueRow& row : rows)
+    if (row.key == "velocity_change")
+      row.remark =
+          "in contact, " + stretch(report.contact.begin, report.contact.end, units, digits_of(detail));
+  for (ValueRow& row : further_rows(report, units, detail)) rows.push_back(std::move(row));
+  return rows;
+}
+
+/// "Uncertainty of the measurement: peak acceleration ± 2.3 % (sampling 0.4 %, filter 1.1 %, calibration 2
+/// %);
+/// ..., k = 2", and what is not in it. With Detail::main of peak and HIC15 alone.
+std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty& of, Detail detail) {
+  constexpr double next_to_nothing = 5e-5;
+  const auto share = [](double value) {
+    return value < next_to_nothing ? "below 0.01 %" : injury::in_percent(value);
+  };
+  std::string text;
+  for (const injury::FigureUncertainty& each : of.figures) {
+    const std::string_view key = each.quantity->key;
+    if (detail == Detail::main && key != "peak_acceleration" && key != "hic15") continue;
+    text += fmt::format("{}{} ± {} (sampling {}", text.empty() ? "Uncertainty of the measurement: " : "; ",
+                        title_in_sentence(*each.quantity), share(each.combined()),
+                        each.sampling ? share(*each.sampling) : "not known");
+    if (each.filter) text += ", filter " + share(*each.filter);
+    if (each.calibration) text += ", calibration " + share(*each.calibration);
+    text += ")";
+  }
+  if (text.empty()) return {};
+  text += of.compared_with.empty() ? ", k = 2. What a filter before the file took away is not in it"
+                                   : fmt::format(
+                                         ", k = 2, the filter beside {}. What another one before the "
+                                         "file took away is not in it",
+                                         of.compared_with);
+  return {text + (of.calibration ? "." : ", nor is the calibration, which --calibration states.")};
+}
+
+}  // namespace
+
+std::string filter_words(const injury::PulseFilter& filter) {
+  return fmt::format("CFC{}, corner of {}, ends {}", filter.channel_frequency_class,
+                     filter.corner == injury::Corner::sae_j211 ? "SAE J211" : "ISO 6487",
+                     to_string(filter.ends));
+}
+
+std::vector<std::vector<std::string>> pulse_basis(const injury::PulseReport& report,
+                                                  const UnitSystem& units) {
+  const injury::MeasuredPulse& measured = report.measured;
+  const Pulse& pulse = measured.pulse;
+  std::vector<std::vector<std::string>> rows{{"Time", origin(measured.time, "s")}};
+  for (const injury::MeasuredColumn& column : measured.acceleration)
+    rows.push_back({"Acceleration", origin(column, "m/s2")});
+  if (measured.resultant)
+    rows.push_back({"Resultant", fmt::format("of {} directions{}", measured.acceleration.size(),
+                                             report.filter ? ", each filtered, then combined" : "")});
+  rows.push_back({"Samples", fmt::format("{} {}", pulse.time.size(),
+                                         stretch_of(pulse.time.front(), pulse.time.back(), units))});
+  if (report.resampled_to)
+    rows.push_back(
+        {"Resampled", fmt::format("every {}: {} samples", brief_quantity(*report.resampled_to, "s", units),
+                                  report.pulse.time.size())});
+  if (report.offset) rows.push_back(offset_row(*report.offset, report.figures.peak.magnitude, units));
+  rows.push_back({"Filter", report.filter ? filter_words(*report.filter) : "none"});
+  if (report.impact)
+    rows.push_back({"Impact", fmt::format("at {}{}", brief_quantity(report.impact->speed, "m/s", units),
+                                          report.impact->drop_height
+                                              ? ", after a fall of " +
+                                                    brief_quantity(*report.impact->drop_height, "m", units)
+                                              : "")});
+  return rows;
+}
+
+std::vector<std::string> reservations(const injury::PulseReport& report) {
+  std::vector<std::string> lines;
+  for (const Flag& flag : report.flags) lines.push_back(flag.text);
+  for (const std::string& remark : report.measured.remarks) lines.push_back("REMARK: " + one_line(remark));
+  return lines;
+}
+
+Document pulse_document(const injury::PulseReport& report, const UnitSystem& units, Pictures pictures) {
+  Document document{.title = report.file, .warnings = reservations(report)};
+  document.lead =
+      Lead{.answer = fmt::format("Peak {}, HIC15 {}",
+                                 brief_quantity(report.figures.peak.magnitude,
+                                                result_quantity("peak_acceleration").si_unit, units, 3),
+                                 brief(report.figures.hic15.value, 3)),
+           .tone = document.warnings.empty() ? Tone::plain : Tone::doubtful,
+           .subject = {fmt::format("{} ({})", one_line(report.file), report.measured.format)},
+           .figures = rows_of(report, units, Detail::main)};
+  if (pictures == Pictures::drawn) document.lead->curve = untitled(pulse_plot(report, units));
+  document.sections = {
+      {.heading = "Figures",
+       .rows = {{"", rows_of(report, units, Detail::all)}},
+       .paragraphs = uncertainty_words(report.uncertainty, Detail::all)},
+      {.seen = Seen::in_brief, .paragraphs = uncertainty_words(report.uncertainty, Detail::main)}};
+  if (const auto check = injury::speed_check(report))
+    document.sections.push_back({.heading = "Velocity", .seen = Seen::always, .paragraphs = {check->text}});
+  document.sections.push_back(
+      {.heading = "What it rests on",
+       .seen = Seen::always,
+       .paragraphs = {fmt::format("HIC and severity index are in g^2.5 s; the pulse is linear between its "
+                                  "samples (dashpad {}).",
+                                  version())},
+       .tables = {{.columns = {"", ""}, .rows = pulse_basis(report, units)}}});
+  return document;
+}
+
+}  // namespace dashpad::output

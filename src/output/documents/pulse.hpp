@@ -1,0 +1,22 @@
+#pragma once
+/// The parts of a pulse's document that its plot, a comparison and JSON share.
+
+#include <string>
+#include <vector>
+
+#include "dashpad/injury/pulse_report.hpp"
+#include "dashpad/output/document.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+
+namespace dashpad::output {
+
+/// "CFC1000, corner of SAE J211, ends mirrored".
+std::string filter_words(const injury::PulseFilter& filter);
+
+/// What the figures leave in doubt: flags and remarks, a line each.
+std::vector<std::string> reservations(const injury::PulseReport& report);
+
+/// Where the pulse comes from and what was done to it: a row each, what and how.
+std::vector<std::vector<std::string>> pulse_basis(const injury::PulseReport& report, const UnitSystem& units);
+
+}  // namespace dashpad::output
