@@ -25,7 +25,6 @@ std::vector<output::CaptionedPlot> chosen(const std::vector<ValidationFigure>& f
 output::Section verdict_section(const Study& study, const std::vector<ValidationFigure>& figures) {
   return {
       .heading = "Verdict",
-      .seen = output::Seen::always,
       .paragraphs =
           {"The rules were fixed before the first run: bias of peak force and rebound speed within 15 %, of "
            "time to peak within 10 %, of strain within 0.05; scatter at most 25 % for force, 15 % for time "
@@ -62,7 +61,6 @@ output::Section verdict_section(const Study& study, const std::vector<Validation
 output::Section held_out_section(const Study& study) {
   return {
       .heading = "The tests predicted by a foam",
-      .seen = output::Seen::always,
       .paragraphs = {fmt::format(
                          "The law foam with {} fitted numbers, at a nose radius of {} in, instead of the "
                          "report's law. On the load cell five folds by speed, on the plate test by test.",
@@ -71,6 +69,46 @@ output::Section held_out_section(const Study& study) {
       .tables = {output::captioned("Predictions of tests that the fit has not seen", held_out_table(study)),
                  output::captioned("The foam", fitted_foam_table(study)),
                  output::captioned("Test by test", held_out_errors_table(study))}};
+}
+
+/// The columns that fit a terminal.
+output::Table narrow(std::string caption, const output::Table& table,
+                     const std::vector<std::size_t>& columns) {
+  output::Table result{.caption = std::move(caption)};
+  for (const std::size_t column : columns) result.columns.push_back(table.columns[column]);
+  for (const auto& row : table.rows) {
+    result.rows.emplace_back();
+    for (const std::size_t column : columns) result.rows.back().push_back(row[column]);
+  }
+  return result;
+}
+
+/// What of the verdict a terminal has room for.
+output::Section brief_section(const Study& study) {
+  return {
+      .heading = "Verdict",
+      .seen = output::Seen::in_brief,
+      .paragraphs = {"Bias and scatter are of predicted / measured, for strain of the difference.",
+                     seen_data},
+      .tables = {
+          narrow(fmt::format("At a nose radius of {:.2f} in", study.radius.favoured_in()),
+                 verdict_table(study), {0, 1, 3, 4, 5, 6, 10}),
+          narrow("Which radius the readings favour", radius_table(study), {0, 1, 2, 3}),
+          output::captioned(fmt::format("A foam of {} fitted numbers at {} in, each test held out",
+                                        fitted_numbers, brief(held_out_radius_in)),
+                            held_out_table(study)),
+          output::captioned("Rebound on the load cell, between what was measured and what Table "
+                            "3-2 admits",
+                            rebound_table(study)),
+          output::captioned("The anomaly of section 4, predicted over measured force",
+                            anomaly_table(study, study.anomaly)),
+          output::captioned("Its rules", anomaly_rules_table(study.anomaly)),
+          narrow(fmt::format("At {:.2f} in, where the report's statements on its own simulations "
+                             "come back",
+                             study.radius.of_the_report_in()),
+                 reports_radius_table(study), {0, 1, 3, 4, 5, 6, 10}),
+          output::captioned("The anomaly there", anomaly_table(study, study.anomaly_at_the_reports_radius)),
+          output::captioned("Its rules there", anomaly_rules_table(study.anomaly_at_the_reports_radius))}};
 }
 
 output::Section error_section(const Study& study) {
@@ -111,6 +149,7 @@ output::Document validation_document(const Study& study, output::Pictures pictur
                   "in, mph, ms."},
       .warnings = warnings(study)};
   page.sections = {
+      brief_section(study),
       verdict_section(study, figures),
       held_out_section(study),
       error_section(study),

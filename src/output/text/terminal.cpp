@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "output/document.hpp"
+#include "output/svg/text_fit.hpp"
 #include "output/text/cell.hpp"
 #include "output/text/table.hpp"
 #include "quantities/text.hpp"
@@ -28,6 +29,16 @@ std::size_t column_of(const std::vector<ValueRow>& rows, Part&& part) {
   for (const ValueRow& row : rows) width = std::max(width, width_of(part(row)));
   return width == 0 ? 0 : width + gap;
 }
+
+/// One line in which numbers keep their units: between the two is no place for a break.
+std::string kept_whole(const std::string& text) { return quantities_whole(one_line(text)); }
+
+std::string with_blanks(std::string text) {
+  replace_all(text, "\u00a0", " ");
+  return text;
+}
+
+std::string paragraph_of(const std::string& text) { return with_blanks(wrapped(kept_whole(text), 2)) + "\n"; }
 
 std::string without_end(std::string line) { return line.erase(line.find_last_not_of(' ') + 1); }
 
@@ -52,9 +63,9 @@ std::size_t longest_word(std::string_view text) {
 std::size_t narrowest(const Table& table, std::size_t column) {
   constexpr std::size_t longest_name = 35;
   const bool has_numbers = is_column_of_numbers(table, column);
-  std::size_t width = longest_word(table.columns[column]);
+  std::size_t width = longest_word(kept_whole(table.columns[column]));
   for (const auto& row : table.rows)
-    width = std::max(width, has_numbers ? width_of(row[column]) : longest_word(row[column]));
+    width = std::max(width, has_numbers ? width_of(row[column]) : longest_word(kept_whole(row[column])));
   if (column == 0)
     for (const auto& row : table.rows) width = std::max(width, std::min(width_of(row[0]), longest_name));
   return width;
@@ -113,12 +124,11 @@ std::string text_of(const Section& section) {
     text += (&group == &section.rows.front() ? "" : "\n") +
             (group.caption.empty() ? "" : one_line(group.caption) + ":\n") + laid_out(group.rows);
   if (!section.rows.empty() && !section.paragraphs.empty()) text += "\n";
-  for (const std::string& paragraph : section.paragraphs) text += wrapped(one_line(paragraph), 2) + "\n";
+  for (const std::string& paragraph : section.paragraphs) text += paragraph_of(paragraph);
   bool is_first = section.rows.empty() && section.paragraphs.empty();
   for (const Table& table : section.tables) {
     if (!std::exchange(is_first, false)) text += "\n";
-    if (!table.caption.empty() && table.caption != section.heading)
-      text += wrapped(one_line(table.caption), 2) + "\n";
+    if (!table.caption.empty() && table.caption != section.heading) text += paragraph_of(table.caption);
     text += plain_text(table);
   }
   return text;
@@ -144,7 +154,7 @@ std::string plain_text(const Table& given) {
     std::vector<std::vector<std::string>> cells;
     std::size_t lines = 0;
     for (std::size_t i = 0; i < widths.size(); ++i) {
-      cells.push_back(lines_of(row[i], widths[i]));
+      cells.push_back(lines_of(kept_whole(row[i]), widths[i]));
       lines = std::max(lines, cells.back().size());
     }
     for (std::size_t k = 0; k < lines; ++k) {
@@ -158,7 +168,7 @@ std::string plain_text(const Table& given) {
       text += without_end(std::move(line)) + "\n";
     }
   }
-  return text;
+  return with_blanks(std::move(text));
 }
 
 std::string laid_out(const std::vector<ValueRow>& given) {
@@ -184,9 +194,8 @@ std::string laid_out(const std::vector<ValueRow>& given) {
     line += std::string(value - std::min(value, width_of(row.value)), ' ') + row.value + " ";
     line += padded(row.unit, unit) + padded(row.interval, interval);
     line += padded(row.error ? "± " + shown_error(*row.error) : "", error) + padded(row.limit, limit);
-    text +=
-        wrapped(without_end(line + one_line(row.remark)), remark <= last_remark ? remark : of_long_remark) +
-        "\n";
+    const std::size_t indent = remark <= last_remark ? remark : of_long_remark;
+    text += with_blanks(wrapped(without_end(line + kept_whole(row.remark)), indent)) + "\n";
   }
   return text;
 }
@@ -195,7 +204,7 @@ std::string to_terminal(const Document& document, Detail detail) {
   std::string text;
   const auto add_lines = [&](const std::vector<std::string>& lines) {
     for (const std::string& line : lines)
-      if (!line.empty()) text += wrapped(one_line(line), 2) + "\n";
+      if (!line.empty()) text += paragraph_of(line);
   };
   add_lines({document.lead ? document.lead->answer : document.title});
   if (document.lead) add_lines(document.lead->subject);
