@@ -198,6 +198,22 @@ TEST(ShownValues, OfAPulseAreItsSamplesAndItsFiguresOnTheirSide) {
   }
 }
 
+/// Of 400 ms the 44 ms of the impact with something on either side; all samples are there.
+TEST(ShownValues, OfALongRecordTheImpactIsInTheMiddle) {
+  injury::PulseReport report = two_humps(1);
+  EXPECT_FALSE(pulse_plot(report, unit_system("si")).panels.at(0).x.low);
+  report.contact = injury::contact_of(report.pulse);
+  for (int i = 1; i <= 3550; ++i) {
+    report.pulse.time.push_back(45e-3 + 1e-4 * i);
+    report.pulse.acceleration.push_back(0);
+  }
+  const Panel panel = pulse_plot(report, unit_system("si")).panels.at(0);
+  EXPECT_NEAR(*panel.x.low, -5, 1e-9);  // ms: where the record begins
+  EXPECT_GT(*panel.x.high, 39);
+  EXPECT_LT(*panel.x.high, 60);
+  EXPECT_EQ(series_of(panel, "pulse").x.size(), report.pulse.time.size());
+}
+
 TEST(ShownValues, OfDwellTimesAreAllAndTheLongest) {
   const std::string text = to_markdown(pulse_document(two_humps(-1), unit_system("si")));
   EXPECT_THAT(text, testing::ContainsRegex("11.000 ms \\| in all; longest 6 ms"));

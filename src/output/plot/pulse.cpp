@@ -40,6 +40,22 @@ Series window(const char* key, const injury::Hic& hic, double peak, std::size_t 
                      value_in(units, hic.begin, "s"), value_in(units, hic.end, "s"), peak, turn, row);
 }
 
+/// Of a record that is much longer than its impact the impact, with the windows and something on either side.
+void show_impact(Axis& x, const injury::PulseReport& report, const UnitSystem& units) {
+  constexpr double beside = 0.3, much_longer = 1.5;
+  if (report.pulse.time.empty()) return;
+  const auto [first, last] = std::minmax(report.contact.begin, report.contact.end);
+  double begin = std::min({first, report.figures.hic15.begin, report.figures.hic36.begin});
+  double end = std::max({last, report.figures.hic15.end, report.figures.hic36.end});
+  const double margin = beside * (end - begin);
+  begin = std::max(begin - margin, report.pulse.time.front());
+  end = std::min(end + margin, report.pulse.time.back());
+  if (!(end > begin) || report.pulse.time.back() - report.pulse.time.front() < much_longer * (end - begin))
+    return;
+  x.low = value_in(units, begin, "s");
+  x.high = value_in(units, end, "s");
+}
+
 }  // namespace
 
 Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units) {
@@ -66,6 +82,7 @@ Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units) {
         {.label = fmt::format("{} {} g", result_quantity("clip_3ms").title, brief(std::abs(level), 4)),
          .style = SeriesStyle::horizontal_line,
          .y = {level}});
+  show_impact(panel.x, report, units);
   return {.title = one_line(report.file),
           .panels = {panel},
           .source = fmt::format("dashpad {}; filter: {}", version(),
