@@ -12,7 +12,7 @@
 
 namespace dashpad::test {
 
-/// Rows of trimmed cells, without the line below the header.
+/// Rows of trimmed cells without escapes, and without the line below the header.
 inline std::vector<std::vector<std::string>> read_markdown(const std::string& text) {
   std::vector<std::vector<std::string>> rows;
   std::istringstream lines(text);
@@ -20,7 +20,8 @@ inline std::vector<std::vector<std::string>> read_markdown(const std::string& te
     if (!line.starts_with("|") || line.starts_with("|---")) continue;
     std::vector<std::string> cells(1);
     for (std::size_t i = 1; i < line.size(); ++i) {
-      if (line[i] == '\\' && i + 1 < line.size() && line[i + 1] == '|')
+      if (line[i] == '\\' && i + 1 < line.size() &&
+          std::ispunct(static_cast<unsigned char>(line[i + 1])) != 0)
         cells.back() += line[++i];
       else if (line[i] == '|')
         cells.emplace_back();
