@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "command.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
 #include "documents.hpp"
 #include "pulse/request.hpp"

@@ -10,6 +10,7 @@
 
 #include "dashpad/output/study.hpp"
 #include "dashpad/study/responses.hpp"
+#include "documents.hpp"
 #include "output.hpp"
 #include "study/limit.hpp"
 #include "study/study.hpp"

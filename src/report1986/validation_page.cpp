@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "output/document.hpp"
 #include "quantities/text.hpp"
 #include "report1986/validation_series.hpp"
 #include "report1986/validation_tables.hpp"
