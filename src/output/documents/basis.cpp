@@ -28,6 +28,13 @@ Table basis_table(const std::vector<Basis>& rows) {
   return table;
 }
 
+std::string doubts_about(const Material& material) {
+  std::string doubts;
+  for (const std::string& reservation : material.reservations)
+    doubts += (doubts.empty() ? "" : " ") + one_line(reservation);
+  return doubts;
+}
+
 Basis foam_basis(const Material& material, const UnitSystem& units) {
   Basis basis{.what = "Foam", .value = material_words(material)};
   if (material.density) basis.value += ", " + brief_quantity(*material.density, "kg/m3", units);
@@ -37,8 +44,7 @@ Basis foam_basis(const Material& material, const UnitSystem& units) {
                     brief(range->highest_strain, 3), brief(range->lowest_rate, 3),
                     range->highest_rate > range->lowest_rate ? " to " + brief(range->highest_rate, 3) : "");
   basis.source = material.source.empty() ? "not stated" : one_line(material.source);
-  for (const std::string& reservation : material.reservations)
-    basis.doubt += (basis.doubt.empty() ? "" : " ") + one_line(reservation);
+  basis.doubt = doubts_about(material);
   return basis;
 }
 

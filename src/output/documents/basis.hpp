@@ -27,6 +27,8 @@ Table basis_table(const std::vector<Basis>& rows);
 std::vector<Basis> case_basis(const ImpactCase& impact, const UnitSystem& units);
 /// A foam: how far it was tested, where it comes from, what to keep in mind.
 Basis foam_basis(const Material& material, const UnitSystem& units);
+/// The reservations of its card, one after the other.
+std::string doubts_about(const Material& material);
 /// How exactly it was computed.
 Basis solver_basis(const Summary& summary);
 

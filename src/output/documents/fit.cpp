@@ -174,9 +174,10 @@ Document fit_document(const fit::FitReport& report, const UnitSystem& units, Pic
   document.sections.push_back(unknowns_section(report, units));
   document.sections.push_back(keys_section(report, units));
   document.sections.push_back(misfit_section(report, units));
-  Basis card{.what = "Card", .value = material_words(report.material), .source = report.material.source};
-  for (const std::string& reservation : report.material.reservations)
-    card.doubt += (card.doubt.empty() ? "" : " ") + one_line(reservation);
+  const Basis card{.what = "Card",
+                   .value = material_words(report.material),
+                   .source = report.material.source,
+                   .doubt = doubts_about(report.material)};
   document.sections.push_back(
       {.heading = basis_heading,
        .seen = Seen::always,

@@ -218,7 +218,7 @@ std::string impact_page(const ImpactReport& report, const UnitSystem& shown) {
     documents.push_back({&other, texts_of(report, other)});
     documents.back().document.lead->drawing = drawing_of(report, other);
   }
-  return to_html(documents);
+  return to_html(std::move(documents));
 }
 
 }  // namespace dashpad::output
