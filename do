@@ -13,8 +13,8 @@ Usage: ./do TASK [arguments]
   run [CASE] [arguments]   build the command and solve CASE (default: examples/helmet-pad-10fps.toml)
   test [PRESET] [ctest arguments]
                            build and run the tests (default: release; also dev, asan-ubsan, coverage)
-  bench [--record]         build and run the benchmarks; results, stills and a page go to build/bench, or to
-                           bench/results (and the tables of bench/README.md are brought up to date)
+  bench [--record]         build and run the benchmarks; results, stills and a page go to build/bench (and with
+                           --record two tables to bench/results, of which those of bench/README.md are made)
   bench PROGRAM [arguments]
                            only impact, injury, work-precision, study or report, with arguments of its own
   bench --check            whether the tables of bench/README.md are those of bench/results
@@ -160,15 +160,15 @@ task_bench() {
   say "Building the benchmarks ..."
   configure release -DDASHPAD_BUILD_BENCH=ON
   build release dashpad-bench
-  local programs="$root/build/release/bench" results="$root/build/bench" readme=()
+  local programs="$root/build/release/bench" results="$root/build/bench" recorded="$root/bench/results" record=false
   case "${1:-all}" in
     impact | injury | work-precision | study | report)
       local program="bench_${1//-/_}"
       shift
       exec "$programs/$program" "$@"
       ;;
-    --check) exec "$programs/bench_report" "$root/bench/results" --readme "$root/bench/README.md" --check ;;
-    --record) results="$root/bench/results" readme=(--readme "$root/bench/README.md") ;;
+    --check) exec "$programs/bench_report" "$recorded" --readme "$root/bench/README.md" --check ;;
+    --record) record=true ;;
     all) ;;
     *) fail "no benchmark '$1': impact, injury, work-precision, study or report" ;;
   esac
@@ -182,7 +182,11 @@ task_bench() {
   done
   "$programs/bench_work_precision" --csv "$results/work-precision.csv"
   "$programs/bench_study" --csv "$results/study.csv"
-  "$programs/bench_report" "$results" "${readme[@]}"
+  "$programs/bench_report" "$results" --pictures "$results"
+  if $record; then
+    cp "$results/work-precision.csv" "$results/study.csv" "$recorded"
+    "$programs/bench_report" "$recorded" --readme "$root/bench/README.md"
+  fi
   say "Raw results, stills and benchmarks.html: ${results#"$root"/}"
 }
 

@@ -29,6 +29,7 @@ constexpr const char* assess_footer = R"(Examples:
   dashpad assess examples/head-on-door-panel.toml --standard fmvss-201-instrument-panel --report ./my-verdict.html
   dashpad assess examples/dashboard-20mph.toml --standard fmvss-218:hemispherical:small --json -
   dashpad assess examples/helmet-pad-10fps.toml --standard en-1078 --standard cpsc-1203
+  dashpad assess examples/helmet*.toml --standard en-1078 --standard cpsc-1203 --report ./my-plan.html
   dashpad assess examples/helmet-struck-by-a-ram.toml --standard fmvss-201u --keep-nose --keep-speed
 
 The impactor (mass, radius, speed) is that of the standard, or yours where you give one; pad, support and
@@ -36,7 +37,8 @@ solver are those of the case. What was replaced is said. A standard that leaves 
 --keep-nose and --keep-speed keep the nose and the speed of the case. Where the other choice would turn the
 verdict into a pass or a fail, the reservation OTHER NOSE or OTHER SPEED says so.
 Several variants may follow the name, each after a colon. dashpad standards lists names and variants.
-Several standards are assessed one after the other; --json writes an array then.
+Several cases or several standards make a test plan: a row a case, a column a standard, what fails first. --all adds
+each assessment as a whole, and so does the page; --json writes an array of them, case by case. --set is for every case.
 
 Every figure has an interval, 95 %, by what is not known of the foam and of the model; docs/theory.md, section 6, says
 what goes into it. Verdicts: pass where every interval is within its limit, fail where one is above its limit as a
@@ -51,11 +53,12 @@ no test to the standard, no certification.
 
 Exit codes: 0 pass, also with reservations; 4 fail, also where the tolerance is missed;
 3 no verdict (undecided), or not reliable (the result misses the tolerance); 1 a result could not be written;
-2 input or command line refused and nothing was run. Of several standards 4 if one fails, else 3 if one is
+2 input or command line refused and nothing was run. Of a test plan 4 if one combination fails, else 3 if one is
 undecided.)";
 
 struct AssessRequest {
-  GivenCase given;
+  std::vector<std::string> cases;
+  std::vector<std::string> settings;
   std::vector<std::string> standards;
   std::optional<std::string> mass, radius, speed, drop_height;
   injury::Kept kept;
@@ -85,9 +88,10 @@ struct Assessed {
   std::vector<injury::OtherChoice> others = {};
 };
 
-struct AssessInput {
+struct AssessedCase {
+  std::string file;
   input::CaseFile given;
-  std::vector<Assessed> all;
+  std::vector<Assessed> standards;
 };
 
 std::vector<Target> targets(const AssessRequest& request) {
@@ -115,9 +119,6 @@ injury::UserValues read_user_values(const AssessRequest& request, Complaints& wr
   if (request.kept.speed && (request.speed || request.drop_height))
     wrong.push_back(fmt::format("--keep-speed: give --keep-speed or {}, not both",
                                 request.speed ? "--speed" : "--drop-height"));
-  if ((request.documents.page || request.documents.markdown) && request.standards.size() > 1)
-    wrong.emplace_back(
-        "--report, --markdown: the page is of one standard; give one --standard, or a command for each");
   return {.mass = read_option("--mass", request.mass, "kg", wrong),
           .radius = read_option("--radius", request.radius, "m", wrong),
           .speed = read_option("--speed", request.speed, "m/s", wrong),
@@ -136,38 +137,52 @@ void noting_faults(Complaints& wrong, Reader read) {
   }
 }
 
-AssessInput read_and_check(const AssessRequest& request, const AssessFolders& folders) {
-  Complaints wrong;
+/// The standards as they are read, with what the user gives in their place.
+std::vector<injury::Standard> read_standards(const AssessRequest& request, const fs::path& folder,
+                                             std::vector<input::InputFile>& files, Complaints& wrong) {
   const injury::UserValues values = read_user_values(request, wrong);
-  const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
-  AssessInput input;
-  std::vector<input::InputFile> files;
+  std::vector<injury::Standard> standards;
   for (const std::string& name : request.standards)
     noting_faults(wrong, [&] {
       const input::StandardChoice choice = input::standard_choice(name);
-      files.push_back({"the standard", input::find_standard(choice.name, folders.standards).value()});
+      files.push_back({"the standard", input::find_standard(choice.name, folder).value()});
       const injury::Standard standard = input::read_standard(files.back().file).value();
-      input.all.push_back(
-          {.own = injury::with_user_values(injury::with_variants(standard, choice.variants), values),
-           .standard = {},
-           .impact = {}});
+      standards.push_back(injury::with_user_values(injury::with_variants(standard, choice.variants), values));
     });
-  std::optional<input::CaseFile> given = read_case(request.given, folders.materials, wrong);
-  std::ranges::move(files_of(request.given.file, given), std::back_inserter(files));
+  return standards;
+}
+
+std::vector<AssessedCase> read_and_check(const AssessRequest& request, const AssessFolders& folders) {
+  Complaints wrong;
+  const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
+  std::vector<input::InputFile> files;
+  const std::vector<injury::Standard> standards = read_standards(request, folders.standards, files, wrong);
+  if (std::ranges::count(request.cases, "-") > 1)
+    wrong.emplace_back("CASE -: standard input is one case; give it once");
+  std::vector<AssessedCase> cases;
+  for (const std::string& file : request.cases) {
+    std::optional<input::CaseFile> given = read_case({file, request.settings}, folders.materials, wrong);
+    std::ranges::move(files_of(file, given), std::back_inserter(files));
+    if (given) cases.push_back({.file = file, .given = *std::move(given), .standards = {}});
+  }
   judge_targets(targets(request), files, request.force, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
 
-  input.given = *std::move(given);
-  if (tolerance) input.given.options.tolerance = *tolerance;
-  for (Assessed& of : input.all) {
-    of.standard = injury::with_kept(of.own, input.given.impact.impactor, request.kept);
-    of.impact = injury::with_impactor_of(of.standard, input.given.impact);
-    for (const Violation& violation : violations(of.impact))
-      wrong.push_back(fmt::format("{}, with the impactor of {}: {} = {}: {}", request.given.file,
-                                  of.standard.name, violation.key, violation.value, violation.rule));
+  for (AssessedCase& each : cases) {
+    if (tolerance) each.given.options.tolerance = *tolerance;
+    for (const injury::Standard& own : standards) {
+      Assessed of{.own = own,
+                  .standard = injury::with_kept(own, each.given.impact.impactor, request.kept),
+                  .impact = {}};
+      of.impact = injury::with_impactor_of(of.standard, each.given.impact);
+      for (const Violation& violation : violations(of.impact))
+        wrong.push_back(fmt::format("{}, with the impactor of {}: {} = {}: {}", each.file, of.standard.name,
+                                    violation.key, violation.value, violation.rule));
+      each.standards.push_back(std::move(of));
+    }
   }
   if (!wrong.empty()) throw Refused(std::move(wrong));
-  return input;
+  return cases;
 }
 
 /// The verdict, and what another choice of nose or speed would have made of it.
@@ -194,27 +209,31 @@ void judge(Assessed& of, const input::CaseFile& given, const AssessRequest& requ
 }
 
 int run_assessment(const AssessRequest& request, const AssessFolders& folders) {
-  AssessInput input = read_and_check(request, folders);
+  std::vector<AssessedCase> cases = read_and_check(request, folders);
   const UnitSystem& units = unit_system(request.units);
   int code = exit_done;
-  std::string text;
   std::vector<output::AssessmentReport> reports;
-  for (Assessed& of : input.all) {
-    judge(of, input.given, request);
-    code = std::max<int>(code, exit_code(of.assessment.verdict, of.solution.summary));
-    reports.push_back({of.standard, input.given.impact, of.impact, of.solution, of.assessment, of.others});
-    text += (text.empty() ? "" : "\n\n") +
-            output::to_terminal(output::assessment_document(reports.back(), units), request.detail);
-  }
+  for (AssessedCase& each : cases)
+    for (Assessed& of : each.standards) {
+      judge(of, each.given, request);
+      code = std::max<int>(code, exit_code(of.assessment.verdict, of.solution.summary));
+      reports.push_back(
+          {of.standard, each.given.impact, of.impact, of.solution, of.assessment, of.others, each.file});
+    }
+  const bool is_plan = reports.size() > 1;
+  const auto document = [&](output::Pictures pictures) {
+    return is_plan ? output::test_plan_document(reports, units, pictures)
+                   : output::assessment_document(reports.front(), units, pictures);
+  };
+  std::string text = output::to_terminal(document(output::Pictures::left_out), request.detail);
+  if (is_plan && request.detail == output::Detail::all)
+    for (const output::AssessmentReport& report : reports)
+      text += "\n\n" + output::to_terminal(output::assessment_document(report, units), request.detail);
   publish(
       targets(request), request.force,
       [&](const Target& target) {
-        if (is_document(target))
-          return document_text(target, [&](output::Pictures pictures) {
-            return output::assessment_document(reports.front(), units, pictures);
-          });
-        return reports.size() > 1 ? output::assessments_json(reports)
-                                  : output::assessment_json(reports.front());
+        if (is_document(target)) return document_text(target, document);
+        return is_plan ? output::assessments_json(reports) : output::assessment_json(reports.front());
       },
       text);
   return code;
@@ -225,7 +244,8 @@ int run_assessment(const AssessRequest& request, const AssessFolders& folders) {
 void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::App* sub = app.add_subcommand("assess", "Compare a case with the limits of a test standard");
   const auto request = std::make_shared<AssessRequest>();
-  add_case(*sub, request->given);
+  sub->add_option("CASE", request->cases, "Case files (TOML)")->required()->type_name("");
+  add_settings(*sub, request->settings);
   sub->add_option("--standard", request->standards,
                   "Preset, with variants if any (dashpad standards lists them); may be given again")
       ->required()

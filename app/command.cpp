@@ -105,11 +105,15 @@ std::filesystem::path chosen_standards(const std::string& folder, const std::fil
   return folder.empty() ? standard_folder(executable) : std::filesystem::path{folder};
 }
 
-CLI::Option* add_case(CLI::App& app, GivenCase& given) {
-  app.add_option("--set", given.settings,
+void add_settings(CLI::App& app, std::vector<std::string>& settings) {
+  app.add_option("--set", settings,
                  "In place of what the case has, such as pad.thickness=\"30 mm\"; may be given again")
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE");
+}
+
+CLI::Option* add_case(CLI::App& app, GivenCase& given) {
+  add_settings(app, given.settings);
   return app.add_option("CASE", given.file, "Case file (TOML)")->required()->type_name("");
 }
 

@@ -85,6 +85,8 @@ struct GivenCase {
   std::string file;
   std::vector<std::string> settings;  ///< "KEY=VALUE"
 };
+/// Adds --set.
+void add_settings(CLI::App& app, std::vector<std::string>& settings);
 /// Adds CASE and --set; gives back CASE.
 CLI::Option* add_case(CLI::App& app, GivenCase& given);
 

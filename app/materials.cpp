@@ -1,6 +1,7 @@
 // dashpad materials: the material cards side by side, or one whole.
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -9,6 +10,7 @@
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/output/materials.hpp"
+#include "documents.hpp"
 #include "input/given_stream.hpp"
 #include "output.hpp"
 #include "streams.hpp"
@@ -23,6 +25,7 @@ constexpr const char* materials_footer = R"(Examples:
   dashpad materials                        all cards, a line each
   dashpad materials --picture foams.svg    their loading curves
   dashpad materials vn600                  one card: source, reservations, law, curves, stresses, tested range
+  dashpad materials vn600 --report card.html
   dashpad materials ensolite-aac-9 --units us
   dashpad materials ./my-foam.toml         a card anywhere: a name that ends in .toml is a file
 
@@ -36,6 +39,7 @@ cards are listed all the same, and not drawn).)";
 struct MaterialsRequest {
   std::string name;
   std::optional<std::string> picture;
+  DocumentFiles documents;
   std::string units;
   std::string folder;
   bool force = false;
@@ -48,7 +52,10 @@ std::string names_of(const std::vector<fs::path>& cards) {
 }
 
 std::vector<Target> targets(const MaterialsRequest& request) {
-  return request.picture ? std::vector<Target>{{"--picture", *request.picture}} : std::vector<Target>{};
+  std::vector<Target> wanted;
+  if (request.picture) wanted.push_back({"--picture", *request.picture});
+  add_targets(request.documents, wanted);
+  return wanted;
 }
 
 /// Throws Refused where the picture cannot be written, before anything is read.
@@ -61,20 +68,25 @@ void judge(const MaterialsRequest& request, const std::vector<fs::path>& cards) 
   if (!wrong.empty()) throw Refused(std::move(wrong));
 }
 
+/// The document goes to its files, and to people below that heading.
 void publish(const MaterialsRequest& request, const std::vector<Material>& materials,
-             const std::string& text) {
+             const std::string& heading, const std::function<output::Document(output::Pictures)>& document) {
   const auto text_of = [&](const Target& target) {
+    if (is_document(target)) return document_text(target, document);
     return output::picture(output::materials_plot(materials, unit_system(request.units)),
                            *output::picture_format(target.file));
   };
-  publish(targets(request), request.force, text_of, text);
+  publish(targets(request), request.force, text_of,
+          heading + output::to_terminal(document(output::Pictures::left_out), output::Detail::all));
 }
 
 int show(const MaterialsRequest& request, const fs::path& folder) {
   const fs::path card = find_card(request.name, folder);
   judge(request, {card});
   const Material material = input::read_material(card).value();
-  publish(request, {material}, output::material_text(material, unit_system(request.units)));
+  publish(request, {material}, "", [&](output::Pictures pictures) {
+    return output::material_document(material, unit_system(request.units), pictures);
+  });
   return exit_done;
 }
 
@@ -85,15 +97,17 @@ int list_all_materials(const MaterialsRequest& request, const fs::path& folder) 
   std::vector<std::string> faults;
   for (const fs::path& card : cards)
     if (auto material = taken(input::read_material(card), faults)) materials.push_back(*std::move(material));
-  const std::string text =
-      fmt::format("Materials in {}:\n", folder.string()) + output::materials_text(materials);
+  const std::string heading = fmt::format("Materials in {}:\n", folder.string());
+  const auto document = [&](output::Pictures pictures) {
+    return output::materials_document(materials, unit_system(request.units), pictures);
+  };
   if (!faults.empty()) {
-    write_output(text);
+    write_output(heading + output::to_terminal(document(output::Pictures::left_out), output::Detail::all));
     throw Refused(std::move(faults));
   }
   if (materials.empty() && request.picture)
     throw Refused({fmt::format("--picture: there is no material in {}", folder.string())});
-  publish(request, materials, text);
+  publish(request, materials, heading, document);
   return exit_done;
 }
 
@@ -115,6 +129,7 @@ void add_materials(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::Option* name = sub->add_option("NAME", request->name, "Card to show in full")->type_name("");
   sub->add_option("--picture", request->picture, "Draw the loading curves (.svg, .png, .pdf)")
       ->type_name("FILE");
+  add_documents(*sub, request->documents);
   add_units(*sub, request->units);
   add_force(*sub, request->force);
   add_material_folder(*sub, request->folder);

@@ -9,6 +9,7 @@
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/output/post_impact.hpp"
+#include "documents.hpp"
 #include "output.hpp"
 #include "streams.hpp"
 
@@ -32,12 +33,16 @@ tolerance or there is no rebound.)";
 struct PostImpactRequest {
   GivenCase given;
   std::optional<std::string> other_mass, other_velocity, json;
+  DocumentFiles documents;
   std::string units, materials;
   bool force = false;
 };
 
 std::vector<Target> targets(const PostImpactRequest& request) {
-  return request.json ? std::vector<Target>{{"--json", *request.json}} : std::vector<Target>{};
+  std::vector<Target> wanted;
+  if (request.json) wanted.push_back({"--json", *request.json});
+  add_targets(request.documents, wanted);
+  return wanted;
 }
 
 struct PostImpactInput {
@@ -89,10 +94,17 @@ int run(const PostImpactRequest& request, const std::filesystem::path& materials
                 "); dashpad run shows what happened\n");
     return exit_not_trusted;
   }
+  const auto document = [&](output::Pictures) {
+    return output::post_impact_document(input.first, input.second, impact, solution,
+                                        unit_system(request.units));
+  };
   publish(
       targets(request), request.force,
-      [&](const Target&) { return output::post_impact_json(input.first, input.second, impact, solution); },
-      output::post_impact_text(input.first, input.second, impact, solution, unit_system(request.units)));
+      [&](const Target& target) {
+        return is_document(target) ? document_text(target, document)
+                                   : output::post_impact_json(input.first, input.second, impact, solution);
+      },
+      output::to_terminal(document(output::Pictures::left_out), output::Detail::main));
   return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
 }
 
@@ -109,6 +121,7 @@ void add_post_impact(CLI::App& app, Action& action, const std::filesystem::path&
       ->type_name("SPEED");
   sub->add_option("--json", request->json, "Write the result as JSON, SI (- for standard output)")
       ->type_name("FILE");
+  add_documents(*sub, request->documents);
   add_units(*sub, request->units);
   add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);

@@ -2,13 +2,15 @@
 
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "command.hpp"
 #include "dashpad/input/standard_file.hpp"
 #include "dashpad/output/assessment.hpp"
-#include "streams.hpp"
+#include "documents.hpp"
+#include "output.hpp"
 
 namespace dashpad::app {
 
@@ -25,24 +27,35 @@ constexpr const char* standards_footer = R"(Examples:
 A value marked UNVERIFIED was not read in the standard or in a source that repeats it. dashpad assess uses a
 preset on a case. docs/standards.md says how to write one.
 
-Exit codes: 0 done, 2 no such preset, or a preset with faults (the others are listed all the same).)";
+Exit codes: 0 done, 1 a page could not be written, 2 no such preset, or a preset with faults (the others are listed all the same).)";
 
 struct StandardsRequest {
   std::string name;
+  DocumentFiles documents;
+  bool force = false;
   std::string units;
   std::string folder;
 };
 
 int show(const StandardsRequest& request, const fs::path& folder) {
   const input::StandardChoice choice = input::standard_choice(request.name);
-  const injury::Standard standard =
-      input::read_standard(input::find_standard(choice.name, folder).value()).value();
+  const fs::path file = input::find_standard(choice.name, folder).value();
+  std::vector<Target> targets;
+  add_targets(request.documents, targets);
+  std::vector<std::string> wrong;
+  judge_targets(targets, {{"the standard", file}}, request.force, wrong);
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  injury::Standard standard = input::read_standard(file).value();
   try {
-    write_output(
-        output::standard_text(injury::with_variants(standard, choice.variants), unit_system(request.units)));
+    standard = injury::with_variants(standard, choice.variants);
   } catch (const std::invalid_argument& error) {
     throw Refused({error.what()});
   }
+  const output::Document document = output::standard_document(standard, unit_system(request.units));
+  publish(
+      targets, request.force,
+      [&](const Target& target) { return document_text(target, [&](output::Pictures) { return document; }); },
+      output::to_terminal(document, output::Detail::all));
   return exit_done;
 }
 
@@ -58,13 +71,18 @@ void add_standards(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::App* sub = app.add_subcommand("standards", "List the presets of test standards, or show one");
   const auto request = std::make_shared<StandardsRequest>();
   sub->add_option("NAME", request->name, "Preset to show in full")->type_name("");
+  add_documents(*sub, request->documents);
+  add_force(*sub, request->force);
   add_units(*sub, request->units);
   add_standard_folder(*sub, request->folder);
   sub->footer(standards_footer);
   sub->callback([request, &action, executable] {
     action = [request, executable] {
       const fs::path folder = chosen_standards(request->folder, executable);
-      return request->name.empty() ? list_all_standards(folder) : show(*request, folder);
+      if (!request->name.empty()) return show(*request, folder);
+      if (request->documents.page || request->documents.markdown)
+        throw Refused({"--report, --markdown: are of one preset; give its NAME"});
+      return list_all_standards(folder);
     };
   });
 }

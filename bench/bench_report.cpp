@@ -67,16 +67,17 @@ void draw(const std::vector<Chapter>& chapters, const fs::path& folder) {
 }
 
 int report(int count, char** arguments) {
-  fs::path results, readme;
+  fs::path results, pictures, readme;
   bool check = false;
   CLI::App app{"Stills, page and tables from raw results"};
   app.add_option("RESULTS", results, "Folder with work-precision.csv and study.csv")->required();
+  app.add_option("--pictures", pictures, "Folder for the stills and the page");
   app.add_option("--readme", readme, "Text whose tables are brought up to date");
   app.add_flag("--check", check, "Only say whether the tables of --readme are those of the results");
   CLI11_PARSE(app, count, arguments);
   const std::vector<Chapter> chapters{work_precision_chapter(RawResults(results / "work-precision.csv")),
                                       study_chapter(RawResults(results / "study.csv"))};
-  if (!check) draw(chapters, results);
+  if (!pictures.empty()) draw(chapters, pictures);
   if (readme.empty()) return 0;
   const std::string text = read(readme), fresh = with_blocks(text, blocks_of(chapters));
   if (check && fresh != text)

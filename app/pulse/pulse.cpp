@@ -1,7 +1,9 @@
 // dashpad pulse: injury figures of a measured acceleration.
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "command.hpp"
 #include "dashpad/input/iso_mme/iso_mme.hpp"
 #include "dashpad/input/measurement/pulse_csv.hpp"
+#include "dashpad/input/standard_file.hpp"
 #include "dashpad/output/pulse.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
@@ -31,6 +34,10 @@ constexpr const char* pulse_footer = R"(Examples:
   dashpad pulse logger.csv --interval "0.1 ms" --sensitivity "10 mV/g"
                                                           one column, in mV
   dashpad pulse drop.csv --report drop.html               a page: figures, curve, what it rests on
+  dashpad pulse drop.csv --drop-height "1.5 m" --standard en-1177 --position centre --report drop.html
+                                                          beside the limits of a standard
+  dashpad pulse drop1.csv drop2.csv drop3.csv --report drops.html
+                                                          several drops: mean, deviation, one over the other
   dashpad pulse test.zip --list                           the channels of a test in ISO-MME
   dashpad pulse test.zip --channel "11HEAD0000??AC?A" --resultant --picture head.svg
   dashpad run examples/dashboard-20mph.toml --csv - > run.csv && dashpad pulse run.csv
@@ -61,7 +68,8 @@ each filtered, then combined. A filter needs even samples:
 Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file
 is kept unless --force is given. A file is written whole or not at all.
 
-Exit codes: 0 done, 1 a result could not be written, 2 input or command line refused and nothing written.)";
+Exit codes: 0 done, 1 a result could not be written, 2 input or command line refused and nothing written. With
+--standard 4 where a limit is exceeded, else 3 where one lies within the uncertainty of the measurement.)";
 
 std::vector<Target> targets(const PulseRequest& request) {
   std::vector<Target> wanted;
@@ -72,29 +80,96 @@ std::vector<Target> targets(const PulseRequest& request) {
   return wanted;
 }
 
-int show_figures(const PulseRequest& request) {
-  std::vector<std::string> complaints;
-  const std::optional<double> calibration = calibration_of(request, complaints);
-  injury::PulseReport report = pulse_report(
-      request, std::move(complaints),
-      [&](const auto& files, auto& wrong) { judge_targets(targets(request), files, request.force, wrong); });
-  {
-    const ProgressLine waiting("Computing the uncertainty of " + request.file);
-    report.uncertainty = injury::measurement_uncertainty(report, calibration);
+/// What was asked for of all files alike.
+struct PulsesRequest {
+  std::vector<std::string> files;
+  PulseRequest each;
+  std::string standard;
+  std::string standard_folder;
+};
+
+/// The standard of --standard, with its variants in force; absent where there is none, or where it is refused
+/// and `wrong` is told why.
+std::optional<injury::Standard> standard_of(const PulsesRequest& request, const std::filesystem::path& folder,
+                                            std::vector<std::string>& wrong) {
+  if (request.standard.empty()) return std::nullopt;
+  try {
+    const input::StandardChoice choice = input::standard_choice(request.standard);
+    return injury::with_variants(
+        input::read_standard(input::find_standard(choice.name, folder).value()).value(), choice.variants);
+  } catch (const input::InputError& error) {
+    add_lines(error.faults(), wrong);
+  } catch (const std::invalid_argument& error) {
+    wrong.push_back(fmt::format("--standard: {}", error.what()));
   }
-  const UnitSystem& units = unit_system(request.units);
+  return std::nullopt;
+}
+
+/// Of every file. Throws Refused with all that is wrong with any of them, each complaint once.
+std::vector<injury::PulseReport> reports_of(const PulsesRequest& request,
+                                            const std::filesystem::path& standards) {
+  PulseRequest each = request.each;
+  std::vector<std::string> wrong;
+  const std::optional<double> calibration = calibration_of(each, wrong);
+  each.standard = standard_of(request, standards, wrong);
+  if (request.files.size() > 1 && each.csv) wrong.emplace_back("--csv: is of one pulse; give one FILE");
+  if (std::ranges::count(request.files, "-") > 1)
+    wrong.emplace_back("FILE -: standard input is one pulse; give it once");
+  std::vector<injury::PulseReport> reports;
+  for (const std::string& file : request.files) {
+    each.file = file;
+    try {
+      reports.push_back(pulse_report(each, wrong, [&](const auto& files, auto& complaints) {
+        judge_targets(targets(each), files, each.force, complaints);
+      }));
+    } catch (const Refused& refused) {
+      for (const std::string& complaint : refused.complaints())
+        if (std::ranges::find(wrong, complaint) == wrong.end()) wrong.push_back(complaint);
+    }
+  }
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  for (injury::PulseReport& report : reports) {
+    const ProgressLine waiting("Computing the uncertainty of " + report.file);
+    report.uncertainty = injury::measurement_uncertainty(report, calibration);
+    if (each.standard) report.limits = injury::within_limits(report, *each.standard);
+  }
+  return reports;
+}
+
+/// A verdict by limits counts as that of an assessment does.
+int exit_code_of(const std::vector<injury::PulseReport>& reports) {
+  int code = exit_done;
+  for (const injury::PulseReport& report : reports) {
+    if (!report.limits) continue;
+    const injury::Verdict verdict = injury::verdict_of(report.limits->results);
+    if (verdict == injury::Verdict::fail) return exit_not_passed;
+    if (verdict == injury::Verdict::undecided) code = exit_not_trusted;
+  }
+  return code;
+}
+
+int show_figures(const PulsesRequest& request, const std::filesystem::path& standards) {
+  const std::vector<injury::PulseReport> reports = reports_of(request, standards);
+  const injury::PulseReport& report = reports.front();
+  const bool are_several = reports.size() > 1;
+  const UnitSystem& units = unit_system(request.each.units);
+  const auto document = [&](output::Pictures pictures) {
+    return are_several ? output::pulses_document(reports, units, pictures)
+                       : output::pulse_document(report, units, pictures);
+  };
   const auto text_of = [&](const Target& target) {
     const ProgressLine waiting("Writing " + target.file);
-    if (target.option == "--json") return output::pulse_json(report);
-    if (is_document(target))
-      return document_text(
-          target, [&](output::Pictures pictures) { return output::pulse_document(report, units, pictures); });
+    if (target.option == "--json")
+      return are_several ? output::pulses_json(reports) : output::pulse_json(report);
+    if (is_document(target)) return document_text(target, document);
     if (target.option == "--csv") return output::pulse_csv(report, units_of_files(units));
-    return output::picture(output::pulse_plot(report, units), *output::picture_format(target.file));
+    return output::picture(
+        are_several ? output::pulses_plot(reports, units) : output::pulse_plot(report, units),
+        *output::picture_format(target.file));
   };
-  publish(targets(request), request.force, text_of,
-          output::to_terminal(output::pulse_document(report, units), request.detail));
-  return exit_done;
+  publish(targets(request.each), request.each.force, text_of,
+          output::to_terminal(document(output::Pictures::left_out), request.each.detail));
+  return exit_code_of(reports);
 }
 
 std::string list_of(const PulseRequest& request) {
@@ -117,38 +192,50 @@ std::string list_of(const PulseRequest& request) {
   return text;
 }
 
-int show_list(const PulseRequest& request) {
-  write_output(list_of(request));
+int show_list(PulsesRequest request) {
+  if (request.files.size() > 1) throw Refused({"--list: is of one file; give one FILE"});
+  request.each.file = request.files.front();
+  write_output(list_of(request.each));
   return exit_done;
 }
 
 }  // namespace
 
-void add_pulse(CLI::App& app, Action& action, const std::filesystem::path&) {
+void add_pulse(CLI::App& app, Action& action, const std::filesystem::path& executable) {
   CLI::App* sub = app.add_subcommand("pulse", "Injury figures of a measured acceleration (CSV, ISO-MME)");
-  const auto request = std::make_shared<PulseRequest>();
-  sub->add_option("FILE", request->file, "Table, or test in ISO-MME")->required()->type_name("");
-  add_source_options(*sub, *request);
-  CLI::Option* list = sub->add_flag("--list", request->list, "Show the columns or channels, and nothing else")
+  const auto request = std::make_shared<PulsesRequest>();
+  PulseRequest& each = request->each;
+  sub->add_option("FILE", request->files, "Tables, or tests in ISO-MME")->required()->type_name("");
+  add_source_options(*sub, each);
+  CLI::Option* list = sub->add_flag("--list", each.list, "Show the columns or channels, and nothing else")
                           ->disable_flag_override();
-  add_processing_options(*sub, *request);
-  add_figure_options(*sub, *request);
-  sub->add_option("--json", request->json, "Write figures and processing as JSON (- for standard output)")
+  add_processing_options(*sub, each);
+  add_figure_options(*sub, each);
+  sub->add_option("--standard", request->standard,
+                  "The limits of a preset beside the figures (dashpad standards lists them)")
+      ->excludes(list)
+      ->type_name("NAME[:VARIANT]");
+  add_standard_folder(*sub, request->standard_folder);
+  sub->add_option("--json", each.json, "Write figures and processing as JSON (- for standard output)")
       ->excludes(list)
       ->type_name("FILE");
-  sub->add_option("--csv", request->csv, "Write the pulse of the figures as CSV (- for standard output)")
+  sub->add_option("--csv", each.csv, "Write the pulse of the figures as CSV (- for standard output)")
       ->excludes(list)
       ->type_name("FILE");
-  sub->add_option("--picture", request->picture, "Draw the pulse (.svg, .png, .pdf)")
+  sub->add_option("--picture", each.picture, "Draw the pulse (.svg, .png, .pdf)")
       ->excludes(list)
       ->type_name("FILE");
-  for (CLI::Option* document : add_documents(*sub, request->documents)) document->excludes(list);
-  add_units(*sub, request->units);
-  add_all(*sub, request->detail);
-  add_force(*sub, request->force);
+  for (CLI::Option* document : add_documents(*sub, each.documents)) document->excludes(list);
+  add_units(*sub, each.units);
+  add_all(*sub, each.detail);
+  add_force(*sub, each.force);
   sub->footer(pulse_footer);
-  sub->callback([request, &action] {
-    action = [request] { return request->list ? show_list(*request) : show_figures(*request); };
+  sub->callback([request, &action, executable] {
+    action = [request, executable] {
+      return request->each.list
+                 ? show_list(*request)
+                 : show_figures(*request, chosen_standards(request->standard_folder, executable));
+    };
   });
 }
 

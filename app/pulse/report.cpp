@@ -2,6 +2,7 @@
 
 #include "pulse/report.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -102,6 +103,7 @@ injury::PulseReport pulse_report(
   for (std::string& line : out_of_place(request, is_test)) wrong.push_back(std::move(line));
   const PulseSettings settings = settings_of(request, wrong);
   injury::PulseReport report{.file = request.file,
+                             .about = {},
                              .measured = {},
                              .resampled_to = settings.interval,
                              .filter = filter_of(request),
@@ -113,7 +115,11 @@ injury::PulseReport pulse_report(
                              .windows = {},
                              .dwells = {},
                              .flags = {},
-                             .uncertainty = {}};
+                             .uncertainty = {},
+                             .limits = {}};
+  for (const auto& [what, words] :
+       {std::pair{"Position", &request.position}, {"Date", &request.date}, {"Note", &request.note}})
+    if (!words->empty()) report.about.emplace_back(what, *words);
   ProgressLine waiting("Reading " + request.file);
   if (wrong.empty()) waiting.expect(expected_time(request.file));
   std::vector<input::InputFile> files{{"the measurement", request.file}};
@@ -143,7 +149,11 @@ injury::PulseReport pulse_report(
   }
   for (const double window : settings.windows)
     report.windows.push_back({window, injury::hic(report.pulse, window)});
-  for (const double level : settings.levels)
+  std::vector<double> levels = settings.levels;
+  if (request.standard)
+    for (const double level : injury::dwell_levels(*request.standard))
+      if (std::ranges::find(levels, level) == levels.end()) levels.push_back(level);
+  for (const double level : levels)
     report.dwells.push_back(
         {level, injury::cumulative_dwell(report.pulse, level), injury::longest_dwell(report.pulse, level)});
   remark_on(report);

@@ -204,6 +204,11 @@ void add_figure_options(CLI::App& sub, PulseRequest& request) {
   sub.add_option("--calibration", request.calibration,
                  "Uncertainty of the sensor's calibration, k = 2, such as \"2 %\": for that of the figures")
       ->type_name("SHARE");
+  sub.add_option("--position", request.position, "Where on the pad it struck, in your words")
+      ->type_name("TEXT");
+  sub.add_option("--date", request.date, "When it was measured, in your words")->type_name("TEXT");
+  sub.add_option("--note", request.note, "What else the page is to say: surface, temperature, operator")
+      ->type_name("TEXT");
   sub.add_option("--window", request.windows_ms, "One more HIC, with a window of at most MS")
       ->allow_extra_args(false)
       ->type_name("MS");

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "dashpad/injury/pulse_report.hpp"
+#include "dashpad/injury/standard.hpp"
 #include "dashpad/input/measurement/pulse_csv.hpp"
 #include "dashpad/output/document.hpp"
 #include "documents.hpp"
@@ -33,6 +34,10 @@ struct PulseRequest {
   /// Of a case beside which the pulse is laid: where neither --speed nor --drop-height is given.
   std::optional<injury::MeasuredImpact> case_impact = {};
   std::optional<std::string> calibration;
+  /// What whoever measured says of it.
+  std::string position, date, note;
+  /// Beside whose limits it is laid.
+  std::optional<injury::Standard> standard = {};
   std::vector<double> windows_ms;
   std::vector<std::string> dwells;
   std::optional<std::string> json;

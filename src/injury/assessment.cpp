@@ -71,17 +71,6 @@ CriterionResult struck_through(const Criterion& criterion) {
   return result;
 }
 
-/// A comparison with a number that is not one is false: then nothing is decided.
-Verdict verdict_of(const CriterionResult& result) {
-  const Criterion& of = result.criterion;
-  const double lowest = (result.interval ? result.interval->low : *result.value) - result.error;
-  const double highest = (result.interval ? result.interval->high : *result.value) + result.error;
-  if (of.strict ? lowest >= of.limit : lowest > of.limit) return Verdict::fail;
-  const bool within = of.strict ? highest < of.limit : highest <= of.limit;
-  if (within && !result.lower_bound) return Verdict::pass;
-  return Verdict::undecided;
-}
-
 std::string reason_of(const CriterionResult& result, const Summary& summary) {
   if (result.verdict != Verdict::undecided) return "";
   if (result.lower_bound)
@@ -131,15 +120,6 @@ KeyFigures key_figures(const Summary& summary, const InjuryFigures& injury) {
   return figures;
 }
 
-/// One failure decides; one undecided criterion leaves a pass undecided.
-Verdict overall(const std::vector<CriterionResult>& results) {
-  const auto any = [&results](Verdict verdict) {
-    return std::ranges::any_of(results, [verdict](const auto& result) { return result.verdict == verdict; });
-  };
-  if (any(Verdict::fail)) return Verdict::fail;
-  return any(Verdict::undecided) ? Verdict::undecided : Verdict::pass;
-}
-
 /// Without a range no result can be called extrapolated: that is no sign that none is.
 void add_reservations_about(const Material& material, std::vector<Flag>& reservations) {
   if (range_of(material)) return;
@@ -148,13 +128,27 @@ void add_reservations_about(const Material& material, std::vector<Flag>& reserva
       {"UNKNOWN RANGE", "UNKNOWN RANGE: the " + where + " does not say where its law was fitted"});
 }
 
-void add_reservations_about(const Standard& standard, std::vector<Flag>& reservations) {
+/// Names of values and limits by how well they were read.
+struct ReadNames {
   std::string unverified, secondary;
-  const auto add = [&](const Origin& origin, const std::string& what) {
+
+  void add(const Origin& origin, const std::string& what) {
     if (origin.verified && origin.kind == SourceKind::own_text) return;
     std::string& names = origin.verified ? secondary : unverified;
     names += (names.empty() ? "" : ", ") + what;
-  };
+  }
+  void say(std::vector<Flag>& reservations) const {
+    if (!unverified.empty())
+      reservations.push_back(
+          {"UNVERIFIED", "UNVERIFIED: not read in the standard or a source that repeats it: " + unverified});
+    if (!secondary.empty())
+      reservations.push_back(
+          {"SECONDARY SOURCE", "SECONDARY SOURCE: not read in the standard itself: " + secondary});
+  }
+};
+
+void add_reservations_about(const Standard& standard, std::vector<Flag>& reservations) {
+  ReadNames names;
   const std::pair<const char*, const StandardValue*> values[]{
       {"mass", &standard.mass}, {"radius", &standard.radius}, {"speed", &standard.speed}};
   for (const auto& [name, value] : values) {
@@ -162,15 +156,10 @@ void add_reservations_about(const Standard& standard, std::vector<Flag>& reserva
     if (value->instead)
       reservations.push_back({"REPLACED", std::string("REPLACED: the ") + (is_other_nose ? "nose" : name) +
                                               " is not that of the standard"});
-    if (value->value && !value->chosen_by_user) add(value->origin, name);
+    if (value->value && !value->chosen_by_user) names.add(value->origin, name);
   }
-  for (const Criterion& criterion : standard.criteria) add(criterion.origin, limit_of(criterion));
-  if (!unverified.empty())
-    reservations.push_back(
-        {"UNVERIFIED", "UNVERIFIED: not read in the standard or a source that repeats it: " + unverified});
-  if (!secondary.empty())
-    reservations.push_back(
-        {"SECONDARY SOURCE", "SECONDARY SOURCE: not read in the standard itself: " + secondary});
+  for (const Criterion& criterion : standard.criteria) names.add(criterion.origin, limit_of(criterion));
+  names.say(reservations);
 }
 
 /// What gives no interval is no better known for it.
@@ -194,6 +183,33 @@ std::vector<std::string> decisive_figures(const Standard& standard) {
 }
 
 }  // namespace
+
+/// A comparison with a number that is not one is false: then nothing is decided.
+Verdict verdict_of(const CriterionResult& result) {
+  const Criterion& of = result.criterion;
+  const double lowest = (result.interval ? result.interval->low : *result.value) - result.error;
+  const double highest = (result.interval ? result.interval->high : *result.value) + result.error;
+  if (of.strict ? lowest >= of.limit : lowest > of.limit) return Verdict::fail;
+  const bool within = of.strict ? highest < of.limit : highest <= of.limit;
+  if (within && !result.lower_bound) return Verdict::pass;
+  return Verdict::undecided;
+}
+
+Verdict verdict_of(const std::vector<CriterionResult>& results) {
+  const auto any = [&results](Verdict verdict) {
+    return std::ranges::any_of(results, [verdict](const auto& result) { return result.verdict == verdict; });
+  };
+  if (any(Verdict::fail)) return Verdict::fail;
+  return any(Verdict::undecided) ? Verdict::undecided : Verdict::pass;
+}
+
+std::vector<Flag> reservations_about_limits(const Standard& standard) {
+  ReadNames names;
+  for (const Criterion& criterion : standard.criteria) names.add(criterion.origin, limit_of(criterion));
+  std::vector<Flag> reservations;
+  names.say(reservations);
+  return reservations;
+}
 
 std::vector<double> dwell_levels(const Standard& standard) {
   std::vector<double> levels;
@@ -222,7 +238,7 @@ Assessment assess(const Standard& standard, const ImpactCase& impact, const Solu
   Assessment assessment;
   for (const Criterion& criterion : standard.criteria)
     assessment.results.push_back(judge(criterion, solution, figures));
-  assessment.verdict = overall(assessment.results);
+  assessment.verdict = verdict_of(assessment.results);
   assessment.figures = key_figures(solution.summary, figures);
   assessment.reservations = flags(solution.summary, decisive_figures(standard));
   add_reservations_about(solution.summary, assessment.reservations);

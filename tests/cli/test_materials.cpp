@@ -39,8 +39,8 @@ TEST_F(MaterialsTest, OneHasItsReservationsAndStresses) {
   const Outcome outcome = materials({"plastazote-ld33"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("  Basis   datasheet\n"), HasSubstr("Unloading and friction are assumed."),
-                    HasSubstr("Curve   gibson-ashby"), ContainsRegex("relative_density +R +0.036 "),
+              AllOf(ContainsRegex("\nBasis +datasheet\n"), HasSubstr("Unloading and friction are assumed."),
+                    ContainsRegex("\nCurve +gibson-ashby"), ContainsRegex("relative_density +R +0.036 "),
                     ContainsRegex("at 0.03 1/s +1[0-9.]+ kPa +4[01][0-9.]* kPa +11[45][0-9.]* kPa")));
   EXPECT_THAT(materials({"plastazote-ld33", "--units", "us"}).out, HasSubstr(" psi"));
 }
@@ -53,6 +53,18 @@ TEST_F(MaterialsTest, AreDrawn) {
       AllOf(HasSubstr(">vn600<"), HasSubstr(">ff-turbo-plus-conditioned<"), HasSubstr("Stress (kPa)")));
   EXPECT_EQ(materials({"plastazote-ld33", "--picture", file("one.png")}).exit_code, 0);
   EXPECT_TRUE(read_file(file("one.png")).starts_with("\x89PNG\r\n"));
+}
+
+TEST_F(MaterialsTest, ACardHasAPageAndMarkdown) {
+  const Outcome outcome = materials({"plastazote-ld33", "--report", file("card.html"), "--markdown", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("# Plastazote LD33"), HasSubstr("| relative\\_density | R | 0.036 |")));
+  EXPECT_THAT(read_file(file("card.html")),
+              AllOf(HasSubstr("Unloading and friction are assumed."), HasSubstr("Stress in a first loading"),
+                    HasSubstr("at 0.03 per second")));
+  EXPECT_EQ(materials({"--report", file("all.html")}).exit_code, 0);
+  EXPECT_THAT(read_file(file("all.html")), HasSubstr("1 material card"));
 }
 
 TEST_F(MaterialsTest, APictureIsKeptUnlessForced) {

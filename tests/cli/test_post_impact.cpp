@@ -57,6 +57,16 @@ TEST_F(PostImpactTest, SaysThatCMultipliesEnergy) {
   EXPECT_THAT(outcome.out, HasSubstr("it multiplies energy"));
 }
 
+TEST_F(PostImpactTest, HasAPageAndMarkdown) {
+  const Outcome outcome = dashpad({"post-impact", file("case.toml"), "--other-mass", "5 kg", "--report",
+                                   file("page.html"), "--markdown", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              testing::ContainsRegex("^# The impactor moves at .* afterwards, the other body at "));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("\\| Absorbed by the pad \\| .* J \\| .* % \\|"));
+  EXPECT_THAT(read_file(file("page.html")), HasSubstr("Where the energy is"));
+}
+
 TEST_F(PostImpactTest, RefusesWhatCannotBeTwoBodiesThatApproach) {
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--other-mass", "0 kg"},
                                                {"--other-mass", "-3 kg"},

@@ -16,7 +16,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   require(violations(*card).empty(), "a card that was read breaks no rule");
   require(!card->title.empty() && !card->source.empty(), "a card has a title and a source");
   for (const UnitSystem& units : unit_systems())
-    require_plain_text(output::material_text(*card, units) + output::materials_text({*card}),
-                       "a card is shown as plain text");
+    require_plain_text(
+        output::to_terminal(output::material_document(*card, units), output::Detail::all) +
+            output::to_terminal(output::materials_document({*card}, units), output::Detail::all),
+        "a card is shown as plain text");
   return 0;
 }

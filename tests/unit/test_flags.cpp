@@ -194,8 +194,10 @@ TEST(Flags, ComeWithTheMotionAfterAnImpact) {
   solution.history.velocity = {1};
   solution.summary = test::example_summary();
   const auto text = [&] {
-    return output::post_impact_text({.mass = 4.5, .velocity = 8}, {.mass = 9, .velocity = 0}, impact,
-                                    solution, unit_systems().front());
+    return output::to_terminal(
+        output::post_impact_document({.mass = 4.5, .velocity = 8}, {.mass = 9, .velocity = 0}, impact,
+                                     solution, unit_systems().front()),
+        output::Detail::main);
   };
   solution.summary.extrapolations = {{Beyond::strain, "strain\nis large"}};
   solution.summary.status = Status::time_limit;

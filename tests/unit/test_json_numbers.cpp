@@ -75,8 +75,11 @@ TEST(JsonNumbers, OfAnImpactOfTwoBodies) {
                  {"/solved_as/mass_kg", 33. / 14},
                  {"/solved_as/speed_m_per_s", 10}});
   // The text has the same: both bodies, what becomes of them, and energies with their shares of the impact.
-  const std::string text = output::post_impact_text(first, second, impact, solution, unit_system("si"));
-  std::vector<double> expected{3,
+  const std::string text = output::to_terminal(
+      output::post_impact_document(first, second, impact, solution, unit_system("si")), output::Detail::main);
+  std::vector<double> expected{after.first_velocity,
+                               after.second_velocity,
+                               3,
                                8,
                                11,
                                -2,

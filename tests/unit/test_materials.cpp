@@ -140,33 +140,37 @@ TEST(materials, are_listed_in_a_table) {
   plain.density.reset();
   plain.reservations.clear();
   plain.fitted.reset();
-  const std::string text = output::materials_text({sample(), plain});
+  const std::string text = output::to_terminal(
+      output::materials_document({sample(), plain}, unit_system("si")), output::Detail::main);
   EXPECT_THAT(text,
-              AllOf(ContainsRegex("^Name +Law +kg/m3 +Strain +Rates"),
+              AllOf(ContainsRegex("\nName +Law +kg/m3 +Strain +Rates"),
                     ContainsRegex("my-foam +foam +100 +0.6 +0.01 to 10 +test +Unloading assumed .\\+1.\n"),
                     ContainsRegex("plain +elastic +- +- +- +- +-\n")));
 }
 
+std::string text_of(const Material& material) {
+  return output::to_terminal(output::material_document(material, unit_system("si")), output::Detail::main);
+}
+
 TEST(materials, are_shown_whole) {
-  const std::string text = output::material_text(sample(), unit_system("si"));
-  EXPECT_THAT(
-      text,
-      AllOf(HasSubstr("  Basis   test\n"), HasSubstr("  Licence CC0\n"), HasSubstr("  Density 100 kg/m3\n"),
-            HasSubstr("  Caveats Unloading assumed: nothing is known.\n          One specimen.\n"),
-            HasSubstr("  Curve   table, 3 points up to a strain of 0.6, at 0.01 1/s\n"),
-            HasSubstr("  Rate    factor 2 at 10 1/s\n"), ContainsRegex("friction +f +0 ")));
+  const std::string text = text_of(sample());
+  EXPECT_THAT(text, AllOf(ContainsRegex("\nBasis +test\n"), ContainsRegex("\nLicence +CC0\n"),
+                          ContainsRegex("\nDensity +100 kg/m3\n"),
+                          HasSubstr("\nUnloading assumed: nothing is known.\nOne specimen.\n"),
+                          ContainsRegex("\nCurve +table, 3 points up to a strain of 0.6, at 0.01 1/s\n"),
+                          ContainsRegex("\nRate +factor 2 at 10 1/s\n"), ContainsRegex("friction +f +0 ")));
 }
 
 /// The made-up curve is a straight line of 100 kPa, twice as steep at 10 1/s.
 TEST(materials, have_stresses_at_a_few_strains) {
-  const std::string text = output::material_text(sample(), unit_system("si"));
+  const std::string text = text_of(sample());
   EXPECT_THAT(text, AllOf(ContainsRegex("Stress in a first loading +at 0.1 +at 0.25 +at 0.5\n"),
                           ContainsRegex("at 0.01 1/s +10 kPa +25 kPa +50 kPa\n"),
                           ContainsRegex("at 10 1/s +20 kPa +50 kPa +100 kPa\n"),
                           Not(HasSubstr("beyond the strains"))));
   Material short_curve = sample();
   std::get<Foam>(short_curve.law).curves.base = TableCurve{{0.1, 0.2, 0.3}, {10e3, 20e3, 30e3}};
-  EXPECT_THAT(output::material_text(short_curve, unit_system("si")),
+  EXPECT_THAT(text_of(short_curve),
               AllOf(HasSubstr("at 0.5 *\n"), HasSubstr("* beyond the strains of the curve\n")));
 }
 

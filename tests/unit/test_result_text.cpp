@@ -281,9 +281,11 @@ TEST(CaseText, EchoesEveryValueInSI) {
 }
 
 TEST(MaterialText, ShowsParametersSourceAndRange) {
-  EXPECT_THAT(output::material_text(test::example_case().pad.material, unit_system("us")),
-              AllOf(HasSubstr("made up for a test"), ContainsRegex("initial_modulus +E_0 +29.008 psi"),
-                    HasSubstr("up to a strain of 0.9 and at strain rates from 1 to 100 1/s")));
+  EXPECT_THAT(
+      output::to_terminal(output::material_document(test::example_case().pad.material, unit_system("us")),
+                          output::Detail::main),
+      AllOf(HasSubstr("made up for a test"), ContainsRegex("initial_modulus +E_0 +29.008 psi"),
+            HasSubstr("up to a strain of 0.9 and at strain rates from 1 to 100 1/s")));
 }
 
 TEST(UnitSystem, RefusesAnUnknownNameAndSaysWhichThereAre) {

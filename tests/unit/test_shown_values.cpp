@@ -147,7 +147,8 @@ TEST(ShownValues, OfTwoBodiesAreTheSameInAllUnits) {
   const Solution solution = solve(impact, {});
   expect_same_numbers_in_all_units(
       [&](const UnitSystem& units) {
-        return numbers_in(post_impact_text(first, second, impact, solution, units));
+        return numbers_in(
+            to_terminal(post_impact_document(first, second, impact, solution, units), Detail::main));
       },
       1e-3);
 }

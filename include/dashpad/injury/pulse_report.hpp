@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dashpad/impact/flags.hpp"
@@ -12,6 +13,7 @@
 #include "dashpad/injury/measured_pulse.hpp"
 #include "dashpad/injury/pulse_uncertainty.hpp"
 #include "dashpad/injury/sensor_offset.hpp"
+#include "dashpad/injury/standard.hpp"
 
 namespace dashpad::injury {
 
@@ -56,9 +58,18 @@ struct MeasuredImpact {
 /// contact.
 MeasuredImpact after_fall(double drop_height);
 
+/// A standard's limits beside the figures of a pulse.
+struct PulseLimits {
+  std::string standard;  ///< its title
+  std::vector<CriterionResult> results;
+  std::vector<Flag> reservations;  ///< about the limits
+};
+
 /// A measured pulse, what was done to it, and what came of it.
 struct PulseReport {
   std::string file;
+  /// What whoever measured says of it: "Position", "Date", and the words.
+  std::vector<std::pair<std::string, std::string>> about;
   MeasuredPulse measured;
   std::optional<double> resampled_to;  ///< s
   std::optional<PulseFilter> filter;
@@ -71,6 +82,7 @@ struct PulseReport {
   std::vector<DwellTime> dwells;
   std::vector<Flag> flags;
   MeasurementUncertainty uncertainty;
+  std::optional<PulseLimits> limits;  ///< where it is laid beside a standard
 };
 
 struct ProcessedPulse {
@@ -126,6 +138,11 @@ std::optional<Flag> unlike_speeds(const MeasuredImpact& measured, const Measured
 /// Remarks if the offset changes HIC15 by more than 0.1 % and was not taken off, and if the interval that was
 /// given for it is not quiet. `peak` is that of the pulse, m/s2.
 std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak);
+
+/// The figures of the pulse by the limits of a standard, each with the uncertainty of the measurement, k = 2,
+/// as its error where that is known; lower bounds where the pulse is cut. Its dwells have the levels of the
+/// standard.
+PulseLimits within_limits(const PulseReport& report, const Standard& standard);
 
 /// A remark if the pulse was sampled at less than ten times the class of the filter, as it was measured or as
 /// it is resampled.

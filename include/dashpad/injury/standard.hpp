@@ -133,6 +133,13 @@ struct CriterionResult {
   std::string reason;  ///< of a verdict that the numbers do not explain
 };
 
+/// Of a result with its value: fail where the value less its error, or its interval, is above the limit as a
+/// whole; pass where it is within as a whole and no lower bound; else undecided.
+Verdict verdict_of(const CriterionResult& result);
+
+/// One failure decides; one undecided criterion leaves a pass undecided.
+Verdict verdict_of(const std::vector<CriterionResult>& results);
+
 /// A figure of the impact, SI. Absent where it does not exist.
 struct Figure {
   std::optional<double> value;
@@ -163,6 +170,9 @@ struct Assessment {
 
 /// "pass", "pass, with reservations", "fail", ...
 std::string to_string(const Assessment& assessment);
+
+/// What of the limits was not read in the standard itself, UNVERIFIED and SECONDARY SOURCE: a line each.
+std::vector<Flag> reservations_about_limits(const Standard& standard);
 
 /// The levels of the dwell times that a standard limits, m/s2: uncertainty::add_intervals() is to know them.
 std::vector<double> dwell_levels(const Standard& standard);

@@ -20,7 +20,7 @@ const std::string& assessment_caveat();
 std::string standard_line(const injury::Standard& standard);
 
 /// A standard in full: impactor, criteria and variants, each value with source and state of verification.
-std::string standard_text(const injury::Standard& standard, const UnitSystem& units);
+Document standard_document(const injury::Standard& standard, const UnitSystem& units);
 
 /// All that belongs to an assessment. `given` is the case as the file has it, `assessed` with the impactor of
 /// the standard.
@@ -31,6 +31,7 @@ struct AssessmentReport {
   const Solution& solution;
   const injury::Assessment& assessment;
   std::vector<injury::OtherChoice> others = {};  ///< that turn the verdict; each has its reservation, too
+  std::string file = {};                         ///< that the case was read from
 };
 
 /// The reservation for another choice of nose or speed: "OTHER SPEED: with the case's own speed, 6.7 m/s, the
@@ -42,7 +43,12 @@ Flag other_choice(const injury::OtherChoice& choice, const injury::Standard& sta
 Document assessment_document(const AssessmentReport& report, const UnitSystem& units,
                              Pictures pictures = Pictures::left_out);
 
-/// The same in SI, with the summary of the impact as `dashpad run --json` writes it under "result".
+/// Several assessments as a test plan, case by case, each case by the same standards in the same order: a row
+/// a case, a column a standard, the one farthest beyond its limit first; then each as a whole.
+Document test_plan_document(const std::vector<AssessmentReport>& reports, const UnitSystem& units,
+                            Pictures pictures = Pictures::left_out);
+
+/// An assessment in SI, with the summary of the impact as `dashpad run --json` writes it under "result".
 std::string assessment_json(const AssessmentReport& report);
 /// An array of them.
 std::string assessments_json(const std::vector<AssessmentReport>& reports);

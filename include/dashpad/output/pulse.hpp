@@ -2,6 +2,7 @@
 /// A pulse and its figures: as text for people, as JSON and CSV for programs, as a picture.
 
 #include <string>
+#include <vector>
 
 #include "dashpad/injury/pulse_report.hpp"
 #include "dashpad/output/document.hpp"
@@ -14,11 +15,19 @@ namespace dashpad::output {
 Document pulse_document(const injury::PulseReport& report, const UnitSystem& units,
                         Pictures pictures = Pictures::left_out);
 
-/// The same in SI, accelerations in g.
+/// Several pulses, two or more: a row each with mean and deviation, one over the other, then each by itself.
+Document pulses_document(const std::vector<injury::PulseReport>& reports, const UnitSystem& units,
+                         Pictures pictures = Pictures::left_out);
+
+/// The figures in SI, accelerations in g; of several pulses an array.
 std::string pulse_json(const injury::PulseReport& report);
+std::string pulses_json(const std::vector<injury::PulseReport>& reports);
 
 /// Time and acceleration of the pulse that the figures are of: "time_s,acceleration_g".
 std::string pulse_csv(const injury::PulseReport& report, const UnitSystem& units);
+
+/// Their accelerations, each from where its contact begins.
+Plot pulses_plot(const std::vector<injury::PulseReport>& reports, const UnitSystem& units);
 
 /// The pulse, before and after the filter, with the windows of HIC15 and HIC36 and the level of the 3 ms
 /// clip.

@@ -1,4 +1,4 @@
-#include "dashpad/output/assessment.hpp"
+#include "output/documents/assessment.hpp"
 
 #include <algorithm>
 #include <array>
@@ -109,15 +109,6 @@ std::vector<Basis> sources_in_full(const injury::Standard& standard) {
   return all;
 }
 
-/// That which is next to its limit, or farthest beyond it; null without a margin.
-const injury::CriterionResult* closest(const injury::Assessment& assessment) {
-  const injury::CriterionResult* least = nullptr;
-  for (const injury::CriterionResult& result : assessment.results)
-    if (result.relative_margin && (least == nullptr || *result.relative_margin < *least->relative_margin))
-      least = &result;
-  return least;
-}
-
 /// The one that is undecided, of several that which is next to its limit.
 const injury::CriterionResult& undecided_of(const injury::Assessment& assessment,
                                             const injury::CriterionResult& next) {
@@ -132,7 +123,7 @@ const injury::CriterionResult& undecided_of(const injury::Assessment& assessment
 std::string doubt_about_pass(const AssessmentReport& report) {
   const injury::Assessment& assessment = report.assessment;
   const Summary& summary = report.solution.summary;
-  const injury::CriterionResult* const next = closest(assessment);
+  const injury::CriterionResult* const next = closest(assessment.results);
   if (assessment.verdict != injury::Verdict::pass || next == nullptr) return "";
   const auto in_g = [](double acceleration) {
     return brief(rounded_to(acceleration / standard_gravity, 3)) + " g";
@@ -150,7 +141,7 @@ std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
   if (assessment.verdict == injury::Verdict::fail && bottomed_on_rigid_support(summary))
     return fmt::format("Fails: the pad bottoms out with {} left",
                        brief_quantity(summary.bottomed->velocity, "m/s", units, 3));
-  const injury::CriterionResult* const next = closest(assessment);
+  const injury::CriterionResult* const next = closest(assessment.results);
   if (next == nullptr)
     return is_cut(summary) ? "Undecided: the run ends before the impact does"
                            : "Undecided: the pulse says too little";
@@ -189,42 +180,10 @@ std::string verdict_words(const injury::CriterionResult& result, const UnitSyste
   return words + (result.reason.empty() ? "" : ": " + one_line(result.reason));
 }
 
-Tone tone_of(injury::Verdict verdict) {
-  switch (verdict) {
-    case injury::Verdict::pass: return Tone::good;
-    case injury::Verdict::fail: return Tone::bad;
-    case injury::Verdict::undecided: break;
-  }
-  return Tone::doubtful;
-}
-
-/// Its error stands beside it only where that may decide, or is asked for.
-ValueRow row_of(const injury::CriterionResult& result, const UnitSystem& units, Detail detail) {
-  const injury::Criterion& criterion = result.criterion;
-  const std::string unit = injury::quantity_of(criterion.metric).si_unit;
-  ValueRow row{
-      .label = injury::title_of(criterion),
-      .value = result.value ? (result.lower_bound ? "≥ " : "") +
-                                  brief_quantity(*result.value, unit, units, digits_of(detail))
-                            : "none",
-      .limit = (criterion.strict ? "below " : "at most ") + brief_quantity(criterion.limit, unit, units),
-      .remark = verdict_words(result, units, digits_of(detail)),
-      .tone = tone_of(result.verdict)};
-  const bool decides = result.verdict == injury::Verdict::undecided && !result.interval;
-  if (result.value && (detail == Detail::all || decides))
-    row.error = std::abs(result.error / (*result.value == 0 ? 1 : *result.value));
-  if (result.value && criterion.limit > 0) row.share = *result.value / criterion.limit;
-  if (const auto& interval = result.interval; interval && !interval->sources.empty()) {
-    row.interval = interval_words(*interval, units);
-    if (row.share) row.share_range = {interval->low / criterion.limit, interval->high / criterion.limit};
-  }
-  return row;
-}
-
 std::vector<ValueRow> criteria(const AssessmentReport& report, const UnitSystem& units, Detail detail) {
   std::vector<ValueRow> rows;
   for (const injury::CriterionResult& result : report.assessment.results)
-    rows.push_back(row_of(result, units, detail));
+    rows.push_back(criterion_row(result, units, detail));
   return rows;
 }
 
@@ -281,19 +240,6 @@ std::vector<Basis> basis_of(const AssessmentReport& report, const UnitSystem& un
   for (Basis& row : sources_in_full(standard)) rows.push_back(std::move(row));
   rows.push_back(solver_basis(report.solution.summary));
   return rows;
-}
-
-/// The deceleration with the limits that are accelerations.
-Plot deciding_curve(const AssessmentReport& report, const UnitSystem& units) {
-  Panel panel = deceleration_panel(report.solution, injury::whole_pulse_figures(report.solution), units);
-  for (const injury::CriterionResult& result : report.assessment.results)
-    if (injury::quantity_of(result.criterion.metric).si_unit == std::string_view("m/s2"))
-      panel.series.push_back({.label = fmt::format("{}, {}", injury::limit_of(result.criterion),
-                                                   brief_quantity(result.criterion.limit, "m/s2", units)),
-                              .style = SeriesStyle::horizontal_line,
-                              .y = {result.criterion.limit / standard_gravity},
-                              .turn = 1});
-  return {.panels = {std::move(panel)}};
 }
 
 Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
@@ -355,6 +301,65 @@ void add_pictures(Document& document, const AssessmentReport& report, const Unit
 }
 
 }  // namespace
+
+const injury::CriterionResult* closest(const std::vector<injury::CriterionResult>& results) {
+  const injury::CriterionResult* least = nullptr;
+  for (const injury::CriterionResult& result : results)
+    if (result.relative_margin && (least == nullptr || *result.relative_margin < *least->relative_margin))
+      least = &result;
+  return least;
+}
+
+Tone tone_of(injury::Verdict verdict) {
+  switch (verdict) {
+    case injury::Verdict::pass: return Tone::good;
+    case injury::Verdict::fail: return Tone::bad;
+    case injury::Verdict::undecided: break;
+  }
+  return Tone::doubtful;
+}
+
+ValueRow criterion_row(const injury::CriterionResult& result, const UnitSystem& units, Detail detail) {
+  const injury::Criterion& criterion = result.criterion;
+  const std::string unit = injury::quantity_of(criterion.metric).si_unit;
+  ValueRow row{
+      .label = injury::title_of(criterion),
+      .value = result.value ? (result.lower_bound ? "≥ " : "") +
+                                  brief_quantity(*result.value, unit, units, digits_of(detail))
+                            : "none",
+      .limit = (criterion.strict ? "below " : "at most ") + brief_quantity(criterion.limit, unit, units),
+      .remark = verdict_words(result, units, digits_of(detail)),
+      .tone = tone_of(result.verdict)};
+  const bool decides = result.verdict == injury::Verdict::undecided && !result.interval;
+  if (result.value && (detail == Detail::all || decides))
+    row.error = std::abs(result.error / (*result.value == 0 ? 1 : *result.value));
+  if (result.value && criterion.limit > 0) row.share = *result.value / criterion.limit;
+  if (const auto& interval = result.interval; interval && !interval->sources.empty()) {
+    row.interval = interval_words(*interval, units);
+    if (row.share) row.share_range = {interval->low / criterion.limit, interval->high / criterion.limit};
+  }
+  return row;
+}
+
+std::vector<Series> acceleration_limits(const std::vector<injury::CriterionResult>& results,
+                                        const UnitSystem& units) {
+  std::vector<Series> lines;
+  for (const injury::CriterionResult& result : results)
+    if (injury::quantity_of(result.criterion.metric).si_unit == std::string_view("m/s2"))
+      lines.push_back({.label = fmt::format("{}, {}", injury::limit_of(result.criterion),
+                                            brief_quantity(result.criterion.limit, "m/s2", units)),
+                       .style = SeriesStyle::horizontal_line,
+                       .y = {result.criterion.limit / standard_gravity},
+                       .turn = 1});
+  return lines;
+}
+
+Plot deciding_curve(const AssessmentReport& report, const UnitSystem& units) {
+  Panel panel = deceleration_panel(report.solution, injury::whole_pulse_figures(report.solution), units);
+  for (Series& line : acceleration_limits(report.assessment.results, units))
+    panel.series.push_back(std::move(line));
+  return {.panels = {std::move(panel)}};
+}
 
 const std::string& assessment_caveat() {
   static const std::string caveat =

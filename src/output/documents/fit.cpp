@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/fit.hpp"
+#include "dashpad/output/materials.hpp"
 #include "dashpad/version.hpp"
 #include "output/document.hpp"
 #include "output/documents/basis.hpp"
@@ -171,6 +172,11 @@ Document fit_document(const fit::FitReport& report, const UnitSystem& units, Pic
     document.lead->curve = leading_curve(report, units);
     document.sections.push_back(curves_section(report, units));
   }
+  if (pictures == Pictures::drawn && violations(report.material).empty())
+    document.sections.push_back({.heading = "The foam that was found",
+                                 .seen = Seen::on_pages,
+                                 .figures = {{.plot = material_plot(report.material, units),
+                                              .note = "By the card, at each rate that it was tested at."}}});
   document.sections.push_back(unknowns_section(report, units));
   document.sections.push_back(keys_section(report, units));
   document.sections.push_back(misfit_section(report, units));

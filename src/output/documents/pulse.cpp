@@ -2,6 +2,9 @@
 
 #include "output/documents/pulse.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,7 +14,9 @@
 #include "dashpad/result/result_quantity.hpp"
 #include "dashpad/version.hpp"
 #include "injury/pulse_words.hpp"
+#include "output/documents/assessment.hpp"
 #include "output/result_rows.hpp"
+#include "output/text/capitals.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -119,7 +124,72 @@ std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty&
   return {text + (of.calibration ? "." : ", nor is the calibration, which --calibration states.")};
 }
 
+/// What the limits make of it: "Within the limits: HIC(d) has 136 to spare".
+std::string limits_answer(const injury::PulseLimits& limits, const UnitSystem& units) {
+  const injury::Verdict verdict = injury::verdict_of(limits.results);
+  const injury::CriterionResult* const next = closest(limits.results);
+  if (next == nullptr) return "Nothing of the limits can be judged";
+  const std::string name = injury::title_of(next->criterion);
+  const std::string margin =
+      brief_quantity(std::abs(*next->margin), injury::quantity_of(next->criterion.metric).si_unit, units, 3);
+  switch (verdict) {
+    case injury::Verdict::pass: return fmt::format("Within the limits: {} has {} to spare", name, margin);
+    case injury::Verdict::fail: return fmt::format("Above a limit: {} is {} above it", name, margin);
+    case injury::Verdict::undecided: break;
+  }
+  return fmt::format("Undecided: {} is {} from its limit", name, margin);
+}
+
+/// Where and when it was measured, as far as anybody said.
+std::vector<std::string> subject_of(const injury::PulseReport& report, const UnitSystem& units) {
+  std::vector<std::string> lines{fmt::format("{} ({})", one_line(report.file), report.measured.format)};
+  std::string about = report.impact ? capitalised(impact_words(*report.impact, units)) : "";
+  for (const auto& [what, words] : report.about)
+    about += fmt::format("{}{}: {}", about.empty() ? "" : ". ", what, one_line(words));
+  if (!about.empty()) lines.push_back(about + ".");
+  if (report.limits) lines.push_back("Limits of " + one_line(report.limits->standard));
+  return lines;
+}
+
+/// The criteria, then the figures that are none of them.
+std::vector<ValueRow> rows_with_limits(const injury::PulseReport& report, const UnitSystem& units,
+                                       Detail detail) {
+  std::vector<ValueRow> rows;
+  if (report.limits)
+    for (const injury::CriterionResult& result : report.limits->results)
+      rows.push_back(criterion_row(result, units, detail));
+  const std::size_t limited = rows.size();
+  for (ValueRow& row : rows_of(report, units, detail)) {
+    const auto is_it = [&](const ValueRow& other) { return other.label == row.label; };
+    if (std::none_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(limited), is_it))
+      rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 }  // namespace
+
+std::string pulse_answer(const injury::PulseReport& report, const UnitSystem& units) {
+  if (report.limits) return limits_answer(*report.limits, units);
+  return fmt::format(
+      "Peak {}, HIC15 {}",
+      brief_quantity(report.figures.peak.magnitude, result_quantity("peak_acceleration").si_unit, units, 3),
+      brief(report.figures.hic15.value, 3));
+}
+
+Tone pulse_tone(const injury::PulseReport& report) {
+  if (report.limits)
+    if (const injury::Verdict verdict = injury::verdict_of(report.limits->results);
+        verdict != injury::Verdict::pass || reservations(report).empty())
+      return tone_of(verdict);
+  return reservations(report).empty() ? Tone::plain : Tone::doubtful;
+}
+
+std::string impact_words(const injury::MeasuredImpact& impact, const UnitSystem& units) {
+  return fmt::format(
+      "at {}{}", brief_quantity(impact.speed, "m/s", units),
+      impact.drop_height ? ", after a fall of " + brief_quantity(*impact.drop_height, "m", units) : "");
+}
 
 std::string filter_words(const injury::PulseFilter& filter) {
   return fmt::format("CFC{}, corner of {}, ends {}", filter.channel_frequency_class,
@@ -145,40 +215,39 @@ std::vector<std::vector<std::string>> pulse_basis(const injury::PulseReport& rep
                                   report.pulse.time.size())});
   if (report.offset) rows.push_back(offset_row(*report.offset, report.figures.peak.magnitude, units));
   rows.push_back({"Filter", report.filter ? filter_words(*report.filter) : "none"});
-  if (report.impact)
-    rows.push_back({"Impact", fmt::format("at {}{}", brief_quantity(report.impact->speed, "m/s", units),
-                                          report.impact->drop_height
-                                              ? ", after a fall of " +
-                                                    brief_quantity(*report.impact->drop_height, "m", units)
-                                              : "")});
+  if (report.impact) rows.push_back({"Impact", impact_words(*report.impact, units)});
   return rows;
 }
 
 std::vector<std::string> reservations(const injury::PulseReport& report) {
   std::vector<std::string> lines;
   for (const Flag& flag : report.flags) lines.push_back(flag.text);
+  if (report.limits)
+    for (const Flag& flag : report.limits->reservations) lines.push_back(flag.text);
   for (const std::string& remark : report.measured.remarks) lines.push_back("REMARK: " + one_line(remark));
   return lines;
 }
 
 Document pulse_document(const injury::PulseReport& report, const UnitSystem& units, Pictures pictures) {
   Document document{.title = report.file, .warnings = reservations(report)};
-  document.lead =
-      Lead{.answer = fmt::format("Peak {}, HIC15 {}",
-                                 brief_quantity(report.figures.peak.magnitude,
-                                                result_quantity("peak_acceleration").si_unit, units, 3),
-                                 brief(report.figures.hic15.value, 3)),
-           .tone = document.warnings.empty() ? Tone::plain : Tone::doubtful,
-           .subject = {fmt::format("{} ({})", one_line(report.file), report.measured.format)},
-           .figures = rows_of(report, units, Detail::main)};
+  document.lead = Lead{.answer = pulse_answer(report, units),
+                       .tone = pulse_tone(report),
+                       .subject = subject_of(report, units),
+                       .figures = rows_with_limits(report, units, Detail::main)};
   if (pictures == Pictures::drawn) document.lead->curve = untitled(pulse_plot(report, units));
   document.sections = {
       {.heading = "Figures",
-       .rows = {{"", rows_of(report, units, Detail::all)}},
+       .rows = {{"", rows_with_limits(report, units, Detail::all)}},
        .paragraphs = uncertainty_words(report.uncertainty, Detail::all)},
       {.seen = Seen::in_brief, .paragraphs = uncertainty_words(report.uncertainty, Detail::main)}};
   if (const auto check = injury::speed_check(report))
     document.sections.push_back({.heading = "Velocity", .seen = Seen::always, .paragraphs = {check->text}});
+  if (report.limits)
+    document.sections.push_back(
+        {.seen = Seen::always,
+         .paragraphs = {
+             "Figures of a pulse beside the limits of a standard: whether the test was made as the "
+             "standard asks is not judged, and nothing is certified."}});
   document.sections.push_back(
       {.heading = "What it rests on",
        .seen = Seen::always,

@@ -13,6 +13,13 @@ namespace dashpad::output {
 /// "CFC1000, corner of SAE J211, ends mirrored".
 std::string filter_words(const injury::PulseFilter& filter);
 
+/// "Peak 151 g, HIC15 890"; beside a standard what its limits make of it.
+std::string pulse_answer(const injury::PulseReport& report, const UnitSystem& units);
+Tone pulse_tone(const injury::PulseReport& report);
+
+/// "at 5.42 m/s, after a fall of 1.5 m".
+std::string impact_words(const injury::MeasuredImpact& impact, const UnitSystem& units);
+
 /// What the figures leave in doubt: flags and remarks, a line each.
 std::vector<std::string> reservations(const injury::PulseReport& report);
 

@@ -5,6 +5,7 @@
 #include "dashpad/output/json/result.hpp"
 #include "dashpad/result/result_quantity.hpp"
 #include "json/json_values.hpp"
+#include "output/json/criteria.hpp"
 #include "output/json/interval.hpp"
 
 namespace dashpad::output {
@@ -97,23 +98,18 @@ Json other_choices(const std::vector<injury::OtherChoice>& others) {
   };
   Json array = Json::array();
   for (const injury::OtherChoice& other : others) {
-    Json criteria = Json::array();
-    for (const injury::CriterionResult& result : other.assessment.results)
-      criteria.push_back(criterion(result));
     array.push_back({{"nose", choice(other.other.nose, other.kept.nose)},
                      {"speed", choice(other.other.speed, other.kept.speed)},
                      {"verdict", to_string(other.assessment.verdict)},
-                     {"criteria", std::move(criteria)}});
+                     {"criteria", criteria_json(other.assessment.results)}});
   }
   return array;
 }
 
 Json assessment(const AssessmentReport& report) {
   const injury::Standard& standard = report.standard;
-  Json criteria = Json::array();
-  for (const injury::CriterionResult& result : report.assessment.results)
-    criteria.push_back(criterion(result));
   Json json;
+  json["case_file"] = report.file.empty() ? Json(nullptr) : Json(report.file);
   json["verdict"] = to_string(report.assessment.verdict);
   json["unqualified"] = report.assessment.unqualified();
   json["reservations"] = texts(report.assessment.reservations);
@@ -127,7 +123,7 @@ Json assessment(const AssessmentReport& report) {
                       {"note", standard.note}};
   json["impactor"] = impactor(report);
   json["other_choices"] = other_choices(report.others);
-  json["criteria"] = criteria;
+  json["criteria"] = criteria_json(report.assessment.results);
   json["figures"] = key_figures(report.assessment.figures);
   json["result"] = Json::parse(
       result_json(report.assessed, report.solution.summary, injury::whole_pulse_figures(report.solution)));
@@ -135,6 +131,12 @@ Json assessment(const AssessmentReport& report) {
 }
 
 }  // namespace
+
+Json criteria_json(const std::vector<injury::CriterionResult>& results) {
+  Json all = Json::array();
+  for (const injury::CriterionResult& result : results) all.push_back(criterion(result));
+  return all;
+}
 
 std::string assessment_json(const AssessmentReport& report) { return result_json_text(assessment(report)); }
 

@@ -10,6 +10,7 @@
 #include "dashpad/version.hpp"
 #include "json/flags_json.hpp"
 #include "json/json_values.hpp"
+#include "output/json/criteria.hpp"
 #include "output/json/injury.hpp"
 
 namespace dashpad::output {
@@ -119,11 +120,18 @@ Json source(const injury::PulseReport& report) {
           {"remarks", of.remarks}};
 }
 
-}  // namespace
-
-std::string pulse_json(const injury::PulseReport& report) {
+Json pulse(const injury::PulseReport& report) {
   Json result;
   result["figures"] = figures(report);
+  if (report.limits) {
+    result["standard"] = report.limits->standard;
+    result["verdict"] = to_string(injury::verdict_of(report.limits->results));
+    result["criteria"] = criteria_json(report.limits->results);
+    result["reservations"] = flags_json(report.limits->reservations);
+  }
+  Json about = Json::object();
+  for (const auto& [what, words] : report.about) about[what] = words;
+  result["about"] = std::move(about);
   result["impact"] = impact(report);
   result["uncertainty"] = uncertainty(report.uncertainty);
   result["flags"] = flags_json(report.flags);
@@ -134,7 +142,17 @@ std::string pulse_json(const injury::PulseReport& report) {
       {"filter", filter(report)},
       {"samples", report.pulse.time.size()}};
   result["program"] = program_json();
-  return result_json_text(result);
+  return result;
+}
+
+}  // namespace
+
+std::string pulse_json(const injury::PulseReport& report) { return result_json_text(pulse(report)); }
+
+std::string pulses_json(const std::vector<injury::PulseReport>& reports) {
+  Json array = Json::array();
+  for (const injury::PulseReport& report : reports) array.push_back(result_with_format(pulse(report)));
+  return json_text(array);
 }
 
 std::string pulse_csv(const injury::PulseReport& report, const UnitSystem& units) {

@@ -123,7 +123,8 @@ std::string contents(const Document& page) {
     list += of.figures.empty() ? "</li>\n" : "</ul></li>\n";
   }
   if (count < least_figures_with_contents) return {};
-  return "<nav aria-label=\"Contents\"><h2>Contents</h2><ul>\n" + list + "</ul></nav>\n";
+  return "<nav aria-label=\"Contents\"><details><summary>Contents</summary><ul>\n" + list +
+         "</ul></details></nav>\n";
 }
 
 /// A heading ends without a stop.

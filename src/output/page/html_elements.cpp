@@ -159,7 +159,9 @@ std::string table_html(const Table& of) {
       html += i == 0 ? "<th scope=\"row\">" + text_html(row[i]) + "</th>"
                      : fmt::format("<td data-column=\"{}\"{}>{}</td>",
                                    i < of.columns.size() ? text_html(of.columns[i]) : "",
-                                   is_number_or_none(row[i]) ? " class=\"number\"" : "", text_html(row[i]));
+                                   // Without a head the rows are words on one thing, a number among them.
+                                   has_head && is_number_or_none(row[i]) ? " class=\"number\"" : "",
+                                   text_html(row[i]));
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n";

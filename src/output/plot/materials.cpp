@@ -4,13 +4,16 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "dashpad/version.hpp"
 #include "laboratory/loading_curve.hpp"
 #include "output/plot/axis_with_unit.hpp"
+#include "output/plot/foam_curve.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -82,6 +85,23 @@ void set_stress_limits(Axis& axis, const std::vector<Series>& series) {
 }
 
 }  // namespace
+
+Plot material_plot(const Material& material, const UnitSystem& units) {
+  // A little beyond the tests: what follows is steeper by far and would make all else a line along the axis.
+  const double last = std::min(drawn_strain, 1.1 * tested_strain_of(material));
+  Panel panel{.title = "Stress in a first loading",
+              .x = {.label = "Strain", .low = 0, .high = last},
+              .y = axis_with_unit("Stress", "Pa", units)};
+  panel.y.low = 0;
+  for (const double rate : laboratory::tested_rates(material)) {
+    laboratory::LoadingCurve curve = laboratory::loading_curve(material, rate, last, steps);
+    panel.series.push_back({.label = fmt::format("at {} per second", brief(rate)),
+                            .x = std::move(curve.strain),
+                            .y = values_in(units, std::move(curve.stress), "Pa")});
+  }
+  if (std::optional<Series> tested = line_of_range(material)) panel.series.push_back(*std::move(tested));
+  return {.panels = {std::move(panel)}};
+}
 
 Plot materials_plot(const std::vector<Material>& materials, const UnitSystem& units) {
   Panel panel{

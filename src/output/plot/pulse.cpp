@@ -4,6 +4,7 @@
 
 #include "dashpad/result/result_quantity.hpp"
 #include "dashpad/version.hpp"
+#include "output/documents/assessment.hpp"
 #include "output/documents/pulse.hpp"
 #include "output/plot/axis_with_unit.hpp"
 #include "output/plot/hic_bracket.hpp"
@@ -82,6 +83,11 @@ Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units) {
         {.label = fmt::format("{} {} g", result_quantity("clip_3ms").title, brief(std::abs(level), 4)),
          .style = SeriesStyle::horizontal_line,
          .y = {level}});
+  if (report.limits)
+    for (Series& limit : acceleration_limits(report.limits->results, units)) {
+      limit.y.front() *= side;
+      panel.series.push_back(std::move(limit));
+    }
   show_impact(panel.x, report, units);
   return {.title = one_line(report.file),
           .panels = {panel},

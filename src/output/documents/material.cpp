@@ -1,0 +1,228 @@
+// What is said of material cards: of one, its parameters and what they come to; of all, a row each.
+
+#include "dashpad/output/materials.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "laboratory/loading_curve.hpp"
+#include "model/pad/foam/foam_curve.hpp"
+#include "output/document.hpp"
+#include "output/svg/text.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+constexpr auto not_stated = "-";
+
+std::string or_not_stated(const std::string& text) { return text.empty() ? not_stated : one_line(text); }
+
+/// The first clause of the first, and how many more there are.
+std::string in_short(const std::vector<std::string>& reservations) {
+  if (reservations.empty()) return not_stated;
+  constexpr std::size_t longest = 44;
+  std::string first = one_line(reservations.front());
+  for (const char* end : {": ", "; ", ". "}) first.resize(std::min(first.find(end), first.size()));
+  if (first.ends_with('.')) first.pop_back();
+  first = shortened(first, longest);
+  return reservations.size() == 1 ? first : fmt::format("{} (+{})", first, reservations.size() - 1);
+}
+
+std::string range_words(double low, double high) { return fmt::format("{} to {}", brief(low), brief(high)); }
+
+std::vector<std::string> row_of(const Material& material) {
+  const auto range = range_of(material);
+  return {material.name,
+          name_of(material.law),
+          material.density ? brief(*material.density) : not_stated,
+          range ? brief(range->highest_strain) : not_stated,
+          range ? range_words(range->lowest_rate, range->highest_rate) : not_stated,
+          or_not_stated(material.basis),
+          in_short(material.reservations)};
+}
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// Key, symbol, value, unit, meaning.
+template <class Of>
+void add_parameters(const Of& of, const UnitSystem& units, Rows& rows) {
+  if constexpr (requires { Of::parameters; })
+    for (const Parameter<Of>& parameter : Of::parameters)
+      rows.push_back({parameter.key, parameter.symbol,
+                      brief(value_in(units, parameter.of(of), parameter.unit)),
+                      shown_unit(unit_for(units, parameter.unit)), parameter.meaning});
+}
+
+std::string points_words(const TableCurve& curve) {
+  return fmt::format("{} points up to a strain of {}", curve.strain.size(), brief(curve.strain.back()));
+}
+
+std::string base_words(const FoamCurves& curves) {
+  return std::visit(
+      [&curves]<class Form>(const Form& form) {
+        const std::string rate = brief(curves.slowest_rate);
+        if constexpr (std::is_same_v<Form, TableCurve>)
+          return fmt::format("{}, {}, at {} 1/s", Form::name, points_words(form), rate);
+        else
+          return fmt::format("{}, up to a strain of {}, at {} 1/s", Form::name, brief(form.highest_strain),
+                             rate);
+      },
+      curves.base);
+}
+
+struct RateWords {
+  std::string operator()(const NoRateEffect&) const { return "one tested: no effect"; }
+  std::string operator()(const PowerRateEffect& effect) const {
+    return fmt::format("power, up to {} 1/s", brief(effect.highest_rate));
+  }
+  std::string operator()(const FactorRateEffect& effect) const {
+    std::string text = "factor";
+    for (std::size_t i = 0; i < effect.rate.size(); ++i)
+      text +=
+          fmt::format("{} {} at {} 1/s", i == 0 ? "" : ",", brief(effect.factor[i]), brief(effect.rate[i]));
+    return text;
+  }
+  std::string operator()(const CurvesRateEffect& effect) const {
+    std::string text;
+    for (const auto& [rate, curve] : effect.curves)
+      text +=
+          fmt::format("{}curve at {} 1/s, {}", text.empty() ? "" : "; ", brief(rate), points_words(curve));
+    return text + (effect.linear ? "; between two rates linear in the rate" : "");
+  }
+};
+
+/// Law, form and points of the curves, and what the foam does at higher rates.
+Rows law_rows(const Material& material) {
+  Rows rows{{"Law", name_of(material.law)}};
+  std::visit(
+      [&rows]<class Law>(const Law& law) {
+        if constexpr (SharesSlip<Law>) {
+          rows.push_back({"Curve", base_words(law.curves)});
+          rows.push_back({"Rate", std::visit(RateWords{}, law.curves.rate_effect)});
+          if constexpr (requires { law.unloading_curve; })
+            if (law.unloading_curve)
+              rows.push_back({"Back", fmt::format("curve, {}, in place of HU and SHAPE",
+                                                  points_words(*law.unloading_curve))});
+        }
+      },
+      material.law);
+  return rows;
+}
+
+std::string fitted_words(const Material& material) {
+  const auto range = range_of(material);
+  return range ? fmt::format("up to a strain of {} and at strain rates from {} to {} 1/s",
+                             brief(range->highest_strain), brief(range->lowest_rate),
+                             brief(range->highest_rate))
+               : "range not stated: no result can be called extrapolated";
+}
+
+Table card_table(const Material& material) {
+  Table table{.columns = {"", ""}};
+  const auto add = [&table](const char* what, const std::string& value) {
+    if (!value.empty()) table.rows.push_back({what, one_line(value)});
+  };
+  add("Name", material.name);
+  add("Source", material.source.empty() ? "not stated" : material.source);
+  add("Basis", material.basis);
+  add("Licence", material.licence);
+  if (material.density) add("Density", brief(*material.density) + " kg/m3");
+  for (std::vector<std::string>& row : law_rows(material)) table.rows.push_back(std::move(row));
+  add("Fitted", fitted_words(material));
+  if (material.nose_over_pad)
+    add("Strikes",
+        fmt::format("measured by strikes of a sphere with {} times the radius that the pad was thick: what "
+                    "neighbouring columns do is in its numbers",
+                    brief(*material.nose_over_pad)));
+  return table;
+}
+
+/// What a first loading comes to at a few strains, at each tested rate.
+Section stresses(const Material& material, const FoamCurves& curves, const UnitSystem& units) {
+  constexpr std::array strains{0.1, 0.25, 0.5};
+  constexpr int steps = 10;  // of 0.05: all of them are met
+  const double last = last_strain_of(curves.base);
+  Table table{.columns = {"Stress in a first loading"}};
+  for (const double strain : strains)
+    table.columns.push_back(fmt::format("at {}{}", brief(strain), strain > last ? " *" : ""));
+  for (const double rate : laboratory::tested_rates(material)) {
+    const laboratory::LoadingCurve loading = laboratory::loading_curve(material, rate, strains.back(), steps);
+    std::vector<std::string> row{fmt::format("at {} 1/s", brief(rate))};
+    for (const double strain : strains) {
+      const auto at = std::ranges::lower_bound(loading.strain, strain - 1e-6) - loading.strain.begin();
+      row.push_back(brief_quantity(loading.stress.at(static_cast<std::size_t>(at)), "Pa", units, 3));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  Section section{.seen = Seen::always, .tables = {std::move(table)}};
+  if (strains.back() > last) section.paragraphs = {"* beyond the strains of the curve"};
+  return section;
+}
+
+/// Those of the law, of its base curve and of its rate effect; then the stresses that they come to.
+std::vector<Section> law_sections(const Material& material, const UnitSystem& units) {
+  std::vector<Section> sections{{.heading = "Parameters", .seen = Seen::always}};
+  std::visit(
+      [&]<class Law>(const Law& law) {
+        const auto add = [&]<class Of>(const char* caption, const Of& of) {
+          Table table{.caption = caption, .columns = {"Key", "Symbol", "Value", "Unit", "Meaning"}};
+          add_parameters(of, units, table.rows);
+          if (!table.rows.empty()) sections.front().tables.push_back(std::move(table));
+        };
+        add("", law);
+        if constexpr (SharesSlip<Law>) {
+          std::visit([&](const auto& base) { add("The curve:", base); }, law.curves.base);
+          std::visit([&](const auto& effect) { add("The rate:", effect); }, law.curves.rate_effect);
+          sections.push_back(stresses(material, law.curves, units));
+        }
+      },
+      material.law);
+  return sections;
+}
+
+Table table_of(const std::vector<Material>& materials) {
+  Table table{.columns = {"Name", "Law", "kg/m3", "Strain", "Rates (1/s)", "Basis", "Reservations"}};
+  for (const Material& material : materials) table.rows.push_back(row_of(material));
+  return table;
+}
+
+}  // namespace
+
+Document material_document(const Material& material, const UnitSystem& units, Pictures pictures) {
+  const std::string title = one_line(material.title.empty() ? material.name : material.title);
+  Document document{.title = title, .lead = Lead{.answer = title}};
+  for (const std::string& reservation : material.reservations)
+    document.warnings.push_back(one_line(reservation));
+  if (pictures == Pictures::drawn) document.lead->curve = material_plot(material, units);
+  document.sections = {{.heading = "The card", .seen = Seen::always, .tables = {card_table(material)}}};
+  for (Section& section : law_sections(material, units)) document.sections.push_back(std::move(section));
+  if (material.also_published.empty()) return document;
+  Table published{.columns = {"", ""}};
+  for (const auto& [name, value] : material.also_published)
+    published.rows.push_back({one_line(name), one_line(value)});
+  document.sections.push_back(
+      {.heading = "Published too, but not used by the law", .seen = Seen::always, .tables = {published}});
+  return document;
+}
+
+Document materials_document(const std::vector<Material>& materials, const UnitSystem& units,
+                            Pictures pictures) {
+  Document document{.title = "Materials",
+                    .lead = Lead{.answer = fmt::format("{} material card{}", materials.size(),
+                                                       materials.size() == 1 ? "" : "s")}};
+  if (pictures == Pictures::drawn && !materials.empty())
+    document.lead->curve = untitled(materials_plot(materials, units));
+  document.sections = {{.heading = "The cards", .seen = Seen::always, .tables = {table_of(materials)}}};
+  return document;
+}
+
+}  // namespace dashpad::output

@@ -1,0 +1,187 @@
+// What is said of several measured pulses together: a row each, one over the other, then each by itself.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "dashpad/output/pulse.hpp"
+#include "dashpad/result/result_quantity.hpp"
+#include "output/documents/assessment.hpp"
+#include "output/documents/pulse.hpp"
+#include "output/plot/axis_with_unit.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+using Reports = std::vector<injury::PulseReport>;
+
+/// A figure of each pulse, as a column of the table.
+struct FigureColumn {
+  const ResultQuantity& quantity;
+  double (*of)(const injury::PulseReport& report);
+};
+const std::vector<FigureColumn>& figure_columns() {
+  static const std::vector<FigureColumn> columns{
+      {result_quantity("peak_acceleration"),
+       [](const injury::PulseReport& of) { return of.figures.peak.magnitude; }},
+      {result_quantity("hic15"), [](const injury::PulseReport& of) { return of.figures.hic15.value; }},
+      {result_quantity("hic36"), [](const injury::PulseReport& of) { return of.figures.hic36.value; }},
+      {result_quantity("hic_d"), [](const injury::PulseReport& of) { return of.figures.hic_d; }},
+      {result_quantity("velocity_change"),
+       [](const injury::PulseReport& of) { return of.figures.velocity_change; }}};
+  return columns;
+}
+
+std::vector<double> values_in_column(const FigureColumn& column, const Reports& reports) {
+  std::vector<double> values;
+  for (const injury::PulseReport& report : reports) values.push_back(column.of(report));
+  return values;
+}
+
+/// Mean and deviation of the sample; of one value the deviation is 0.
+std::pair<double, double> mean_and_deviation(const std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
+  double mean = 0, squares = 0;
+  for (const double value : values) mean += value / count;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return {mean, values.size() > 1 ? std::sqrt(squares / (count - 1)) : 0};
+}
+
+Table table_of(const Reports& reports, const UnitSystem& units) {
+  Table table{.columns = {"Pulse"}};
+  const auto shown = [&](const FigureColumn& column, double value) {
+    return brief_quantity(value, column.quantity.si_unit, units);
+  };
+  for (const FigureColumn& column : figure_columns()) table.columns.emplace_back(column.quantity.title);
+  for (const injury::PulseReport& report : reports) {
+    table.rows.push_back({one_line(report.file)});
+    for (const FigureColumn& column : figure_columns())
+      table.rows.back().push_back(shown(column, column.of(report)));
+  }
+  std::vector<std::string> means{"Mean"}, deviations{"Standard deviation"};
+  for (const FigureColumn& column : figure_columns()) {
+    const auto [mean, deviation] = mean_and_deviation(values_in_column(column, reports));
+    means.push_back(shown(column, mean));
+    deviations.push_back(brief_quantity(deviation, column.quantity.si_unit, units, 2));
+  }
+  table.rows.push_back(std::move(means));
+  table.rows.push_back(std::move(deviations));
+  return table;
+}
+
+/// "peak 151 to 158 g".
+std::string range_of(const FigureColumn& column, const Reports& reports, const UnitSystem& units) {
+  const std::vector<double> values = values_in_column(column, reports);
+  const auto [least, most] = std::ranges::minmax(values);
+  const ScaledUnit unit = shown_as(column.quantity.si_unit, units);
+  return fmt::format("{} to {}{}{}", brief(unit.scale * least, 3), brief(unit.scale * most, 3),
+                     unit.unit.empty() ? "" : " ", unit.unit);
+}
+
+/// How serious a tone is.
+int rank(Tone tone) { return tone == Tone::bad ? 2 : tone == Tone::doubtful ? 1 : 0; }
+
+std::string answer_of(const Reports& reports, const UnitSystem& units) {
+  std::string text = fmt::format("{} pulses: peak {}, HIC15 {}", reports.size(),
+                                 range_of(figure_columns()[0], reports, units),
+                                 range_of(figure_columns()[1], reports, units));
+  if (!reports.front().limits) return text;
+  const auto within = std::ranges::count_if(reports, [](const injury::PulseReport& report) {
+    return injury::verdict_of(report.limits->results) == injury::Verdict::pass;
+  });
+  return fmt::format("{} of {} within the limits: peak {}, HIC15 {}",
+                     within == 0 ? "None" : std::to_string(within), reports.size(),
+                     range_of(figure_columns()[0], reports, units),
+                     range_of(figure_columns()[1], reports, units));
+}
+
+ValueRow row_of(const injury::PulseReport& report, const UnitSystem& units) {
+  ValueRow row{
+      .label = one_line(report.file), .value = pulse_answer(report, units), .tone = pulse_tone(report)};
+  if (!report.limits) return row;
+  if (const injury::CriterionResult* const next = closest(report.limits->results)) {
+    const std::string label = std::exchange(row.label, "");
+    row = criterion_row(*next, units, Detail::main);
+    row.label = label + ": " + row.label;
+  }
+  return row;
+}
+
+/// Each text once, with the files of the pulses that have it.
+std::vector<std::string> reservations_of(const Reports& reports) {
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (const injury::PulseReport& report : reports)
+    for (const std::string& text : reservations(report)) {
+      const auto known = std::ranges::find(texts, text, &std::pair<std::string, std::string>::first);
+      if (known == texts.end())
+        texts.emplace_back(text, one_line(report.file));
+      else
+        known->second += ", " + one_line(report.file);
+    }
+  std::vector<std::string> lines;
+  for (const auto& [text, files] : texts) lines.push_back(fmt::format("{} ({})", text, files));
+  return lines;
+}
+
+}  // namespace
+
+Plot pulses_plot(const std::vector<injury::PulseReport>& reports, const UnitSystem& units) {
+  Panel panel{.title = "The accelerations, each from where contact begins",
+              .x = axis_of("time", units),
+              .y = axis_of("acceleration", units)};
+  const double time_factor = value_in(units, 1, "s");
+  double longest = 0;
+  for (const injury::PulseReport& report : reports) {
+    const double length = report.contact.end - report.contact.begin;
+    longest = std::max(longest, length);
+    Series series{.label = one_line(report.file)};
+    for (std::size_t i = 0; i < report.pulse.time.size(); ++i) {
+      const double time = report.pulse.time[i] - report.contact.begin;
+      if (time < -0.2 * length || time > 1.5 * length) continue;
+      series.x.push_back(time_factor * time);
+      series.y.push_back(report.pulse.acceleration[i] / standard_gravity);
+    }
+    panel.series.push_back(std::move(series));
+  }
+  if (reports.front().limits)
+    for (Series& line : acceleration_limits(reports.front().limits->results, units))
+      panel.series.push_back(std::move(line));
+  return {.panels = {std::move(panel)}};
+}
+
+Document pulses_document(const std::vector<injury::PulseReport>& reports, const UnitSystem& units,
+                         Pictures pictures) {
+  Document document{.title = answer_of(reports, units), .lead = Lead{.answer = answer_of(reports, units)}};
+  Lead& lead = *document.lead;
+  for (const auto& [what, words] : reports.front().about)
+    lead.subject.push_back(fmt::format("{}: {}", what, one_line(words)));
+  if (reports.front().impact) lead.subject.push_back("Each " + impact_words(*reports.front().impact, units));
+  if (reports.front().limits)
+    lead.subject.push_back("Limits of " + one_line(reports.front().limits->standard));
+  for (const injury::PulseReport& report : reports) {
+    lead.figures.push_back(row_of(report, units));
+    if (rank(pulse_tone(report)) > rank(lead.tone) || lead.tone == Tone::plain)
+      lead.tone = pulse_tone(report);
+  }
+  document.warnings = reservations_of(reports);
+  if (pictures == Pictures::drawn) lead.curve = pulses_plot(reports, units);
+  document.sections = {{.heading = "The pulses", .seen = Seen::always, .tables = {table_of(reports, units)}}};
+  for (const injury::PulseReport& report : reports) {
+    Document one = pulse_document(report, units, pictures);
+    Section section{.heading = one_line(report.file),
+                    .rows = {{"", one.lead->figures}},
+                    .paragraphs = {one.lead->answer + "."}};
+    section.tables = {{.columns = {"", ""}, .rows = pulse_basis(report, units)}};
+    if (one.lead->curve) section.figures.push_back({.plot = *std::move(one.lead->curve)});
+    document.sections.push_back(std::move(section));
+  }
+  return document;
+}
+
+}  // namespace dashpad::output

@@ -1,0 +1,176 @@
+// What is said of several assessments together: the verdicts side by side, then each as a whole.
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "output/document.hpp"
+#include "output/documents/assessment.hpp"
+#include "output/text/capitals.hpp"
+#include "output/text/standard_words.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+/// An assessment as a place in the plan.
+struct Combination {
+  std::string name;  ///< of the case
+  const AssessmentReport& report;
+  Document document;  ///< without pictures
+  ValueRow next;      ///< the criterion next to its limit or farthest beyond it
+};
+
+/// Titles, where they tell the cases apart; the names of their files, where they do not.
+std::vector<std::string> names_of(const std::vector<AssessmentReport>& reports) {
+  std::set<std::string> files, titles;
+  for (const AssessmentReport& report : reports) {
+    files.insert(report.file);
+    if (!report.given.title.empty()) titles.insert(one_line(report.given.title));
+  }
+  std::vector<std::string> names;
+  for (const AssessmentReport& report : reports)
+    names.push_back(one_line(titles.size() == files.size() ? report.given.title : report.file));
+  return names;
+}
+
+/// Figures of a lead begin with the criteria; those have a share of their limit, unless there is no value.
+ValueRow next_to_limit(const std::vector<ValueRow>& figures) {
+  const auto by_share = [](const ValueRow& row) { return row.share.value_or(-1); };
+  const auto next = std::ranges::max_element(figures, {}, by_share);
+  return next == figures.end() ? ValueRow{.label = "No criterion"} : *next;
+}
+
+std::vector<Combination> combinations(const std::vector<AssessmentReport>& reports, const UnitSystem& units) {
+  const std::vector<std::string> names = names_of(reports);
+  std::vector<Combination> all;
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    Document document = assessment_document(reports[i], units);
+    ValueRow next = next_to_limit(document.lead->figures);
+    all.push_back({names[i], reports[i], std::move(document), std::move(next)});
+  }
+  return all;
+}
+
+std::string full_title(const Combination& of) { return of.name + ", " + full_name(of.report.standard); }
+
+std::size_t count_of(const std::vector<Combination>& all, injury::Verdict verdict) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      all, [&](const Combination& of) { return of.report.assessment.verdict == verdict; }));
+}
+
+/// "4 of 6 pass, 1 fails, 1 is undecided".
+std::string counted(const std::vector<Combination>& all) {
+  const std::size_t passed = count_of(all, injury::Verdict::pass);
+  const std::size_t failed = count_of(all, injury::Verdict::fail);
+  const std::size_t open = count_of(all, injury::Verdict::undecided);
+  if (passed == all.size()) return fmt::format("All {} pass", passed);
+  std::string text = fmt::format("{} of {} pass", passed == 0 ? "None" : std::to_string(passed), all.size());
+  if (failed > 0) text += fmt::format(", {} fail{}", failed, failed == 1 ? "s" : "");
+  if (open > 0) text += fmt::format(", {} {} undecided", open, open == 1 ? "is" : "are");
+  return text;
+}
+
+int rank(const Combination& of) {
+  switch (of.report.assessment.verdict) {
+    case injury::Verdict::fail: return 0;
+    case injury::Verdict::undecided: return 1;
+    case injury::Verdict::pass: break;
+  }
+  return 2;
+}
+
+/// What fails by most first, what passes with most to spare last.
+std::vector<const Combination*> worst_first(const std::vector<Combination>& all) {
+  std::vector<const Combination*> sorted;
+  for (const Combination& of : all) sorted.push_back(&of);
+  std::ranges::stable_sort(sorted, [](const Combination* a, const Combination* b) {
+    return std::pair(rank(*a), -a->next.share.value_or(0)) < std::pair(rank(*b), -b->next.share.value_or(0));
+  });
+  return sorted;
+}
+
+/// A row a case, a column a standard. The combinations stand case by case.
+Table plan_table(const std::vector<Combination>& all) {
+  Table table{.columns = {"Case"}};
+  for (const Combination& of : all) {
+    if (table.rows.empty() || &of.report.given != &(&of - 1)->report.given) table.rows.push_back({of.name});
+    if (table.rows.size() == 1) table.columns.push_back(full_name(of.report.standard));
+    const Lead& lead = *of.document.lead;
+    table.rows.back().push_back(lead.answer + (of.document.warnings.empty() ? "" : " *"));
+  }
+  return table;
+}
+
+/// Each kind of reservation once, in the words of the first that has it, and how many have it.
+std::vector<std::string> reservations(const std::vector<Combination>& all) {
+  std::vector<std::pair<std::string, std::size_t>> kinds;  // the first text, and how many
+  const auto kind_of = [](const std::string& text) { return text.substr(0, capitals_in_front(text)); };
+  for (const Combination& of : all)
+    for (const std::string& text : of.document.warnings) {
+      const auto known =
+          std::ranges::find_if(kinds, [&](const auto& kind) { return kind_of(kind.first) == kind_of(text); });
+      if (known == kinds.end())
+        kinds.emplace_back(text, 1);
+      else
+        ++known->second;
+    }
+  std::vector<std::string> texts;
+  for (const auto& [text, count] : kinds)
+    texts.push_back(
+        count == 1 ? text : fmt::format("{} ({} of {} have such a reservation)", text, count, all.size()));
+  return texts;
+}
+
+/// An assessment as a whole: answer, reservations, criteria and figures, the curve with its limits.
+Section section_of(const Combination& of, const UnitSystem& units, Pictures pictures) {
+  Section section{
+      .heading = full_title(of), .seen = Seen::on_pages, .paragraphs = {of.document.lead->answer + "."}};
+  for (const std::string& warning : of.document.warnings) section.paragraphs.push_back(warning);
+  section.rows = {{"", of.document.lead->figures}};
+  if (pictures == Pictures::drawn) section.figures.push_back({.plot = deciding_curve(of.report, units)});
+  return section;
+}
+
+}  // namespace
+
+Document test_plan_document(const std::vector<AssessmentReport>& reports, const UnitSystem& units,
+                            Pictures pictures) {
+  const std::vector<Combination> all = combinations(reports, units);
+  const std::vector<const Combination*> sorted = worst_first(all);
+  const Combination& worst = *sorted.front();
+  const Table plan = plan_table(all);
+  Document document{
+      .title = counted(all),
+      .lead = Lead{.answer = counted(all),
+                   .tone = worst.document.lead->tone,
+                   .subject = {fmt::format("Test plan: cases {}, standards {}", plan.rows.size(),
+                                           plan.columns.size() - 1),
+                               fmt::format("{}: {}. {}.",
+                                           rank(worst) == 2 ? "Least to spare" : "First to look at",
+                                           full_title(worst), worst.document.lead->answer)}},
+      .warnings = reservations(all)};
+  for (const Combination* of : sorted) {
+    ValueRow row = of->next;
+    row.limit = uncapitalised(std::exchange(row.label, full_title(*of))) + " " + row.limit;
+    row.remark = to_string(of->report.assessment.verdict);
+    document.lead->figures.push_back(std::move(row));
+  }
+  document.sections.push_back({.heading = "The plan", .seen = Seen::always, .tables = {plan}});
+  if (!document.warnings.empty())
+    document.sections.back().paragraphs = {
+        "* with a reservation, which the assessment of that case by that standard has in full."};
+  for (const Combination& of : all) document.sections.push_back(section_of(of, units, pictures));
+  document.sections.push_back(
+      {.seen = Seen::in_brief,
+       .paragraphs = {"--all shows every assessment as a whole, --report all of them on a page."}});
+  document.sections.push_back({.seen = Seen::always, .paragraphs = {assessment_caveat()}});
+  return document;
+}
+
+}  // namespace dashpad::output
