@@ -31,7 +31,7 @@
 namespace dashpad {
 
 /// A panel whose mass the tolerance would not show is left out: steps that resolved its own vibration would
-/// number as the root of the ratio of the masses (theory.md, section 1, What the pad stands on).
+/// number as the root of the ratio of the masses (theory.md, section 5.2).
 inline Backing without_light_panel(Backing backing, const Impactor& impactor, double tolerance) {
   if (backing.mass < numerics.lightest_panel * tolerance * impactor.mass && backing.gap == 0)
     backing.mass = 0;

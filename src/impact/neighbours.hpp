@@ -25,7 +25,7 @@ std::optional<Tip> tip_of(const ImpactCase& impact);
 /// Whether the face of the nose covers the pad, so that all columns are pressed alike.
 bool covers_pad(const ImpactCase& impact);
 
-/// g of theory.md, Eq. 79; 1 where there is no tip, and where `pad.neighbours` is 0.
+/// g of theory.md, Eq. 57; 1 where there is no tip, and where `pad.neighbours` is 0.
 ///
 ///   round, of the radius R   g = 1 + c (L - Y) / R,   frictionless floor: - 0.375 c (Y / L)^2
 ///   flat, of the radius a    g = 1 + 0.625 c L / a

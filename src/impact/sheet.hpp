@@ -3,7 +3,7 @@
 /// trim of steel.
 ///
 ///   (M + m) dV/dt = M g - F - D,   m = mu a,   D = (dm/dt) (dY/dt) while the nose goes in   (theory.md, Eq.
-///   76)
+///   56)
 ///
 /// A column's share of it is at rest with the pad until the nose meets it, is then taken along in a plastic
 /// blow, and goes on with the speed that it has where the column is left without stress. Compression

@@ -261,7 +261,7 @@ bool is_statistical(Source source) {
 constexpr std::array all_sources{Source::continuation, Source::rate,   Source::way_back,  Source::scatter,
                                  Source::posterior,    Source::misfit, Source::neighbours};
 
-/// Eq. 77.
+/// Eq. 58.
 FigureInterval interval_of(const AskedFigure& asked, std::size_t figure, double nominal, const Search& search,
                            const Open& open, const Solution& solution) {
   FigureInterval interval{

@@ -1,4 +1,4 @@
-// Columns that do not help each other, or help as Eq. 79 has it: by how much their figures are off those of
+// Columns that do not help each other, or help as Eq. 57 has it: by how much their figures are off those of
 // finite elements.
 //
 // Impacts on 50 pads of hyperelastic foam against finite elements of our own (theory.md, section 6), of a
@@ -27,7 +27,7 @@ struct Error {
 // Of columns alone.
 constexpr double nearest = 2, farthest = 3.3;  // R / L between which the impacts were
 constexpr Error of_columns{.peak = 0.06, .hic = 0.08, .depth_bias = 0.030, .depth_scatter = 0.016};
-/// A disc's force at half the thickness is off by 0.5 L / a, and with Eq. 79 by half of that; of such an
+/// A disc's force at half the thickness is off by 0.5 L / a, and with Eq. 57 by half of that; of such an
 /// error of a sphere's force, 15 to 21 %, a third is left in the peak.
 constexpr double of_disc = 0.5, left_with_factor = 0.5, left_in_peak = 1.0 / 3;
 
@@ -42,7 +42,7 @@ Error error_of_columns(const Tip& tip) {
   return error;
 }
 
-/// With Eq. 79: 2.9 and 3.5 % in the peak at strains of 0.5 and 0.65 on bonded pads of R = 2 L, 1.7 and 2.1 %
+/// With Eq. 57: 2.9 and 3.5 % in the peak at strains of 0.5 and 0.65 on bonded pads of R = 2 L, 1.7 and 2.1 %
 /// at 3.3 L; on frictionless floors 4 % more that does not fall with L / R (foams differ in how they slip).
 Error error_with_neighbours(const Tip& tip, Floor floor, double strain) {
   Error error;

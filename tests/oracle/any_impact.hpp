@@ -1,6 +1,6 @@
 #pragma once
 /// The general oracle: a second solver of whole impacts over nearly everything that a case may hold, written
-/// from theory.md alone (Eqs. 1 to 6, 41 to 43, 61 to 64, 71, 76), on CVODE. Clear rather than fast.
+/// from theory.md alone (Eqs. 1 to 6, 41 to 43, 46 to 49, 51, 56), on CVODE. Clear rather than fast.
 ///
 ///   (M + m) dV/dt = M g - F - D,  F = F(Y, what the pad remembers)
 ///   massless support:  Y is the root of F(Y) = Fs(X - Y - xb); laws 4 and 5: dY/dt is that of dF/dt = dFs/dt
@@ -13,7 +13,7 @@
 ///   c dv/dt = c (dV/dt - dvb/dt) + Fs' (V - vb - v) - dF/dt(v)
 ///
 /// or, below 1e-11 of the impact speed, the v at which that is 0; and they turn where it is below 0 at v = 0
-/// (Eqs. 26 and 78), to the fastest speed back that there is.
+/// (Eqs. 26 and 45), to the fastest speed back that there is.
 ///
 /// All noses, areas of the pad, laws, layers, earlier blows, sheets, gravity. Layers on a support without
 /// mass and damper lie on a damper of a millionth of its stiffness times thickness over speed. Not covered: a

@@ -279,7 +279,7 @@ class AnyMotion : public OdeSystem {
     return time;
   }
 
-  /// Eq. 76; without a sheet Eq. 1.
+  /// Eq. 56; without a sheet Eq. 1.
   [[nodiscard]] double acceleration(const double* state, const Now& now) {
     const double force = std::fmax(now.pad.force, 0);
     if (sheet_ == 0) return gravity_ - force / mass_;

@@ -1,6 +1,6 @@
 #pragma once
 /// One column of layers in the general oracle: springs, dashpots and foams in series, written anew from
-/// theory.md, Eqs. 71 to 73.
+/// theory.md, Eqs. 51 to 53.
 ///
 ///   sum L_i e_i = y,  stress_i(e_i) = stress
 ///

@@ -1,6 +1,6 @@
 #pragma once
 /// How fast a pad of law 4 or 5 is pressed that is in balance with its support, and which way: theory.md,
-/// Eqs. 26 and 78.
+/// Eqs. 26 and 45.
 
 #include <cmath>
 

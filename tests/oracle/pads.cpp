@@ -69,7 +69,7 @@ class RigidFoamPad final : public PadModel {
   double stiff_, earlier_;
 };
 
-/// Eqs. 32 to 38 and 61 to 64: what is remembered is the strain that has slipped, one for all columns.
+/// Eqs. 32 to 38 and 46 to 49: what is remembered is the strain that has slipped, one for all columns.
 class FoamPad final : public PadModel {
  public:
   template <class Law>

@@ -1,4 +1,4 @@
-/// Repeated blows on one pad (theory.md, Eqs. 61 to 65): closed forms, and what must hold from blow to blow.
+/// Repeated blows on one pad (theory.md, Eqs. 46 to 50): closed forms, and what must hold from blow to blow.
 /// The second solver's word is in test_foam_against_cvode.cpp.
 
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ double strain_after(const Foam& law, double work) {
   return (low + high) / 2;
 }
 
-/// Eq. 65: the work of the base curve at the largest strain of each blow is a geometric series.
+/// Eq. 50: the work of the base curve at the largest strain of each blow is a geometric series.
 TEST(Blows, BelowAFlatDiscFollowTheirClosedForm) {
   for (const double factor : {0.0, 0.3, 0.8})
     for (const double shape : {0.5, 2.0, 8.0}) {

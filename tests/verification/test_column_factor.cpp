@@ -1,4 +1,4 @@
-/// What neighbouring columns do (theory.md, Eq. 79): against finite elements of hyperelastic pads
+/// What neighbouring columns do (theory.md, Eq. 57): against finite elements of hyperelastic pads
 /// (data/columns-finite-elements.csv), its work in closed form, no energy from any path, and the order of
 /// runs.
 ///

@@ -174,7 +174,7 @@ TEST(Layers, OfTwoFoamsAgreeWithTheSecondSolver) {
   EXPECT_NEAR(*turned.rebound_speed / *s.rebound_speed, 1, 1e-6);
 }
 
-/// The rate of the force of a pad held still (Eq. 74) against what a short step without advance changes,
+/// The rate of the force of a pad held still (Eq. 54) against what a short step without advance changes,
 /// loaded and on the way back.
 TEST(Layers, HeldStillRelaxAsEq74Says) {
   const Foam soft = steady_foam(PowerRateEffect{0.08, 0, 1000});

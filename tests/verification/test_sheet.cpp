@@ -1,4 +1,4 @@
-/// A sheet with mass on the struck face (theory.md, Eq. 76): closed forms, another integration of the same
+/// A sheet with mass on the struck face (theory.md, Eq. 56): closed forms, another integration of the same
 /// equations, the limit without mass, and the ledger.
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #pragma once
-/// Repeated blows on one pad (theory.md, Eqs. 61 to 63): the same nose, mass and speed at the same place,
+/// Repeated blows on one pad (theory.md, Eqs. 46 to 48): the same nose, mass and speed at the same place,
 /// with rests between that outlast every relaxation of the pad.
 
 #include <vector>

@@ -65,13 +65,13 @@ struct Pad {
   /// nose.
   std::optional<double> area = {};
   /// Largest penetration that earlier blows of the same nose at the same place have left in the pad, m, in
-  /// [0, thickness): 0 for a new pad, and for laws that recover fully (theory.md, Eq. 61).
+  /// [0, thickness): 0 for a new pad, and for laws that recover fully (theory.md, Eq. 46).
   double earlier_penetration = 0;
   /// Mass per area of a sheet on the struck face, kg/m2, 0 (none) or in [1e-3, 1e3]; it has no stiffness
-  /// (theory.md, Eq. 76).
+  /// (theory.md, Eq. 56).
   double sheet = 0;
   Floor floor = Floor::bonded;
-  /// By how much the columns of the pad are helped by their neighbours, c of Eq. 79 (theory.md), in [0, 2];
+  /// By how much the columns of the pad are helped by their neighbours, c of Eq. 57 (theory.md), in [0, 2];
   /// 0: not at all, as in the report.
   double neighbours = 0;
   /// From the struck face on; none: the pad is of one foam, `material` under `condition`.

@@ -29,7 +29,7 @@ enum class Growth {
 /// Without what an impact has no such figure.
 enum class Needs { nothing, release, support };
 
-/// What a source of doubt that is known as a share (Eq. 77) is a share of, for the interval of a figure.
+/// What a source of doubt that is known as a share (Eq. 58) is a share of, for the interval of a figure.
 enum class Doubt {
   none,  ///< the figure has no interval
   of_acceleration,

@@ -3,7 +3,7 @@
 /// 6).
 ///
 ///   low  = nominal - sum over ranges of (nominal - least) - 1.96 sqrt(sum of variances),   high likewise
-///   (Eq. 77)
+///   (Eq. 58)
 ///
 /// A range (continuation, rate, way back) gives the least and the greatest figure over its ends, the nominal
 /// and, where these bend, points between. A statistical source (scatter, posterior, misfit, neighbours)

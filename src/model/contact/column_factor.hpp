@@ -1,6 +1,6 @@
 #pragma once
 /// By what the force of independent columns is multiplied, since their neighbours help them: theory.md, Eq.
-/// 79.
+/// 57.
 ///
 ///   g(Y) = first + slope Y + bend Y^2 up to a penetration, and from there on what it is there
 ///

@@ -59,7 +59,7 @@ concept HasEnergy = IsContact<C> && requires(const C contact, double x) {
   { contact.energy(x) } -> std::same_as<double>;
 };
 
-/// The pad may have been struck before (theory.md, Eqs. 61 to 63).
+/// The pad may have been struck before (theory.md, Eqs. 46 to 48).
 template <class C>
 concept RemembersBlows = IsContact<C> && requires(const C contact) {
   /// Depth of the crater in which the nose meets the pad, m below the surface of the new pad.

@@ -5,7 +5,7 @@
 ///
 /// a is the area of the nose's section (theory.md, Eq. 3), a1 its integral from 0, a2 that of a1.
 ///
-/// A foam that does not recover keeps the crater of an earlier blow, of the depth Yc (theory.md, Eq. 63): Y
+/// A foam that does not recover keeps the crater of an earlier blow, of the depth Yc (theory.md, Eq. 48): Y
 /// is counted from the surface of the new pad, and first contact is at Y = Yc, where the pad still carries
 /// F(Yc).
 ///

@@ -9,7 +9,7 @@
 /// (model/contact/work_nodes.hpp). On unloading columns let go, those at the edge first as a rule, so the
 /// integral goes from one strain where the stress is nothing to the next.
 ///
-/// Of an earlier blow the pad keeps its largest penetration Ym (theory.md, Eqs. 61 to 63): columns begin with
+/// Of an earlier blow the pad keeps its largest penetration Ym (theory.md, Eqs. 46 to 48): columns begin with
 /// the strain e* that it gave them, and crushed foam is met in its crater.
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 /// A contact whose columns are helped by their neighbours: its force times g(Y), on the way in and, as an
-/// assumption, on the way back (theory.md, Eq. 79).
+/// assumption, on the way back (theory.md, Eq. 57).
 ///
 /// What the contact keeps is that of its columns. All else of contact.hpp is handed on.
 

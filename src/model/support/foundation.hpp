@@ -1,6 +1,6 @@
 #pragma once
 /// Where the back of the pad goes in a step, by the force that the pad brings to bear on it: the support with
-/// its backing (theory.md, section 1, What the pad stands on).
+/// its backing (theory.md, section 5.2).
 ///
 /// Three kinds: at once, a massless support without a damper, whose deflection is a function of the force; a
 /// massless one with a damper, whose rate is; a panel with mass, whose acceleration is. Behind each there

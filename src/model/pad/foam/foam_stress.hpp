@@ -60,7 +60,7 @@ class FoamStress {
     double relaxing = 0;  ///< its change with time while the strain is held, 1/s
   };
   /// A crushed foam that has come back leaves a gap. `in_crater`: the rate multiplies the stress that is
-  /// left, nothing across the gap (theory.md, Eq. 64).
+  /// left, nothing across the gap (theory.md, Eq. 49).
   [[nodiscard]] Ratio ratio(const Place& leading, double ahead, const Overstress::AtRate& at,
                             double slip_rate, bool in_crater = false) const {
     const double relaxation = this->relaxation(slip_rate);
@@ -111,7 +111,7 @@ class FoamStress {
   }
   /// The strain of the axis at which a nose meets again the foam that it strained to `largest` there, and to
   /// no less than `least` beside it: what a column springs back is s(e*) / max(E, s'(e*)) (theory.md, Eq.
-  /// 63).
+  /// 48).
   [[nodiscard]] double strain_of_crater(double largest, double least) const;
   /// Whether the ratio is the same at all strains.
   [[nodiscard]] bool is_even(double ahead, const Overstress::AtRate& at) const {

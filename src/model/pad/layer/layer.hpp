@@ -1,5 +1,5 @@
 #pragma once
-/// A layer of any admitted law, and its strain as a function of the stress (theory.md, Eq. 72).
+/// A layer of any admitted law, and its strain as a function of the stress (theory.md, Eq. 52).
 
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 /// The laws that a layer of a pad may have: those whose stress rises with the strain at every rate, so that a
-/// stress tells the strain of each layer (theory.md, Eq. 72).
+/// stress tells the strain of each layer (theory.md, Eq. 52).
 
 #include <cstddef>
 #include <optional>

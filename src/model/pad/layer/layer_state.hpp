@@ -17,7 +17,7 @@ struct LayerStep {
   double last_time = 0;  ///< of the step before; 0: there was none
 };
 
-/// A layer whose strain is held, or hardly changes (theory.md, Eq. 74).
+/// A layer whose strain is held, or hardly changes (theory.md, Eq. 54).
 struct LayerTangent {
   double relaxing = 0;   ///< change of the stress with time while the strain is held, Pa/s
   double loading = 0;    ///< change of the stress with a sudden strain, Pa, > 0

@@ -1,11 +1,11 @@
 #pragma once
 /// A column of layers in series: one stress in all of them, and strains that sum up to its shortening.
 ///
-///   y = sum of L_i e_i,   stress_i(e_i) = stress for every layer                      (theory.md, Eq. 71)
+///   y = sum of L_i e_i,   stress_i(e_i) = stress for every layer                      (theory.md, Eq. 51)
 ///
 /// The unknown of a step is the stress at its end. A layer's stress at the end of a step rises with its
 /// strain there, if as steeply as a jump where the layer turns, so e_i and y are single-valued, continuous
-/// functions of the stress that do not fall (theory.md, Eq. 72): y has one root, whatever branch each layer
+/// functions of the stress that do not fall (theory.md, Eq. 52): y has one root, whatever branch each layer
 /// is on.
 ///
 /// Lengths in m, stress in Pa, compression positive.
@@ -59,7 +59,7 @@ class LayerSeries {
   [[nodiscard]] LayerState after(std::size_t layer, Strain end, const LayerState& now,
                                  const LayerStep& step) const;
   /// d(stress)/dt if the shortening is held from a state on: layers that relax more give way to the others
-  /// (theory.md, Eq. 74). Pa/s.
+  /// (theory.md, Eq. 54). Pa/s.
   [[nodiscard]] double stress_rate_when_held(std::span<const Strain> strain, const LayerStates& state) const;
 
  private:

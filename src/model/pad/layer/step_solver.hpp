@@ -1,5 +1,5 @@
 #pragma once
-/// The strains of all layers of a column at the end of one step, by the stress there (theory.md, Eq. 72).
+/// The strains of all layers of a column at the end of one step, by the stress there (theory.md, Eq. 52).
 /// What was found last is the guess for the next.
 
 #include <algorithm>
