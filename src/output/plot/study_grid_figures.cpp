@@ -217,6 +217,9 @@ std::vector<CaptionedPlot> cushion_figures(const study::StudyAnswers& answers, c
   Plot plot{.title = "Cushion curves of " + nose, .panels = {}, .source = study_source(answers)};
   for (const study::CushionCurves::Drop& drop : answers.cushion_curves->drops)
     plot.panels.push_back(cushion_panel(drop, answers.cushion_curves->whole_cushion, units));
+  for (Panel& panel : plot.panels)
+    for (Series& line : limit_lines(answers, "peak_acceleration", SeriesStyle::horizontal_line, units))
+      panel.series.push_back(std::move(line));
   if (answers.cushion_curves->whole_cushion)
     return {{"", std::move(plot),
              "In the manner of ASTM D1596, of " + nose +

@@ -16,6 +16,8 @@ namespace {
 using Row = std::vector<std::string>;
 
 constexpr double shown_quantiles[] = {0.05, 0.5, 0.95};
+/// Of a grid the others say where its levels are, not what to expect.
+constexpr double median = 0.5;
 
 /// Of so many rows: "229 (22.9 %)". Only what grows with the force is unbounded then.
 std::string struck_through(const std::string& response, std::uint64_t count, std::uint64_t rows) {
@@ -38,10 +40,13 @@ void add_distributions(Table& table, const study::StudyAnswers& answers,
     const study::Distribution& distribution = of.distributions[i];
     const ScaledUnit shown = shown_as(si_unit_of(name), units);
     const auto digits = [&](double value) { return four_digits_or_struck(shown.scale * value); };
-    Row row{label(name, si_unit_of(name), units), with_interval(distribution.mean, shown.scale),
-            digits(distribution.deviation)};
+    Row row{label(name, si_unit_of(name), units)};
+    if (of.group.drawn)
+      row.insert(row.end(), {with_interval(distribution.mean, shown.scale), digits(distribution.deviation)});
     for (const study::Distribution::Quantile& quantile : distribution.quantiles)
-      if (std::ranges::find(shown_quantiles, quantile.probability) != std::end(shown_quantiles))
+      if (of.group.drawn
+              ? std::ranges::find(shown_quantiles, quantile.probability) != std::end(shown_quantiles)
+              : quantile.probability == median)
         row.push_back(with_interval(quantile.value, shown.scale));
     row.push_back(digits(distribution.least));
     row.push_back(digits(distribution.greatest));
@@ -136,10 +141,11 @@ std::string spread_text(const study::StudyAnswers& answers, std::size_t factor, 
 
 std::vector<Table> study_tables(const study::StudyAnswers& answers, const UnitSystem& units) {
   const bool drawn = answers.groups.front().group.drawn;
+  const Row columns =
+      drawn ? Row{"Response", "Mean", "Deviation", "5 %", "Median", "95 %", "Least", "Greatest", "Rows"}
+            : Row{"Response", "Median", "Least", "Greatest", "Rows"};
   std::vector<Table> tables{over_groups(
-      {.caption = "Distribution",
-       .columns = with_struck_through(
-           answers, {"Response", "Mean", "Deviation", "5 %", "Median", "95 %", "Least", "Greatest", "Rows"})},
+      {.caption = drawn ? "Distribution" : "Over the grid", .columns = with_struck_through(answers, columns)},
       answers, units, add_distributions)};
   if (!answers.limits.empty())
     tables.push_back(over_groups(
@@ -232,8 +238,9 @@ std::string unstratified_factors(const study::Study& study) {
 
 std::string interval_note(const study::StudyAnswers& answers) {
   if (!answers.groups.front().group.drawn)
-    return "Figures are over the levels as they are, each row counting the same. A grid has no "
-           "probabilities, so there are no intervals; a range in brackets is that of undecided rows.";
+    return "A grid has no probabilities: figures are over its levels as they are, each row counting the "
+           "same, "
+           "and have no intervals. A range in brackets is that of undecided rows.";
   std::string note =
       "In brackets: 95 % intervals, of the mean by Student, of quantiles between order statistics, of "
       "probabilities by Clopper and Pearson. They cover the sampling only.";
