@@ -123,7 +123,7 @@ TEST_F(AssessTest, IsUndecidedWithExitCode3) {
 
 TEST_F(AssessTest, AMissedToleranceIsExitCode3UnlessALimitIsExceeded) {
   for (const auto& [limit, code] : {std::pair{"100000", 3}, std::pair{"1", 4}}) {
-    const Outcome outcome = dashpad({"assess", examples + "dashboard-20mph-21-parameter.toml", "--standard",
+    const Outcome outcome = dashpad({"assess", examples + "helmet-pad-10fps.toml", "--standard",
                                      standard("limit", peak_standard(limit)), "--tolerance", "1e-8"});
     EXPECT_EQ(outcome.exit_code, code) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("TOLERANCE NOT MET"));

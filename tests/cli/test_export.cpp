@@ -140,7 +140,7 @@ TEST_F(ExportTest, FlagsExtrapolation) {
 
 TEST_F(ExportTest, FlagsAMissedToleranceAndExitsWith3) {
   const Outcome outcome =
-      dashpad({"export", std::string{DASHPAD_SOURCE_DIR} + "/examples/dashboard-20mph-21-parameter.toml",
+      dashpad({"export", std::string{DASHPAD_SOURCE_DIR} + "/examples/helmet-pad-10fps.toml",
                "--format", "radioss", "--out", file("pad.inc"), "--tolerance", "1e-8"});
   EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("TOLERANCE NOT MET"));
