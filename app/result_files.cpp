@@ -3,11 +3,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/injury/figures.hpp"
-#include "dashpad/output/csv/history.hpp"
-#include "dashpad/output/drawing/impact_drawing.hpp"
 #include "dashpad/output/impact.hpp"
-#include "dashpad/output/json/result.hpp"
-#include "dashpad/output/plot/result.hpp"
 #include "output.hpp"
 
 namespace dashpad::app {

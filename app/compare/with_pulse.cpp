@@ -11,7 +11,7 @@
 
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
-#include "dashpad/output/pulse_comparison.hpp"
+#include "dashpad/output/pulse.hpp"
 #include "pulse/report.hpp"
 
 namespace dashpad::app {

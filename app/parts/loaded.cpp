@@ -10,7 +10,7 @@
 
 #include "dashpad/output/deck/iso_mme_test.hpp"
 #include "material_folder.hpp"
-#include "output/svg/rendered.hpp"
+#include "output/svg/svg.hpp"
 #include "parts/parts.hpp"
 #include "study/hdf5.hpp"
 

@@ -1,6 +1,6 @@
 // PNG and PDF of pictures: a part that is loaded when it is used.
 
-#include "output/svg/rendered.hpp"
+#include "output/svg/svg.hpp"
 #include "parts/parts.hpp"
 
 extern "C" const dashpad::app::PicturePart* dashpad_part() {

@@ -26,6 +26,22 @@ inline Json numbers(const std::vector<double>& values) {
   return array;
 }
 
+/// An array of what is made of each.
+template <class List, class Make>
+Json array_of(const List& list, const Make& make) {
+  Json array = Json::array();
+  for (const auto& each : list) array.push_back(make(each));
+  return array;
+}
+
+/// Null where it is absent, or else what is made of it.
+template <class Value, class Make>
+Json made_of(const std::optional<Value>& value, const Make& make) {
+  return value ? Json(make(*value)) : Json(nullptr);
+}
+/// Null where it is empty.
+inline Json text_if_any(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
 /// The program that made it.
 inline Json program_json() {
   return {{"name", "dashpad"}, {"version", version()}, {"commit", build_facts().git_commit}};

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/output/blows.hpp"
+#include "dashpad/output/impact.hpp"
 #include "dashpad/output/document.hpp"
 #include "dashpad/output/text/table.hpp"
 

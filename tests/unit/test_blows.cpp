@@ -14,7 +14,7 @@
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/input/fault.hpp"
-#include "dashpad/output/json/result.hpp"
+#include "dashpad/output/impact.hpp"
 #include "dashpad/output/text/case.hpp"
 #include "dashpad/spit1984/deck.hpp"
 #include "impact_text.hpp"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "output/plot/end_labels.hpp"
+#include "output/plot/labels.hpp"
 
 namespace dashpad {
 namespace {

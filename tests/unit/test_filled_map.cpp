@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "output/plot/looks.hpp"
+#include "output/plot/drawing.hpp"
 
 namespace dashpad {
 namespace {

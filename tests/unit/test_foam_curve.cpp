@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/quantities/unit_system.hpp"
-#include "output/plot/foam_curve.hpp"
+#include "output/plot/foam_figures.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad {

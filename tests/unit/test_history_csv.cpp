@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dashpad/output/csv/history.hpp"
+#include "dashpad/output/impact.hpp"
 
 namespace dashpad {
 namespace {

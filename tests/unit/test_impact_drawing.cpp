@@ -10,13 +10,11 @@
 
 #include <gmock/gmock.h>
 
-#include "dashpad/output/drawing/impact_drawing.hpp"
+#include "dashpad/output/impact.hpp"
 #include "example_result.hpp"
-#include "output/drawing/dimensions.hpp"
-#include "output/drawing/elements.hpp"
-#include "output/drawing/layout.hpp"
-#include "output/drawing/nose_outline.hpp"
-#include "output/svg/text_fit.hpp"
+#include "output/drawing/annotations.hpp"
+#include "output/drawing/scene.hpp"
+#include "output/svg/svg.hpp"
 #include "quantities/text.hpp"
 #include "svg_elements.hpp"
 

@@ -9,10 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "dashpad/output/fit.hpp"
-#include "dashpad/output/json/result.hpp"
+#include "dashpad/output/impact.hpp"
 #include "dashpad/output/post_impact.hpp"
 #include "dashpad/output/pulse.hpp"
-#include "dashpad/output/pulse_comparison.hpp"
 #include "dashpad/output/study.hpp"
 #include "distinct_numbers.hpp"
 #include "example_result.hpp"

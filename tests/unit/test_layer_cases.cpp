@@ -13,7 +13,7 @@
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/input/fault.hpp"
-#include "dashpad/output/csv/history.hpp"
+#include "dashpad/output/impact.hpp"
 #include "dashpad/output/text/case.hpp"
 #include "dashpad/spit1984/deck.hpp"
 #include "dashpad/study/store.hpp"

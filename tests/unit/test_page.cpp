@@ -9,7 +9,7 @@
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/output/impact.hpp"
 #include "dashpad/quantities/quantity.hpp"
-#include "output/plot/impact_energies.hpp"
+#include "output/plot/impact_figures.hpp"
 #include "sample_case.hpp"
 
 namespace dashpad::test {

@@ -67,9 +67,9 @@ double least_processor_time(const auto& work) {
 
 /// Number of points that are drawn of the first series.
 std::size_t row_count(const Plot& plot) {
-  const output::PlotDrawing drawing = output::drawing_of(plot);
+  const std::vector<output::PanelDrawing> drawings = output::drawings_of(plot);
   std::size_t rows = 0;
-  for (const output::PlotRun& run : drawing.panels.at(0).series.at(0).runs) rows += run.size();
+  for (const output::PlotRun& run : drawings.at(0).series.at(0).runs) rows += run.size();
   return rows;
 }
 
@@ -507,8 +507,8 @@ TEST(Plot, ThinsLinesWithoutLosingTheirExtremes) {
   series.y[654321] = -88;
   const Plot plot = plot_of({series});
   EXPECT_LT(row_count(plot), 8000U);
-  const auto drawing = output::drawing_of(plot);
-  const output::PlotRun& run = drawing.panels[0].series[0].runs[0];
+  const auto drawings = output::drawings_of(plot);
+  const output::PlotRun& run = drawings[0].series[0].runs[0];
   EXPECT_EQ(std::ranges::max(run, {}, &output::PlotRow::y).x, 123456);
   EXPECT_EQ(std::ranges::min(run, {}, &output::PlotRow::y).x, 654321);
   EXPECT_EQ(run.back().x, 999999);

@@ -7,14 +7,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "output/plot/clip.hpp"
-#include "output/plot/simplified.hpp"
+#include "output/plot/lines.hpp"
 
 namespace dashpad {
 namespace {
 
+using output::Place;
 using output::PlaceLine;
-using output::PlotPlace;
 
 constexpr output::PlotSize size{.width = 100, .height = 50};
 
@@ -44,7 +43,7 @@ TEST(PlotClip, ShowsALineThatOnlyCrosses) {
 TEST(PlotClip, CutsAnArea) {
   const PlaceLine whole = output::area_inside({{-50, -50}, {200, -50}, {200, 100}, {-50, 100}}, size);
   EXPECT_EQ(whole.size(), 4U);
-  for (const PlotPlace& corner : whole) EXPECT_TRUE(output::is_inside(corner, size));
+  for (const Place& corner : whole) EXPECT_TRUE(output::is_inside(corner, size));
   EXPECT_TRUE(output::area_inside({{-50, 0}, {-20, 0}, {-20, 40}}, size).empty());
 }
 
@@ -58,10 +57,10 @@ TEST(SimplifiedLine, PassesEveryPlaceCloseEnough) {
   EXPECT_LT(few.size(), 200U);
   EXPECT_EQ(few.front().x, line.front().x);
   EXPECT_EQ(few.back().x, line.back().x);
-  for (const PlotPlace& place : line) {
+  for (const Place& place : line) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < few.size(); ++i) {
-      const PlotPlace &a = few[i - 1], &b = few[i];
+      const Place &a = few[i - 1], &b = few[i];
       const double x = b.x - a.x, y = b.y - a.y;
       const double part = std::clamp(((place.x - a.x) * x + (place.y - a.y) * y) / (x * x + y * y), 0.0, 1.0);
       nearest = std::min(nearest, std::hypot(place.x - a.x - part * x, place.y - a.y - part * y));

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "dashpad/output/json/result.hpp"
+#include "dashpad/output/impact.hpp"
 #include "dashpad/version.hpp"
 #include "example_result.hpp"
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "distinct_numbers.hpp"
-#include "output/plot/fit.hpp"
+#include "output/plot/foam_figures.hpp"
 #include "output/text/fit_words.hpp"
 #include "shown_values.hpp"
 

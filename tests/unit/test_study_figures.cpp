@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/output/plot/plot.hpp"
-#include "output/plot/looks.hpp"
+#include "output/plot/drawing.hpp"
 #include "output/plot/study_figures.hpp"
 
 namespace dashpad {

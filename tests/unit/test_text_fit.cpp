@@ -5,8 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "output/svg/text.hpp"
-#include "output/svg/text_fit.hpp"
+#include "output/svg/svg.hpp"
 
 namespace dashpad {
 namespace {

@@ -1,19 +1,31 @@
 #pragma once
-/// One impact, or the last of a series of blows, for people.
+/// One impact, or the last of a series of blows: for people as a document, a page, a still and a drawing, for
+/// other programs as JSON and CSV.
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "dashpad/impact/blows.hpp"
 #include "dashpad/impact/contact_snapshot.hpp"
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/figures.hpp"
-#include "dashpad/output/blows.hpp"
 #include "dashpad/output/document.hpp"
+#include "dashpad/output/plot/plot.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
 namespace dashpad::output {
+
+/// What came of each blow of a series.
+struct BlowResult {
+  Summary summary;
+  std::optional<injury::InjuryFigures> injury;  ///< absent where the pulse is not whole
+  double earlier_penetration = 0;               ///< that the blow met, m
+};
+std::vector<BlowResult> blow_results(std::span<const Blow> blows);
 
 struct ImpactReport {
   const ImpactCase& impact;
@@ -30,5 +42,44 @@ Document impact_document(const ImpactReport& report, const UnitSystem& units,
 
 /// The page. `shown` are the units at first; the reader may switch to the others.
 std::string impact_page(const ImpactReport& report, const UnitSystem& shown);
+
+/// A still: acceleration over time with the window of HIC15 and the 3 ms clip, and force over motion and
+/// penetration; the flags of the result in the small print.
+Plot result_plot(const ImpactCase& impact, const Solution& solution,
+                 const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units);
+
+/// A drawing to scale: nose, pad and support at first contact and at greatest penetration. One complete
+/// `<svg>` element, which is a file as it is and can stand in a page: it has no script and refers to nothing
+/// outside itself. Columns are shaded by their strain; what is left of the pad, its penetration and the
+/// deflection of its support are dimensions in `units`. Parts of the support are symbols.
+///
+/// `solution` is that of solve(), of a series that of the blow which `impact` is on its pad. A case that
+/// breaks a rule (violations()) gives an element that says so.
+std::string impact_drawing(const ImpactCase& impact, const Solution& solution, const UnitSystem& units);
+
+/// The same as the bytes of a picture file; PNG and PDF are for light paper. Throws std::runtime_error if
+/// they cannot be made.
+std::string impact_drawing(const ImpactCase& impact, const Solution& solution, const UnitSystem& units,
+                           PictureFormat format);
+
+/// The text of the drawing's `<style>`, always the same: for a page whose policy admits styles by their
+/// hashes.
+std::string_view impact_drawing_style();
+
+/// JSON text (RFC 8259, UTF-8, ends with a line break) that schema/summary.schema.json describes: the
+/// summary, the case that it belongs to and the program that made it. SI units, which the keys name. Every
+/// number reads back as the very same double; a figure that is absent or not finite is null.
+/// `injury` is null in the JSON where there are no figures. `blows`: of a series, whose last blow the summary
+/// is; null if there are none.
+std::string result_json(const ImpactCase& impact, const Summary& summary,
+                        const std::optional<injury::InjuryFigures>& injury = std::nullopt,
+                        const std::vector<BlowResult>& blows = {});
+
+/// CSV text: a header row, then a row a time step. Columns: time, force, acceleration (in g), velocity,
+/// motion, penetration, support_deflection, contact_radius, axis_strain; the header adds the unit:
+/// "time_s", "velocity_m_per_s". Signs are those of History. Numbers read back as the very same double (in
+/// plain SI as the solver's own, but for g); one that is not finite is an empty field. RFC 4180 but for the
+/// line ends, which are '\n'.
+std::string history_csv(const History& history, const UnitSystem& units);
 
 }  // namespace dashpad::output

@@ -1,9 +1,13 @@
 #pragma once
-/// A pulse and its figures: as text for people, as JSON and CSV for programs, as a picture.
+/// A pulse and its figures, alone or beside the computed one: as text for people, as JSON and CSV for
+/// programs, as a picture and a page.
 
 #include <string>
 #include <vector>
 
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
+#include "dashpad/injury/pulse_comparison.hpp"
 #include "dashpad/injury/pulse_report.hpp"
 #include "dashpad/output/document.hpp"
 #include "dashpad/output/plot/plot.hpp"
@@ -32,5 +36,24 @@ Plot pulses_plot(const std::vector<injury::PulseReport>& reports, const UnitSyst
 /// The pulse, before and after the filter, with the windows of HIC15 and HIC36 and the level of the 3 ms
 /// clip.
 Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units);
+
+/// A measured pulse and the computed one: what was compared, and what came of it.
+struct PulseComparisonReport {
+  std::string case_file;
+  const ImpactCase& impact;
+  const Solution& solution;
+  const injury::PulseReport& pulse;
+  const injury::PulseComparison& comparison;
+};
+
+/// The answer in a sentence, what to beware of, the figures of both, and what they rest on.
+Document pulse_comparison_document(const PulseComparisonReport& report, const UnitSystem& units,
+                                   Pictures pictures = Pictures::left_out);
+
+/// The same in SI, accelerations in g: schema/pulse-comparison.schema.json.
+std::string pulse_comparison_json(const PulseComparisonReport& report);
+
+/// Both decelerations over time, which counts from first contact of the computed impact.
+Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem& units);
 
 }  // namespace dashpad::output

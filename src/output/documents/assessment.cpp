@@ -10,12 +10,11 @@
 #include <fmt/format.h>
 
 #include "dashpad/injury/figures.hpp"
-#include "dashpad/output/drawing/impact_drawing.hpp"
+#include "dashpad/output/impact.hpp"
 #include "dashpad/result/result_quantity.hpp"
 #include "output/documents/basis.hpp"
-#include "output/plot/foam_curve.hpp"
+#include "output/plot/foam_figures.hpp"
 #include "output/plot/impact_figures.hpp"
-#include "output/plot/result_panels.hpp"
 #include "output/result_rows.hpp"
 #include "output/text/capitals.hpp"
 #include "output/text/case_toml.hpp"

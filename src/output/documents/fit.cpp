@@ -14,7 +14,7 @@
 #include "dashpad/version.hpp"
 #include "output/document.hpp"
 #include "output/documents/basis.hpp"
-#include "output/plot/fit.hpp"
+#include "output/plot/foam_figures.hpp"
 #include "output/text/capitals.hpp"
 #include "output/text/case_toml.hpp"
 #include "output/text/factor_words.hpp"

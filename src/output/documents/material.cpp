@@ -15,7 +15,7 @@
 #include "laboratory/loading_curve.hpp"
 #include "model/pad/foam/foam_curve.hpp"
 #include "output/document.hpp"
-#include "output/svg/text.hpp"
+#include "output/svg/svg.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

@@ -1,10 +1,10 @@
-#include "dashpad/output/pulse_comparison.hpp"
+#include "dashpad/output/pulse.hpp"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "dashpad/output/drawing/impact_drawing.hpp"
+#include "dashpad/output/impact.hpp"
 #include "output/documents/basis.hpp"
 #include "output/documents/pulse.hpp"
 #include "output/documents/pulse_comparison.hpp"

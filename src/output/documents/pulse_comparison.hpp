@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/output/pulse_comparison.hpp"
+#include "dashpad/output/pulse.hpp"
 #include "dashpad/output/text/table.hpp"
 
 namespace dashpad::output {

@@ -1,5 +1,3 @@
-#include "dashpad/output/drawing/impact_drawing.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -7,38 +5,25 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/output/impact.hpp"
 #include "output/drawing/annotations.hpp"
-#include "output/drawing/drawing_words.hpp"
-#include "output/drawing/elements.hpp"
-#include "output/drawing/pad_picture.hpp"
 #include "output/drawing/pictures.hpp"
-#include "output/drawing/scene.hpp"
-#include "output/drawing/strain_scale.hpp"
-#include "output/svg/rendered.hpp"
-#include "output/svg/svg.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
 
 namespace {
 
-constexpr double line_distance = 19.5;  ///< px
-
-/// The captions below the left picture.
-std::string captions(const std::vector<std::string>& lines, double x, double y) {
-  std::string text;
-  for (const std::string& line : lines) {
-    text += text_element("dd-text", {x, y}, "start", line);
-    y += line_distance;
-  }
-  return text;
-}
-
 std::string whole_drawing(const Scene& scene) {
   const Layout& layout = scene.layout;
-  const std::vector<std::string> lines = caption_lines(scene);
-  const double below = std::max(14 + line_distance * static_cast<double>(lines.size()), strain_legend_height);
-  const double height = layout.bottom + below + 12;
+  constexpr double line_distance = 19.5;  // px
+  std::string captions;
+  double y = layout.bottom + 25;
+  for (const std::string& line : caption_lines(scene)) {
+    captions += text_element("dd-text", {scene.left.axis - layout.half_width, y}, "start", line);
+    y += line_distance;
+  }
+  const double height = std::max(y + 1, layout.bottom + strain_legend_height + 12);
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"dd-drawing\" width=\"{0}\" height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\" "
@@ -46,8 +31,7 @@ std::string whole_drawing(const Scene& scene) {
       "<title id=\"{2}-title\">{4}</title>\n<desc id=\"{2}-description\">{5}</desc>\n"
       "<style>{6}</style>\n",
       px(drawing_width), px(height), own_name, layout.scale, xml_text(drawing_title(scene.impact)),
-      xml_text(drawing_description(scene.impact, scene.moments, layout, scene.units)),
-      impact_drawing_style());
+      xml_text(drawing_description(scene)), impact_drawing_style());
   text += "<defs>\n" + hatchings(scene.moments) + picture_clip(scene, scene.left) +
           picture_clip(scene, scene.right) + "</defs>\n";
   text += rectangle_element("dd-paper", 0, 0, drawing_width, height);
@@ -58,8 +42,7 @@ std::string whole_drawing(const Scene& scene) {
   };
   text += group("left-half", 0, layout.left_end,
                 picture_of(scene, scene.left) + names_on_pad(scene) + text_above_left(scene) +
-                    dimensions_left(scene) +
-                    captions(lines, scene.left.axis - layout.half_width, layout.bottom + 25));
+                    dimensions_left(scene) + captions);
   text += group("right-half", layout.right_begin, drawing_width,
                 picture_of(scene, scene.right) + text_above_right(scene) + dimensions_right(scene) +
                     strain_legend(scene.moments, {scene.right.axis - layout.half_width, layout.bottom + 14},

@@ -1,5 +1,3 @@
-#include "output/drawing/pad_picture.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -7,10 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "output/drawing/elements.hpp"
-#include "output/drawing/nose_picture.hpp"
-#include "output/drawing/strain_scale.hpp"
-#include "output/svg/svg.hpp"
+#include "output/drawing/pictures.hpp"
 
 namespace dashpad::output {
 
@@ -18,13 +13,14 @@ namespace {
 
 class PadPicture {
  public:
-  PadPicture(const DrawnMoments& moments, const Layout& layout, const Sections& outline, const PadView& view)
-      : moments_(moments),
-        layout_(layout),
-        outline_(outline),
-        view_(view),
-        half_width_(layout.pad_half_width(moments)),
-        share_(moments.penetration > 0 ? view.penetration / moments.penetration : 0) {}
+  PadPicture(const Scene& scene, const Picture& picture)
+      : moments_(scene.moments),
+        layout_(scene.layout),
+        outline_(scene.outline),
+        picture_(picture),
+        face_(scene.face(picture)),
+        half_width_(layout_.pad_half_width(moments_)),
+        share_(moments_.penetration > 0 ? picture.penetration / moments_.penetration : 0) {}
 
   [[nodiscard]] std::string all() const {
     std::string text;
@@ -33,26 +29,29 @@ class PadPicture {
     for (std::size_t i = 0; i + 1 < moments_.layers.size(); ++i)
       text += fmt::format("<path class=\"dd-layer-edge\"{} d=\"{}\"/>\n", data_of_back(i),
                           path_data(back_of(i), false));
-    text +=
-        rectangle_element("dd-pad-edge", view_.axis - half_width_, view_.face, 2 * half_width_, layout_.pad);
+    text += column("dd-pad-edge", half_width_);
     return "<g class=\"dd-pad\">\n" + text + "</g>\n";
   }
 
  private:
+  /// The pad as far as this from the axis, px.
+  [[nodiscard]] std::string column(const std::string& style, double radius) const {
+    return rectangle_element(style, picture_.axis - radius, face_, 2 * radius, layout_.pad);
+  }
+
   /// The pad's area in the colours of one layer: one rectangle in another, from small strains to large ones.
   [[nodiscard]] std::string shades(std::size_t layer) const {
     std::string text = fmt::format("<g data-strain=\"{}\" data-shades=\"{}\">\n",
                                    moments_.layers[layer].strain, shades_of_strain);
-    text +=
-        rectangle_element(shade_class(0), view_.axis - half_width_, view_.face, 2 * half_width_, layout_.pad);
+    text += column(shade_class(0), half_width_);
     const double strain = moments_.layers[layer].strain * share_;
     for (int shade = 1; shade < shades_of_strain; ++shade) {
       const double least = static_cast<double>(shade) / shades_of_strain;
       if (strain < least) break;
       // The depth behind the tip at which a column of this layer has that strain.
-      const double depth = view_.penetration * (1 - least / strain);
+      const double depth = picture_.penetration * (1 - least / strain);
       const double radius = std::min(outline_.radius(depth) * layout_.scale, half_width_);
-      text += rectangle_element(shade_class(shade), view_.axis - radius, view_.face, 2 * radius, layout_.pad);
+      text += column(shade_class(shade), radius);
     }
     return text + "</g>\n";
   }
@@ -71,17 +70,17 @@ class PadPicture {
   [[nodiscard]] std::string hatching(std::size_t layer) const {
     if (moments_.layers.size() == 1) return "";
     return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"url(#{}-hatching-{})\"/>\n",
-                       px(view_.axis - half_width_), px(view_.face), px(2 * half_width_), px(layout_.pad),
+                       px(picture_.axis - half_width_), px(face_), px(2 * half_width_), px(layout_.pad),
                        own_name, layer + 1);
   }
 
   /// `content` only behind the layer in front of this one.
   [[nodiscard]] std::string within_layer(std::size_t layer, const std::string& content) const {
-    const std::string name = fmt::format("{}-{}-layer-{}", own_name, view_.name, layer + 1);
+    const std::string name = fmt::format("{}-{}-layer-{}", own_name, picture_.name, layer + 1);
     std::vector<Place> region = back_of(layer - 1);
-    const double bottom = view_.face + layout_.pad;
-    region.push_back({view_.axis + half_width_, bottom});
-    region.push_back({view_.axis - half_width_, bottom});
+    const double bottom = face_ + layout_.pad;
+    region.push_back({picture_.axis + half_width_, bottom});
+    region.push_back({picture_.axis - half_width_, bottom});
     return fmt::format(
         "<clipPath id=\"{0}\"><path{1} d=\"{2}\"/></clipPath>\n<g clip-path=\"url(#{0})\">\n{3}</g>\n", name,
         data_of_back(layer - 1), path_data(region, true), content);
@@ -89,32 +88,28 @@ class PadPicture {
 
   /// The back of a layer, from the left edge of the pad to its right one.
   [[nodiscard]] std::vector<Place> back_of(std::size_t layer) const {
-    const NoseFrame frame{.axis = 0,
-                          .tip = 0,
-                          .scale = layout_.scale,
-                          .half_width = half_width_,
-                          .height = view_.penetration * layout_.scale};
+    const NoseFrame frame{
+        .scale = layout_.scale, .half_width = half_width_, .height = picture_.penetration * layout_.scale};
     std::vector<Place> right;
     for (const double depth : outline_depths(outline_, frame)) {
-      if (depth > view_.penetration) break;
+      if (depth > picture_.penetration) break;
       const double x = std::min(outline_.radius(depth) * layout_.scale, half_width_);
       if (right.empty() && x > 0) right.push_back({0, depth_of_back(layer, 1)});
-      right.push_back({x, depth_of_back(layer, view_.penetration > 0 ? 1 - depth / view_.penetration : 0)});
+      right.push_back(
+          {x, depth_of_back(layer, picture_.penetration > 0 ? 1 - depth / picture_.penetration : 0)});
     }
     // The edge of the contact, where the side of a nose deep in the pad stands upright.
-    const double edge = std::min(outline_.radius(view_.penetration) * layout_.scale, half_width_);
-    const double deepest = std::min(outline_.depth, view_.penetration);
-    if (view_.penetration > 0) {
-      if (edge < half_width_) right.push_back({edge, depth_of_back(layer, 1 - deepest / view_.penetration)});
+    const double edge = std::min(outline_.radius(picture_.penetration) * layout_.scale, half_width_);
+    const double deepest = std::min(outline_.depth, picture_.penetration);
+    if (picture_.penetration > 0) {
+      if (edge < half_width_)
+        right.push_back({edge, depth_of_back(layer, 1 - deepest / picture_.penetration)});
       right.push_back({edge, edge < half_width_ ? depth_of_back(layer, 0) : right.back().y});
     } else {
       right.push_back({0, depth_of_back(layer, 0)});
     }
     if (edge < half_width_) right.push_back({half_width_, depth_of_back(layer, 0)});
-    std::vector<Place> places;
-    for (std::size_t i = right.size(); i-- > 0;) places.push_back({view_.axis - right[i].x, right[i].y});
-    for (const Place& place : right) places.push_back({view_.axis + place.x, place.y});
-    return places;
+    return both_halves(right, picture_.axis);
   }
 
   /// y of the back of a layer in a column that is shortened by this share of the penetration.
@@ -122,22 +117,22 @@ class PadPicture {
     double behind = 0;
     for (std::size_t j = layer + 1; j < moments_.layers.size(); ++j)
       behind += moments_.layers[j].thickness * (1 - moments_.layers[j].strain * share_ * shortening);
-    return view_.face + layout_.below_face(moments_.thickness - behind, moments_.thickness);
+    return face_ + layout_.below_face(moments_.thickness - behind, moments_.thickness);
   }
 
   const DrawnMoments& moments_;
   const Layout& layout_;
   const Sections& outline_;
-  const PadView& view_;
+  const Picture& picture_;
+  double face_;        ///< y of the new pad's face, px
   double half_width_;  ///< px
   double share_;       ///< of the strains at greatest penetration
 };
 
 }  // namespace
 
-std::string pad_picture(const DrawnMoments& moments, const Layout& layout, const Sections& outline,
-                        const PadView& view) {
-  return PadPicture(moments, layout, outline, view).all();
+std::string pad_picture(const Scene& scene, const Picture& picture) {
+  return PadPicture(scene, picture).all();
 }
 
 std::string hatchings(const DrawnMoments& moments) {

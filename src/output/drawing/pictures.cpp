@@ -7,13 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "output/drawing/elements.hpp"
-#include "output/drawing/nose_picture.hpp"
-#include "output/drawing/pad_picture.hpp"
-#include "output/drawing/support_picture.hpp"
-#include "output/svg/svg.hpp"
-#include "quantities/text.hpp"
-
 namespace dashpad::output {
 
 namespace {
@@ -111,19 +104,7 @@ std::string picture_of(const Scene& scene, const Picture& picture) {
   const Layout& layout = scene.layout;
   std::string text = fmt::format("<g clip-path=\"url(#{}-{})\"{}>\n", own_name, picture.name,
                                  data_for_moving(scene, picture));
-  text += support_picture(scene.impact, layout.support,
-                          {.axis = picture.axis,
-                           .back = scene.back(),
-                           .half_width = scene.pad_half_width(),
-                           .ground_half_width = layout.half_width,
-                           .deflection = picture.deflection,
-                           .body_motion = picture.body_motion,
-                           .mass = brief_quantity(scene.impact.backing.body_mass, "kg", scene.units, 3)});
-  text += pad_picture(scene.moments, layout, scene.outline,
-                      {.name = picture.name,
-                       .axis = picture.axis,
-                       .face = scene.face(picture),
-                       .penetration = picture.penetration});
+  text += support_picture(scene, picture) + pad_picture(scene, picture);
   text += sheet_picture(scene, picture);
   text += nose_picture(scene.impact.impactor.nose, nose_frame(scene, picture), "dd-nose");
   if (layout.pad_is_cut) text += break_of_pad(scene, picture);

@@ -1,15 +1,61 @@
 #pragma once
-/// Nose, pad and support of one of the two pictures, without what is written beside them.
+/// Nose, pad and support of one of the two pictures, without what is written beside them, and the colours of
+/// strains.
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "output/drawing/scene.hpp"
+#include "output/svg/svg.hpp"
 
 namespace dashpad::output {
 
 /// The `<clipPath>` of a picture, ragged where what is drawn goes on.
 std::string picture_clip(const Scene& scene, const Picture& picture);
-
+/// The `<pattern>`s by which layers are told apart; none for a pad of one foam.
+std::string hatchings(const DrawnMoments& moments);
 std::string picture_of(const Scene& scene, const Picture& picture);
+
+// Its parts.
+
+/// Where the right half of a nose is drawn.
+struct NoseFrame {
+  double axis = 0;         ///< x, px
+  double tip = 0;          ///< y, px
+  double scale = 0;        ///< px/m
+  double half_width = 0;   ///< of the picture, px; the nose may reach somewhat beyond
+  double height = 0;       ///< of the picture above the tip, px; likewise
+  bool is_buried = false;  ///< deeper than its widest section: its side goes on, as in the model
+};
+
+/// Depths behind the tip at which the outline has its corners, m, increasing from 0: as many as a smooth
+/// curve of this size needs, up to the widest section or as far as the picture shows.
+std::vector<double> outline_depths(const Sections& outline, const NoseFrame& frame);
+
+/// The right half of an outline, x from the axis on, with its mirror image before it.
+std::vector<Place> both_halves(const std::vector<Place>& right, double axis);
+
+/// The nose as one closed path.
+std::string nose_picture(const Nose& nose, const NoseFrame& frame, std::string_view style);
+
+/// The pad under the nose, columns shaded by strain, layers by their hatching: what the nose, drawn over it,
+/// leaves to be seen. Of a pad of layers only the axis is computed: away from it each layer's strain is taken
+/// to fall as the shortening of the whole column, which keeps their sum.
+std::string pad_picture(const Scene& scene, const Picture& picture);
+
+/// What the pad stands on, by symbols: panel, gap, springs, damper, ground or a free body.
+std::string support_picture(const Scene& scene, const Picture& picture);
+
+/// The colours of strains are of equal steps from 0 to 1.
+inline constexpr int shades_of_strain = 20;
+/// The class of a shade, from 0 up: "dd-s0".
+std::string shade_class(int shade);
+
+/// The scale from 0 to 1 with its upper left corner there, `width` px wide: up to which strain the foams were
+/// tested, and the strains on the axis at greatest penetration.
+std::string strain_legend(const DrawnMoments& moments, Place corner, double width);
+/// px, of the legend.
+inline constexpr double strain_legend_height = 80;
 
 }  // namespace dashpad::output

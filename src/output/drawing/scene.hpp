@@ -1,15 +1,105 @@
 #pragma once
-/// All that the parts of one drawing share.
+/// All that the parts of one drawing share: what it shows, in numbers, and where that lies.
 
-#include <algorithm>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
+#include "dashpad/model/nose/nose.hpp"
 #include "dashpad/quantities/unit_system.hpp"
-#include "output/drawing/layout.hpp"
-#include "output/drawing/moment.hpp"
-#include "output/drawing/nose_outline.hpp"
 
 namespace dashpad::output {
+
+/// Sizes of the drawing's texts, px: pages from 390 px on show them at 12 px and more.
+inline constexpr double text_size = 15;
+inline constexpr double small_text_size = 14;
+inline constexpr double heading_size = 15;
+
+/// Width of the viewBox, px.
+inline constexpr double drawing_width = 736;
+/// Of dimensions beside a picture.
+inline constexpr double beside_picture = 120;
+/// Upper edge of both pictures, below their headings and what is written beside the arrow.
+inline constexpr double picture_top = 70;
+
+/// Stands for the drawing's own name, in ids and what refers to them, until impact_drawing() puts it there;
+/// no readable text has this character.
+inline constexpr std::string_view own_name = "\x01";
+
+/// Sections of the round nose that has this one's outline as it is seen from the side: their radius is half
+/// its width at a depth, m. An ellipsoid is seen across its half length, a platen across its length, a
+/// cylinder along its axis.
+Sections outline_of(const Nose& nose);
+/// Whether it is narrower again behind its widest section, rather than going on along the motion.
+bool is_ball(const Nose& nose);
+/// Half the width, in the same view, of a pad with this face, m2: its outline is that of the nose's sections,
+/// which is how the model takes it (theory.md, section 1).
+double half_width_of_face(const Nose& nose, double area);
+
+/// A layer of the pad; a pad of one foam has one.
+struct DrawnLayer {
+  std::string name;
+  double thickness = 0;               ///< m
+  double strain = 0;                  ///< on the axis at greatest penetration, 0 to 1
+  std::optional<double> tested = {};  ///< strain up to which its foam was tested or fitted
+  bool has_curves = false;            ///< of its tests, rather than numbers fitted to them
+  bool struck_through = false;
+};
+
+/// The pad at first contact and at greatest penetration. SI.
+struct DrawnMoments {
+  std::vector<DrawnLayer> layers;    ///< from the struck face on
+  double thickness = 0;              ///< of the pad, m
+  double crater = 0;                 ///< penetration at first contact, left by earlier blows, m
+  double penetration = 0;            ///< greatest, m, at most the thickness
+  double deflection = 0;             ///< of the support then, m
+  double body_motion = 0;            ///< of a free body behind the support then, m
+  std::optional<double> time;        ///< of greatest penetration, s; absent without a history
+  std::optional<double> half_width;  ///< of the pad's face, m; absent where it goes on to all sides
+  bool struck_through = false;       ///< is_struck_through()
+  bool is_so_far = false;            ///< the run ends there, before the impact has turned
+  bool bottomed = false;             ///< nothing is left of it, and its support is rigid
+
+  /// Of the pad on the axis, m.
+  [[nodiscard]] double left() const { return thickness - penetration; }
+  /// How far the back of the pad has gone, m.
+  [[nodiscard]] double sink() const { return deflection + body_motion; }
+};
+
+/// What stands below the pad, from its back down; heights of symbols but for gap and travel.
+struct SupportHeights {
+  double plate = 0;   ///< of a panel
+  double gap = 0;     ///< to scale, unless it is too small to be seen or too large for the picture
+  double spring = 0;  ///< at rest; 0 where the support is rigid
+  double base = 0;    ///< of the ground or of a free body
+};
+
+/// Where things of the drawing lie, in px of its viewBox; y points down.
+struct Layout {
+  double scale = 0;           ///< px/m, the same across and along the motion
+  double half_width = 0;      ///< of either picture
+  double left = 0;            ///< axis of the picture of first contact
+  double right = 0;           ///< axis of that of greatest penetration
+  double captions_width = 0;  ///< width of what is written below the left picture
+  double left_end = 0;        ///< where the left picture and all that is written beside and below it end
+  double right_begin = 0;     ///< where the right picture and what is written beside it begin
+  double face = 0;            ///< y of the new pad's face at first contact
+  double pad = 0;             ///< height of the new pad
+  bool pad_is_cut = false;    ///< a stretch in the middle of the pad is left out
+  double deflection = 0;      ///< of the support
+  double body_motion = 0;
+  bool sink_is_cut = false;  ///< those two are drawn shorter than they are
+  SupportHeights support;
+  double bottom = 0;  ///< of both pictures
+
+  /// How far below the new pad's face a depth in the pad is drawn, of `thickness`; both depths in m.
+  [[nodiscard]] double below_face(double depth, double thickness) const;
+  /// Half the width of the pad in m to px; more than the picture where it goes on.
+  [[nodiscard]] double pad_half_width(const DrawnMoments& moments) const;
+};
 
 /// One of the two pictures.
 struct Picture {
@@ -32,19 +122,7 @@ struct Scene {
   Layout layout;
   Picture left, right;
 
-  Scene(const ImpactCase& of, const Solution& solution, const UnitSystem& shown)
-      : impact(of),
-        summary(solution.summary),
-        units(shown),
-        outline(outline_of(of.impactor.nose)),
-        moments(drawn_moments(of, solution)),
-        layout(layout_of(of, moments)),
-        left{.name = "left", .axis = layout.left, .penetration = moments.crater},
-        right{.name = "right",
-              .axis = layout.right,
-              .penetration = moments.penetration,
-              .deflection = layout.deflection,
-              .body_motion = layout.body_motion} {}
+  Scene(const ImpactCase& of, const Solution& solution, const UnitSystem& shown_units);
 
   /// y of the pad's back at first contact.
   [[nodiscard]] double back() const { return layout.face + layout.pad; }
@@ -53,15 +131,11 @@ struct Scene {
     return face(picture) + picture.penetration * layout.scale;
   }
   /// Half the width of the pad that is seen, px.
-  [[nodiscard]] double pad_half_width() const {
-    return std::min(layout.pad_half_width(moments), layout.half_width);
-  }
+  [[nodiscard]] double pad_half_width() const;
   /// y of the front of a layer of the new pad below its face, px; of the number of layers: of the back.
-  [[nodiscard]] double front_of_layer(std::size_t layer) const {
-    double depth = 0;
-    for (std::size_t i = 0; i < layer; ++i) depth += moments.layers[i].thickness;
-    return layout.below_face(depth, moments.thickness);
-  }
+  [[nodiscard]] double front_of_layer(std::size_t layer) const;
+  /// An SI value as it is written, to three digits.
+  [[nodiscard]] std::string shown(double value, const char* si_unit) const;
 };
 
 }  // namespace dashpad::output

@@ -1,13 +1,9 @@
-#include "output/drawing/support_picture.hpp"
-
 #include <algorithm>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "output/drawing/elements.hpp"
-#include "output/svg/text_fit.hpp"
-#include "quantities/text.hpp"
+#include "output/drawing/pictures.hpp"
 
 namespace dashpad::output {
 
@@ -59,20 +55,20 @@ std::string ground(double x, double top, double half_width, double height) {
     const double from = x - half_width + height + 10 * i;
     path += path_data({{from, top}, {from - height + 2, top + height - 2}}, false);
   }
-  return text + fmt::format("<path class=\"dd-part\" d=\"{}\"/>\n", path);
+  return text + path_element("dd-part", path);
 }
 
 }  // namespace
 
-std::string support_picture(const ImpactCase& impact, const SupportHeights& heights,
-                            const SupportView& view) {
-  const Backing& backing = impact.backing;
-  const double half = view.half_width;
-  const double back = view.back + view.deflection + view.body_motion;
+std::string support_picture(const Scene& scene, const Picture& picture) {
+  const Backing& backing = scene.impact.backing;
+  const SupportHeights& heights = scene.layout.support;
+  const double half = scene.pad_half_width();
+  const double back = scene.back() + picture.deflection + picture.body_motion;
   std::string text;
   if (heights.plate > 0)
-    text += rectangle_element("dd-panel", view.axis - half, back, 2 * half, heights.plate);
-  const double at_rest = view.back + heights.plate + heights.gap + view.body_motion;
+    text += rectangle_element("dd-panel", picture.axis - half, back, 2 * half, heights.plate);
+  const double at_rest = scene.back() + heights.plate + heights.gap + picture.body_motion;
   const double base = at_rest + heights.spring;
   if (heights.spring > 0) {
     const double top = std::max(at_rest, back + heights.plate);
@@ -83,50 +79,26 @@ std::string support_picture(const ImpactCase& impact, const SupportHeights& heig
         px(top), px(base), px(at_rest), px(back + heights.plate));
     const bool is_damped = backing.damping > 0 || backing.loss_factor > 0;
     for (const double side : {-1.0, 1.0}) {
-      const double x = view.axis + side * half * 0.6;
+      const double x = picture.axis + side * half * 0.6;
       text +=
           backing.unloading_stiffness > 0 ? folded_tube(x, top, base, width) : spring(x, top, base, width);
     }
-    if (is_damped) text += damper(view.axis, top, base, width);
+    if (is_damped) text += damper(picture.axis, top, base, width);
     if (heights.gap > 0)
-      text += line_element("dd-ground", {view.axis - 0.75 * half, top}, {view.axis + 0.75 * half, top});
+      text += line_element("dd-ground", {picture.axis - 0.75 * half, top}, {picture.axis + 0.75 * half, top});
     text += "</g>\n";
   }
-  if (backing.body_mass == 0) return text + ground(view.axis, base, view.ground_half_width, heights.base);
+  if (backing.body_mass == 0) return text + ground(picture.axis, base, scene.layout.half_width, heights.base);
   text += "<g class=\"dd-behind\">\n" +
-          rectangle_element("dd-body", view.axis - half, base, 2 * half, heights.base - 4);
+          rectangle_element("dd-body", picture.axis - half, base, 2 * half, heights.base - 4);
   const double room = 2 * half - 8;
-  const std::string words = "free body " + view.mass;
+  const std::string mass = scene.shown(backing.body_mass, "kg");
   // What has no room stands in the caption.
-  for (const std::string& label : {words, view.mass})
+  for (const std::string& label : {"free body " + mass, mass})
     if (fitting(label, text_size, room) == label)
-      return text + text_element("dd-text", {view.axis, base + heights.base / 2 + 2}, "middle", label) +
+      return text + text_element("dd-text", {picture.axis, base + heights.base / 2 + 2}, "middle", label) +
              "</g>\n";
   return text + "</g>\n";
-}
-
-std::string support_words(const ImpactCase& impact, const UnitSystem& units) {
-  const Backing& backing = impact.backing;
-  const auto shown = [&](double value, const char* unit) {
-    return unbroken(brief_quantity(value, unit, units, 3));
-  };
-  std::string text = "rigid";
-  if (!impact.support.is_rigid()) {
-    const auto& points = impact.support.points();
-    const Support::Point& last = points.back();
-    text = points.size() == 1 ? "a spring of " + shown(last.force / last.deflection, "N/m")
-                              : fmt::format("a spring by a curve up to {} at {}", shown(last.force, "N"),
-                                            shown(last.deflection, "m"));
-    if (backing.unloading_stiffness > 0) text += ", which crushes";
-  }
-  if (backing.damping > 0) text += ", a damper of " + shown(backing.damping, "N s/m");
-  if (backing.loss_factor > 0) text += fmt::format(", a damper of loss factor {:.3g}", backing.loss_factor);
-  if (backing.mass > 0) text += ", a panel of " + shown(backing.mass, "kg");
-  if (backing.gap > 0) text += ", a gap of " + shown(backing.gap, "m");
-  if (backing.preload > 0)
-    text += fmt::format(", preloaded by {} against a stop", shown(backing.preload, "N"));
-  if (backing.body_mass > 0) text += ", on a free body of " + shown(backing.body_mass, "kg");
-  return text;
 }
 
 }  // namespace dashpad::output

@@ -1,12 +1,8 @@
-#include <array>
-#include <cmath>
-
 #include "dashpad/output/assessment.hpp"
-#include "dashpad/output/json/result.hpp"
+#include "dashpad/output/impact.hpp"
 #include "dashpad/result/result_quantity.hpp"
 #include "json/json_values.hpp"
-#include "output/json/criteria.hpp"
-#include "output/json/interval.hpp"
+#include "output/json/parts.hpp"
 
 namespace dashpad::output {
 
@@ -44,27 +40,26 @@ Json criterion(const injury::CriterionResult& result) {
   const ResultQuantity& quantity = injury::quantity_of(of.metric);
   const ScaledUnit unit = scaled_unit(quantity.si_unit, plain_si());
   const auto shown = [&](double value) { return number(unit.scale * value); };
-  Json entry{{"metric", quantity.key}};
-  entry["level_g"] =
-      of.metric == injury::Metric::dwell_time ? number(of.level / standard_gravity) : Json(nullptr);
-  entry["description"] = of.description;
-  entry["unit"] = unit.unit;
-  entry["value"] = result.value ? shown(*result.value) : Json(nullptr);
-  entry["error"] = result.value ? shown(result.error) : Json(nullptr);
-  entry["interval"] = result.interval ? interval_json(*result.interval) : Json(nullptr);
-  entry["lower_bound"] = result.lower_bound;
-  entry["limit"] = shown(of.limit);
-  entry["strict"] = of.strict;
-  entry["margin"] = result.margin ? shown(*result.margin) : Json(nullptr);
-  entry["margin_is_upper_bound"] = result.lower_bound;
-  entry["margin_fraction"] = number(result.relative_margin);
-  entry["verdict"] = to_string(result.verdict);
-  entry["reason"] = result.reason;
-  entry["source"] = of.origin.source;
-  entry["source_kind"] = to_string(of.origin.kind);
-  entry["verified"] = of.origin.verified;
-  entry["note"] = of.origin.note;
-  return entry;
+  const bool has_level = of.metric == injury::Metric::dwell_time;
+  return {{"metric", quantity.key},
+          {"level_g", number_if(has_level, of.level / standard_gravity)},
+          {"description", of.description},
+          {"unit", unit.unit},
+          {"value", made_of(result.value, shown)},
+          {"error", number_if(result.value.has_value(), unit.scale * result.error)},
+          {"interval", made_of(result.interval, interval_json)},
+          {"lower_bound", result.lower_bound},
+          {"limit", shown(of.limit)},
+          {"strict", of.strict},
+          {"margin", made_of(result.margin, shown)},
+          {"margin_is_upper_bound", result.lower_bound},
+          {"margin_fraction", number(result.relative_margin)},
+          {"verdict", to_string(result.verdict)},
+          {"reason", result.reason},
+          {"source", of.origin.source},
+          {"source_kind", to_string(of.origin.kind)},
+          {"verified", of.origin.verified},
+          {"note", of.origin.note}};
 }
 
 Json key_figures(const injury::KeyFigures& of) {
@@ -72,7 +67,8 @@ Json key_figures(const injury::KeyFigures& of) {
   const auto add = [&](const char* key, const injury::Figure& figure) {
     const ResultQuantity& quantity = result_quantity(key);
     const double scale = scaled_unit(quantity.si_unit, plain_si()).scale;
-    all[key_with_unit(quantity)] = {{"value", figure.value ? number(scale * *figure.value) : Json(nullptr)},
+    const auto shown = [&](double value) { return number(scale * value); };
+    all[key_with_unit(quantity)] = {{"value", made_of(figure.value, shown)},
                                     {"lower_bound", figure.lower_bound}};
   };
   add("peak_acceleration", of.peak_acceleration);
@@ -85,41 +81,30 @@ Json key_figures(const injury::KeyFigures& of) {
   return all;
 }
 
-Json texts(const std::vector<Flag>& reservations) {
-  Json array = Json::array();
-  for (const Flag& reservation : reservations) array.push_back(reservation.text);
-  return array;
-}
-
 /// What another choice of nose or speed would have said.
 Json other_choices(const std::vector<injury::OtherChoice>& others) {
   const auto choice = [](bool is_other, bool is_kept) {
     return is_other ? Json(is_kept ? "case" : "standard") : Json(nullptr);
   };
-  Json array = Json::array();
-  for (const injury::OtherChoice& other : others) {
-    array.push_back({{"nose", choice(other.other.nose, other.kept.nose)},
-                     {"speed", choice(other.other.speed, other.kept.speed)},
-                     {"verdict", to_string(other.assessment.verdict)},
-                     {"criteria", criteria_json(other.assessment.results)}});
-  }
-  return array;
+  return array_of(others, [&](const injury::OtherChoice& other) {
+    return Json{{"nose", choice(other.other.nose, other.kept.nose)},
+                {"speed", choice(other.other.speed, other.kept.speed)},
+                {"verdict", to_string(other.assessment.verdict)},
+                {"criteria", criteria_json(other.assessment.results)}};
+  });
 }
 
 Json assessment(const AssessmentReport& report) {
   const injury::Standard& standard = report.standard;
   Json json;
-  json["case_file"] = report.file.empty() ? Json(nullptr) : Json(report.file);
+  json["case_file"] = text_if_any(report.file);
   json["verdict"] = to_string(report.assessment.verdict);
   json["unqualified"] = report.assessment.unqualified();
-  json["reservations"] = texts(report.assessment.reservations);
+  json["reservations"] = array_of(report.assessment.reservations, [](const Flag& of) { return of.text; });
   json["caveat"] = assessment_caveat();
-  json["standard"] = {{"name", standard.name},
-                      {"variants", standard.chosen},
-                      {"title", standard.title},
-                      {"article", standard.article.empty() ? Json(nullptr) : Json(standard.article)},
-                      {"source", standard.source},
-                      {"source_kind", to_string(standard.source_kind)},
+  json["standard"] = {{"name", standard.name},     {"variants", standard.chosen},
+                      {"title", standard.title},   {"article", text_if_any(standard.article)},
+                      {"source", standard.source}, {"source_kind", to_string(standard.source_kind)},
                       {"note", standard.note}};
   json["impactor"] = impactor(report);
   json["other_choices"] = other_choices(report.others);
@@ -133,17 +118,14 @@ Json assessment(const AssessmentReport& report) {
 }  // namespace
 
 Json criteria_json(const std::vector<injury::CriterionResult>& results) {
-  Json all = Json::array();
-  for (const injury::CriterionResult& result : results) all.push_back(criterion(result));
-  return all;
+  return array_of(results, criterion);
 }
 
 std::string assessment_json(const AssessmentReport& report) { return result_json_text(assessment(report)); }
 
 std::string assessments_json(const std::vector<AssessmentReport>& reports) {
-  Json array = Json::array();
-  for (const AssessmentReport& report : reports) array.push_back(result_with_format(assessment(report)));
-  return json_text(array);
+  return json_text(array_of(
+      reports, [](const AssessmentReport& report) { return result_with_format(assessment(report)); }));
 }
 
 }  // namespace dashpad::output

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "json/json_values.hpp"
-#include "output/json/material.hpp"
+#include "output/json/parts.hpp"
 
 namespace dashpad::output {
 
@@ -26,12 +26,13 @@ Json unknown_json(const fit::FittedUnknown& of) {
           {"nuisance", of.is_nuisance}};
 }
 
+Json loop_json(const fit::Loop& of) {
+  return {{"largest_strain", number(of.largest_strain)},
+          {"measured_return", number(of.measured_return)},
+          {"computed_return", number(of.computed_return)}};
+}
+
 Json met_test_json(const fit::MetTest& of) {
-  Json loops = Json::array();
-  for (const fit::Loop& loop : of.loops)
-    loops.push_back({{"largest_strain", number(loop.largest_strain)},
-                     {"measured_return", number(loop.measured_return)},
-                     {"computed_return", number(loop.computed_return)}});
   return {{"file", of.file},
           {"held_out", of.is_held_out},
           {"points", of.points},
@@ -43,7 +44,7 @@ Json met_test_json(const fit::MetTest& of) {
           {"offset_Pa", number(of.offset)},
           {"rms_loading_Pa", number(of.rms_loading)},
           {"rms_unloading_Pa", number(of.rms_unloading)},
-          {"loops", loops},
+          {"loops", array_of(of.loops, loop_json)},
           {"autocorrelation", number_if(!of.is_held_out, of.autocorrelation)},
           {"effective_points", number(of.effective_points)},
           {"strain", numbers(of.strain)},
@@ -81,13 +82,7 @@ Json met_figure_json(const fit::MetFigure& of) {
 }
 
 Json met_pulse_json(const fit::MetPulse& of) {
-  const auto in_g = [](std::optional<double> value) {
-    return value ? number(*value / standard_gravity) : Json(nullptr);
-  };
-  const auto all_in_g = [](std::vector<double> values) {
-    for (double& value : values) value /= standard_gravity;
-    return numbers(values);
-  };
+  const auto in_g = [](double value) { return number(value / standard_gravity); };
   return {{"case", of.file},
           {"file", of.pulse_file},
           {"held_out", of.is_held_out},
@@ -95,41 +90,35 @@ Json met_pulse_json(const fit::MetPulse& of) {
           {"points", of.time.size()},
           {"deviation_g", in_g(of.deviation)},
           {"measured_peak_g", in_g(of.measured_peak)},
-          {"computed_peak_g", in_g(of.computed_peak)},
-          {"rms_g", in_g(of.rms)},
-          {"rms_share_of_peak", of.rms ? number(*of.rms / of.measured_peak) : Json(nullptr)},
+          {"computed_peak_g", made_of(of.computed_peak, in_g)},
+          {"rms_g", made_of(of.rms, in_g)},
+          {"rms_share_of_peak", number_if(of.rms.has_value(), of.rms.value_or(0) / of.measured_peak)},
           {"shift_s", number(of.shift)},
           {"autocorrelation", number_if(!of.is_held_out, of.autocorrelation)},
           {"effective_points", number(of.effective_points)},
           {"time_s", numbers(of.time)},
-          {"measured_g", all_in_g(of.measured)},
-          {"computed_g", all_in_g(of.computed)}};
+          {"measured_g", array_of(of.measured, in_g)},
+          {"computed_g", array_of(of.computed, in_g)}};
 }
 
 Json left_open_json(const fit::FitReport& report) {
-  Json correlations = Json::array();
-  for (const fit::StrongCorrelation& of : report.correlations)
-    correlations.push_back({{"first", of.first}, {"second", of.second}, {"correlation", number(of.value)}});
-  Json flat = Json::array();
-  for (const std::vector<std::string>& keys : report.flat_directions) flat.push_back(keys);
-  return {{"correlations", correlations}, {"flat_directions", flat}};
+  return {
+      {"correlations",
+       array_of(report.correlations,
+                [](const fit::StrongCorrelation& of) {
+                  return Json{{"first", of.first}, {"second", of.second}, {"correlation", number(of.value)}};
+                })},
+      {"flat_directions", report.flat_directions}};
 }
 
 }  // namespace
 
 std::string fit_json(const fit::FitReport& report) {
-  Json unknowns = Json::array(), tests = Json::array(), figures = Json::array(), pulses = Json::array(),
-       comparison = Json::array();
-  for (const fit::FittedUnknown& of : report.unknowns) unknowns.push_back(unknown_json(of));
-  for (const fit::MetTest& of : report.tests) tests.push_back(met_test_json(of));
-  for (const fit::MetFigure& of : report.figures) figures.push_back(met_figure_json(of));
-  for (const fit::MetPulse& of : report.pulses) pulses.push_back(met_pulse_json(of));
-  for (const fit::ImpactComparison& of : report.comparison) comparison.push_back(comparison_json(of));
   return result_json_text(
       {{"title", report.title},
        {"converged", report.converged},
        {"why_not", report.why_not},
-       {"unknowns", unknowns},
+       {"unknowns", array_of(report.unknowns, unknown_json)},
        {"left_open", left_open_json(report)},
        {"misfit",
         {{"points", report.points},
@@ -140,10 +129,10 @@ std::string fit_json(const fit::FitReport& report) {
          {"noise_stated", report.noise_is_stated},
          {"error_factor", number(std::sqrt(report.variance_scale))},
          {"largest_widening", number(report.largest_widening)}}},
-       {"tests", tests},
-       {"impacts", figures},
-       {"pulses", pulses},
-       {"comparison", comparison},
+       {"tests", array_of(report.tests, met_test_json)},
+       {"impacts", array_of(report.figures, met_figure_json)},
+       {"pulses", array_of(report.pulses, met_pulse_json)},
+       {"comparison", array_of(report.comparison, comparison_json)},
        {"search",
         {{"starts", report.starts},
          {"starts_at_best", report.starts_at_best},

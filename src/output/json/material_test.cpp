@@ -3,7 +3,7 @@
 #include "dashpad/output/material_test.hpp"
 #include "json/flags_json.hpp"
 #include "json/json_values.hpp"
-#include "output/json/material.hpp"
+#include "output/json/parts.hpp"
 
 namespace dashpad::output {
 
@@ -22,7 +22,7 @@ Json request_json(const laboratory::MaterialTest& of) {
           {"history", measured ? Json(of.history_name) : Json(nullptr)},
           {"history_remarks", of.history_remarks},
           {"stress_limits_Pa", numbers(of.stress_limits)},
-          {"steps_of_1984", of.steps_of_1984 ? Json(*of.steps_of_1984) : Json(nullptr)}};
+          {"steps_of_1984", made_of(of.steps_of_1984, [](int steps) { return steps; })}};
 }
 
 Json point(const laboratory::CushionPoint& of) {
@@ -46,40 +46,36 @@ Json figures(const laboratory::MaterialTestRun& run) {
 Json limits(const laboratory::MaterialTestReport& report, const laboratory::MaterialTestRun& run) {
   Json array = Json::array();
   for (std::size_t i = 0; i < run.at_limits.size(); ++i)
-    array.push_back({{"limit_Pa", number(report.test.stress_limits[i])},
-                     {"reached", run.at_limits[i] ? point(*run.at_limits[i]) : Json(nullptr)}});
+    array.push_back(
+        {{"limit_Pa", number(report.test.stress_limits[i])}, {"reached", made_of(run.at_limits[i], point)}});
   return array;
 }
 
-Json relaxation(const std::optional<laboratory::RelaxedStress>& of) {
-  if (!of) return nullptr;
-  return {{"end_of_ramp_Pa", number(of->at_end_of_ramp)},
-          {"after_tenth_of_hold_Pa", number(of->after_tenth)},
-          {"after_hold_Pa", number(of->after_hold)}};
+Json relaxation(const laboratory::RelaxedStress& of) {
+  return {{"end_of_ramp_Pa", number(of.at_end_of_ramp)},
+          {"after_tenth_of_hold_Pa", number(of.after_tenth)},
+          {"after_hold_Pa", number(of.after_hold)}};
 }
 
-Json creep_json(const std::optional<laboratory::CreptStrain>& of) {
-  if (!of) return nullptr;
-  return {{"end_of_loading_strain", number(of->at_end_of_loading)},
-          {"after_hold_strain", number(of->after_hold)}};
+Json creep_json(const laboratory::CreptStrain& of) {
+  return {{"end_of_loading_strain", number(of.at_end_of_loading)},
+          {"after_hold_strain", number(of.after_hold)}};
 }
 
-Json turn(const std::optional<laboratory::StressAtTurn>& of) {
-  if (!of) return nullptr;
-  return {{"last_loading_Pa", number(of->last_loading)},
-          {"next_Pa", number(of->next)},
-          {"jump_Pa", number(of->jump())}};
+Json turn(const laboratory::StressAtTurn& of) {
+  return {{"last_loading_Pa", number(of.last_loading)},
+          {"next_Pa", number(of.next)},
+          {"jump_Pa", number(of.jump())}};
 }
 
-Json update(const std::optional<laboratory::UpdateOf1984>& of) {
-  if (!of) return nullptr;
-  return {{"step_s", number(of->step)},
-          {"stress_discontinuity", turn(of->update_at_turn)},
-          {"exact_stress_at_the_same_times", turn(of->exact_at_turn)},
-          {"time_s", numbers(of->time)},
-          {"strain", numbers(of->strain)},
-          {"stress_Pa", numbers(of->stress)},
-          {"exact_stress_Pa", numbers(of->exact)}};
+Json update(const laboratory::UpdateOf1984& of) {
+  return {{"step_s", number(of.step)},
+          {"stress_discontinuity", made_of(of.update_at_turn, turn)},
+          {"exact_stress_at_the_same_times", made_of(of.exact_at_turn, turn)},
+          {"time_s", numbers(of.time)},
+          {"strain", numbers(of.strain)},
+          {"stress_Pa", numbers(of.stress)},
+          {"exact_stress_Pa", numbers(of.exact)}};
 }
 
 const char* name_of(laboratory::ColumnEvent::Kind kind) {
@@ -92,15 +88,12 @@ const char* name_of(laboratory::ColumnEvent::Kind kind) {
   return "";
 }
 
-Json events(const laboratory::ColumnTest& of) {
-  Json array = Json::array();
-  for (const laboratory::ColumnEvent& event : of.events)
-    array.push_back({{"event", name_of(event.kind)},
-                     {"time_s", number(event.time)},
-                     {"strain", number(event.strain)},
-                     {"stress_before_Pa", number(event.stress_before)},
-                     {"stress_after_Pa", number(event.stress_after)}});
-  return array;
+Json event_json(const laboratory::ColumnEvent& of) {
+  return {{"event", name_of(of.kind)},
+          {"time_s", number(of.time)},
+          {"strain", number(of.strain)},
+          {"stress_before_Pa", number(of.stress_before)},
+          {"stress_after_Pa", number(of.stress_after)}};
 }
 
 Json run_json(const laboratory::MaterialTestReport& report, const laboratory::MaterialTestRun& run) {
@@ -109,11 +102,11 @@ Json run_json(const laboratory::MaterialTestReport& report, const laboratory::Ma
   return {{"rate_per_s", number(run.rate)},
           {"figures", figures(run)},
           {"stress_limits", limits(report, run)},
-          {"relaxation", relaxation(run.relaxed)},
-          {"creep", creep_json(run.crept)},
-          {"update_of_1984", update(run.update_of_1984)},
+          {"relaxation", made_of(run.relaxed, relaxation)},
+          {"creep", made_of(run.crept, creep_json)},
+          {"update_of_1984", made_of(run.update_of_1984, update)},
           {"flags", flags_json(run.flags)},
-          {"events", events(column)},
+          {"events", array_of(column.events, event_json)},
           {"errors",
            {{"stress_fraction_of_peak", number(column.stress_error)},
             {"energy_fraction_of_energy_in", number(run.figures.energy_error)}}},
@@ -134,11 +127,10 @@ Json run_json(const laboratory::MaterialTestReport& report, const laboratory::Ma
 }  // namespace
 
 std::string material_test_json(const laboratory::MaterialTestReport& report) {
-  Json runs = Json::array();
-  for (const laboratory::MaterialTestRun& run : report.runs) runs.push_back(run_json(report, run));
+  const auto run = [&](const laboratory::MaterialTestRun& of) { return run_json(report, of); };
   return result_json_text({{"test", request_json(report.test)},
                            {"material", material_json(report.material)},
-                           {"runs", runs},
+                           {"runs", array_of(report.runs, run)},
                            {"program", program_json()}});
 }
 

@@ -1,17 +1,12 @@
-// A pulse for programs: JSON with the figures and how they came about, CSV with the samples.
-
-#include <cmath>
-#include <iterator>
-
-#include <fmt/format.h>
+// A pulse for programs: the figures and how they came about, alone or beside the computed ones.
 
 #include "dashpad/output/pulse.hpp"
+#include "dashpad/impact/flags.hpp"
 #include "dashpad/result/result_quantity.hpp"
-#include "dashpad/version.hpp"
 #include "json/flags_json.hpp"
-#include "json/json_values.hpp"
-#include "output/json/criteria.hpp"
-#include "output/json/injury.hpp"
+#include "output/documents/pulse.hpp"
+#include "output/documents/pulse_comparison.hpp"
+#include "output/json/parts.hpp"
 
 namespace dashpad::output {
 
@@ -24,16 +19,16 @@ Json figures(const injury::PulseReport& report) {
   Json& change = all[result_quantity("velocity_change").key];
   change["begin_s"] = number(report.contact.begin);
   change["end_s"] = number(report.contact.end);
-  all["hic_windows"] = Json::array();
-  for (const injury::WindowedHic& of : report.windows)
-    all["hic_windows"].push_back({{"value", number(of.hic.value)},
-                                  {"begin_s", number(of.hic.begin)},
-                                  {"end_s", number(of.hic.end)},
-                                  {"longest_window_s", number(of.longest_window)}});
-  Json& dwells = all[result_quantity("dwell_time").key] = Json::array();
-  for (const injury::DwellTime& of : report.dwells)
-    dwells.push_back(
-        {{"level_g", in_g(of.level)}, {"value_s", number(of.cumulative)}, {"longest_s", number(of.longest)}});
+  all["hic_windows"] = array_of(report.windows, [](const injury::WindowedHic& of) {
+    return Json{{"value", number(of.hic.value)},
+                {"begin_s", number(of.hic.begin)},
+                {"end_s", number(of.hic.end)},
+                {"longest_window_s", number(of.longest_window)}};
+  });
+  all[result_quantity("dwell_time").key] = array_of(report.dwells, [](const injury::DwellTime& of) {
+    return Json{
+        {"level_g", in_g(of.level)}, {"value_s", number(of.cumulative)}, {"longest_s", number(of.longest)}};
+  });
   return all;
 }
 
@@ -43,43 +38,32 @@ Json column(const injury::MeasuredColumn& of) {
           {"unit", of.unit},
           {"unit_origin", of.unit_origin},
           {"si_factor", number(of.factor)},
-          {"sensitivity", of.sensitivity.empty() ? Json(nullptr) : Json(of.sensitivity)}};
+          {"sensitivity", text_if_any(of.sensitivity)}};
 }
 
-Json filter(const injury::PulseReport& report) {
-  if (!report.filter) return nullptr;
-  return {{"channel_frequency_class", report.filter->channel_frequency_class},
-          {"corner", to_string(report.filter->corner)},
-          {"ends", to_string(report.filter->ends)}};
+Json filter_json(const injury::PulseFilter& of) {
+  return {{"channel_frequency_class", of.channel_frequency_class},
+          {"corner", to_string(of.corner)},
+          {"ends", to_string(of.ends)}};
 }
 
-Json in_g(const std::vector<double>& accelerations) {
-  Json each = Json::array();
-  for (const double acceleration : accelerations) each.push_back(in_g(acceleration));
-  return each;
-}
-
-Json offset(const injury::PulseReport& report) {
-  if (!report.offset) return nullptr;
-  const injury::OffsetEffect& of = *report.offset;
+Json offset_json(const injury::OffsetEffect& of) {
   return {{"begin_s", number(of.offset.begin)},
           {"end_s", number(of.offset.end)},
           {"interval", of.given ? "given" : "found"},
           {"samples", of.offset.samples},
-          {"mean_g", in_g(of.offset.mean)},
-          {"scatter_g", in_g(of.offset.scatter)},
+          {"mean_g", array_of(of.offset.mean, in_g)},
+          {"scatter_g", array_of(of.offset.scatter, in_g)},
           {"taken_off", of.taken_off},
           {"hic15_with", number(of.hic15_with)},
           {"hic15_without", number(of.hic15_without)}};
 }
 
-Json speed_check_json(const injury::PulseReport& report) {
-  const std::optional<injury::SpeedCheck> check = injury::speed_check(report);
-  if (!check) return nullptr;
-  return {{"agrees", check->agrees()},
-          {"least_scale", number(check->least_scale)},
-          {"greatest_scale", number(check->greatest_scale)},
-          {"text", check->text}};
+Json speed_check_json(const injury::SpeedCheck& of) {
+  return {{"agrees", of.agrees()},
+          {"least_scale", number(of.least_scale)},
+          {"greatest_scale", number(of.greatest_scale)},
+          {"text", of.text}};
 }
 
 Json impact(const injury::PulseReport& report) {
@@ -88,7 +72,7 @@ Json impact(const injury::PulseReport& report) {
           {"drop_height_m", number(report.impact->drop_height)},
           {"gravity_m_per_s2", number(report.impact->gravity)},
           {"restitution", number(injury::restitution(report.contact, *report.impact))},
-          {"check", speed_check_json(report)}};
+          {"check", made_of(injury::speed_check(report), speed_check_json)}};
 }
 
 Json uncertainty(const injury::MeasurementUncertainty& of) {
@@ -100,24 +84,59 @@ Json uncertainty(const injury::MeasurementUncertainty& of) {
                                    {"calibration", number(each.calibration)}};
   return {{"coverage_factor", 2},
           {"calibration", number(of.calibration)},
-          {"filter_compared_with", of.compared_with.empty() ? Json(nullptr) : Json(of.compared_with)},
+          {"filter_compared_with", text_if_any(of.compared_with)},
           {"figures", figures}};
 }
 
 Json source(const injury::PulseReport& report) {
   const injury::MeasuredPulse& of = report.measured;
-  Json accelerations = Json::array();
-  for (const injury::MeasuredColumn& each : of.acceleration) accelerations.push_back(column(each));
   return {{"file", report.file},
           {"format", of.format},
           {"time", column(of.time)},
-          {"acceleration", accelerations},
+          {"acceleration", array_of(of.acceleration, column)},
           {"resultant", of.resultant},
           {"samples", of.pulse.time.size()},
-          {"counts_from", of.counts_from.empty() ? Json(nullptr) : Json(of.counts_from)},
+          {"counts_from", text_if_any(of.counts_from)},
           {"begin_s", number(of.pulse.time.front())},
           {"end_s", number(of.pulse.time.back())},
           {"remarks", of.remarks}};
+}
+
+Json compared_json(const injury::PulseComparison& comparison) {
+  Json all = Json::object();
+  for (const injury::ComparedFigure& of : comparison.figures) {
+    const ScaledUnit unit = scaled_unit(of.quantity->si_unit, plain_si());
+    const auto shown = [&](double value) { return number(unit.scale * value); };
+    all[of.quantity->key] = {{name_with_unit("measured", unit.unit), made_of(of.measured, shown)},
+                             {name_with_unit("computed", unit.unit), made_of(of.computed, shown)},
+                             {"error", number_if(of.computed.has_value(), of.error)},
+                             {name_with_unit("difference", unit.unit), made_of(of.difference(), shown)},
+                             {"difference_share", number(of.share())}};
+  }
+  return all;
+}
+
+Json alignment_json(const injury::PulseComparison& of) {
+  return {{"rule", injury::to_string(of.alignment)},
+          {"shift_s", number(of.shift)},
+          {"measured_onset_s", number(of.measured.onset)},
+          {"computed_onset_s", of.computed ? number(of.computed->onset) : Json(nullptr)}};
+}
+
+Json pulse_json_of(const PulseComparisonReport& report) {
+  const injury::PulseReport& of = report.pulse;
+  const injury::PulseShape& shape = report.comparison.measured;
+  return {{"file", of.file},
+          {"format", of.measured.format},
+          {"samples", of.pulse.time.size()},
+          {"contact_begin_s", number(shape.contact.begin)},
+          {"contact_end_s", number(shape.contact.end)},
+          {"speed_m_per_s", of.impact ? number(of.impact->speed) : Json(nullptr)},
+          {"offset_taken_off", of.offset && of.offset->taken_off},
+          {"resampled_to_s", number(of.resampled_to)},
+          {"filter", made_of(of.filter, filter_words)},
+          {"flags", flags_json(of.flags)},
+          {"remarks", of.measured.remarks}};
 }
 
 Json pulse(const injury::PulseReport& report) {
@@ -136,11 +155,10 @@ Json pulse(const injury::PulseReport& report) {
   result["uncertainty"] = uncertainty(report.uncertainty);
   result["flags"] = flags_json(report.flags);
   result["source"] = source(report);
-  result["offset"] = offset(report);
-  result["processing"] = {
-      {"resampled_to_s", report.resampled_to ? number(*report.resampled_to) : Json(nullptr)},
-      {"filter", filter(report)},
-      {"samples", report.pulse.time.size()}};
+  result["offset"] = made_of(report.offset, offset_json);
+  result["processing"] = {{"resampled_to_s", number(report.resampled_to)},
+                          {"filter", made_of(report.filter, filter_json)},
+                          {"samples", report.pulse.time.size()}};
   result["program"] = program_json();
   return result;
 }
@@ -150,21 +168,23 @@ Json pulse(const injury::PulseReport& report) {
 std::string pulse_json(const injury::PulseReport& report) { return result_json_text(pulse(report)); }
 
 std::string pulses_json(const std::vector<injury::PulseReport>& reports) {
-  Json array = Json::array();
-  for (const injury::PulseReport& report : reports) array.push_back(result_with_format(pulse(report)));
-  return json_text(array);
+  return json_text(
+      array_of(reports, [](const injury::PulseReport& report) { return result_with_format(pulse(report)); }));
 }
 
-std::string pulse_csv(const injury::PulseReport& report, const UnitSystem& units) {
-  const ResultQuantity &time = result_quantity("time"), &acceleration = result_quantity("acceleration");
-  const double time_factor = scaled_unit(time.si_unit, units).scale;
-  fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "{},{}\n", key_with_unit(time, units),
-                 key_with_unit(acceleration, units));
-  for (std::size_t i = 0; i < report.pulse.time.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{},{}\n", time_factor * report.pulse.time[i],
-                   report.pulse.acceleration[i] / standard_gravity);
-  return fmt::to_string(text);
+std::string pulse_comparison_json(const PulseComparisonReport& report) {
+  const Summary& summary = report.solution.summary;
+  Json result;
+  result["answer"] = comparison_answer(report);
+  result["figures"] = compared_json(report.comparison);
+  result["alignment"] = alignment_json(report.comparison);
+  result["case"] = {{"file", report.case_file},
+                    {"status", to_string(summary.status)},
+                    {"tolerance", number(summary.tolerance)},
+                    {"flags", flags_json(flags(summary))}};
+  result["pulse"] = pulse_json_of(report);
+  result["program"] = program_json();
+  return result_json_text(result);
 }
 
 }  // namespace dashpad::output

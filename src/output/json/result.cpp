@@ -1,13 +1,14 @@
-#include "dashpad/output/json/result.hpp"
+// One impact for other programs, alone and as that of two bodies.
 
 #include <cmath>
 
 #include "dashpad/impact/flags.hpp"
+#include "dashpad/output/impact.hpp"
+#include "dashpad/output/post_impact.hpp"
+#include "json/curves_json.hpp"
 #include "json/flags_json.hpp"
-#include "json/json_values.hpp"
-#include "output/json/injury.hpp"
-#include "output/json/interval.hpp"
-#include "output/json/material.hpp"
+#include "model/parameter_values.hpp"
+#include "output/json/parts.hpp"
 #include "result/summary_values.hpp"
 
 namespace dashpad::output {
@@ -71,13 +72,12 @@ Json pad(const Pad& of) {
   json["floor"] = name_of(of.floor);
   json.update(numbers_of(of.condition));
   json.update(material_json(of.material));
-  json["layers"] = Json::array();
-  for (const PadLayer& layer : of.layers) {
+  json["layers"] = array_of(of.layers, [](const PadLayer& layer) {
     Json entry = numbers_of(layer);
     entry.update(numbers_of(layer.condition));
     entry.update(material_json(layer.material));
-    json["layers"].push_back(std::move(entry));
-  }
+    return entry;
+  });
   if (!of.layers.empty())
     for (const char* key : {"material", "title", "source", "law", "parameters"}) json[key] = nullptr;
   return json;
@@ -87,28 +87,29 @@ Json layers(const Pad& pad, const Summary& summary) {
   Json all = Json::array();
   for (std::size_t i = 0; i < summary.layers.size(); ++i) {
     const LayerSummary& layer = summary.layers[i];
-    const auto tested = range_of(pad.layers[i].material);
-    all.push_back(
-        {{"layer", i + 1},
-         {"material", pad.layers[i].material.name},
-         {"peak_strain", number(layer.peak_strain)},
-         {"peak_strain_rate_per_s", number(layer.peak_strain_rate)},
-         {"highest_tested_strain", number_if(tested.has_value(), tested ? tested->highest_strain : 0)},
-         {"time_beyond_tested_s", number(layer.beyond_tested)},
-         {"time_struck_through_s", number(layer.struck_through)}});
+    const Material& material = pad.layers[i].material;
+    const auto tested = [](const FittedRange& range) { return number(range.highest_strain); };
+    all.push_back({{"layer", i + 1},
+                   {"material", material.name},
+                   {"peak_strain", number(layer.peak_strain)},
+                   {"peak_strain_rate_per_s", number(layer.peak_strain_rate)},
+                   {"highest_tested_strain", made_of(range_of(material), tested)},
+                   {"time_beyond_tested_s", number(layer.beyond_tested)},
+                   {"time_struck_through_s", number(layer.struck_through)}});
   }
   return all;
 }
 
 Json curve_of(const Support& of) {
-  Json points = Json::array();
-  for (const Support::Point& point : of.points())
-    points.push_back({{"deflection_m", number(point.deflection)}, {"force_N", number(point.force)}});
-  if (of.is_rigid()) return {{"type", "rigid"}, {"stiffness_N_per_m", nullptr}, {"points", points}};
-  if (of.points().size() > 1) return {{"type", "curve"}, {"stiffness_N_per_m", nullptr}, {"points", points}};
-  const Support::Point& point = of.points().front();
-  return {
-      {"type", "linear"}, {"stiffness_N_per_m", number(point.force / point.deflection)}, {"points", points}};
+  const bool is_linear = !of.is_rigid() && of.points().size() == 1;
+  const auto stiffness = [&] { return of.points().front().force / of.points().front().deflection; };
+  return {{"type", of.is_rigid() ? "rigid"
+                   : is_linear   ? "linear"
+                                 : "curve"},
+          {"stiffness_N_per_m", is_linear ? number(stiffness()) : Json(nullptr)},
+          {"points", array_of(of.points(), [](const Support::Point& point) {
+             return Json{{"deflection_m", number(point.deflection)}, {"force_N", number(point.force)}};
+           })}};
 }
 
 Json support(const ImpactCase& of) {
@@ -124,21 +125,19 @@ Json impactor(const Impactor& of) {
     json[name_with_unit(value.key, value.unit)] = number(value.value);
   if (const auto* profile = std::get_if<Profile>(&of.nose)) {
     const char* const size = profile->of == Profile::Of::radius ? "radius_m" : "area_m2";
-    json["points"] = Json::array();
-    for (const Profile::Point& point : profile->points)
-      json["points"].push_back({{"depth_m", number(point.depth)}, {size, number(point.size)}});
+    json["points"] = array_of(profile->points, [&](const Profile::Point& point) {
+      return Json{{"depth_m", number(point.depth)}, {size, number(point.size)}};
+    });
   }
   return json;
 }
-
-Json blows_asked(const std::optional<Blows>& of) { return of ? numbers_of(*of) : Json(nullptr); }
 
 Json echo(const ImpactCase& impact) {
   return {{"title", impact.title},
           {"impactor", impactor(impact.impactor)},
           {"pad", pad(impact.pad)},
           {"support", support(impact)},
-          {"blows", blows_asked(impact.blows)}};
+          {"blows", made_of(impact.blows, numbers_of<Blows>)}};
 }
 
 /// What grows from blow to blow; the last has all its figures at the top.
@@ -147,45 +146,78 @@ Json blow_json(const BlowResult& of) {
   return {{"blow", summary.blow},
           {"status", to_string(summary.status)},
           {"earlier_penetration_m", number(of.earlier_penetration)},
-          {"peak_acceleration_g", number_if(summary.peak_acceleration.has_value(),
-                                            summary.peak_acceleration.value_or(0) / standard_gravity)},
-          {"hic15", of.injury ? number(of.injury->hic15.value) : Json(nullptr)},
+          {"peak_acceleration_g", number(summary.peak_acceleration.value_or(NAN) / standard_gravity)},
+          {"hic15", number(of.injury ? of.injury->hic15.value : NAN)},
           {"peak_force_N", number(summary.peak_force)},
           {"peak_penetration_m", number(summary.peak_penetration)},
           {"rebound_speed_m_per_s", number(summary.rebound_speed)},
           {"energy_absorbed_fraction", number(summary.energy_absorbed_fraction)}};
 }
 
-Json series(const std::vector<BlowResult>& blows) {
-  if (blows.empty()) return nullptr;
-  Json all = Json::array();
-  for (const BlowResult& blow : blows) all.push_back(blow_json(blow));
-  return all;
-}
-
-/// What is not known, then the figures with it; `high` is null where there is no bound.
+/// What is not known, then the figures with it.
 Json intervals_json(const Intervals& of) {
-  Json sources = Json::array(), figures = Json::object();
-  for (const OpenSource& source : of.sources)
-    sources.push_back({{"source", to_string(source.source)},
-                       {"words", source.words},
-                       {"why_no_interval", source.why_not.empty() ? Json(nullptr) : Json(source.why_not)}});
+  Json figures = Json::object();
   for (const FigureInterval& figure : of.figures)
     if (figure.key != "dwell_time")
       figures[key_with_unit(result_quantity(figure.key))] = interval_json(figure);
+  const Json sources = array_of(of.sources, [](const OpenSource& source) {
+    return Json{{"source", to_string(source.source)},
+                {"words", source.words},
+                {"why_no_interval", text_if_any(source.why_not)}};
+  });
   return {{"sources", sources}, {"figures", figures}, {"impacts", of.impacts}};
+}
+
+Json fitted_json(const FittedRange& range) {
+  return {{"highest_strain", number(range.highest_strain)},
+          {"lowest_rate_per_s", number(range.lowest_rate)},
+          {"highest_rate_per_s", number(range.highest_rate)}};
+}
+
+/// One of two bodies, before and after.
+Json body_json(const Body& body, double after, double error) {
+  return {{"mass_kg", number(body.mass)},
+          {"velocity_m_per_s", number(body.velocity)},
+          {"velocity_after_m_per_s", number(after)},
+          {"velocity_after_error_m_per_s", number(error)}};
 }
 
 }  // namespace
 
 Json interval_json(const FigureInterval& of) {
   const double scale = scaled_unit(result_quantity(of.key).si_unit, plain_si()).scale;
-  Json sources = Json::array();
-  for (const Contribution& each : of.sources)
-    sources.push_back({{"source", to_string(each.source)},
-                       {"low", number(scale * each.low)},
-                       {"high", number(scale * each.high)}});
+  const Json sources = array_of(of.sources, [&](const Contribution& each) {
+    return Json{{"source", to_string(each.source)},
+                {"low", number(scale * each.low)},
+                {"high", number(scale * each.high)}};
+  });
   return {{"low", number(scale * of.low)}, {"high", number(scale * of.high)}, {"sources", sources}};
+}
+
+Json injury_json(const injury::InjuryFigures& figures, bool with_errors) {
+  Json all = Json::object();
+  for (const injury::InjuryValue& of : injury::injury_values(figures)) {
+    const ScaledUnit unit = scaled_unit(of.quantity->si_unit, plain_si());
+    Json& entry = all[of.quantity->key];
+    entry[name_with_unit("value", unit.unit)] = number(unit.scale * of.value);
+    if (of.time) entry["time_s"] = number(*of.time);
+    if (of.begin) entry["begin_s"] = number(*of.begin);
+    if (of.end) entry["end_s"] = number(*of.end);
+    if (with_errors) entry["error"] = number(of.error);
+  }
+  return all;
+}
+
+Json material_json(const Material& of) {
+  Json parameters = Json::object();
+  for (const ParameterValue& parameter : parameter_values(of.law))
+    parameters[parameter.key] = {
+        {"value", number(parameter.value)}, {"unit", parameter.unit}, {"symbol", parameter.symbol}};
+  Json json{{"material", of.name},      {"title", of.title},
+            {"source", of.source},      {"law", name_of(of.law)},
+            {"parameters", parameters}, {"fitted", made_of(range_of(of), fitted_json)}};
+  json["curves"] = curves_json(of.law);
+  return json;
 }
 
 std::string result_json(const ImpactCase& impact, const Summary& summary,
@@ -194,23 +226,53 @@ std::string result_json(const ImpactCase& impact, const Summary& summary,
   Json result, errors;
   result["status"] = to_string(summary.status);
   add_figures(result, errors, summary);
-  result["blows"] = series(blows);
+  result["blows"] = blows.empty() ? Json(nullptr) : array_of(blows, blow_json);
   result["energy"] = energy(summary.energy);
   result["flags"] = flags_json(flags(summary));
   result["extrapolated"] = !summary.extrapolations.empty();
   result["extrapolated_strain"] = summary.is_beyond(Beyond::strain);
   result["extrapolated_rate"] = summary.is_beyond(Beyond::rate);
-  result["extrapolations"] = Json::array();
-  for (const Extrapolation& of : summary.extrapolations) result["extrapolations"].push_back(of.text);
-  result["intervals"] = summary.intervals ? intervals_json(*summary.intervals) : Json(nullptr);
+  result["extrapolations"] =
+      array_of(summary.extrapolations, [](const Extrapolation& of) { return of.text; });
+  result["intervals"] = made_of(summary.intervals, intervals_json);
   result["softening_rates_per_s"] = numbers(summary.softening_rates);
   result["layers"] = layers(impact.pad, summary);
-  result["injury"] = injury ? injury_json(*injury, true) : Json(nullptr);
+  result["injury"] = made_of(injury, [](const injury::InjuryFigures& of) { return injury_json(of, true); });
   result["errors"] = errors;
   result["solver"] = solver(summary);
   result["case"] = echo(impact);
   result["program"] = program_json();
   return result_json_text(result);
+}
+
+std::string post_impact_json(const Body& first, const Body& second, const ImpactCase& impact,
+                             const Solution& solution) {
+  const PostImpact after = post_impact(first, second, solution);
+  const EnergySplit split = energy_split(impact, solution);
+  const Summary& summary = solution.summary;
+  return result_json_text(
+      {{"status", to_string(summary.status)},
+       {"extrapolated", !summary.extrapolations.empty()},
+       {"bottomed", summary.bottomed.has_value()},
+       {"bodies",
+        {body_json(first, after.first_velocity, after.errors.first_velocity),
+         body_json(second, after.second_velocity, after.errors.second_velocity)}},
+       {"energy_coefficient_C", number(after.energy_coefficient)},
+       {"restitution_sqrt_C", number(after.restitution)},
+       {"restitution_error", number(after.errors.restitution)},
+       {"absorbed_fraction_error", number(summary.errors.energy_absorbed)},
+       {"available_energy_J", number(after.available_energy)},
+       {"at_peak_force",
+        {{"kinetic_J", number(split.kinetic_at_peak)},
+         {"support_J", number(split.support_at_peak)},
+         {"pad_J", number(split.pad_at_peak)}}},
+       {"at_the_end",
+        {{"rebound_J", number(split.rebound)},
+         {"support_J", number(split.support_at_end)},
+         {"pad_J", number(split.pad)}}},
+       {"solved_as",
+        {{"mass_kg", number(impact.impactor.mass)}, {"speed_m_per_s", number(impact.impactor.speed)}}},
+       {"program", program_json()}});
 }
 
 }  // namespace dashpad::output

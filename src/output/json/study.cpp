@@ -16,12 +16,11 @@ Json estimate_json(const study::Estimate& of, double scale = 1) {
 
 Json distribution_json(const std::string& response, const study::Distribution& of) {
   const auto [scale, unit] = scaled_unit(si_unit_of(response), plain_si());
-  Json quantiles = Json::array();
-  for (const study::Distribution::Quantile& quantile : of.quantiles) {
-    Json json = {{"probability", quantile.probability}};
-    json.update(estimate_json(quantile.value, scale));
-    quantiles.push_back(json);
-  }
+  const auto quantile = [scale = scale](const study::Distribution::Quantile& at) {
+    Json json = {{"probability", at.probability}};
+    json.update(estimate_json(at.value, scale));
+    return json;
+  };
   return {{"response", response},
           {"unit", unit},
           {"rows", of.rows},
@@ -31,7 +30,7 @@ Json distribution_json(const std::string& response, const study::Distribution& o
           {"deviation", number(scale * of.deviation)},
           {"least", number(scale * of.least)},
           {"greatest", number(scale * of.greatest)},
-          {"quantiles", quantiles}};
+          {"quantiles", array_of(of.quantiles, quantile)}};
 }
 
 Json exceedance_json(const study::StudyLimit& limit, const study::Exceedance& of) {
@@ -47,12 +46,15 @@ Json exceedance_json(const study::StudyLimit& limit, const study::Exceedance& of
 }
 
 Json sensitivity_json(const std::string& response, const study::Sensitivity& of) {
-  Json indices = Json::array();
-  for (const study::Sensitivity::Index& index : of.indices)
-    indices.push_back({{"factor", index.factor},
-                       {"first_order", estimate_json(index.first)},
-                       {"total", estimate_json(index.total)}});
-  return {{"response", response}, {"draws", of.draws}, {"draws_left_out", of.left_out}, {"indices", indices}};
+  const auto index = [](const study::Sensitivity::Index& each) {
+    return Json{{"factor", each.factor},
+                {"first_order", estimate_json(each.first)},
+                {"total", estimate_json(each.total)}};
+  };
+  return {{"response", response},
+          {"draws", of.draws},
+          {"draws_left_out", of.left_out},
+          {"indices", array_of(of.indices, index)}};
 }
 
 Json levels_json(const study::StudyAnswers& answers, const study::Group& group) {
@@ -105,8 +107,7 @@ Json cushion_json(const study::CushionCurves& curves) {
 }  // namespace
 
 std::string study_json(const study::StudyAnswers& answers) {
-  Json groups = Json::array();
-  for (const study::StudyAnswers::OfGroup& of : answers.groups) groups.push_back(group_json(answers, of));
+  const auto group = [&](const study::StudyAnswers::OfGroup& of) { return group_json(answers, of); };
   Json json = {{"program", program_json()},
                {"title", answers.study.title},
                {"computed_by", answers.program},
@@ -121,7 +122,7 @@ std::string study_json(const study::StudyAnswers& answers) {
                {"rows_at_time_limit", answers.records.time_limit},
                {"are_draws", answers.groups.front().group.drawn},
                {"interval", 0.95},
-               {"groups", groups}};
+               {"groups", array_of(answers.groups, group)}};
   if (answers.cushion_curves) json["cushion_curves"] = cushion_json(*answers.cushion_curves);
   return result_json_text(json);
 }

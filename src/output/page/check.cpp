@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "output/plot/check.hpp"
-#include "output/svg/text.hpp"
+#include "output/plot/rows.hpp"
+#include "output/svg/svg.hpp"
 
 namespace dashpad::output {
 

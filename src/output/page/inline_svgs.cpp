@@ -6,10 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "output/plot/looks.hpp"
+#include "output/plot/drawing.hpp"
 #include "output/plot/rows.hpp"
 #include "output/plot/svg_plot.hpp"
-#include "output/plot/svg_style.hpp"
 #include "output/svg/svg.hpp"
 #include "quantities/text.hpp"
 

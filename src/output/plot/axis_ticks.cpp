@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -72,18 +71,6 @@ Span linear_ends(const Span& span, std::size_t most) {
   const double last = std::ceil(2 * (span.high / step.size()) - off_a_mark) / 2;
   if (!(std::max(std::abs(first), std::abs(last)) < largest_count)) return span;
   return {step.multiple(first), step.multiple(last)};
-}
-
-/// The nearest of 1, 2 and 5 times powers of ten below a positive number, or above it.
-double round_number(double value, bool above) {
-  const int power = static_cast<int>(std::floor(std::log10(value)));
-  double below = decimal(1, power - 1) * 5;
-  for (const auto& [digit, at] : {std::pair{1.0, power}, {2.0, power}, {5.0, power}, {1.0, power + 1}}) {
-    const double number = decimal(digit, at);
-    if (above && number >= value * (1 - off_a_mark)) return number;
-    if (number <= value * (1 + off_a_mark)) below = number;
-  }
-  return above ? value : below;
 }
 
 std::string superscript(int number) {
@@ -173,13 +160,22 @@ AxisRange range_of(const Axis& axis, const Span& included, std::size_t most) {
   if (span.is_empty() && axis.low) span.high = span.low;
   if (span.is_empty() && axis.high) span.low = span.high;
   span = widened(span, axis.logarithmic);
-  Span ends = span;
-  if (has_linear_marks(span, axis.logarithmic))
-    ends = linear_ends(span, most);
-  else
-    ends = {round_number(span.low, false), round_number(span.high, true)};
+  Span ends = has_linear_marks(span, axis.logarithmic)
+                  ? linear_ends(span, most)
+                  : Span{round_number(span.low, false), round_number(span.high, true)};
   if (axis.logarithmic && !(ends.low > 0)) ends.low = span.low;
   return {axis.low.value_or(ends.low), axis.high.value_or(ends.high), axis.logarithmic};
+}
+
+double round_number(double value, bool above) {
+  const int power = static_cast<int>(std::floor(std::log10(value)));
+  double below = decimal(1, power - 1) * 5;
+  for (const auto& [digit, at] : {std::pair{1.0, power}, {2.0, power}, {5.0, power}, {1.0, power + 1}}) {
+    const double number = decimal(digit, at);
+    if (above && number >= value * (1 - off_a_mark)) return number;
+    if (number <= value * (1 + off_a_mark)) below = number;
+  }
+  return above ? value : below;
 }
 
 std::vector<Tick> ticks_of(const AxisRange& range, std::size_t most) {

@@ -30,6 +30,9 @@ struct AxisRange {
 /// `most`: about how many labels there is room for.
 AxisRange range_of(const Axis& axis, const Span& included, std::size_t most);
 
+/// The nearest of 1, 2 and 5 times powers of ten below a positive number, or above it.
+double round_number(double value, bool above);
+
 /// From low to high, within the range.
 std::vector<Tick> ticks_of(const AxisRange& range, std::size_t most);
 

@@ -1,6 +1,7 @@
 #pragma once
 /// The axis of a quantity: "Force (kN)", with the unit that a system has for it.
 
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -28,7 +29,7 @@ inline Axis axis_of(const char* key, const UnitSystem& units) {
 
 /// SI values in the unit of that axis.
 inline std::vector<double> values_in(const UnitSystem& units, std::vector<double> values,
-                                     const char* si_unit) {
+                                     const std::string& si_unit) {
   const double factor = value_in(units, 1, si_unit);
   for (double& value : values) value *= factor;
   return values;

@@ -1,11 +1,16 @@
 #include "output/plot/drawing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
-#include "output/svg/text.hpp"
+#include <fmt/format.h>
+
+#include "output/svg/svg.hpp"
 
 namespace dashpad::output {
 
@@ -13,12 +18,45 @@ namespace {
 
 constexpr std::size_t longest_label = 90;
 
+/// Hands out the turns that nobody has been given, in the order in which it is asked.
+class Turns {
+ public:
+  explicit Turns(const Plot& plot) {
+    for (const Panel& panel : plot.panels)
+      for (const Series& series : panel.series)
+        if (series.turn) given_.insert(*series.turn);
+  }
+
+  std::size_t turn_of(const Series& series) {
+    if (series.turn) return *series.turn;
+    if (is_marker(series.style)) return 0;
+    if (series.label.empty()) return next();
+    const auto known = of_label_.find(series.label);
+    return known != of_label_.end() ? known->second : of_label_[series.label] = next();
+  }
+
+ private:
+  std::size_t next() {
+    std::size_t turn = 0;
+    while (!given_.insert(turn).second) ++turn;
+    return turn;
+  }
+
+  std::set<std::size_t> given_;
+  std::map<std::string, std::size_t> of_label_;
+};
+
+SeriesColour colour_of(const Series& series, std::size_t turn) {
+  if (series.shade) return {.shade = colour_of_shade(*series.shade)};
+  if (is_marker(series.style) && !series.turn) return {.class_name = "dp-grey"};
+  return {.class_name = fmt::format("dp-turn-{}", turn % colours_by_turn)};
+}
+
 /// Those of the values that the axis can show.
 std::vector<double> shown(const std::vector<double>& values, const Axis& axis) {
   std::vector<double> result;
   for (const double value : values) {
-    if (is_drawable(value, axis) && value >= axis.low.value_or(value) && value <= axis.high.value_or(value))
-      result.push_back(value);
+    if (is_drawable(value, axis) && is_within_limits(value, axis)) result.push_back(value);
   }
   return result;
 }
@@ -29,10 +67,7 @@ SeriesDrawing drawing_of(const Series& series, const Panel& panel) {
                         .of = series.of,
                         .label_place = series.label_place,
                         .is_cased = series.is_cased,
-                        .has_arrow = series.has_arrow,
-                        .looks = {},
-                        .runs = {},
-                        .places = {}};
+                        .has_arrow = series.has_arrow};
   if (series.style == SeriesStyle::vertical_line)
     drawing.places = shown(series.x, panel.x);
   else if (series.style == SeriesStyle::horizontal_line)
@@ -57,14 +92,6 @@ Span with_limits(Span span, const Axis& axis) {
   return {.low = axis.low.value_or(span.low), .high = axis.high.value_or(span.high)};
 }
 
-/// Calls `use` for each row of the panel.
-template <typename Use>
-void for_rows(const PanelDrawing& drawing, const Use& use) {
-  for (const SeriesDrawing& series : drawing.series)
-    for (const PlotRun& run : series.runs)
-      for (const PlotRow& row : run) use(row);
-}
-
 /// A line across at the very top would have no room for its name.
 void leave_room_above_lines(PanelDrawing& drawing, const Axis& y) {
   constexpr double height_of_name = 0.06;  // of the axis
@@ -79,14 +106,15 @@ void leave_room_above_lines(PanelDrawing& drawing, const Axis& y) {
 /// What the axes have to include: along y, what the x axis shows.
 void find_spans(PanelDrawing& drawing, const Panel& panel) {
   Span shown_y, all_y;
-  for_rows(drawing, [&](const PlotRow& row) {
+  const auto include = [&](const PlotRow& row) {
     drawing.x.include(row.x);
-    const bool is_shown = row.x >= panel.x.low.value_or(row.x) && row.x <= panel.x.high.value_or(row.x);
     for (const double value : {row.y, row.y2}) {
       all_y.include(value);
-      if (is_shown) shown_y.include(value);
+      if (is_within_limits(row.x, panel.x)) shown_y.include(value);
     }
-  });
+  };
+  for (const SeriesDrawing& series : drawing.series)
+    for (const PlotRun& run : series.runs) std::ranges::for_each(run, include);
   drawing.y = shown_y.is_empty() ? all_y : shown_y;
   for (const SeriesDrawing& series : drawing.series) {
     Span& lines = series.looks.style == SeriesStyle::vertical_line ? drawing.x : drawing.y;
@@ -115,12 +143,10 @@ PanelDrawing drawing_of(const Panel& panel, Turns& turns) {
     add_to(result.named, entry_of(drawing));
     if (!drawing.runs.empty()) result.has_data = true;
     if (PlotRun dots = lone_points(drawing); !dots.empty())
-      result.series.push_back({.label = series.label,
-                               .end_label = {},
-                               .of = {},
-                               .looks = looks_of_dot(drawing.looks),
-                               .runs = {std::move(dots)},
-                               .places = {}});
+      result.series.push_back(
+          {.label = series.label,
+           .looks = {.style = SeriesStyle::points, .colour = drawing.looks.colour, .is_dot = true},
+           .runs = {std::move(dots)}});
     result.series.push_back(std::move(drawing));
   }
   std::stable_partition(result.series.begin(), result.series.end(),
@@ -132,17 +158,67 @@ PanelDrawing drawing_of(const Panel& panel, Turns& turns) {
 
 }  // namespace
 
+bool is_marker(SeriesStyle style) {
+  return style == SeriesStyle::vertical_line || style == SeriesStyle::horizontal_line;
+}
+
+bool is_line(SeriesStyle style) {
+  return style == SeriesStyle::line || style == SeriesStyle::solid_line || style == SeriesStyle::dashed_line;
+}
+
+bool is_ground(SeriesStyle style) { return style == SeriesStyle::band || style == SeriesStyle::area; }
+
+std::string colour_of_shade(double shade) {
+  constexpr std::array<Colour, 9> scale{{{68, 1, 84},
+                                         {71, 44, 122},
+                                         {59, 81, 139},
+                                         {44, 113, 142},
+                                         {33, 144, 141},
+                                         {39, 173, 129},
+                                         {92, 200, 99},
+                                         {170, 220, 50},
+                                         {253, 231, 37}}};
+  return colour_on_scale(scale, shade);
+}
+
+Looks looks_of(const Series& series, std::size_t turn) {
+  Looks looks{.style = series.style, .colour = colour_of(series, turn)};
+  switch (series.style) {
+    case SeriesStyle::line:
+      // Lines that lie on each other stay visible: the later ones are narrower, and only the first is solid.
+      looks.width = std::max(1.5, 2.2 - 0.15 * static_cast<double>(turn));
+      looks.pattern = turn % dashes_by_turn;
+      break;
+    case SeriesStyle::solid_line: looks.width = 2; break;
+    case SeriesStyle::dashed_line:
+      looks.width = 2;
+      looks.pattern = 1;
+      break;
+    case SeriesStyle::points: looks.pattern = turn % shapes_by_turn; break;
+    case SeriesStyle::vertical_line:
+    case SeriesStyle::horizontal_line: looks.width = 1.4; break;
+    case SeriesStyle::band:
+    case SeriesStyle::area: break;
+  }
+  return looks;
+}
+
+void add_to(std::vector<LegendEntry>& entries, const LegendEntry& entry) {
+  if (entry.label.empty() || std::ranges::find(entries, entry) != entries.end()) return;
+  entries.push_back(entry);
+}
+
 LegendEntry entry_of(const SeriesDrawing& series) {
   return {.label = shortened(series.label, longest_label), .looks = series.looks};
 }
 
-PlotDrawing drawing_of(const Plot& plot) {
-  PlotDrawing result;
+std::vector<PanelDrawing> drawings_of(const Plot& plot) {
+  std::vector<PanelDrawing> drawings;
   Turns turns{plot};
-  for (const Panel& panel : plot.panels) result.panels.push_back(drawing_of(panel, turns));
-  if (std::ranges::none_of(result.panels, &PanelDrawing::has_data))
+  for (const Panel& panel : plot.panels) drawings.push_back(drawing_of(panel, turns));
+  if (std::ranges::none_of(drawings, &PanelDrawing::has_data))
     throw std::invalid_argument("the plot has no data: no series has a point that its axes can show");
-  return result;
+  return drawings;
 }
 
 }  // namespace dashpad::output

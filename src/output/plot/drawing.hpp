@@ -1,26 +1,71 @@
 #pragma once
-/// What there is to draw of a plot.
+/// What there is to draw of a plot, and how it looks.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "dashpad/output/plot/plot.hpp"
-#include "output/plot/legend.hpp"
 #include "output/plot/rows.hpp"
 
 namespace dashpad::output {
 
+/// Colours, dashes and shapes by turns; later turns begin again. The number of colours shares no
+/// factor with the others.
+inline constexpr std::size_t colours_by_turn = 7, dashes_by_turn = 6, shapes_by_turn = 6;
+
+/// Whether it is a line across the whole panel.
+bool is_marker(SeriesStyle style);
+/// Whether it goes from point to point.
+bool is_line(SeriesStyle style);
+/// Behind everything else.
+bool is_ground(SeriesStyle style);
+
+/// "#rrggbb" of a shade, between the colours of viridis (Smith, van der Walt 2015): as light as it is high,
+/// so that the colour-blind and grey prints tell the order.
+std::string colour_of_shade(double shade);
+
+/// A class of the style sheet, which knows light and dark paper, or the colour of a shade.
+struct SeriesColour {
+  std::string class_name = {};  ///< "dp-turn-0"; empty with a shade
+  std::string shade = {};       ///< "#rrggbb"; or empty
+
+  bool operator==(const SeriesColour&) const = default;
+};
+
+struct Looks {
+  SeriesStyle style = SeriesStyle::line;
+  SeriesColour colour;
+  double width = 0;         ///< px, of lines
+  std::size_t pattern = 0;  ///< of the dashes of a line by turns, or the shape of points
+  bool is_dot = false;      ///< in place of a line that has only one point
+
+  bool operator==(const Looks&) const = default;
+};
+
+Looks looks_of(const Series& series, std::size_t turn);
+
+/// What the legend would say of a series.
+struct LegendEntry {
+  std::string label;
+  Looks looks;
+  bool operator==(const LegendEntry&) const = default;
+};
+/// Unless the label is empty or the same entry is there already.
+void add_to(std::vector<LegendEntry>& entries, const LegendEntry& entry);
+
 /// A series with what its panel shows of it.
 struct SeriesDrawing {
-  std::string label, end_label;
-  std::string of;  ///< label of the series to which it belongs
+  std::string label = {}, end_label = {};
+  std::string of = {};  ///< label of the series to which it belongs
   LabelPlace label_place = LabelPlace::by_style;
   bool is_cased = false;
   bool has_arrow = false;
-  Looks looks;
-  std::vector<PlotRun> runs;   ///< thinned; none for vertical and horizontal lines
-  std::vector<double> places;  ///< of vertical and horizontal lines
+  Looks looks = {};
+  std::vector<PlotRun> runs = {};   ///< thinned; none for vertical and horizontal lines
+  std::vector<double> places = {};  ///< of vertical and horizontal lines
 };
+LegendEntry entry_of(const SeriesDrawing& series);
 
 struct PanelDrawing {
   std::vector<SeriesDrawing> series;  ///< those that have something to show, bands first
@@ -29,14 +74,7 @@ struct PanelDrawing {
   bool has_data = false;              ///< more than vertical and horizontal lines
 };
 
-struct PlotDrawing {
-  std::vector<PanelDrawing> panels;  ///< as many as the plot has
-};
-
-/// What the legend would say of a series.
-LegendEntry entry_of(const SeriesDrawing& series);
-
-/// Throws std::invalid_argument if no panel has data.
-PlotDrawing drawing_of(const Plot& plot);
+/// One for each panel. Throws std::invalid_argument if no panel has data.
+std::vector<PanelDrawing> drawings_of(const Plot& plot);
 
 }  // namespace dashpad::output

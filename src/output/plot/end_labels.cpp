@@ -1,4 +1,4 @@
-#include "output/plot/end_labels.hpp"
+#include "output/plot/labels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "output/plot/text_sizes.hpp"
-#include "output/svg/svg.hpp"
-#include "output/svg/text.hpp"
-#include "output/svg/text_fit.hpp"
+#include "output/plot/svg_plot.hpp"
 
 namespace dashpad::output {
 
@@ -46,11 +43,10 @@ std::vector<std::string> in_few_lines(const std::string& text, double width) {
 }
 
 /// Where a line ends, or where it turns if it comes back.
-PlotPlace end_of(const SeriesDrawing& series, const PanelScale& scale) {
-  const std::vector<PlaceLine> parts = parts_inside(series, scale);
-  PlotPlace last{scale.size.width, scale.size.height}, farthest{-1, 0};
-  for (const PlaceLine& part : parts) {
-    for (const PlotPlace& at : part)
+Place end_of(const SeriesDrawing& series, const PanelScale& scale) {
+  Place last{scale.size.width, scale.size.height}, farthest{-1, 0};
+  for (const PlaceLine& part : parts_inside(series, scale)) {
+    for (const Place& at : part)
       if (at.x > farthest.x) farthest = at;
     last = part.back();
   }

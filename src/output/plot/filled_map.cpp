@@ -1,8 +1,11 @@
 #include "output/plot/filled_map.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -31,31 +34,17 @@ Outline clipped(const Outline& outline, double level, double sign) {
   return kept;
 }
 
-void add(const Outline& outline, Series& area) {
+/// An outline of its own; none without an area.
+void add_outline(const Outline& outline, Series& area) {
   if (outline.size() < 3) return;
-  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-  if (!area.x.empty()) {
-    area.x.push_back(gap);
-    area.y.push_back(gap);
-  }
-  for (const Vertex& corner : outline) {
-    area.x.push_back(corner.x);
-    area.y.push_back(corner.y);
-  }
+  area.add_gap();
+  for (const Vertex& corner : outline) area.add(corner.x, corner.y);
 }
 
 using CellCorners = std::array<Vertex, 4>;  ///< around the cell
 
 bool is_whole(const CellCorners& cell) {
-  for (const Vertex& corner : cell)
-    if (!std::isfinite(corner.value)) return false;
-  return true;
-}
-
-bool is_within(const CellCorners& cell, double low, double high) {
-  for (const Vertex& corner : cell)
-    if (!(low <= corner.value && corner.value <= high)) return false;
-  return true;
+  return std::ranges::all_of(cell, [](const Vertex& corner) { return std::isfinite(corner.value); });
 }
 
 /// Cells side by side that are all within the class become one rectangle.
@@ -64,7 +53,10 @@ class Areas {
   Areas(double low, double high, Series& area) : low_(low), high_(high), area_(area) {}
 
   void add_cell(const CellCorners& cell) {
-    if (is_whole(cell) && is_within(cell, low_, high_)) {
+    const auto is_within = [&](const Vertex& corner) {
+      return low_ <= corner.value && corner.value <= high_;
+    };
+    if (is_whole(cell) && std::ranges::all_of(cell, is_within)) {
       if (pending_.empty()) pending_.assign(cell.begin(), cell.end());
       pending_[1] = cell[1];
       pending_[2] = cell[2];
@@ -72,13 +64,11 @@ class Areas {
     }
     flush();
     if (!is_whole(cell)) return;
-    for (const auto& [a, b, c] : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
-      const auto at = [&](int i) { return cell[static_cast<std::size_t>(i)]; };
-      add(clipped(clipped({at(a), at(b), at(c)}, low_, 1), high_, -1), area_);
-    }
+    for (const std::size_t i : {1U, 2U})
+      add_outline(clipped(clipped({cell[0], cell[i], cell[i + 1]}, low_, 1), high_, -1), area_);
   }
   void flush() {
-    add(pending_, area_);
+    add_outline(pending_, area_);
     pending_.clear();
   }
 
@@ -87,6 +77,69 @@ class Areas {
   Series& area_;
   Outline pending_;
 };
+
+/// Between two corners of the grid, by their numbers, the lower first.
+using Edge = std::pair<std::size_t, std::size_t>;
+/// Which edges the line joins to an edge: at most two.
+using Neighbours = std::map<Edge, std::vector<Edge>>;
+
+/// The grid whose corners are counted line by line.
+struct Grid {
+  const std::vector<double>&across, &up;
+  const std::vector<std::vector<double>>& values;
+
+  [[nodiscard]] double value(std::size_t corner) const {
+    return values[corner / across.size()][corner % across.size()];
+  }
+  [[nodiscard]] std::pair<double, double> place(const Edge& edge, double level) const {
+    const auto [a, b] = edge;
+    const double part = (level - value(a)) / (value(b) - value(a));
+    return {std::lerp(across[a % across.size()], across[b % across.size()], part),
+            std::lerp(up[a / across.size()], up[b / across.size()], part)};
+  }
+};
+
+/// A triangle is crossed from one edge to another, or not at all.
+void add_triangle(const Grid& grid, const std::array<std::size_t, 3>& corners, double level,
+                  Neighbours& neighbours) {
+  std::vector<Edge> crossed;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t a = corners[i], b = corners[(i + 1) % 3];
+    if ((grid.value(a) >= level) != (grid.value(b) >= level))
+      crossed.emplace_back(std::min(a, b), std::max(a, b));
+  }
+  if (crossed.size() != 2) return;
+  neighbours[crossed[0]].push_back(crossed[1]);
+  neighbours[crossed[1]].push_back(crossed[0]);
+}
+
+/// On the same triangles as filled_areas().
+Neighbours crossings(const Grid& grid, double level) {
+  Neighbours neighbours;
+  const std::size_t width = grid.across.size();
+  for (std::size_t line = 0; line + 1 < grid.up.size(); ++line) {
+    for (std::size_t place = 0; place + 1 < width; ++place) {
+      const std::size_t a = line * width + place, b = a + 1, c = b + width, d = a + width;
+      const auto has_value = [&](std::size_t corner) { return std::isfinite(grid.value(corner)); };
+      if (!has_value(a) || !has_value(b) || !has_value(c) || !has_value(d)) continue;
+      add_triangle(grid, {a, b, c}, level, neighbours);
+      add_triangle(grid, {a, c, d}, level, neighbours);
+    }
+  }
+  return neighbours;
+}
+
+/// One line from that edge on, taken out of what is left. A ring ends where it began.
+std::vector<Edge> taken_from(Neighbours& left, Edge at) {
+  std::vector<Edge> line{at};
+  while (!left[at].empty()) {
+    const Edge next = left[at].back();
+    left[at].pop_back();
+    std::erase(left[next], at);
+    line.push_back(at = next);
+  }
+  return line;
+}
 
 }  // namespace
 
@@ -138,8 +191,7 @@ std::vector<Series> lone_dots(const std::vector<double>& across, const std::vect
         if (is_whole_before(line, place) || is_whole_before(line, place + 1) ||
             is_whole_before(line + 1, place) || is_whole_before(line + 1, place + 1))
           continue;
-        dots.x.push_back(across[place]);
-        dots.y.push_back(up[line]);
+        dots.add(across[place], up[line]);
       }
     if (!dots.x.empty()) list.push_back(std::move(dots));
   }
@@ -165,6 +217,27 @@ std::vector<Series> filled_areas(const std::vector<double>& across, const std::v
     if (!area.x.empty()) list.push_back(std::move(area));
   }
   return list;
+}
+
+Series contour(const std::vector<double>& across, const std::vector<double>& up,
+               const std::vector<std::vector<double>>& values, double level) {
+  constexpr std::size_t black = 6;  // a turn
+  Series series{
+      .style = SeriesStyle::solid_line, .turn = black, .label_place = LabelPlace::middle, .is_cased = true};
+  const Grid grid{across, up, values};
+  Neighbours left = crossings(grid, level);
+  const auto add = [&](const Edge& from) {
+    series.add_gap();
+    for (const Edge& edge : taken_from(left, from)) {
+      const auto [x, y] = grid.place(edge, level);
+      series.add(x, y);
+    }
+  };
+  // Lines from border to border first: from there on, what is left are rings.
+  for (const std::size_t ends : {1U, 2U})
+    for (const auto& [edge, others] : left)
+      if (others.size() == ends) add(edge);
+  return series;
 }
 
 }  // namespace dashpad::output

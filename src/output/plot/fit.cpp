@@ -1,4 +1,4 @@
-#include "output/plot/fit.hpp"
+#include "output/plot/foam_figures.hpp"
 
 #include <cmath>
 

@@ -10,8 +10,6 @@
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/result/result_quantity.hpp"
 #include "output/plot/axis_with_unit.hpp"
-#include "output/plot/impact_energies.hpp"
-#include "output/plot/result_panels.hpp"
 
 namespace dashpad::output {
 
@@ -21,16 +19,7 @@ constexpr const char* no_finite_limit =
     "Without a finite limit at full compression: the curve leaves the plot.";
 
 CaptionedPlot figure(std::string title, Panel panel, std::string note = {}) {
-  CaptionedPlot of;
-  of.plot.title = std::move(title);
-  of.plot.panels = {std::move(panel)};
-  of.note = std::move(note);
-  return of;
-}
-
-/// A line in the colour of its turn and with its dashes.
-Series curve(const char* key, const std::vector<double>& x, std::vector<double> y, std::size_t turn) {
-  return {.label = result_quantity(key).title, .x = x, .y = std::move(y), .turn = turn};
+  return {.plot = {.title = std::move(title), .panels = {std::move(panel)}}, .note = std::move(note)};
 }
 
 /// There solid, and back dashed.
@@ -59,35 +48,28 @@ Panel loop(const char* key, const std::vector<double>& way, const Solution& solu
   return panel;
 }
 
+/// What is plotted over time, in the colour of its turn and with its dashes.
+struct OverTime {
+  const char* key;
+  const std::vector<double>& values;  ///< SI, an entry for each of the history
+  std::size_t turn;
+};
+
+Panel over_time(const History& history, Axis y, const std::vector<OverTime>& columns,
+                const UnitSystem& units) {
+  Panel panel{.x = axis_of("time", units), .y = std::move(y)};
+  for (const OverTime& of : columns)
+    panel.series.push_back({.label = result_quantity(of.key).title,
+                            .x = values_in(units, history.time, "s"),
+                            .y = values_in(units, of.values, panel.y.si_unit),
+                            .turn = of.turn});
+  return panel;
+}
+
 Panel force_panel(const Solution& solution, const UnitSystem& units) {
-  Panel panel{.x = axis_of("time", units), .y = axis_of("force", units)};
-  panel.series = {curve("force", values_in(units, solution.history.time, "s"),
-                        values_in(units, solution.history.force, "N"), 0)};
-  panel.y.low = 0;
-  end_before_bottoming(panel.y, solution, panel.series.front().y);
-  mark_bottoming(panel, solution, units);
-  return panel;
-}
-
-Panel distances_panel(const History& history, const UnitSystem& units) {
-  Panel panel{.x = axis_of("time", units), .y = axis_with_unit("Distance", "m", units)};
-  const std::vector<double> time = values_in(units, history.time, "s");
-  panel.series = {curve("motion", time, values_in(units, history.motion, "m"), 0),
-                  curve("penetration", time, values_in(units, history.penetration, "m"), 1),
-                  curve("support_deflection", time, values_in(units, history.support_deflection, "m"), 2)};
-  return panel;
-}
-
-Panel energy_panel(const History& history, const ImpactEnergies& energies, const UnitSystem& units) {
-  Panel panel{.x = axis_of("time", units), .y = axis_with_unit("Energy", "J", units)};
-  const std::vector<double> time = values_in(units, history.time, "s");
-  const auto add = [&](const char* key, const std::vector<double>& joules, std::size_t turn) {
-    panel.series.push_back(curve(key, time, values_in(units, joules, "J"), turn));
-  };
-  add("kinetic_energy", energies.kinetic, 0);
-  add("pad_energy", energies.pad, 1);
-  add("support_energy", energies.support, 2);
-  add("total_energy", energies.total, 6);
+  const History& history = solution.history;
+  Panel panel = over_time(history, axis_of("force", units), {{"force", history.force, 0}}, units);
+  show_bottoming(panel, solution, std::vector(panel.series.front().y), units);
   return panel;
 }
 
@@ -171,24 +153,16 @@ void set_stress_axis(Axis& axis, const std::vector<ContactSnapshot>& snapshots, 
           .high = top};
 }
 
+/// Integral of a force over the way that it goes, up to each entry, by trapezoids.
+template <class Way>
+std::vector<double> work_of(const std::vector<double>& force, Way&& way) {
+  std::vector<double> work(force.size(), 0.0);
+  for (std::size_t i = 1; i < force.size(); ++i)
+    work[i] = work[i - 1] + (force[i - 1] + force[i]) / 2 * (way(i) - way(i - 1));
+  return work;
+}
+
 }  // namespace
-
-void mark_bottoming(Panel& panel, const Solution& solution, const UnitSystem& units) {
-  if (!bottomed_on_rigid_support(solution.summary)) return;
-  panel.series.push_back({.label = "bottoms out",
-                          .style = SeriesStyle::vertical_line,
-                          .x = {value_in(units, solution.summary.bottomed->time, "s")}});
-}
-
-void end_before_bottoming(Axis& axis, const Solution& solution, const std::vector<double>& column) {
-  if (!bottomed_on_rigid_support(solution.summary)) return;
-  const std::vector<double>& penetration = solution.history.penetration;
-  const double end = 0.99 * std::ranges::max(penetration);
-  double highest = 0;
-  for (std::size_t i = 0; i < column.size(); ++i)
-    if (penetration[i] < end) highest = std::max(highest, column[i]);
-  if (highest > 0) axis.high = 1.06 * highest;
-}
 
 std::vector<CaptionedPlot> impact_figures(const ImpactCase& impact, const Solution& solution,
                                           const std::optional<injury::InjuryFigures>& injury,
@@ -200,7 +174,17 @@ std::vector<CaptionedPlot> impact_figures(const ImpactCase& impact, const Soluti
   const EnergyLedger& audit = solution.summary.energy;
   Panel deceleration = deceleration_panel(solution, injury, units);
   deceleration.title.clear();
-  Panel distances = distances_panel(history, units), energy = energy_panel(history, energies, units);
+  Panel distances = over_time(history, axis_with_unit("Distance", "m", units),
+                              {{"motion", history.motion, 0},
+                               {"penetration", history.penetration, 1},
+                               {"support_deflection", history.support_deflection, 2}},
+                              units);
+  Panel energy = over_time(history, axis_with_unit("Energy", "J", units),
+                           {{"kinetic_energy", energies.kinetic, 0},
+                            {"pad_energy", energies.pad, 1},
+                            {"support_energy", energies.support, 2},
+                            {"total_energy", energies.total, 6}},
+                           units);
   begin_at_zero(distances);
   begin_at_zero(energy);
   std::vector<CaptionedPlot> figures{
@@ -243,6 +227,30 @@ std::vector<CaptionedPlot> contact_figures(const std::vector<ContactSnapshot>& s
                "force by more than 5 %.")};
   return {figure("Stress over the contact", std::move(stress), note_on_stress(snapshots, highest)),
           figure("Strain over the contact", std::move(strain))};
+}
+
+ImpactEnergies impact_energies(const ImpactCase& impact, const History& history) {
+  const std::vector<double> back = work_of(history.force_of_pad(), [&](std::size_t i) {
+    return history.support_deflection[i] + (history.body_motion.empty() ? 0 : history.body_motion[i]);
+  });
+  // With the sheet on it, which takes its share from the impactor.
+  const bool has_sheet = !history.pad_force.empty();
+  ImpactEnergies energies;
+  energies.pad = work_of(
+      history.force, [&](std::size_t i) { return has_sheet ? history.motion[i] : history.penetration[i]; });
+  const double weight = impact.impactor.mass * impact.impactor.gravity;
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    if (has_sheet) energies.pad[i] -= back[i];
+    energies.kinetic.push_back(impact.impactor.mass * history.velocity[i] * history.velocity[i] / 2);
+    // What a support has taken is a function of the force as long as it is only elastic.
+    const double elastic = impact.support.is_rigid() ? 0.0 : impact.support.energy(history.force_of_pad()[i]);
+    energies.support.push_back(history.body_motion.empty() ? elastic : back[i]);
+    energies.total.push_back(energies.kinetic[i] + energies.support[i] + energies.pad[i] -
+                             weight * history.motion[i]);
+    energies.largest_deviation =
+        std::max(energies.largest_deviation, std::abs(energies.total[i] / energies.kinetic.front() - 1));
+  }
+  return energies;
 }
 
 }  // namespace dashpad::output

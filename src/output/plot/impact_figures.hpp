@@ -1,7 +1,9 @@
 #pragma once
-/// All that is plotted of one impact, a figure each.
+/// All that is plotted of one impact: a figure each for pages, and what stills and other pages have of them.
 
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "dashpad/impact/contact_snapshot.hpp"
@@ -22,12 +24,32 @@ std::vector<CaptionedPlot> impact_figures(const ImpactCase& impact, const Soluti
 std::vector<CaptionedPlot> contact_figures(const std::vector<ContactSnapshot>& snapshots,
                                            const UnitSystem& units);
 
-/// A line across a panel over time where the pad bottoms out on a rigid support, if it does.
-void mark_bottoming(Panel& panel, const Solution& solution, const UnitSystem& units);
+/// Deceleration, the window of HIC15 and the 3 ms clip; the title says what they are.
+Panel deceleration_panel(const Solution& solution, const std::optional<injury::InjuryFigures>& injury,
+                         const UnitSystem& units);
+
+/// "peaks at 76.3 g and holds 71.2 g for 3 ms".
+std::string peak_words(const injury::InjuryFigures& figures);
+
+/// The window of a head injury criterion: a bracket just above the axis of time, from the begin of the window
+/// to its end; a wash over half of the plot would hide what it is about. `peak`, with its sign, is that of
+/// the curve; `row` counts brackets from the axis on.
+Series hic_bracket(std::string label, double begin, double end, double peak, std::size_t turn, int row = 0);
 
 /// Ends the axis of a force, or of what is in proportion to it, above what a pad that bottomed out on a rigid
 /// support had before the last hundredth of its penetration: at the end it has no finite limit, and would
 /// hide all the rest. `column` is what is plotted, an entry for each of the history.
 void end_before_bottoming(Axis& axis, const Solution& solution, const std::vector<double>& column);
+/// The same of a panel over time, which begins at nothing, with a line across where the pad bottoms out.
+void show_bottoming(Panel& panel, const Solution& solution, const std::vector<double>& column,
+                    const UnitSystem& units);
+
+/// Where the energy of an impact is, J, an entry for each of the history. Works are trapezoid sums of force
+/// over way, the work of the weight is part of the total.
+struct ImpactEnergies {
+  std::vector<double> kinetic, support, pad, total;
+  double largest_deviation = 0;  ///< of the total from what it was at first, as a share of that
+};
+ImpactEnergies impact_energies(const ImpactCase& impact, const History& history);
 
 }  // namespace dashpad::output

@@ -1,15 +1,11 @@
-#include "output/plot/mark_labels.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
 #include <fmt/format.h>
 
-#include "output/plot/line_places.hpp"
-#include "output/plot/text_sizes.hpp"
-#include "output/svg/svg.hpp"
-#include "output/svg/text_fit.hpp"
+#include "output/plot/labels.hpp"
+#include "output/plot/svg_plot.hpp"
 
 namespace dashpad::output {
 
@@ -25,12 +21,13 @@ struct Box {
   double left = 0, top = 0, right = 0, bottom = 0;
 };
 
-Box box_of(const MarkLabel& label) {
+double width_of_name(const SeriesDrawing& series) { return text_room(entry_of(series).label, label_text); }
+
+Box box_at(const TextPlace& place, double width) {
   constexpr double ascent = 11, descent = 3;
-  const double width = text_room(label.text, label_text);
-  const double before = label.anchor == TextAnchor::start ? 0 : label.anchor == TextAnchor::end ? 1 : 0.5;
-  const double left = label.at.x - before * width;
-  return {left, label.at.y - ascent, left + width, label.at.y + descent};
+  const double before = place.anchor == TextAnchor::start ? 0 : place.anchor == TextAnchor::end ? 1 : 0.5;
+  const double left = place.at.x - before * width;
+  return {left, place.at.y - ascent, left + width, place.at.y + descent};
 }
 
 /// What a text must not lie on.
@@ -47,7 +44,7 @@ bool overlap(const Box& a, const Box& b) {
 
 /// The line as it is seen from the corner of the box.
 bool crosses(PlaceLine line, const Box& box) {
-  for (PlotPlace& at : line) at = {at.x - box.left, at.y - box.top};
+  for (Place& at : line) at = {at.x - box.left, at.y - box.top};
   return !line_inside(line, {box.right - box.left, box.bottom - box.top}).empty();
 }
 
@@ -56,9 +53,9 @@ bool is_free(const Box& box, const Obstacles& obstacles) {
   if (box.left < edge || box.right > obstacles.size.width - edge || box.top < 0 ||
       box.bottom > obstacles.size.height)
     return false;
-  const auto is_near = [&](const PlotPlace& at) {
-    return at.x > box.left - size_of_point && at.x < box.right + size_of_point &&
-           at.y > box.top - size_of_point && at.y < box.bottom + size_of_point;
+  const auto is_near = [&](const Place& at) {
+    return overlap({at.x - size_of_point, at.y - size_of_point, at.x + size_of_point, at.y + size_of_point},
+                   box);
   };
   return std::ranges::none_of(obstacles.texts, [&](const Box& text) { return overlap(text, box); }) &&
          std::ranges::none_of(obstacles.points, is_near) &&
@@ -87,7 +84,7 @@ Obstacles obstacles_of(const PanelDrawing& panel, const std::vector<EndLabel>& e
       for (PlaceLine& part : parts_inside(series, scale)) obstacles.lines.push_back(std::move(part));
     if (style == SeriesStyle::points)
       for (const PlotRun& run : series.runs)
-        for (const PlotRow& row : run) obstacles.points.push_back({scale.across(row.x), scale.down(row.y)});
+        for (const PlotRow& row : run) obstacles.points.push_back(scale.place(row.x, row.y));
   }
   for (const EndLabel& label : ends)
     if (!ends_early(label, size))
@@ -96,59 +93,55 @@ Obstacles obstacles_of(const PanelDrawing& panel, const std::vector<EndLabel>& e
 }
 
 /// Places beside a line across, the best first.
-std::vector<MarkLabel> beside_horizontal(const MarkLabel& label, double y, const PlotSize& size) {
-  std::vector<MarkLabel> all;
-  const double way = size.width - 2 * to_text_above - text_room(label.text, label_text);
+std::vector<TextPlace> beside_horizontal(double y, double width, const PlotSize& size) {
+  std::vector<TextPlace> all;
+  const double way = size.width - 2 * to_text_above - width;
   for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0})
     for (const double base : {y - to_text_above, y + to_text_below})
-      all.push_back(
-          {label.series, label.text, {size.width - to_text_above - part * way, base}, TextAnchor::end});
+      all.push_back({{size.width - to_text_above - part * way, base}, TextAnchor::end});
   return all;
 }
 
-std::vector<MarkLabel> beside_vertical(const MarkLabel& label, double x) {
+std::vector<TextPlace> beside_vertical(double x) {
   constexpr int rows = 8;
-  std::vector<MarkLabel> all;
+  std::vector<TextPlace> all;
   // Where a curve runs along the line, on the other side of it.
   for (const double away : {to_text_beside, 3 * to_text_beside})
     for (int row = 0; row < rows; ++row) {
       const double base = to_text_below + mark_line * row;
-      all.push_back({label.series, label.text, {x + away, base}, TextAnchor::start});
-      all.push_back({label.series, label.text, {x - away, base}, TextAnchor::end});
+      all.push_back({{x + away, base}, TextAnchor::start});
+      all.push_back({{x - away, base}, TextAnchor::end});
     }
   return all;
 }
 
-std::vector<MarkLabel> beside_middle(const MarkLabel& label, const std::vector<PlaceLine>& parts) {
-  std::vector<MarkLabel> all;
+std::vector<TextPlace> beside_middle(const std::vector<PlaceLine>& parts) {
+  std::vector<TextPlace> all;
   if (parts.empty()) return all;
   const PlaceLine& line = *std::ranges::max_element(parts, {}, length_of);
-  const auto add = [&](double x, double y, TextAnchor anchor) {
-    all.push_back({label.series, label.text, {x, y}, anchor});
-  };
   for (const double part : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
-    const PlotPlace at = place_on(line, part * length_of(line));
-    add(at.x, at.y - to_text_above, TextAnchor::middle);
-    add(at.x, at.y + to_text_below, TextAnchor::middle);
-    add(at.x + to_text_beside, at.y + to_text_above, TextAnchor::start);
-    add(at.x - to_text_beside, at.y + to_text_above, TextAnchor::end);
+    const auto [x, y] = place_on(line, part * length_of(line));
+    all.push_back({{x, y - to_text_above}, TextAnchor::middle});
+    all.push_back({{x, y + to_text_below}, TextAnchor::middle});
+    all.push_back({{x + to_text_beside, y + to_text_above}, TextAnchor::start});
+    all.push_back({{x - to_text_beside, y + to_text_above}, TextAnchor::end});
   }
   // A bracket that is narrower than its name.
-  const auto [highest, lowest] = std::ranges::minmax(line, {}, &PlotPlace::y);
+  const auto [highest, lowest] = std::ranges::minmax(line, {}, &Place::y);
   const double middle = (line.front().x + line.back().x) / 2;
-  add(middle, highest.y - to_text_above, TextAnchor::middle);
-  add(middle, lowest.y + to_text_below, TextAnchor::middle);
+  all.push_back({{middle, highest.y - to_text_above}, TextAnchor::middle});
+  all.push_back({{middle, lowest.y + to_text_below}, TextAnchor::middle});
   return all;
 }
 
-std::vector<MarkLabel> beside_end(const MarkLabel& label, const PlotPlace& end) {
-  std::vector<MarkLabel> all;
+std::vector<TextPlace> beside_end(const Place& end) {
+  std::vector<TextPlace> all;
   for (const double base : {to_text_above, -to_text_above, to_text_below}) {
-    all.push_back({label.series, label.text, {end.x + to_text_beside, end.y + base}, TextAnchor::start});
-    all.push_back({label.series, label.text, {end.x - to_text_beside, end.y + base}, TextAnchor::end});
+    all.push_back({{end.x + to_text_beside, end.y + base}, TextAnchor::start});
+    all.push_back({{end.x - to_text_beside, end.y + base}, TextAnchor::end});
   }
   for (const double base : {-to_text_above, to_text_below})
-    all.push_back({label.series, label.text, {end.x, end.y + base}, TextAnchor::middle});
+    all.push_back({{end.x, end.y + base}, TextAnchor::middle});
   return all;
 }
 
@@ -162,19 +155,16 @@ bool is_named_point(const SeriesDrawing& series) {
 }
 
 /// Where the name of a series could stand.
-std::vector<MarkLabel> places_for(const SeriesDrawing& series, const PanelScale& scale) {
-  const MarkLabel label{.series = &series, .text = entry_of(series).label};
+std::vector<TextPlace> places_for(const SeriesDrawing& series, const PanelScale& scale) {
   if (is_named_line_across(series))
     return series.looks.style == SeriesStyle::vertical_line
-               ? beside_vertical(label, scale.across(series.places.front()))
-               : beside_horizontal(label, scale.down(series.places.front()), scale.size);
+               ? beside_vertical(scale.across(series.places.front()))
+               : beside_horizontal(scale.down(series.places.front()), width_of_name(series), scale.size);
   if (is_line(series.looks.style) && series.label_place == LabelPlace::middle && !series.label.empty())
-    return beside_middle(label, parts_inside(series, scale));
-  if (is_named_point(series)) {
-    const PlotRow& at = series.runs.front().front();
-    return beside_end(label, {scale.across(at.x), scale.down(at.y)});
-  }
-  return {};
+    return beside_middle(parts_inside(series, scale));
+  if (!is_named_point(series)) return {};
+  const PlotRow& at = series.runs.front().front();
+  return beside_end(scale.place(at.x, at.y));
 }
 
 }  // namespace
@@ -184,20 +174,22 @@ std::vector<MarkLabel> mark_labels_of(const PanelDrawing& panel, std::vector<End
   std::vector<MarkLabel> labels;
   const auto across = static_cast<std::size_t>(std::ranges::count_if(panel.series, is_named_line_across));
   Obstacles obstacles = obstacles_of(panel, ends, scale);
-  const auto take_first_free = [&](const std::vector<MarkLabel>& places) {
-    const auto found = std::ranges::find_if(
-        places, [&](const MarkLabel& label) { return is_free(box_of(label), obstacles); });
-    if (found == places.end()) return false;
-    obstacles.texts.push_back(box_of(*found));
-    labels.push_back(*found);
-    return true;
+  const auto take_first_free = [&](const SeriesDrawing& series, const std::vector<TextPlace>& places) {
+    const double width = width_of_name(series);
+    for (const TextPlace& place : places) {
+      const Box box = box_at(place, width);
+      if (!is_free(box, obstacles)) continue;
+      obstacles.texts.push_back(box);
+      labels.push_back({&series, place});
+      return true;
+    }
+    return false;
   };
   for (const SeriesDrawing& series : panel.series)
     if (!is_named_line_across(series) || across <= most_named_lines_across)
-      take_first_free(places_for(series, scale));
+      take_first_free(series, places_for(series, scale));
   std::erase_if(ends, [&](const EndLabel& end) {
-    const MarkLabel label{.series = end.series, .text = entry_of(*end.series).label};
-    return ends_early(end, scale.size) && take_first_free(beside_end(label, end.line_end));
+    return ends_early(end, scale.size) && take_first_free(*end.series, beside_end(end.line_end));
   });
   return labels;
 }
@@ -206,12 +198,13 @@ std::string mark_labels_svg(const std::vector<MarkLabel>& labels) {
   constexpr std::array<const char*, 3> anchors{"", " dp-centred", " dp-to-end"};
   if (labels.empty()) return {};
   std::string svg = "<g class=\"dp-marks\">\n";
-  for (const MarkLabel& label : labels)
+  for (const auto& [series, place] : labels) {
+    const std::string name = xml_text(entry_of(*series).label);
     svg += fmt::format(
         "<g{} data-label=\"{}\"><text class=\"dp-mark-label{}\" x=\"{}\" y=\"{}\">{}</text></g>\n",
-        colour_attributes(label.series->looks.colour, "dp-mark"), xml_text(entry_of(*label.series).label),
-        anchors[static_cast<std::size_t>(label.anchor)], px(label.at.x), px(label.at.y),
-        xml_text(label.text));
+        colour_attributes(series->looks.colour, "dp-mark"), name,
+        anchors[static_cast<std::size_t>(place.anchor)], px(place.at.x), px(place.at.y), name);
+  }
   return svg + "</g>\n";
 }
 

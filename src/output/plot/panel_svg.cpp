@@ -5,11 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "output/plot/arrows.hpp"
-#include "output/plot/text_sizes.hpp"
-#include "output/svg/svg.hpp"
-#include "output/svg/text.hpp"
-#include "output/svg/text_fit.hpp"
+#include "output/plot/svg_plot.hpp"
 
 namespace dashpad::output {
 
@@ -25,11 +21,6 @@ std::size_t most_x_labels(double plot_width) { return plot_width < 480 ? 7 : 9; 
 
 /// Of the axes, px: narrow plots are less high, and not as flat as wide ones.
 double height_of_axes(double plot_width) { return 160 + plot_width * 160 / 900; }
-
-std::string text_element(const char* classes, double x, double y, const std::string& text) {
-  return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", classes, px(x), px(y),
-                     xml_text(text));
-}
 
 /// The axis by its name, for scripts that change units.
 std::string axis_title(const char* axis, const char* classes, double x, double y, const std::string& text) {
@@ -52,7 +43,7 @@ std::string grid(const PanelFrame& frame, bool minor) {
     if (tick.label.empty() == minor)
       path += fmt::format("M0 {}H{}", px(scale.down(tick.value)), px(scale.size.width));
   if (path.empty()) return {};
-  return fmt::format("<path class=\"{}\" d=\"{}\"/>\n", minor ? "dp-minor-grid" : "dp-grid", path);
+  return path_element(minor ? "dp-minor-grid" : "dp-grid", path);
 }
 
 std::string axes(const PanelFrame& frame) {
@@ -64,14 +55,14 @@ std::string axes(const PanelFrame& frame) {
     if (tick.label.empty()) continue;
     path += fmt::format("M{} {}v{}", px(scale.across(tick.value)), px(height), px(tick_length));
     numbers +=
-        text_element("dp-tick dp-centred", scale.across(tick.value), height + tick_length + 13, tick.label);
+        text_element("dp-tick dp-centred", {scale.across(tick.value), height + tick_length + 13}, tick.label);
   }
   for (const Tick& tick : frame.y_ticks) {
     if (tick.label.empty()) continue;
     path += fmt::format("M0 {}h-{}", px(scale.down(tick.value)), px(tick_length));
-    numbers += text_element("dp-tick dp-to-end", -tick_gap, scale.down(tick.value) + 4.2, tick.label);
+    numbers += text_element("dp-tick dp-to-end", {-tick_gap, scale.down(tick.value) + 4.2}, tick.label);
   }
-  return fmt::format("<path class=\"dp-axis\" d=\"{}\"/>\n{}", path, numbers);
+  return path_element("dp-axis", path) + numbers;
 }
 
 /// Numbers and words that a script needs to read the panel.
@@ -97,7 +88,7 @@ std::string titles(const PanelFrame& frame, double left, double top, double edge
   std::string text;
   double line = top - frame.above_axes() + 14;
   for (const std::string& title : frame.title) {
-    text += text_element("dp-panel-title", edge, line, title);
+    text += text_element("dp-panel-title", {edge, line}, title);
     line += panel_title_line;
   }
   line = top - 13 - axis_title_line * (static_cast<double>(frame.y_title.size()) - 1);
@@ -116,10 +107,9 @@ std::string titles(const PanelFrame& frame, double left, double top, double edge
 
 std::string inside(const PanelFrame& frame) {
   const PlotSize& size = frame.scale.size;
-  if (!frame.drawing->has_data) {
-    return fmt::format("<path class=\"dp-axis\" d=\"M0 0V{}H{}\"/>\n", px(size.height), px(size.width)) +
-           text_element("dp-label dp-centred", size.width / 2, size.height / 2, "no data");
-  }
+  if (!frame.drawing->has_data)
+    return path_element("dp-axis", fmt::format("M0 0V{}H{}", px(size.height), px(size.width))) +
+           text_element("dp-label dp-centred", {size.width / 2, size.height / 2}, "no data");
   std::string text = grid(frame, true) + grid(frame, false) + axes(frame);
   for (const SeriesDrawing& series : frame.drawing->series) text += series_svg(series, frame.scale);
   return text + arrows_svg(*frame.drawing, frame.scale) + mark_labels_svg(frame.marks) +

@@ -5,10 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "output/plot/end_labels.hpp"
-#include "output/plot/legend.hpp"
-#include "output/plot/mark_labels.hpp"
-#include "output/plot/series_svg.hpp"
+#include "output/plot/labels.hpp"
 
 namespace dashpad::output {
 

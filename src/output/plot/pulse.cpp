@@ -7,8 +7,7 @@
 #include "output/documents/assessment.hpp"
 #include "output/documents/pulse.hpp"
 #include "output/plot/axis_with_unit.hpp"
-#include "output/plot/hic_bracket.hpp"
-#include "output/plot/result_panels.hpp"
+#include "output/plot/impact_figures.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

@@ -1,6 +1,6 @@
 // A measured pulse over the computed one, as a picture.
 
-#include "dashpad/output/pulse_comparison.hpp"
+#include "dashpad/output/pulse.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "dashpad/output/plot/result.hpp"
+#include "dashpad/output/impact.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -9,29 +9,19 @@
 #include "dashpad/output/text/case.hpp"
 #include "dashpad/version.hpp"
 #include "output/plot/axis_with_unit.hpp"
-#include "output/plot/hic_bracket.hpp"
 #include "output/plot/impact_figures.hpp"
-#include "output/plot/result_panels.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
 
 namespace {
 
-Series line(std::string label, std::vector<double> x, std::vector<double> y) {
-  Series series;
-  series.label = std::move(label);
-  series.style = SeriesStyle::solid_line;
-  series.x = std::move(x);
-  series.y = std::move(y);
-  return series;
-}
-
-/// What the pad made of the energy, where that is known.
-std::string energy_words(const Summary& summary, const UnitSystem& units) {
+/// What the pad made of the energy, or what is plotted where that is not known.
+std::string title_of_loops(const Summary& summary, const UnitSystem& units) {
   constexpr double rounding = 1e-9;
   const double kept = summary.energy_absorbed_fraction;
-  if (summary.status != Status::released || !(kept > -rounding && kept < 1 + rounding)) return {};
+  if (summary.status != Status::released || !(kept > -rounding && kept < 1 + rounding))
+    return "Force over displacement and penetration";
   return fmt::format("Of an impact energy of {} the pad keeps {:.0f} %",
                      brief_quantity(summary.energy.impact, "J", units, 3), 100 * std::max(kept, 0.0));
 }
@@ -44,18 +34,19 @@ std::string bottoming_words(const Moment& bottomed, const UnitSystem& units) {
 
 /// Force over displacement and penetration.
 Panel loop_panel(const Solution& solution, const UnitSystem& units) {
-  const History& history = solution.history;
-  Panel panel{"Force over displacement and penetration",
-              axis_with_unit("Distance", "m", units),
-              axis_of("force", units),
-              {}};
+  Panel panel{.title = title_of_loops(solution.summary, units),
+              .x = axis_with_unit("Distance", "m", units),
+              .y = axis_of("force", units)};
   panel.x.low = panel.y.low = 0;
-  panel.series.push_back(line(result_quantity("motion").title, values_in(units, history.motion, "m"),
-                              values_in(units, history.force, "N")));
-  panel.series.push_back(line(result_quantity("penetration").title,
-                              values_in(units, history.penetration, "m"),
-                              values_in(units, history.force, "N")));
-  for (Series& loop : panel.series) loop.has_arrow = true;
+  const auto add = [&](const char* key, const std::vector<double>& way) {
+    panel.series.push_back({.label = result_quantity(key).title,
+                            .style = SeriesStyle::solid_line,
+                            .x = values_in(units, way, "m"),
+                            .y = values_in(units, solution.history.force, "N"),
+                            .has_arrow = true});
+  };
+  add("motion", solution.history.motion);
+  add("penetration", solution.history.penetration);
   end_before_bottoming(panel.y, solution, panel.series.back().y);
   return panel;
 }
@@ -70,20 +61,47 @@ std::string peak_words(const injury::InjuryFigures& figures) {
   return words;
 }
 
+Series hic_bracket(std::string label, double begin, double end, double peak, std::size_t turn, int row) {
+  const double foot = (0.02 + 0.11 * row) * peak, arm = foot + 0.05 * peak;
+  return {.label = std::move(label),
+          .style = SeriesStyle::solid_line,
+          .x = {begin, begin, end, end},
+          .y = {arm, foot, foot, arm},
+          .turn = turn,
+          .label_place = LabelPlace::middle};
+}
+
+void end_before_bottoming(Axis& axis, const Solution& solution, const std::vector<double>& column) {
+  if (!bottomed_on_rigid_support(solution.summary)) return;
+  const std::vector<double>& penetration = solution.history.penetration;
+  const double end = 0.99 * std::ranges::max(penetration);
+  double highest = 0;
+  for (std::size_t i = 0; i < column.size(); ++i)
+    if (penetration[i] < end) highest = std::max(highest, column[i]);
+  if (highest > 0) axis.high = 1.06 * highest;
+}
+
+void show_bottoming(Panel& panel, const Solution& solution, const std::vector<double>& column,
+                    const UnitSystem& units) {
+  panel.y.low = 0;
+  end_before_bottoming(panel.y, solution, column);
+  if (bottomed_on_rigid_support(solution.summary))
+    panel.series.push_back({.label = "bottoms out",
+                            .style = SeriesStyle::vertical_line,
+                            .x = {value_in(units, solution.summary.bottomed->time, "s")}});
+}
+
 Panel deceleration_panel(const Solution& solution, const std::optional<injury::InjuryFigures>& injury,
                          const UnitSystem& units) {
-  const Summary& summary = solution.summary;
-  Panel panel{bottomed_on_rigid_support(summary) ? bottoming_words(*summary.bottomed, units)
-              : injury                           ? "The deceleration " + peak_words(*injury)
-                                                 : result_quantity("deceleration").title,
-              axis_of("time", units),
-              axis_of("deceleration", units),
-              {}};
-  panel.y.low = 0;
+  const std::string name = result_quantity("deceleration").title;
+  Panel panel{.title = name, .x = axis_of("time", units), .y = axis_of("deceleration", units)};
+  if (bottomed_on_rigid_support(solution.summary))
+    panel.title = bottoming_words(*solution.summary.bottomed, units);
+  else if (injury)
+    panel.title = "The deceleration " + peak_words(*injury);
   std::vector<double> deceleration;
   for (const double value : solution.history.acceleration) deceleration.push_back(-value / standard_gravity);
-  end_before_bottoming(panel.y, solution, deceleration);
-  mark_bottoming(panel, solution, units);
+  show_bottoming(panel, solution, deceleration, units);
   if (injury) {
     panel.series.push_back(
         hic_bracket(fmt::format("{} {}", result_quantity("hic15").title, significant(injury->hic15.value, 4)),
@@ -96,9 +114,11 @@ Panel deceleration_panel(const Solution& solution, const std::optional<injury::I
            .style = SeriesStyle::horizontal_line,
            .y = {level}});
   }
-  panel.series.push_back(line(result_quantity("deceleration").title,
-                              values_in(units, solution.history.time, "s"), std::move(deceleration)));
-  panel.series.back().turn = 0;
+  panel.series.push_back({.label = name,
+                          .style = SeriesStyle::solid_line,
+                          .x = values_in(units, solution.history.time, "s"),
+                          .y = std::move(deceleration),
+                          .turn = 0});
   return panel;
 }
 
@@ -106,11 +126,9 @@ Plot result_plot(const ImpactCase& impact, const Solution& solution,
                  const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units) {
   std::string source = fmt::format("dashpad {}", version());
   for (const Flag& flag : flags(solution.summary)) source += "; " + one_line(flag.text);
-  const Summary& summary = solution.summary;
-  Panel deceleration = deceleration_panel(solution, injury, units);
-  Panel loop = loop_panel(solution, units);
-  if (std::string words = energy_words(summary, units); !words.empty()) loop.title = std::move(words);
-  return {impact.title.empty() ? "Impact" : impact.title, {std::move(deceleration), std::move(loop)}, source};
+  return {.title = impact.title.empty() ? "Impact" : impact.title,
+          .panels = {deceleration_panel(solution, injury, units), loop_panel(solution, units)},
+          .source = source};
 }
 
 }  // namespace dashpad::output

@@ -5,7 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <stdexcept>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include "output/svg/svg.hpp"
 
 namespace dashpad::output {
 
@@ -98,6 +103,25 @@ void keep_extremes(const PlotRun& run, std::size_t begin, std::size_t end, PlotR
   for (const auto* place = places.begin(); place != end_of_places; ++place) kept.push_back(run[*place]);
 }
 
+void check(const Series& series) {
+  if (series.style == SeriesStyle::vertical_line || series.style == SeriesStyle::horizontal_line) return;
+  const bool has_second = series.style == SeriesStyle::band;
+  if (series.x.size() != series.y.size() || (has_second && series.y2.size() != series.y.size()))
+    throw std::invalid_argument(
+        fmt::format("the columns of the series \"{}\" differ in length", readable(series.label)));
+}
+
+void check(const Axis& axis) {
+  const auto name = readable(axis.label);
+  for (const auto& limit : {axis.low, axis.high}) {
+    if (limit && !is_drawable(*limit, axis))
+      throw std::invalid_argument(fmt::format("the axis \"{}\" cannot end at {}", name, *limit));
+  }
+  if (axis.low && axis.high && !(*axis.low < *axis.high))
+    throw std::invalid_argument(fmt::format("the axis \"{}\" ends at {}, not above its beginning at {}", name,
+                                            *axis.high, *axis.low));
+}
+
 }  // namespace
 
 void Span::include(double value) {
@@ -107,6 +131,16 @@ void Span::include(double value) {
 
 bool is_drawable(double value, const Axis& axis) {
   return std::abs(value) <= largest_drawn && (!axis.logarithmic || value > 0);
+}
+
+bool is_within_limits(double value, const Axis& axis) {
+  return value >= axis.low.value_or(value) && value <= axis.high.value_or(value);
+}
+
+void check(const Panel& panel) {
+  check(panel.x);
+  check(panel.y);
+  for (const Series& series : panel.series) check(series);
 }
 
 std::vector<PlotRun> drawable_runs(const Series& series, const Axis& x, const Axis& y) {

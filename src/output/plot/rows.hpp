@@ -1,5 +1,5 @@
 #pragma once
-/// The points of a series that the picture needs.
+/// The points of a series that the picture needs, and whether a panel can be drawn at all.
 
 #include <limits>
 #include <vector>
@@ -28,6 +28,12 @@ struct Span {
 
 /// Whether the axis has a place for the number, disregarding its ends.
 bool is_drawable(double value, const Axis& axis);
+/// Whether it lies within the ends that are given.
+bool is_within_limits(double value, const Axis& axis);
+
+/// Throws std::invalid_argument if columns of a series differ in length, or if an axis cannot have its
+/// limits.
+void check(const Panel& panel);
 
 /// The parts of a line, a band or points that can be drawn on these axes and are not wholly beyond their
 /// ends.

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-
-#include "output/plot/simplified.hpp"
-#include "output/svg/svg.hpp"
 
 namespace dashpad::output {
 
@@ -17,12 +15,12 @@ namespace {
 /// Beyond it a place is as good as there: renderers count in thousandths of a px in 32 bits.
 constexpr double far_away = 1e7;  // px
 
-std::string pair(const PlotPlace& place) { return px(place.x) + " " + px(place.y); }
+std::string pair(const Place& place) { return px(place.x) + " " + px(place.y); }
 
 /// "M1 2 3 4": what follows the first pair are lines. Places that are the same when written are one.
 std::string path_of(const PlaceLine& line) {
   std::string path, before;
-  for (const PlotPlace& place : line) {
+  for (const Place& place : line) {
     std::string next = pair(place);
     if (next == before) continue;
     path += (path.empty() ? "M" : " ") + next;
@@ -31,50 +29,42 @@ std::string path_of(const PlaceLine& line) {
   return path;
 }
 
-/// With round ends, a line of no length is a disc. (With square ones cairo leaves some out.)
-constexpr auto nothing_long = "h0";
+/// Of points: what each adds to its place, and its class. With round ends, a line of no length is a disc.
+/// (With square ones cairo leaves some out.)
+struct PointShape {
+  const char* around;
+  const char* class_name;
+};
+constexpr std::array<PointShape, shapes_by_turn> point_shapes{
+    {{"h0", "dp-disc"},
+     {"m-2.6-2.6h5.2v5.2h-5.2z", "dp-shape"},  // square
+     {"m-3.5 2.5h7l-3.5-6z", "dp-shape"},      // triangle
+     {"m0-4 4 4-4 4-4-4z", "dp-shape"},        // diamond
+     {"m-3.5-2.5h7l-3.5 6z", "dp-shape"},      // triangle on its tip
+     {"m-2.6 0a2.6 2.6 0 1 0 5.2 0 2.6 2.6 0 1 0-5.2 0", "dp-ring"}}};
 
-/// What a point of that shape adds to its place.
-const char* shape_around(const Looks& looks) {
-  constexpr std::array<const char*, shapes_by_turn> shapes{
-      nothing_long,                                        // disc
-      "m-2.6-2.6h5.2v5.2h-5.2z",                           // square
-      "m-3.5 2.5h7l-3.5-6z",                               // triangle
-      "m0-4 4 4-4 4-4-4z",                                 // diamond
-      "m-3.5-2.5h7l-3.5 6z",                               // triangle on its tip
-      "m-2.6 0a2.6 2.6 0 1 0 5.2 0 2.6 2.6 0 1 0-5.2 0"};  // ring
-  return shapes[looks.pattern];
-}
-
-const char* class_of_shape(const Looks& looks) {
-  constexpr std::array<const char*, shapes_by_turn> classes{"dp-disc",  "dp-shape", "dp-shape",
-                                                            "dp-shape", "dp-shape", "dp-ring"};
-  return looks.is_dot ? "dp-dot" : classes[looks.pattern];
-}
-
-std::string class_of_line(const Looks& looks) {
-  if (is_marker(looks.style)) return "dp-line dp-across";
-  return looks.pattern == 0 ? "dp-line" : fmt::format("dp-line dp-dash-{}", looks.pattern);
+std::string class_of(const Looks& looks) {
+  switch (looks.style) {
+    case SeriesStyle::band: return "dp-band";
+    case SeriesStyle::area: return "dp-area";
+    case SeriesStyle::points: return looks.is_dot ? "dp-dot" : point_shapes[looks.pattern].class_name;
+    case SeriesStyle::vertical_line:
+    case SeriesStyle::horizontal_line: return "dp-line dp-across";
+    default: return looks.pattern == 0 ? "dp-line" : fmt::format("dp-line dp-dash-{}", looks.pattern);
+  }
 }
 
 /// A path with these looks; nothing if it has no places.
-std::string path_element(const Looks& looks, const std::string& path) {
+std::string path_with(const Looks& looks, const std::string& path) {
   if (path.empty()) return {};
-  switch (looks.style) {
-    case SeriesStyle::band: return fmt::format("<path class=\"dp-band\" d=\"{}\"/>", path);
-    case SeriesStyle::area: return fmt::format("<path class=\"dp-area\" d=\"{}\"/>", path);
-    case SeriesStyle::points:
-      return fmt::format("<path class=\"{}\" d=\"{}\"/>", class_of_shape(looks), path);
-    default:
-      return fmt::format("<path class=\"{}\" stroke-width=\"{}\" d=\"{}\"/>", class_of_line(looks),
-                         px(looks.width), path);
-  }
+  const std::string width = looks.width > 0 ? fmt::format(" stroke-width=\"{}\"", px(looks.width)) : "";
+  return fmt::format("<path class=\"{}\"{} d=\"{}\"/>", class_of(looks), width, path);
 }
 
 PlaceLine places_of(const PlotRun& run, const PanelScale& scale) {
   PlaceLine places;
   places.reserve(run.size());
-  for (const PlotRow& row : run) places.push_back({scale.across(row.x), scale.down(row.y)});
+  for (const PlotRow& row : run) places.push_back(scale.place(row.x, row.y));
   return places;
 }
 
@@ -86,15 +76,15 @@ std::string area_path(const PlaceLine& outline, const PanelScale& scale) {
 /// There along y, and back along y2.
 std::string band_path(const PlotRun& run, const PanelScale& scale) {
   PlaceLine outline = places_of(run, scale);
-  for (auto row = run.rbegin(); row != run.rend(); ++row)
-    outline.push_back({scale.across(row->x), scale.down(row->y2)});
+  for (auto row = run.rbegin(); row != run.rend(); ++row) outline.push_back(scale.place(row->x, row->y2));
   return area_path(simplified(outline), scale);
 }
 
 std::string points_path(const PlotRun& run, const Looks& looks, const PanelScale& scale) {
   std::string path;
-  for (const PlotPlace& place : places_of(run, scale))
-    if (is_inside(place, scale.size)) path += fmt::format("M{}{}", pair(place), shape_around(looks));
+  for (const Place& place : places_of(run, scale))
+    if (is_inside(place, scale.size))
+      path += fmt::format("M{}{}", pair(place), point_shapes[looks.pattern].around);
   return path;
 }
 
@@ -133,6 +123,23 @@ const char* word_of(const SeriesDrawing& series) {
   }
 }
 
+/// Empty on lines that are shorter than two arrows.
+std::string arrow_path(const std::vector<PlaceLine>& parts) {
+  constexpr double half_length = 5.5, half_width = 4;  // px
+  // Of the way along a line. A loop that begins and ends at nothing is on its way back there.
+  constexpr double share_before = 0.7;
+  if (parts.empty()) return {};
+  const PlaceLine& line = *std::ranges::max_element(parts, {}, length_of);
+  const double middle = share_before * length_of(line);
+  if (length_of(line) < 4 * half_length) return {};
+  const Place tail = place_on(line, middle - half_length), tip = place_on(line, middle + half_length);
+  const double x = tip.x - tail.x, y = tip.y - tail.y, length = std::hypot(x, y);
+  if (!(length > half_length)) return {};  // round a corner
+  const double across = half_width / length;
+  return fmt::format("M{} {}L{} {}L{} {}z", px(tip.x), px(tip.y), px(tail.x - across * y),
+                     px(tail.y + across * x), px(tail.x + across * y), px(tail.y - across * x));
+}
+
 }  // namespace
 
 double PanelScale::across(double value) const {
@@ -169,7 +176,20 @@ std::string series_svg(const SeriesDrawing& series, const PanelScale& scale) {
   const std::string of = series.of.empty() ? "" : fmt::format(" data-of=\"{}\"", xml_text(series.of));
   return casing + fmt::format("<g{} data-label=\"{}\"{} data-style=\"{}\">{}</g>\n",
                               colour_attributes(series.looks.colour, "dp-series"), label, of, word_of(series),
-                              path_element(series.looks, path));
+                              path_with(series.looks, path));
+}
+
+std::string arrows_svg(const PanelDrawing& panel, const PanelScale& scale) {
+  std::string arrows;
+  for (const SeriesDrawing& series : panel.series) {
+    if (!series.has_arrow) continue;
+    const std::string path = arrow_path(parts_inside(series, scale));
+    if (path.empty()) continue;
+    arrows += fmt::format("<g{} data-of=\"{}\"><path class=\"dp-shape\" d=\"{}\"/></g>\n",
+                          colour_attributes(series.looks.colour, "dp-arrow"),
+                          xml_text(series.label.empty() ? series.of : series.label), path);
+  }
+  return arrows.empty() ? arrows : "<g class=\"dp-marks\">\n" + arrows + "</g>\n";
 }
 
 std::string sample_svg(const Looks& looks, double left, double middle, double width) {
@@ -177,10 +197,10 @@ std::string sample_svg(const Looks& looks, double left, double middle, double wi
   if (is_ground(looks.style))
     path = fmt::format("M{} {}h{}v10h-{}z", px(left), px(middle - 5), px(width), px(width));
   else if (looks.style == SeriesStyle::points)
-    path = fmt::format("M{}{}", pair({left + width / 2, middle}), shape_around(looks));
+    path = fmt::format("M{}{}", pair({left + width / 2, middle}), point_shapes[looks.pattern].around);
   else
     path = fmt::format("M{} {}h{}", px(left), px(middle), px(width));
-  return fmt::format("<g{}>{}</g>", colour_attributes(looks.colour, "dp-sample"), path_element(looks, path));
+  return fmt::format("<g{}>{}</g>", colour_attributes(looks.colour, "dp-sample"), path_with(looks, path));
 }
 
 }  // namespace dashpad::output

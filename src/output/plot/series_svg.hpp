@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "output/plot/axis_ticks.hpp"
-#include "output/plot/clip.hpp"
 #include "output/plot/drawing.hpp"
-#include "output/plot/looks.hpp"
+#include "output/plot/lines.hpp"
 
 namespace dashpad::output {
 
@@ -18,6 +17,7 @@ struct PanelScale {
 
   [[nodiscard]] double across(double value) const;
   [[nodiscard]] double down(double value) const;
+  [[nodiscard]] Place place(double x_value, double y_value) const { return {across(x_value), down(y_value)}; }
 };
 
 /// The group of a series, with its label and style as data for scripts. Each point begins with its own place
@@ -26,6 +26,10 @@ std::string series_svg(const SeriesDrawing& series, const PanelScale& scale);
 
 /// The parts of its runs that lie within the axes, in px.
 std::vector<PlaceLine> parts_inside(const SeriesDrawing& series, const PanelScale& scale);
+
+/// An arrow in the direction in which a line is gone through, on the last third of each that wants one; empty
+/// without such.
+std::string arrows_svg(const PanelDrawing& panel, const PanelScale& scale);
 
 /// A piece of such a series for the legend.
 std::string sample_svg(const Looks& looks, double left, double middle, double width);

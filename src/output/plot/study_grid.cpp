@@ -1,4 +1,4 @@
-#include "output/plot/study_grid.hpp"
+#include "output/plot/study_figures.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -9,8 +9,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/version.hpp"
-#include "output/plot/looks.hpp"
-#include "output/plot/rows.hpp"
+#include "output/plot/drawing.hpp"
 #include "output/plot/study_figures.hpp"
 #include "output/text/factor_words.hpp"
 #include "output/text/study_words.hpp"

@@ -1,16 +1,13 @@
 #include "output/plot/svg_plot.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "output/plot/panel_svg.hpp"
-#include "output/plot/text_sizes.hpp"
-#include "output/svg/svg.hpp"
-#include "output/svg/text.hpp"
-#include "output/svg/text_fit.hpp"
 
 namespace dashpad::output {
 
@@ -26,17 +23,9 @@ std::string text_lines(const std::vector<std::string>& lines, const char* name, 
   std::string text;
   for (const std::string& line : lines) {
     top += line_height;
-    text += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", name, px(plot_edge),
-                        px(top - 0.3 * line_height), xml_text(line));
+    text += text_element(name, {plot_edge, top - 0.3 * line_height}, line);
   }
   return text;
-}
-
-std::vector<PanelFrame> frames_of(const Plot& plot, const PlotDrawing& drawing, double plot_width) {
-  std::vector<PanelFrame> frames;
-  for (std::size_t panel = 0; panel < plot.panels.size(); ++panel)
-    frames.emplace_back(plot.panels[panel], drawing.panels[panel], plot_width);
-  return frames;
 }
 
 /// Sets the widths of the axes and places the names in them: the axes of all begin at the same place, which
@@ -51,11 +40,37 @@ double set_widths(std::vector<PanelFrame>& frames, double plot_width) {
   return left;
 }
 
-Legend legend_of(const std::vector<PanelFrame>& frames) {
-  Legend legend;
+/// The legend of what no panel names itself, from `top` on, to which its height is added: in columns as wide
+/// as the longest label needs; a label that has no room in the whole width goes on in further lines.
+std::string legend_svg(const std::vector<PanelFrame>& frames, double width, double& top) {
+  constexpr double row_height = 20, line_height = 17, sample = 38, between_columns = 24;
+  std::vector<LegendEntry> entries;
   for (const PanelFrame& frame : frames)
-    for (const LegendEntry& entry : frame.not_named()) add_to(legend.entries, entry);
-  return legend;
+    for (const LegendEntry& entry : frame.not_named()) add_to(entries, entry);
+  if (entries.empty()) return {};
+  double longest = 0;
+  for (const LegendEntry& entry : entries) longest = std::max(longest, text_room(entry.label, axis_text));
+  const double column = sample + longest + between_columns;
+  const std::size_t columns = std::clamp<std::size_t>(
+      static_cast<std::size_t>((width + between_columns) / column), 1, entries.size());
+  std::string text = "<g class=\"dp-legend\">\n";
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const LegendEntry& entry = entries[i];
+    const double x = plot_edge + std::min(column, width) * static_cast<double>(i % columns);
+    double middle = top + row_height / 2;
+    text += fmt::format("<g class=\"dp-entry\" data-label=\"{}\">{}", xml_text(entry.label),
+                        sample_svg(entry.looks, x, middle, sample - 8));
+    const std::vector<std::string> lines = lines_within(entry.label, axis_text, width - sample);
+    for (const std::string& line : lines) {
+      text += fmt::format("<text class=\"dp-label\" x=\"{}\" y=\"{}\">{}</text>", px(x + sample),
+                          px(middle + 4.5), xml_text(line));
+      middle += line_height;
+    }
+    text += "</g>\n";
+    if ((i + 1) % columns == 0 || i + 1 == entries.size())
+      top += row_height + line_height * static_cast<double>(lines.size() - 1);
+  }
+  return text + "</g>\n";
 }
 
 std::string name_of(const Plot& plot) {
@@ -66,14 +81,14 @@ std::string name_of(const Plot& plot) {
 }  // namespace
 
 std::string svg_plot(const Plot& plot, PlotStyle style, double plot_width) {
-  const double text_width_of_plot = plot_width - 2 * plot_edge;
-  const PlotDrawing drawing = drawing_of(plot);
-  const std::vector<std::string> title =
-      lines_within(plot.title, size_for_bold * title_text, text_width_of_plot);
-  const std::vector<std::string> source = lines_within(plot.source, source_text, text_width_of_plot);
-  std::vector<PanelFrame> frames = frames_of(plot, drawing, plot_width);
+  const double text_width = plot_width - 2 * plot_edge;
+  const std::vector<PanelDrawing> drawings = drawings_of(plot);
+  const std::vector<std::string> title = lines_within(plot.title, size_for_bold * title_text, text_width);
+  const std::vector<std::string> source = lines_within(plot.source, source_text, text_width);
+  std::vector<PanelFrame> frames;
+  for (std::size_t panel = 0; panel < plot.panels.size(); ++panel)
+    frames.emplace_back(plot.panels[panel], drawings[panel], plot_width);
   const double left = set_widths(frames, plot_width);
-  const Legend legend = legend_of(frames);
 
   double height = plot_edge;
   std::string body = text_lines(title, "dp-title", height, title_line);
@@ -83,8 +98,8 @@ std::string svg_plot(const Plot& plot, PlotStyle style, double plot_width) {
     body += panel_svg(frame, left, height, plot_edge);
     height += frame.scale.size.height + frame.below_axes();
   }
-  body += legend.svg(plot_edge, height, text_width_of_plot);
-  height += legend.height(text_width_of_plot) + plot_edge / 2;
+  body += legend_svg(frames, text_width, height);
+  height += plot_edge / 2;
   body += text_lines(source, "dp-source", height, source_line);
   height += source_line * static_cast<double>(source.size()) + plot_edge / 2;
 
@@ -95,6 +110,25 @@ std::string svg_plot(const Plot& plot, PlotStyle style, double plot_width) {
   if (style != PlotStyle::none) svg += fmt::format("<style>{}</style>\n", style_sheet(style));
   svg += fmt::format("<rect class=\"dp-paper\" width=\"{}\" height=\"{}\"/>\n", px(plot_width), px(height));
   return svg + body + "</svg>\n";
+}
+
+std::optional<PictureFormat> picture_format(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  if (ending == ".svg") return PictureFormat::svg;
+  if (ending == ".png") return PictureFormat::png;
+  if (ending == ".pdf") return PictureFormat::pdf;
+  return std::nullopt;
+}
+
+std::string picture(const Plot& plot, PictureFormat format) {
+  for (const Panel& panel : plot.panels) check(panel);
+  switch (format) {
+    case PictureFormat::svg: return svg_plot(plot, PlotStyle::light_and_dark);
+    case PictureFormat::png: return png_of(svg_plot(plot, PlotStyle::light));
+    case PictureFormat::pdf: return pdf_of(svg_plot(plot, PlotStyle::light), plot.title);
+  }
+  return {};
 }
 
 }  // namespace dashpad::output

@@ -1,15 +1,26 @@
 #pragma once
-/// The one renderer of plots: for pages, stills and documents.
+/// The one renderer of plots, for pages, stills and documents, and its style sheet.
 
 #include <string>
+#include <string_view>
 
 #include "dashpad/output/plot/plot.hpp"
-#include "output/plot/svg_style.hpp"
 
 namespace dashpad::output {
 
+/// Sizes of the texts of a plot, px. A plot as wide as a phone is shown somewhat smaller than it is laid out;
+/// pages with more room set smaller texts.
+inline constexpr double title_text = 18, panel_title_text = 16, axis_text = 15.2,
+                        label_text = 14.8,  ///< of names beside what they name, and of numbers
+    source_text = 12.5;
 /// px.
 inline constexpr double usual_plot_width = 900;
+
+/// Whoever puts many plots on one page has the sheet there once.
+enum class PlotStyle { none, light, light_and_dark };
+
+/// It does not depend on the plot.
+std::string_view style_sheet(PlotStyle style);
 
 /// One SVG without script, identifiers and anything from elsewhere, so that several can stand in one page.
 /// The same plot gives the same bytes everywhere. The plot has been checked. Throws std::invalid_argument if

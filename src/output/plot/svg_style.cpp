@@ -1,10 +1,6 @@
-#include "output/plot/svg_style.hpp"
-
-#include <string>
-
 #include <fmt/format.h>
 
-#include "output/plot/text_sizes.hpp"
+#include "output/plot/svg_plot.hpp"
 
 namespace dashpad::output {
 

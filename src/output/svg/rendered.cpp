@@ -1,4 +1,4 @@
-#include "output/svg/rendered.hpp"
+#include "output/svg/svg.hpp"
 
 #include <cmath>
 #include <memory>
@@ -7,8 +7,6 @@
 #include <cairo-pdf.h>
 #include <cairo.h>
 #include <librsvg/rsvg.h>
-
-#include "output/svg/text.hpp"
 
 namespace dashpad::output {
 

@@ -1,19 +1,68 @@
 #pragma once
-/// What every SVG that Dashpad writes is made of: numbers, texts and how wide they are.
+/// What every SVG that Dashpad writes is made of: numbers, texts and the room they take, colours, elements; and
+/// an SVG as a picture of another kind.
 
+#include <array>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace dashpad::output {
+
+/// px.
+struct Place {
+  double x = 0;
+  double y = 0;
+};
 
 /// A length or place in px: at most two decimals, never "-0"; what is not finite is 0.
 std::string px(double value);
 
+/// Valid UTF-8 in one line: control characters become spaces, bytes that are not UTF-8 "�".
+std::string readable(std::string_view text);
+/// `text`, readable, and at most `length` characters long. Where it is cut it ends with "…".
+std::string shortened(std::string_view text, std::size_t length);
 /// Anybody's text as XML character data or attribute: readable(), and without a character that has a meaning.
 std::string xml_text(std::string_view text);
+/// `text` with blanks that are no place to break a line where a unit follows its number.
+std::string quantities_whole(std::string_view text);
 
-/// Width of a text in px in a sans-serif font of that size, by the widths of Helvetica's characters, which
-/// common ones share within a few per cent; DejaVu Sans is a tenth wider.
-double text_width(std::string_view text, double size);
+/// A bold text has room where one that is so many times as large has.
+inline constexpr double size_for_bold = 1.17;
+/// Room in px for a text of that size, also in a wide font: nobody knows the reader's.
+double text_room(std::string_view text, double size);
+/// `text`, readable, cut with "…" where it has no room in `width`. All in px.
+std::string fitting(std::string_view text, double size, double width);
+/// `text`, readable, in lines that have room in `width`, where possible broken at spaces. All in px.
+std::vector<std::string> lines_within(std::string_view text, double size, double width);
+
+/// Red, green and blue, from 0 to 255.
+using Colour = std::array<double, 3>;
+/// "#rrggbb" on a scale with these colours at equal distances, two or more; `share`: from 0, at the first, to
+/// 1.
+std::string colour_on_scale(std::span<const Colour> stops, double share);
+
+// Elements, each with its class and in a line of its own.
+
+std::string line_element(std::string_view style, Place from, Place to);
+std::string rectangle_element(std::string_view style, double x, double y, double width, double height);
+/// Straight from place to place; `closed` back to the first.
+std::string path_element(std::string_view style, const std::vector<Place>& places, bool closed);
+std::string path_element(std::string_view style, std::string_view data);
+/// The data of a path through these places.
+std::string path_data(const std::vector<Place>& places, bool closed);
+/// A line of text that begins there, or as the class says.
+std::string text_element(std::string_view style, Place place, std::string_view text);
+/// `anchor`: "start", "middle" or "end".
+std::string text_element(std::string_view style, Place place, std::string_view anchor, std::string_view text);
+
+// By librsvg and cairo. Both throw std::runtime_error with the words of the library that failed.
+
+/// With two pixels to one px.
+std::string png_of(std::string_view svg);
+/// One page as large as the SVG, 96 px to an inch. It holds no date.
+std::string pdf_of(std::string_view svg, const std::string& title);
 
 }  // namespace dashpad::output

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "output/document.hpp"
-#include "output/svg/text_fit.hpp"
+#include "output/svg/svg.hpp"
 #include "output/text/cell.hpp"
 #include "output/text/table.hpp"
 #include "quantities/text.hpp"

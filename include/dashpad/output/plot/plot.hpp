@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,15 @@ struct Series {
   bool is_cased = false;   ///< of a line: with pale edges, so that it is seen on areas of any colour
   bool has_arrow = false;  ///< of a line: on its last third, in the direction in which its points follow
   std::string of = {};     ///< without a label: that of the series with which pages switch it off
+
+  void add(double across, double up) {
+    x.push_back(across);
+    y.push_back(up);
+  }
+  /// Parts what is added from what is there, if anything is.
+  void add_gap() {
+    if (!x.empty()) add(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN());
+  }
 };
 
 struct Axis {

@@ -1,9 +1,12 @@
-#include "output/drawing/nose_picture.hpp"
+// The nose: its outline and its picture, to scale.
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <type_traits>
 
-#include "output/drawing/nose_outline.hpp"
+#include "output/drawing/pictures.hpp"
 
 namespace dashpad::output {
 
@@ -14,6 +17,36 @@ constexpr double beyond = 12;
 constexpr int corners = 40;
 
 }  // namespace
+
+Sections outline_of(const Nose& nose) {
+  return std::visit(
+      []<class Shape>(const Shape& shape) {
+        if constexpr (std::is_same_v<Shape, Ellipsoid>)
+          return Ellipsoid{shape.half_depth, shape.half_length, shape.half_length}.sections();
+        else if constexpr (std::is_same_v<Shape, Platen>)
+          return FlatDisc{shape.length / 2}.sections();
+        else if constexpr (std::is_same_v<Shape, Cylinder>)
+          return Sphere{shape.radius}.sections();
+        else
+          return shape.sections();
+      },
+      nose);
+}
+
+bool is_ball(const Nose& nose) {
+  return std::holds_alternative<Sphere>(nose) || std::holds_alternative<Ellipsoid>(nose) ||
+         std::holds_alternative<Cylinder>(nose);
+}
+
+double half_width_of_face(const Nose& nose, double area) {
+  const double round = std::sqrt(area * std::numbers::inv_pi);
+  if (const auto* ellipsoid = std::get_if<Ellipsoid>(&nose))
+    return round * std::sqrt(ellipsoid->half_length / ellipsoid->half_width);
+  if (const auto* platen = std::get_if<Platen>(&nose))
+    return std::sqrt(area * (platen->length / platen->width)) / 2;
+  if (const auto* cylinder = std::get_if<Cylinder>(&nose)) return area / cylinder->length / 2;
+  return round;
+}
 
 std::vector<double> outline_depths(const Sections& outline, const NoseFrame& frame) {
   const double deepest = std::min(outline.depth, (frame.height + beyond) / frame.scale);
@@ -30,6 +63,13 @@ std::vector<double> outline_depths(const Sections& outline, const NoseFrame& fra
   std::ranges::sort(depths);
   depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
   return depths;
+}
+
+std::vector<Place> both_halves(const std::vector<Place>& right, double axis) {
+  std::vector<Place> places;
+  for (std::size_t i = right.size(); i-- > 0;) places.push_back({axis - right[i].x, right[i].y});
+  for (const Place& place : right) places.push_back({axis + place.x, place.y});
+  return places;
 }
 
 std::string nose_picture(const Nose& nose, const NoseFrame& frame, std::string_view style) {
@@ -50,10 +90,7 @@ std::string nose_picture(const Nose& nose, const NoseFrame& frame, std::string_v
   } else {
     right.push_back({right.back().x, std::min(top, right.back().y)});
   }
-  std::vector<Place> places;
-  for (std::size_t i = right.size(); i-- > 0;) places.push_back({frame.axis - right[i].x, right[i].y});
-  for (const Place& place : right) places.push_back({frame.axis + place.x, place.y});
-  return path_element(style, places, true);
+  return path_element(style, both_halves(right, frame.axis), true);
 }
 
 }  // namespace dashpad::output

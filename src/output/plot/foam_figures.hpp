@@ -1,0 +1,46 @@
+#pragma once
+/// What is plotted of foams: their own curves, tests of them, and what a fit met.
+
+#include <optional>
+
+#include "dashpad/fit/report.hpp"
+#include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
+#include "dashpad/laboratory/material_test.hpp"
+#include "dashpad/output/plot/plot.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+
+namespace dashpad::output {
+
+/// How much of its foam one impact uses: stress over strain in a first loading at the slowest tested rate,
+/// under the pad's condition: solid and shaded up to the largest strain of the impact, dashed beyond, with a
+/// line where the tests ended. Of a pad of layers, the one that is compressed most. Beside it the curve at
+/// the highest rate of the impact, where the foam knows rates.
+///
+/// The title says how far the foam is used. None where nothing was run, and for a pad whose law breaks a
+/// rule.
+std::optional<Plot> foam_curve_plot(const Pad& pad, const Summary& summary, const UnitSystem& units);
+
+/// A line across where the foam's tests end; nothing where that is not known, or at full compression.
+std::optional<Series> line_of_range(const Material& material);
+
+// The panels of a material test: one curve a rate, in the colour of its turn everywhere.
+
+Panel stress_over_strain(const laboratory::MaterialTestReport& report, const UnitSystem& units);
+/// The time axis is logarithmic where the runs last so differently that a plain one would hide some, and for
+/// relaxation and creep.
+Panel stress_over_time(const laboratory::MaterialTestReport& report, const UnitSystem& units);
+Panel strain_over_time(const laboratory::MaterialTestReport& report, const UnitSystem& units);
+/// Of the first loading, as the rest.
+Panel energy_over_strain(const laboratory::MaterialTestReport& report, const UnitSystem& units);
+Panel efficiency_over_strain(const laboratory::MaterialTestReport& report);
+Panel ideality_over_strain(const laboratory::MaterialTestReport& report);
+/// With the stress limits that were asked for.
+Panel efficiency_over_stress(const laboratory::MaterialTestReport& report, const UnitSystem& units);
+
+/// Stress over strain, and what the model of a fit is off by over strain.
+CaptionedPlot fit_test_figure(const fit::MetTest& test, const UnitSystem& units);
+/// Deceleration over time, and what the model is off by over time.
+CaptionedPlot fit_pulse_figure(const fit::MetPulse& pulse, const UnitSystem& units);
+
+}  // namespace dashpad::output
