@@ -8,7 +8,7 @@
 
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
-#include "dashpad/output/post_impact.hpp"
+#include "dashpad/output/impact.hpp"
 #include "documents.hpp"
 #include "output.hpp"
 #include "streams.hpp"

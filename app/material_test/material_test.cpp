@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/output/material_test.hpp"
+#include "dashpad/output/materials.hpp"
 #include "dashpad/spit1984/column.hpp"
 #include "documents.hpp"
 #include "material_test/request.hpp"

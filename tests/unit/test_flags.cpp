@@ -11,7 +11,7 @@
 #include <set>
 
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/output/post_impact.hpp"
+#include "dashpad/output/impact.hpp"
 #include "example_result.hpp"
 #include "json/flags_json.hpp"
 

@@ -10,7 +10,6 @@
 
 #include "dashpad/output/fit.hpp"
 #include "dashpad/output/impact.hpp"
-#include "dashpad/output/post_impact.hpp"
 #include "dashpad/output/pulse.hpp"
 #include "dashpad/output/study.hpp"
 #include "distinct_numbers.hpp"

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dashpad/output/material_test.hpp"
+#include "dashpad/output/materials.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "made_up_study.hpp"
 #include "output/documents/study_key_figures.hpp"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "dashpad/output/material_test.hpp"
+#include "dashpad/output/materials.hpp"
 #include "dashpad/spit1984/column.hpp"
 #include "laboratory/strain_marks.hpp"
 

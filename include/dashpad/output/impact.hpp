@@ -11,6 +11,7 @@
 #include "dashpad/impact/blows.hpp"
 #include "dashpad/impact/contact_snapshot.hpp"
 #include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/post_impact.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/output/document.hpp"
@@ -81,5 +82,13 @@ std::string result_json(const ImpactCase& impact, const Summary& summary,
 /// plain SI as the solver's own, but for g); one that is not finite is an empty field. RFC 4180 but for the
 /// line ends, which are '\n'.
 std::string history_csv(const History& history, const UnitSystem& units);
+
+/// The motion of two bodies after an impact and where its energy went. `impact` is the case as solved: with
+/// the reduced mass M1 M2 / (M1 + M2) and the speed of approach V1 - V2, with which the relative motion of
+/// two free bodies is that of one body against a wall.
+Document post_impact_document(const Body& first, const Body& second, const ImpactCase& impact,
+                              const Solution& solution, const UnitSystem& units);
+std::string post_impact_json(const Body& first, const Body& second, const ImpactCase& impact,
+                             const Solution& solution);
 
 }  // namespace dashpad::output

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/impact.hpp"
-#include "dashpad/output/material_test.hpp"
+#include "dashpad/output/materials.hpp"
 #include "dashpad/output/pulse.hpp"
 #include "dashpad/result/result_quantity.hpp"
 

@@ -1,6 +1,6 @@
 // What is said of a material test: where the foam is used best first, then why.
 
-#include "dashpad/output/material_test.hpp"
+#include "dashpad/output/materials.hpp"
 
 #include <algorithm>
 #include <cstddef>

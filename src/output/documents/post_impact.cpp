@@ -1,6 +1,6 @@
 // What is said of two bodies after an impact: their velocities, and where the energy went.
 
-#include "dashpad/output/post_impact.hpp"
+#include "dashpad/output/impact.hpp"
 
 #include <cmath>
 #include <string>

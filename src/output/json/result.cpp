@@ -4,7 +4,6 @@
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/output/impact.hpp"
-#include "dashpad/output/post_impact.hpp"
 #include "json/curves_json.hpp"
 #include "json/flags_json.hpp"
 #include "model/parameter_values.hpp"

@@ -29,22 +29,14 @@ Panel loop(const char* key, const std::vector<double>& way, const Solution& solu
   Panel panel{.x = axis_of(key, units), .y = axis_of("force", units)};
   panel.x.low = panel.y.low = 0;
   end_before_bottoming(panel.y, solution, y);
-  const auto turn = std::ranges::max_element(x) - x.begin();
-  const auto part = [&](const std::vector<double>& of, auto from, auto to) {
-    return std::vector<double>(of.begin() + from, of.begin() + to);
-  };
-  const auto size = static_cast<std::ptrdiff_t>(x.size());
-  panel.series = {{.label = result_quantity(key).title,
-                   .style = SeriesStyle::solid_line,
-                   .x = part(x, 0, std::min(turn + 1, size)),
-                   .y = part(y, 0, std::min(turn + 1, size)),
-                   .turn = 0},
-                  {.style = SeriesStyle::dashed_line,
-                   .x = part(x, turn, size),
-                   .y = part(y, turn, size),
-                   .turn = 0,
-                   .has_arrow = true,
-                   .of = result_quantity(key).title}};
+  const auto turn = static_cast<std::size_t>(std::ranges::max_element(x) - x.begin());
+  Series there{.label = result_quantity(key).title, .style = SeriesStyle::solid_line, .turn = 0};
+  Series back{.style = SeriesStyle::dashed_line, .turn = 0, .has_arrow = true, .of = there.label};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (i <= turn) there.add(x[i], y[i]);
+    if (i >= turn) back.add(x[i], y[i]);
+  }
+  panel.series = {std::move(there), std::move(back)};
   return panel;
 }
 

@@ -1,4 +1,4 @@
-#include "dashpad/output/material_test.hpp"
+#include "dashpad/output/materials.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -22,10 +22,16 @@ std::size_t most_x_labels(double plot_width) { return plot_width < 480 ? 7 : 9; 
 /// Of the axes, px: narrow plots are less high, and not as flat as wide ones.
 double height_of_axes(double plot_width) { return 160 + plot_width * 160 / 900; }
 
-/// The axis by its name, for scripts that change units.
-std::string axis_title(const char* axis, const char* classes, double x, double y, const std::string& text) {
-  return fmt::format("<text class=\"{}\" data-axis=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", classes, axis,
-                     px(x), px(y), xml_text(text));
+/// The title of an axis, with the name of the axis for scripts that change units.
+std::string axis_title(const char* axis, const char* classes, Place place,
+                       const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) {
+    text += fmt::format("<text class=\"{}\" data-axis=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", classes, axis,
+                        px(place.x), px(place.y), xml_text(line));
+    place.y += axis_title_line;
+  }
+  return text;
 }
 
 std::vector<Tick> ticks_of(const Axis& axis, const AxisRange& range, std::size_t most) {
@@ -85,24 +91,13 @@ std::string data_attributes(const PanelFrame& frame) {
 }
 
 std::string titles(const PanelFrame& frame, double left, double top, double edge) {
-  std::string text;
-  double line = top - frame.above_axes() + 14;
-  for (const std::string& title : frame.title) {
-    text += text_element("dp-panel-title", {edge, line}, title);
-    line += panel_title_line;
-  }
-  line = top - 13 - axis_title_line * (static_cast<double>(frame.y_title.size()) - 1);
-  for (const std::string& title : frame.y_title) {
-    text += axis_title("y", "dp-axis-title", edge, line, title);
-    line += axis_title_line;
-  }
   const PlotSize& size = frame.scale.size;
-  line = top + size.height + below_numbers + axis_title_line;
-  for (const std::string& title : frame.x_title) {
-    text += axis_title("x", "dp-axis-title dp-to-end", left + size.width, line, title);
-    line += axis_title_line;
-  }
-  return text;
+  const double above = axis_title_line * (static_cast<double>(frame.y_title.size()) - 1);
+  const double below = top + size.height + below_numbers + axis_title_line;
+  return text_elements("dp-panel-title", {edge, top - frame.above_axes() + 14}, panel_title_line,
+                       frame.title) +
+         axis_title("y", "dp-axis-title", {edge, top - 13 - above}, frame.y_title) +
+         axis_title("x", "dp-axis-title dp-to-end", {left + size.width, below}, frame.x_title);
 }
 
 std::string inside(const PanelFrame& frame) {

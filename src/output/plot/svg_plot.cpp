@@ -17,17 +17,6 @@ namespace {
 constexpr double title_line = 26, below_title = 6, source_line = 16;
 constexpr double least_right_margin = 24;
 
-/// Lines of text from `top` on.
-std::string text_lines(const std::vector<std::string>& lines, const char* name, double top,
-                       double line_height) {
-  std::string text;
-  for (const std::string& line : lines) {
-    top += line_height;
-    text += text_element(name, {plot_edge, top - 0.3 * line_height}, line);
-  }
-  return text;
-}
-
 /// Sets the widths of the axes and places the names in them: the axes of all begin at the same place, which
 /// this returns, and end at the same.
 double set_widths(std::vector<PanelFrame>& frames, double plot_width) {
@@ -91,7 +80,7 @@ std::string svg_plot(const Plot& plot, PlotStyle style, double plot_width) {
   const double left = set_widths(frames, plot_width);
 
   double height = plot_edge;
-  std::string body = text_lines(title, "dp-title", height, title_line);
+  std::string body = text_elements("dp-title", {plot_edge, height + 0.7 * title_line}, title_line, title);
   height += title_line * static_cast<double>(title.size()) + (title.empty() ? 0 : below_title);
   for (const PanelFrame& frame : frames) {
     height += frame.above_axes();
@@ -100,7 +89,7 @@ std::string svg_plot(const Plot& plot, PlotStyle style, double plot_width) {
   }
   body += legend_svg(frames, text_width, height);
   height += plot_edge / 2;
-  body += text_lines(source, "dp-source", height, source_line);
+  body += text_elements("dp-source", {plot_edge, height + 0.7 * source_line}, source_line, source);
   height += source_line * static_cast<double>(source.size()) + plot_edge / 2;
 
   std::string svg = fmt::format(

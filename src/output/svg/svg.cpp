@@ -206,6 +206,16 @@ std::string text_element(std::string_view style, Place place, std::string_view t
                      xml_text(text));
 }
 
+std::string text_elements(std::string_view style, Place first, double distance,
+                          const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) {
+    text += text_element(style, first, line);
+    first.y += distance;
+  }
+  return text;
+}
+
 std::string text_element(std::string_view style, Place place, std::string_view anchor,
                          std::string_view text) {
   return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>\n", style,

@@ -1,6 +1,6 @@
 #pragma once
-/// What every SVG that Dashpad writes is made of: numbers, texts and the room they take, colours, elements; and
-/// an SVG as a picture of another kind.
+/// What every SVG that Dashpad writes is made of: numbers, texts and the room they take, colours, elements;
+/// and an SVG as a picture of another kind.
 
 #include <array>
 #include <cstddef>
@@ -55,6 +55,9 @@ std::string path_element(std::string_view style, std::string_view data);
 std::string path_data(const std::vector<Place>& places, bool closed);
 /// A line of text that begins there, or as the class says.
 std::string text_element(std::string_view style, Place place, std::string_view text);
+/// Several lines of text, the first there, each `distance` below the one before.
+std::string text_elements(std::string_view style, Place first, double distance,
+                          const std::vector<std::string>& lines);
 /// `anchor`: "start", "middle" or "end".
 std::string text_element(std::string_view style, Place place, std::string_view anchor, std::string_view text);
 
