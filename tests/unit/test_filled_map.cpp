@@ -1,6 +1,6 @@
 /// Areas of a map: what they cover, in which class, and how they are drawn.
 
-#include "output/plot/filled_map.hpp"
+#include "output/plot/study_figures.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -13,7 +13,7 @@
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/output/impact.hpp"
 #include "example_result.hpp"
-#include "json/flags_json.hpp"
+#include "output/json/parts.hpp"
 
 namespace dashpad {
 namespace {
@@ -131,7 +131,7 @@ TEST(Flags, HaveTheFiguresOfTheirTexts) {
       Intervals{.figures = {{.key = "hic15", .nominal = 128, .sources = {{Source::continuation, 96, 160}}}},
                 .sources = {{Source::continuation, "how it goes on", ""}},
                 .warning = {}};
-  EXPECT_EQ(flags_json(flags(summary, {"hic15"})).dump(),
+  EXPECT_EQ(output::flags_json(flags(summary, {"hic15"})).dump(),
             R"([{"name":"ENERGY GAINED","severity":"doubtful","text":")" + flags(summary)[0].text +
                 R"(","figures":{"energy_gained_fraction":0.0652}},)"
                 R"({"name":"PEAK ON THE WAY BACK","severity":"doubtful","text":")" +

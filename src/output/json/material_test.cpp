@@ -1,7 +1,6 @@
 // A material test for programs.
 
 #include "dashpad/output/materials.hpp"
-#include "json/flags_json.hpp"
 #include "json/json_values.hpp"
 #include "output/json/parts.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/interval.hpp"
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/injury/standard.hpp"
@@ -10,6 +11,8 @@
 #include "json/json_values.hpp"
 
 namespace dashpad::output {
+
+Json flags_json(const std::vector<Flag>& flags);
 
 /// The interval of a figure: `high` is null where there is no bound.
 Json interval_json(const FigureInterval& of);

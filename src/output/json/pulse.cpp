@@ -3,7 +3,6 @@
 #include "dashpad/output/pulse.hpp"
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/result/result_quantity.hpp"
-#include "json/flags_json.hpp"
 #include "output/documents/pulse.hpp"
 #include "output/documents/pulse_comparison.hpp"
 #include "output/json/parts.hpp"

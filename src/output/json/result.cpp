@@ -2,10 +2,8 @@
 
 #include <cmath>
 
-#include "dashpad/impact/flags.hpp"
 #include "dashpad/output/impact.hpp"
 #include "json/curves_json.hpp"
-#include "json/flags_json.hpp"
 #include "model/parameter_values.hpp"
 #include "output/json/parts.hpp"
 #include "result/summary_values.hpp"
@@ -182,6 +180,17 @@ Json body_json(const Body& body, double after, double error) {
 }
 
 }  // namespace
+
+Json flags_json(const std::vector<Flag>& flags) {
+  return array_of(flags, [](const Flag& flag) {
+    Json figures = Json::object();
+    for (const FlagFigure& figure : flag.figures) figures[figure.key] = number(figure.value);
+    return Json{{"name", flag.name},
+                {"severity", to_string(severity_of(flag.name))},
+                {"text", flag.text},
+                {"figures", figures}};
+  });
+}
 
 Json interval_json(const FigureInterval& of) {
   const double scale = scaled_unit(result_quantity(of.key).si_unit, plain_si()).scale;

@@ -1,5 +1,3 @@
-#include "output/plot/filled_map.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "output/plot/study_figures.hpp"
 #include "output/text/study_words.hpp"
 
 namespace dashpad::output {

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "output/plot/filled_map.hpp"
 #include "output/plot/study_figures.hpp"
 #include "output/text/factor_words.hpp"
 #include "output/text/study_words.hpp"
