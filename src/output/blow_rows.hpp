@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/output/impact.hpp"
 #include "dashpad/output/document.hpp"
+#include "dashpad/output/impact.hpp"
 #include "dashpad/output/text/table.hpp"
 
 namespace dashpad::output {
