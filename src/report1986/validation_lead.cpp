@@ -7,7 +7,7 @@
 
 #include "output/document.hpp"
 #include "quantities/text.hpp"
-#include "report1986/validation_series.hpp"
+#include "report1986/validation_figures.hpp"
 #include "report1986/validation_tables.hpp"
 
 namespace dashpad::report1986 {

@@ -11,7 +11,6 @@
 #include "dashpad/report1986/validation/held_out.hpp"
 #include "fit/problem.hpp"
 #include "fit/solve.hpp"
-#include "report1986/validation/figures_of.hpp"
 
 namespace dashpad::report1986 {
 

@@ -33,15 +33,14 @@ double tail_force_lb(const ValidationData& data) {
 
 double ratio_to_curve_a(const ValidationData& data, const std::vector<Prediction>& on_curves, Program program,
                         Projectile projectile, double speed_mph, double radius_in) {
-  const Prediction* prediction =
-      find(on_curves, program, {projectile, TestSupport::load_cell, speed_mph, radius_in});
-  if (!prediction || !prediction->peak_force_lb) return no_value;
-  return *prediction->peak_force_lb / curve_a_force_lb(data, projectile, speed_mph);
+  const auto force = predicted(on_curves, program, {projectile, TestSupport::load_cell, speed_mph, radius_in},
+                               Quantity::peak_force);
+  return force ? *force / curve_a_force_lb(data, projectile, speed_mph) : no_value;
 }
 
 Estimate slope_of(const std::vector<Point>& points) {
   const auto [least, greatest] = std::ranges::minmax_element(points, {}, &Point::x);
-  if (points.empty() || least->x == greatest->x) return {no_value, {no_value, no_value}};
+  if (points.empty() || least->x == greatest->x) return {no_value, no_value, no_value};
   return fit_line(points).slope;
 }
 
@@ -84,9 +83,9 @@ ForceTrend force_trend(const ValidationData& data, const std::vector<Prediction>
   trend.tests = static_cast<int>(all.size());
   const Estimate both = slope_of(all), one = slope_of(aluminium);
   trend.slope = both.value;
-  trend.slope_confidence = both.confidence;
+  trend.slope_confidence = {both.low, both.high};
   trend.aluminium_slope = one.value;
-  trend.aluminium_slope_confidence = one.confidence;
+  trend.aluminium_slope_confidence = {one.low, one.high};
   const auto ratio = [&](Projectile projectile, double speed_mph) {
     return ratio_to_curve_a(data, on_curves, program, projectile, speed_mph, radius_in);
   };

@@ -2,20 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "input/measurement/csv_rows.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "input/spelling.hpp"
 #include "input/text_file.hpp"
+#include "quantities/special_numbers.hpp"
 
 namespace dashpad::report1986 {
 
 namespace {
 
-constexpr double at_fault = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest_whole = 9999;
+
 std::vector<std::string> texts_of(const input::CsvRow& row) {
   std::vector<std::string> texts;
   for (const std::string_view field : row.fields) texts.emplace_back(input::without_blanks(field));
@@ -80,16 +80,9 @@ std::string CsvTable::text(const CsvRecord& record, const std::string& column) {
   return field(record, column);
 }
 
-double CsvTable::number(const CsvRecord& record, const std::string& column) {
-  double value = at_fault;
-  const std::string rule = why_no_reading(field(record, column), false, value);
-  if (!rule.empty()) fault(record, column, rule);
-  return value;
-}
-
-double CsvTable::fraction(const CsvRecord& record, const std::string& column) {
-  double value = at_fault;
-  const std::string rule = why_no_reading(field(record, column), true, value);
+double CsvTable::number(const CsvRecord& record, const std::string& column, bool is_fraction) {
+  double value = no_value;
+  const std::string rule = why_no_reading(field(record, column), is_fraction, value);
   if (!rule.empty()) fault(record, column, rule);
   return value;
 }
@@ -97,7 +90,7 @@ double CsvTable::fraction(const CsvRecord& record, const std::string& column) {
 std::optional<double> CsvTable::reading(const CsvRecord& record, const std::string& column,
                                         bool is_fraction) {
   if (field(record, column).empty()) return std::nullopt;
-  const double value = is_fraction ? fraction(record, column) : number(record, column);
+  const double value = number(record, column, is_fraction);
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 

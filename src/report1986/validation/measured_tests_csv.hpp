@@ -27,11 +27,9 @@ class CsvTable {
 
   /// What stands in a column; must not be empty.
   std::string text(const CsvRecord& record, const std::string& column);
-  /// A finite number above 0. NaN after a fault.
-  double number(const CsvRecord& record, const std::string& column);
-  /// The same, below 1.
-  double fraction(const CsvRecord& record, const std::string& column);
-  /// The same as number or fraction; nothing where the field is empty or at fault.
+  /// A finite number above 0, of a fraction below 1. NaN after a fault.
+  double number(const CsvRecord& record, const std::string& column, bool is_fraction = false);
+  /// The same; nothing where the field is empty or at fault.
   std::optional<double> reading(const CsvRecord& record, const std::string& column, bool is_fraction);
   /// A whole number from 1 to 9999. 0 after a fault.
   int whole(const CsvRecord& record, const std::string& column);
@@ -43,11 +41,9 @@ class CsvTable {
   void fault(const CsvRecord& record, const std::string& column, std::string rule);
   void fault(const std::string& rule);  ///< of the whole file
 
-  /// The field of a column; empty if it is.
-  [[nodiscard]] const std::string& field(const CsvRecord& record, const std::string& column) const;
-
  private:
   void read(const std::string& text);
+  [[nodiscard]] const std::string& field(const CsvRecord& record, const std::string& column) const;
 
   std::string file_;
   std::vector<std::string> columns_;

@@ -18,19 +18,9 @@ using Residuals = std::vector<std::optional<double>>;
 /// Speeds of the plate at which curve "B" is above its tail, mph.
 constexpr double speeds_on_the_plate[] = {14, 16, 18, 20};
 
-Setup setup_of(const MeasuredTest& test, double radius_in) {
-  return {test.projectile, test.support, test.speed_mph, radius_in};
-}
-
-std::optional<double> log_ratio(std::optional<double> predicted, double expected) {
-  if (!predicted) return {};
-  return std::log(*predicted / expected);
-}
-
-std::optional<double> value_of(const std::vector<Prediction>& predictions, Program program,
-                               const Setup& setup, Quantity quantity) {
-  const Prediction* prediction = find(predictions, program, setup);
-  return prediction ? predicted(*prediction, quantity) : std::nullopt;
+std::optional<double> log_ratio(std::optional<double> value, double expected) {
+  if (!value) return {};
+  return std::log(*value / expected);
 }
 
 /// Residuals of the certain readings of a quantity on a support, by the accurate solver.
@@ -42,7 +32,7 @@ RadiusCriterion of_tests(const ValidationData& data, const std::vector<Predictio
     for (const MeasuredTest& test : data.measured.tests) {
       const std::optional<double> reading = measured(test, quantity);
       if (test.support != support || !reading) continue;
-      const auto value = value_of(at_tests, Program::accurate, setup_of(test, radius), quantity);
+      const auto value = predicted(at_tests, Program::accurate, setup_of(test, radius), quantity);
       if (logarithmic)
         residuals.push_back(log_ratio(value, *reading));
       else
@@ -70,7 +60,7 @@ RadiusCriterion strains_on_the_load_cell(const ValidationData& data,
       for (const MeasuredTest& test : tests) {
         if (test.number < 28 || test.number > 33 || !test.plug_strain) continue;
         const auto value =
-            value_of(at_tests, Program::accurate, setup_of(test, radius), Quantity::peak_strain);
+            predicted(at_tests, Program::accurate, setup_of(test, radius), Quantity::peak_strain);
         squares[reading++] += value ? std::pow(*value - *test.plug_strain, 2) : std::nan("");
       }
     });
@@ -91,8 +81,8 @@ RadiusCriterion forces_of_curve_b(const ValidationData& data, const std::vector<
     Residuals residuals;
     for (const double speed : speeds_on_the_plate)
       residuals.push_back(
-          log_ratio(value_of(others, program, {Projectile::aluminium, TestSupport::plate, speed, radius},
-                             Quantity::peak_force),
+          log_ratio(predicted(others, program, {Projectile::aluminium, TestSupport::plate, speed, radius},
+                              Quantity::peak_force),
                     curve_b_force_lb(data, Projectile::aluminium, speed)));
     return residuals;
   };
@@ -119,8 +109,8 @@ RadiusCriterion ratios_of_the_report(const ValidationData& data, const std::vect
     Residuals residuals;
     for (const Ratio& ratio : ratios)
       residuals.push_back(log_ratio(
-          value_of(others, program, {ratio.projectile, TestSupport::load_cell, ratio.speed_mph, radius},
-                   Quantity::peak_force),
+          predicted(others, program, {ratio.projectile, TestSupport::load_cell, ratio.speed_mph, radius},
+                    Quantity::peak_force),
           data.constant(ratio.constant) * curve_a_force_lb(data, ratio.projectile, ratio.speed_mph)));
     return residuals;
   };
@@ -139,7 +129,7 @@ RadiusCriterion times_of_the_report(const ValidationData& data, const std::vecto
       const double expected =
           1e3 * data.constant("expected_travel_in") / (inch_per_s_of_mph * setup.speed_mph) +
           data.constant("excess_of_predicted_time_ms");
-      residuals.push_back(log_ratio(value_of(others, program, setup, Quantity::time_to_peak), expected));
+      residuals.push_back(log_ratio(predicted(others, program, setup, Quantity::time_to_peak), expected));
     }
     return residuals;
   };
@@ -200,14 +190,6 @@ double RadiusStudy::of_the_report_in() const {
   if (estimates == 0) return favoured_in();
   return *std::ranges::min_element(radii_in, {},
                                    [&](double radius) { return std::abs(radius - sum / estimates); });
-}
-
-RadiusStudy study_radius(const ValidationData& data, const Material& ensolite, const Progress& progress) {
-  std::vector<Setup> setups;
-  for (const double radius : radii_of_the_study())
-    for (const Setup& setup : setups_of_tests(data.measured, radius)) setups.push_back(setup);
-  return study_radius(data, predict_all(data, ensolite, {Program::accurate}, setups, progress),
-                      predict_for_radius(data, ensolite, progress));
 }
 
 }  // namespace dashpad::report1986

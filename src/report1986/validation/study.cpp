@@ -102,7 +102,7 @@ void judge_all(Study& study) {
 std::vector<Setup> setups_of_tests(const MeasuredTests& measured, double radius_in) {
   std::vector<Setup> setups;
   for (const MeasuredTest& test : measured.tests) {
-    const Setup setup{test.projectile, test.support, test.speed_mph, radius_in};
+    const Setup setup = setup_of(test, radius_in);
     if (std::ranges::count(setups, setup) == 0) setups.push_back(setup);
   }
   return setups;
