@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/report1986/validation/claims.hpp"
+#include "dashpad/report1986/validation/energy.hpp"
 #include "output/text/table.hpp"
 #include "quantities/text.hpp"
 #include "report1986/validation/placings.hpp"
@@ -115,11 +115,11 @@ output::Table held_out_errors_table(const Study& study) {
 
 /// The fitted foam: by all readings, and from which to which value without those of a fold.
 output::Table fitted_foam_table(const Study& study) {
-  struct Row {
+  struct Number {
     const char* name;
     double FittedFoam::*of;
   };
-  constexpr Row rows[] = {{"plateau stress A (psi)", &FittedFoam::plateau_stress_psi},
+  constexpr Number rows[] = {{"plateau stress A (psi)", &FittedFoam::plateau_stress_psi},
                           {"densification stress B (psi)", &FittedFoam::densification_stress_psi},
                           {"densification exponent n", &FittedFoam::densification_exponent},
                           {"unloading shape SHAPE", &FittedFoam::unloading_shape}};

@@ -13,13 +13,12 @@ namespace dashpad::report1986 {
 
 namespace {
 
-const std::vector<Program> all_programs(std::begin(programs), std::end(programs));
 /// On the plate, which is linear, the support defect and the first slope change nothing.
 const std::vector<Program> programs_on_plate{Program::accurate, Program::printed_1984};
 
 output::Panel predicted_time_panel(const Study& study, const char* title, TestGroup group) {
   output::Panel panel = speed_panel(title, Quantity::time_to_peak);
-  add(panel, predicted_lines(study, all_programs, group, Quantity::time_to_peak));
+  add(panel, predicted_lines(study, programs, group, Quantity::time_to_peak));
   for (const auto& [name, turn] :
        {std::pair{"travel_in", turn::report}, std::pair{"expected_travel_in", turn::second}}) {
     const double travel = study.data.constant(name);
@@ -33,7 +32,7 @@ output::Panel predicted_time_panel(const Study& study, const char* title, TestGr
 output::Panel force_panel(const Study& study, const char* title, TestGroup group) {
   output::Panel panel = speed_panel(title, Quantity::peak_force);
   panel.y.high = 10'000;
-  add(panel, predicted_lines(study, all_programs, group, Quantity::peak_force));
+  add(panel, predicted_lines(study, programs, group, Quantity::peak_force));
   add(panel, curve_a(study, group.projectile, turn::report));
   panel.series.push_back(measured_points(study, group, Quantity::peak_force, "measured", turn::measured));
   return panel;
@@ -85,8 +84,7 @@ output::Series printed_expectation(const Study& study, Projectile projectile) {
 output::Panel rebound_panel(const Study& study, const char* title, TestGroup group) {
   output::Panel panel = speed_panel(title, Quantity::rebound_speed);
   const bool plate = group.support == TestSupport::plate;
-  add(panel,
-      predicted_lines(study, plate ? programs_on_plate : all_programs, group, Quantity::rebound_speed));
+  add(panel, predicted_lines(study, plate ? programs_on_plate : programs, group, Quantity::rebound_speed));
   const double ratio = study.data.constant(plate ? "rebound_ratio_plate" : "rebound_ratio_load_cell");
   panel.series.push_back(speed_line(fmt::format("report: {} V", brief(ratio)), turn::report,
                                     [&](double speed) { return ratio * speed; }));

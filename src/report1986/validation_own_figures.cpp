@@ -32,22 +32,24 @@ output::Series ratios(const Study& study, Program program, Projectile projectile
 
 output::Panel ratio_panel(const Study& study, const char* title, Projectile projectile) {
   const Rule& rule = rule_of(Quantity::peak_force);
-  const std::string name = to_string(projectile);
   output::Panel panel = speed_panel(title, "Predicted / measured peak force");
   panel.y.high = 4;
+  // What it found: from the low end of its speeds to the high end.
+  output::Series report{.label = "report: predictions over its trend",
+                        .style = output::SeriesStyle::dashed_line,
+                        .turn = turn::measured};
+  for (const PrintedRatio& printed : printed_ratios)
+    if (printed.projectile == projectile) {
+      report.x.push_back(printed.speed_mph);
+      report.y.push_back(study.data.constant(printed.constant));
+    }
   panel.series = {{.label = "bias that the rule admits",
                    .style = output::SeriesStyle::band,
                    .x = {least_speed, greatest_speed},
                    .y = {1 + rule.low, 1 + rule.low},
                    .y2 = {1 + rule.high, 1 + rule.high},
                    .turn = turn::measured},
-                  // What it found: from the low end of its speeds to the high end.
-                  {.label = "report: predictions over its trend",
-                   .style = output::SeriesStyle::dashed_line,
-                   .x = {10, projectile == Projectile::steel ? 15. : 20.},
-                   .y = {study.data.constant("force_ratio_" + name + "_low_speed"),
-                         study.data.constant("force_ratio_" + name + "_high_speed")},
-                   .turn = turn::measured}};
+                  std::move(report)};
   for (const auto& [program, turn] : {std::pair{Program::printed_1984, turn::printed_1984},
                                       std::pair{Program::mended_support_1984, turn::mended_1984},
                                       std::pair{Program::accurate_first_slope, turn::first_slope},

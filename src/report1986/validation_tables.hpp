@@ -33,6 +33,8 @@ const char* words(Explanation explanation);
 /// "4 of 7": a program's scores that pass.
 struct Tally {
   int passed = 0, all = 0;
+  void count(bool has_passed) { ++all, passed += has_passed ? 1 : 0; }
+  [[nodiscard]] bool passes_all() const { return all > 0 && passed == all; }
 };
 Tally tally(const Study& study, Program program);
 

@@ -153,21 +153,19 @@ output::Table score_over_radius_table(const Study& study) {
 }
 
 output::Table anomaly_table(const Study& study, const AnomalyVerdict& anomaly) {
-  output::Table table{.columns = {"program", "tests", "slope", "95 % interval", "slope, aluminium",
-                                  "95 % interval", "aluminium, 10 mph", "aluminium, 20 mph", "steel, 10 mph",
-                                  "steel, 15 mph"}};
-  std::vector<std::string> printed{"report", "-", "-", "-", "-", "-"};
-  for (const char* name : {"force_ratio_aluminium_low_speed", "force_ratio_aluminium_high_speed",
-                           "force_ratio_steel_low_speed", "force_ratio_steel_high_speed"})
-    printed.push_back(brief(study.data.constant(name)));
-  table.rows.push_back(std::move(printed));
+  output::Table table{
+      .columns = {"program", "tests", "slope", "95 % interval", "slope, aluminium", "95 % interval"},
+      .rows = {{"report", "-", "-", "-", "-", "-"}}};
+  for (const PrintedRatio& printed : printed_ratios) {
+    table.columns.push_back(fmt::format("{}, {} mph", to_string(printed.projectile), printed.speed_mph));
+    table.rows.front().push_back(brief(study.data.constant(printed.constant)));
+  }
   for (const ForceTrend& trend : anomaly.trends) {
     std::vector<std::string> row{
         to_string(trend.program),         std::to_string(trend.tests),
         with_sign(trend.slope),           with_signs(trend.slope_confidence),
         with_sign(trend.aluminium_slope), with_signs(trend.aluminium_slope_confidence)};
-    for (const double ratio : {trend.aluminium_low, trend.aluminium_high, trend.steel_low, trend.steel_high})
-      row.push_back(decimals(ratio));
+    for (const PrintedRatio& printed : printed_ratios) row.push_back(decimals(trend.*printed.ours));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -203,23 +201,14 @@ const char* passed_or_not(bool passed) { return passed ? "pass" : "FAIL"; }
 
 Tally tally(const Study& study, Program program) {
   Tally tally;
-  for (const Verdict& verdict : study.verdicts) {
-    if (verdict.score.program != program || !is_judged(verdict)) continue;
-    ++tally.all;
-    tally.passed += verdict.score.passed ? 1 : 0;
-  }
-  for (const Admissible& rebound : study.rebounds) {
-    if (rebound.program != program) continue;
-    ++tally.all;
-    tally.passed += rebound.passed ? 1 : 0;
-  }
+  for (const Verdict& verdict : study.verdicts)
+    if (verdict.score.program == program && is_judged(verdict)) tally.count(verdict.score.passed);
+  for (const Admissible& rebound : study.rebounds)
+    if (rebound.program == program) tally.count(rebound.passed);
   return tally;
 }
 
-bool passes(const Study& study) {
-  const Tally accurate = tally(study, Program::accurate);
-  return accurate.all > 0 && accurate.passed == accurate.all;
-}
+bool passes(const Study& study) { return tally(study, Program::accurate).passes_all(); }
 
 const char* words(Explanation explanation) {
   switch (explanation) {

@@ -1,4 +1,4 @@
-#include "dashpad/report1986/validation/claims.hpp"
+#include "dashpad/report1986/validation/energy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/report1986/validation/energy.hpp"
 #include "report1986/validation/placings.hpp"
 
 namespace dashpad::report1986 {

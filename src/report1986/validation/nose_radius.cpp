@@ -18,30 +18,37 @@ using Residuals = std::vector<std::optional<double>>;
 /// Speeds of the plate at which curve "B" is above its tail, mph.
 constexpr double speeds_on_the_plate[] = {14, 16, 18, 20};
 
-std::optional<double> log_ratio(std::optional<double> value, double expected) {
-  if (!value) return {};
-  return std::log(*value / expected);
-}
+/// What a prediction is held against, at whatever radius.
+struct Expected {
+  Setup setup;
+  double value = 0;
+};
 
-/// Residuals of the certain readings of a quantity on a support, by the accurate solver.
-RadiusCriterion of_tests(const ValidationData& data, const std::vector<Prediction>& at_tests,
-                         std::string name, TestSupport support, Quantity quantity) {
-  const bool logarithmic = rule_of(quantity).logarithmic;
+/// Residuals of a program's predictions of a quantity, by the error of its rule.
+RadiusCriterion criterion_of(std::string name, std::string remark, const std::vector<Prediction>& predictions,
+                             Program program, Quantity quantity, const std::vector<Expected>& expected) {
+  const Rule& rule = rule_of(quantity);
   const auto residuals_at = [&](double radius) {
     Residuals residuals;
-    for (const MeasuredTest& test : data.measured.tests) {
-      const std::optional<double> reading = measured(test, quantity);
-      if (test.support != support || !reading) continue;
-      const auto value = predicted(at_tests, Program::accurate, setup_of(test, radius), quantity);
-      if (logarithmic)
-        residuals.push_back(log_ratio(value, *reading));
-      else
-        residuals.push_back(value ? std::optional(*value - *reading) : std::nullopt);
+    for (auto [setup, value] : expected) {
+      setup.radius_in = radius;
+      const auto figure = predicted(predictions, program, setup, quantity);
+      residuals.push_back(figure ? std::optional(error_of(rule, value, *figure)) : std::nullopt);
     }
     return residuals;
   };
-  return radius_criterion(std::move(name), "certain rows of Table 3-1; accurate solver",
-                          logarithmic ? "ln" : "1", residuals_at);
+  return radius_criterion(std::move(name), std::move(remark), rule.logarithmic ? "ln" : "1", residuals_at);
+}
+
+/// The certain readings of a quantity on a support, by the accurate solver.
+RadiusCriterion of_tests(const ValidationData& data, const std::vector<Prediction>& at_tests,
+                         std::string name, TestSupport support, Quantity quantity) {
+  std::vector<Expected> expected;
+  for (const MeasuredTest& test : data.measured.tests)
+    if (const auto reading = measured(test, quantity); reading && test.support == support)
+      expected.push_back({setup_of(test, 0), *reading});
+  return criterion_of(std::move(name), "certain rows of Table 3-1; accurate solver", at_tests,
+                      Program::accurate, quantity, expected);
 }
 
 /// Steel projectile: the strains lost their rows, so a residual is the root mean square over all placings.
@@ -77,65 +84,40 @@ RadiusCriterion strains_on_the_load_cell(const ValidationData& data,
 
 RadiusCriterion forces_of_curve_b(const ValidationData& data, const std::vector<Prediction>& others,
                                   std::string name, Program program) {
-  const auto residuals_at = [&](double radius) {
-    Residuals residuals;
-    for (const double speed : speeds_on_the_plate)
-      residuals.push_back(
-          log_ratio(predicted(others, program, {Projectile::aluminium, TestSupport::plate, speed, radius},
-                              Quantity::peak_force),
-                    curve_b_force_lb(data, Projectile::aluminium, speed)));
-    return residuals;
-  };
-  return radius_criterion(std::move(name),
-                          fmt::format("curve \"B\" at 14 to 20 mph, the report's estimate; {}",
-                                      program == Program::accurate ? "accurate solver" : to_string(program)),
-                          "ln", residuals_at);
+  std::vector<Expected> expected;
+  for (const double speed : speeds_on_the_plate)
+    expected.push_back({{Projectile::aluminium, TestSupport::plate, speed, 0},
+                        curve_b_force_lb(data, Projectile::aluminium, speed)});
+  return criterion_of(std::move(name),
+                      fmt::format("curve \"B\" at 14 to 20 mph, the report's estimate; {}",
+                                  program == Program::accurate ? "accurate solver" : to_string(program)),
+                      others, program, Quantity::peak_force, expected);
 }
-
-struct Ratio {
-  Projectile projectile;
-  double speed_mph;
-  const char* constant;
-};
-constexpr Ratio ratios[] = {{Projectile::aluminium, 10, "force_ratio_aluminium_low_speed"},
-                            {Projectile::aluminium, 20, "force_ratio_aluminium_high_speed"},
-                            {Projectile::steel, 10, "force_ratio_steel_low_speed"},
-                            {Projectile::steel, 15, "force_ratio_steel_high_speed"}};
 
 /// The report's statements on its simulations are about the load cell.
 RadiusCriterion ratios_of_the_report(const ValidationData& data, const std::vector<Prediction>& others,
                                      Program program) {
-  const auto residuals_at = [&](double radius) {
-    Residuals residuals;
-    for (const Ratio& ratio : ratios)
-      residuals.push_back(log_ratio(
-          predicted(others, program, {ratio.projectile, TestSupport::load_cell, ratio.speed_mph, radius},
-                    Quantity::peak_force),
-          data.constant(ratio.constant) * curve_a_force_lb(data, ratio.projectile, ratio.speed_mph)));
-    return residuals;
-  };
-  return radius_criterion(
+  std::vector<Expected> expected;
+  for (const auto& [projectile, speed, constant, ratio] : printed_ratios)
+    expected.push_back({{projectile, TestSupport::load_cell, speed, 0},
+                        data.constant(constant) * curve_a_force_lb(data, projectile, speed)});
+  return criterion_of(
       "the report's force ratios",
-      fmt::format("1 to 0.4 and 1.4 to 0.4 of curve \"A\" (section 4); {}", to_string(program)), "ln",
-      residuals_at);
+      fmt::format("1 to 0.4 and 1.4 to 0.4 of curve \"A\" (section 4); {}", to_string(program)), others,
+      program, Quantity::peak_force, expected);
 }
 
 RadiusCriterion times_of_the_report(const ValidationData& data, const std::vector<Prediction>& others,
                                     Program program) {
-  const auto residuals_at = [&](double radius) {
-    Residuals residuals;
-    for (const Setup& setup : setups_of_curves(radius)) {
-      if (setup.support != TestSupport::load_cell) continue;
-      const double expected =
-          1e3 * data.constant("expected_travel_in") / (inch_per_s_of_mph * setup.speed_mph) +
-          data.constant("excess_of_predicted_time_ms");
-      residuals.push_back(log_ratio(predicted(others, program, setup, Quantity::time_to_peak), expected));
-    }
-    return residuals;
-  };
-  return radius_criterion("the report's times to peak",
-                          fmt::format("2 ms above VT = 1.25 in (section 4); {}", to_string(program)), "ln",
-                          residuals_at);
+  std::vector<Expected> expected;
+  for (const Setup& setup : setups_of_curves(0))
+    if (setup.support == TestSupport::load_cell)
+      expected.push_back(
+          {setup, 1e3 * data.constant("expected_travel_in") / (inch_per_s_of_mph * setup.speed_mph) +
+                      data.constant("excess_of_predicted_time_ms")});
+  return criterion_of("the report's times to peak",
+                      fmt::format("2 ms above VT = 1.25 in (section 4); {}", to_string(program)), others,
+                      program, Quantity::time_to_peak, expected);
 }
 
 }  // namespace

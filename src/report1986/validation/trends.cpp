@@ -16,10 +16,7 @@ namespace {
 
 using Tests = std::vector<MeasuredTest>;
 
-struct Fit {
-  Estimate constant;
-  double scatter = 0;
-};
+using Fit = ProportionalFit;
 
 /// A constant to be fitted to the readings of one column.
 struct Trend {
@@ -82,10 +79,7 @@ bool on_plate(const MeasuredTest& test) { return test.support == TestSupport::pl
 /// A proportional fit to a point of each test.
 template <class PointOf>
 std::function<Fit(const Tests&)> proportional(PointOf point_of) {
-  return [point_of](const Tests& tests) {
-    const ProportionalFit fit = fit_proportional(points_of(tests, point_of));
-    return Fit{fit.constant, fit.scatter};
-  };
+  return [point_of](const Tests& tests) { return fit_proportional(points_of(tests, point_of)); };
 }
 
 Point rebound_over_speed(const MeasuredTest& test) { return {test.speed_mph, *test.rebound_mph}; }

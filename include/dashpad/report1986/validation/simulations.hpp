@@ -19,8 +19,8 @@ enum class Program {
   accurate_first_slope,  ///< the solver, with the load cell's first slope alone; on the plate the same as
                          ///< accurate
 };
-inline constexpr Program programs[] = {Program::printed_1984, Program::mended_support_1984, Program::accurate,
-                                       Program::accurate_first_slope};
+inline const std::vector<Program> programs{Program::printed_1984, Program::mended_support_1984,
+                                           Program::accurate, Program::accurate_first_slope};
 const char* to_string(Program program);  ///< for people: "1984 program", ...
 
 /// What is simulated: the projectile at a speed, with a nose radius, on one of the supports.

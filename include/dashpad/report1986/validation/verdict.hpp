@@ -136,6 +136,19 @@ struct ForceTrend {
   double steel_low = 0, steel_high = 0;          ///< at 10 and 15 mph
 };
 
+/// A ratio of forces that the report prints for an end of a speed range (section 4).
+struct PrintedRatio {
+  Projectile projectile;
+  double speed_mph;
+  const char* constant;
+  double ForceTrend::*ours;
+};
+inline constexpr PrintedRatio printed_ratios[] = {
+    {Projectile::aluminium, 10, "force_ratio_aluminium_low_speed", &ForceTrend::aluminium_low},
+    {Projectile::aluminium, 20, "force_ratio_aluminium_high_speed", &ForceTrend::aluminium_high},
+    {Projectile::steel, 10, "force_ratio_steel_low_speed", &ForceTrend::steel_low},
+    {Projectile::steel, 15, "force_ratio_steel_high_speed", &ForceTrend::steel_high}};
+
 /// Curve "A" with its tail: the trend of Eq. 36, and for the aluminium projectile not below the mean force of
 /// tests 1 and 24 (report, Figure 3-9: the tail is drawn through them; below 300 in.lb the trend is no fit),
 /// lb.
