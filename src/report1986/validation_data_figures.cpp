@@ -21,24 +21,23 @@ const FittedConstant* fitted(const Study& study, const std::string& name) {
 }
 
 /// A fitted constant as a band over speed: its 95 % interval.
-output::Series interval_band(const FittedConstant& constant, const std::string& label, std::size_t turn,
-                             const std::function<double(double, double)>& value) {
-  output::Series band = speed_line(
-      label, turn, [&](double speed) { return value(constant.confidence.low, speed); },
-      output::SeriesStyle::band);
+Series interval_band(const FittedConstant& constant, const std::string& label, std::size_t turn,
+                     const std::function<double(double, double)>& value) {
+  Series band = speed_line(
+      label, turn, [&](double speed) { return value(constant.confidence.low, speed); }, SeriesStyle::band);
   for (const double speed : band.x) band.y2.push_back(value(constant.confidence.high, speed));
   return band;
 }
 
-output::Panel measured_time_panel(const Study& study, const char* title, TestGroup group) {
-  output::Panel panel = speed_panel(title, Quantity::time_to_peak);
+Panel measured_time_panel(const Study& study, const char* title, TestGroup group) {
+  Panel panel = speed_panel(title, Quantity::time_to_peak);
   add(panel,
       predicted_lines(study, {Program::accurate, Program::printed_1984}, group, Quantity::time_to_peak));
   // T = travel / V, in ms for in and mph.
   const double inch_per_s = study.data.constant("inch_per_s_of_mph");
   const auto travel_time = [&](double travel, double speed) { return 1e3 * travel / (inch_per_s * speed); };
   const auto line_of = [&](const std::string& label, std::size_t turn, double travel,
-                           output::SeriesStyle style = output::SeriesStyle::line) {
+                           SeriesStyle style = SeriesStyle::line) {
     panel.series.push_back(speed_line(
         label, turn, [&](double speed) { return travel_time(travel, speed); }, style));
   };
@@ -46,7 +45,7 @@ output::Panel measured_time_panel(const Study& study, const char* title, TestGro
     panel.series.push_back(
         interval_band(*refit, "fitted again: 95 % interval", turn::mended_1984, travel_time));
     line_of(fmt::format("fitted again: VT = {:.2f} in", refit->value), turn::mended_1984, refit->value,
-            output::SeriesStyle::solid_line);
+            SeriesStyle::solid_line);
   }
   for (const auto& [name, words, turn] :
        {std::tuple{"travel_in", "report's fit", turn::report},
@@ -61,17 +60,17 @@ output::Panel measured_time_panel(const Study& study, const char* title, TestGro
 constexpr double least_force = 100, greatest_force = 10'000;  // lb
 
 /// Energy over force, with the energy on the horizontal axis.
-output::Series energy_line(const std::string& label, std::size_t turn, output::SeriesStyle style, double low,
-                           const std::function<double(double)>& energy_of_force) {
-  output::Series line = function_line(
+Series energy_line(const std::string& label, std::size_t turn, SeriesStyle style, double low,
+                   const std::function<double(double)>& energy_of_force) {
+  Series line = function_line(
       label, turn, std::log(low), std::log(greatest_force),
       [](double log_force) { return std::exp(log_force); }, style);
   for (std::size_t i = 0; i < line.y.size(); ++i) line.x[i] = energy_of_force(line.y[i]);
   return line;
 }
 
-output::Series energy_points(const Study& study, Projectile projectile, const char* label, std::size_t turn) {
-  output::Series points{.label = label, .style = output::SeriesStyle::points, .turn = turn};
+Series energy_points(const Study& study, Projectile projectile, const char* label, std::size_t turn) {
+  Series points{.label = label, .style = SeriesStyle::points, .turn = turn};
   for (const MeasuredTest& test : study.data.measured.tests) {
     if (test.projectile != projectile || !test.peak_force_lb) continue;
     points.x.push_back(test.energy_in_lb);
@@ -83,18 +82,18 @@ output::Series energy_points(const Study& study, Projectile projectile, const ch
 }  // namespace
 
 Drawing support_curves(const Study& study) {
-  output::Series load_cell{.label = "load cell with bearing plate and floor: RECONSTRUCTED",
-                           .style = output::SeriesStyle::solid_line,
-                           .x = {0},
-                           .y = {0},
-                           .turn = turn::accurate};
+  Series load_cell{.label = "load cell with bearing plate and floor: RECONSTRUCTED",
+                   .style = SeriesStyle::solid_line,
+                   .x = {0},
+                   .y = {0},
+                   .turn = turn::accurate};
   for (const StaticPoint& point : study.data.load_cell) {
     load_cell.x.push_back(point.deflection_in);
     load_cell.y.push_back(point.force_lb);
   }
   constexpr double farthest = 0.6;
   const double stiffness = study.data.plate_stiffness_lb_per_in;
-  output::Panel panel{
+  Panel panel{
       .x = {.label = "Deflection (in)", .low = 0, .high = farthest},
       .y = {.label = "Force (lb)", .low = 0, .high = 6000},
       .series = {load_cell,
@@ -113,30 +112,29 @@ Drawing time_to_peak(const Study& study) {
 
 Drawing nominal_stress(const Study& study) {
   const NominalStressFit& fit = study.nominal_stress;
-  output::Series certain{
-      .label = "strain of the same test", .style = output::SeriesStyle::points, .turn = turn::measured};
-  output::Series placed{.label = "strain whose test is lost, in the placing of least scatter",
-                        .style = output::SeriesStyle::points,
-                        .turn = turn::mended_1984};
+  Series certain{.label = "strain of the same test", .style = SeriesStyle::points, .turn = turn::measured};
+  Series placed{.label = "strain whose test is lost, in the placing of least scatter",
+                .style = SeriesStyle::points,
+                .turn = turn::mended_1984};
   Interval forces = nowhere;
   for (const NominalStressPoint& point : fit.points) {
-    output::Series& series = point.test == 0 ? placed : certain;
+    Series& series = point.test == 0 ? placed : certain;
     series.x.push_back(point.force_lb);
     series.y.push_back(point.stress_psi);
     forces.include(point.force_lb);
   }
-  output::Panel panel{.x = {.label = "Peak force (lb)", .logarithmic = true},
-                      .y = {.label = "Nominal stress (psi)", .logarithmic = true}};
+  Panel panel{.x = {.label = "Peak force (lb)", .logarithmic = true},
+              .y = {.label = "Nominal stress (psi)", .logarithmic = true}};
   if (!fit.points.empty()) {
     const double low = 0.8 * forces.low, high = 1.25 * forces.high;
     panel.series = {{.label = "over all placings",
-                     .style = output::SeriesStyle::band,
+                     .style = SeriesStyle::band,
                      .x = {low, high},
                      .y = {low / fit.area_over_placings.high, high / fit.area_over_placings.high},
                      .y2 = {low / fit.area_over_placings.low, high / fit.area_over_placings.low},
                      .turn = turn::accurate},
                     {.label = fmt::format("unit slope: force = {:.3g} in² x stress", fit.area_in2),
-                     .style = output::SeriesStyle::solid_line,
+                     .style = SeriesStyle::solid_line,
                      .x = {low, high},
                      .y = {low / fit.area_in2, high / fit.area_in2},
                      .turn = turn::accurate},
@@ -147,10 +145,10 @@ Drawing nominal_stress(const Study& study) {
 }
 
 Drawing force_over_speed(const Study& study) {
-  output::Panel panel = speed_panel("", Quantity::peak_force);
+  Panel panel = speed_panel("", Quantity::peak_force);
   for (const auto& [group, name, turn] : {std::tuple{test_group::aluminium, "aluminium", turn::accurate},
                                           std::tuple{test_group::steel, "steel", turn::printed_1984}}) {
-    for (output::Series& series : predicted_lines(study, {Program::accurate}, group, Quantity::peak_force)) {
+    for (Series& series : predicted_lines(study, {Program::accurate}, group, Quantity::peak_force)) {
       series.label += std::string{", "} + name;
       series.turn = turn;
       panel.series.push_back(std::move(series));
@@ -164,7 +162,7 @@ Drawing force_over_speed(const Study& study) {
 }
 
 Drawing rebound_over_speed(const Study& study) {
-  output::Panel panel = speed_panel("", Quantity::rebound_speed);
+  Panel panel = speed_panel("", Quantity::rebound_speed);
   for (const auto& [name, support, turn] :
        {std::tuple{"rebound_ratio_load_cell", "load cell", turn::accurate},
         std::tuple{"rebound_ratio_plate", "plate", turn::printed_1984}}) {
@@ -192,25 +190,25 @@ Drawing force_over_energy(const Study& study) {
   const double factor = data.constant("energy_trend_factor");
   const double exponent = data.constant("energy_trend_exponent");
   const double begin = data.constant("energy_trend_from_in_lb");
-  output::Panel panel{.x = {.label = "Energy (in·lb)", .logarithmic = true, .low = 5, .high = 1000},
-                      .y = {.label = axis_label(Quantity::peak_force),
-                            .logarithmic = true,
-                            .low = least_force,
-                            .high = greatest_force}};
+  Panel panel{.x = {.label = "Energy (in·lb)", .logarithmic = true, .low = 5, .high = 1000},
+              .y = {.label = axis_label(Quantity::peak_force),
+                    .logarithmic = true,
+                    .low = least_force,
+                    .high = greatest_force}};
   panel.series = {
-      energy_line("stored in the load cell", turn::report, output::SeriesStyle::line, least_force,
+      energy_line("stored in the load cell", turn::report, SeriesStyle::line, least_force,
                   [&](double force) { return support_energy_in_lb(data.load_cell, force); }),
-      energy_line("stored in the plate", turn::second, output::SeriesStyle::line, least_force,
+      energy_line("stored in the plate", turn::second, SeriesStyle::line, least_force,
                   [&](double force) { return force * force / (2 * data.plate_stiffness_lb_per_in); }),
       energy_line(fmt::format("report, Eq. 36: U = ({} F)^{}", brief(factor), brief(exponent)),
-                  turn::accurate, output::SeriesStyle::solid_line, trend_force_lb(begin, factor, exponent),
+                  turn::accurate, SeriesStyle::solid_line, trend_force_lb(begin, factor, exponent),
                   [&](double force) { return trend_energy_in_lb(force, factor, exponent); })};
   const FittedConstant* new_factor = fitted(study, "energy_trend_factor");
   const FittedConstant* new_exponent = fitted(study, "energy_trend_exponent");
   if (new_factor != nullptr && new_exponent != nullptr) {
     const double f = new_factor->value, e = new_exponent->value;
     panel.series.push_back(energy_line(fmt::format("fitted again: U = ({:.4g} F)^{:.3f}", f, e),
-                                       turn::printed_1984, output::SeriesStyle::dashed_line,
+                                       turn::printed_1984, SeriesStyle::dashed_line,
                                        trend_force_lb(begin, f, e),
                                        [&](double force) { return trend_energy_in_lb(force, f, e); }));
   }
@@ -223,7 +221,7 @@ Drawing force_over_energy(const Study& study) {
 }
 
 Drawing curves_a_and_b(const Study& study) {
-  output::Panel panel = speed_panel("", Quantity::peak_force);
+  Panel panel = speed_panel("", Quantity::peak_force);
   panel.y.high = 6000;
   add(panel, curve_a(study, Projectile::aluminium, turn::accurate));
   add(panel, curve_b(study, Projectile::aluminium, turn::printed_1984));

@@ -120,9 +120,9 @@ output::Table fitted_foam_table(const Study& study) {
     double FittedFoam::*of;
   };
   constexpr Number rows[] = {{"plateau stress A (psi)", &FittedFoam::plateau_stress_psi},
-                          {"densification stress B (psi)", &FittedFoam::densification_stress_psi},
-                          {"densification exponent n", &FittedFoam::densification_exponent},
-                          {"unloading shape SHAPE", &FittedFoam::unloading_shape}};
+                             {"densification stress B (psi)", &FittedFoam::densification_stress_psi},
+                             {"densification exponent n", &FittedFoam::densification_exponent},
+                             {"unloading shape SHAPE", &FittedFoam::unloading_shape}};
   output::Table table{.columns = {"number", "all readings", "without a fold"}};
   if (study.held_out.folds.empty()) return table;
   for (const auto& [name, of] : rows) {

@@ -11,9 +11,13 @@
 
 namespace dashpad::report1986 {
 
+using output::Panel;
+using output::Series;
+using output::SeriesStyle;
+
 /// What is drawn in a figure; its name, title and source stand in the list of all figures.
 struct Drawing {
-  std::vector<output::Panel> panels;
+  std::vector<Panel> panels;
   std::string note;
 };
 
@@ -57,37 +61,34 @@ inline constexpr TestGroup on_plate{Projectile::aluminium, TestSupport::plate};
 inline constexpr double least_speed = 9, greatest_speed = 21;
 
 /// A panel over the initial speed, from zero.
-output::Panel speed_panel(const std::string& title, const std::string& label);
-output::Panel speed_panel(const std::string& title, Quantity quantity);
+Panel speed_panel(const std::string& title, const std::string& label);
+Panel speed_panel(const std::string& title, Quantity quantity);
 /// One for each projectile on the load cell.
-std::vector<output::Panel> both_projectiles(
-    const std::function<output::Panel(const char* title, TestGroup group)>& panel_of);
+std::vector<Panel> both_projectiles(const std::function<Panel(const char* title, TestGroup group)>& panel_of);
 
-void add(output::Panel& panel, std::vector<output::Series> series);
+void add(Panel& panel, std::vector<Series> series);
 
 /// The certain readings over speed.
-output::Series measured_points(const Study& study, TestGroup group, Quantity quantity,
-                               const std::string& label, std::size_t turn);
+Series measured_points(const Study& study, TestGroup group, Quantity quantity, const std::string& label,
+                       std::size_t turn);
 
 /// The predictions of programs over speed at the radius that the report simulated with, a line, for the
 /// program of 1984 points; for the accurate solver also at the favoured radius, dashed, and with a band over
 /// the radii.
-std::vector<output::Series> predicted_lines(const Study& study, const std::vector<Program>& shown,
-                                            TestGroup group, Quantity quantity);
+std::vector<Series> predicted_lines(const Study& study, const std::vector<Program>& shown, TestGroup group,
+                                    Quantity quantity);
 
 /// A function over an even grid.
-output::Series function_line(const std::string& label, std::size_t turn, double low, double high,
-                             const std::function<double(double)>& value,
-                             output::SeriesStyle style = output::SeriesStyle::line);
+Series function_line(const std::string& label, std::size_t turn, double low, double high,
+                     const std::function<double(double)>& value, SeriesStyle style = SeriesStyle::line);
 /// The same over all speeds.
-output::Series speed_line(const std::string& label, std::size_t turn,
-                          const std::function<double(double)>& value,
-                          output::SeriesStyle style = output::SeriesStyle::line);
+Series speed_line(const std::string& label, std::size_t turn, const std::function<double(double)>& value,
+                  SeriesStyle style = SeriesStyle::line);
 
 /// The trend of Eq. 36 as peak force over speed (curve "A") or its estimate for the plate (curve "B"); dashed
 /// below the energies for which the trend was fitted.
-std::vector<output::Series> curve_a(const Study& study, Projectile projectile, std::size_t turn);
-std::vector<output::Series> curve_b(const Study& study, Projectile projectile, std::size_t turn);
+std::vector<Series> curve_a(const Study& study, Projectile projectile, std::size_t turn);
+std::vector<Series> curve_b(const Study& study, Projectile projectile, std::size_t turn);
 inline constexpr const char* curve_note =
     "Curves A and B are dashed below 300 in·lb, where Eq. 36 was not fitted; curve A of the aluminium "
     "projectile has a tail through tests 1 and 24 there. ";

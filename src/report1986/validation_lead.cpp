@@ -75,8 +75,8 @@ output::ValueRow bias_figure(const Study& study, const HeldOutScore& score) {
 }
 
 /// Predicted over measured of each test, in one colour.
-output::Series compared(const std::string& label, std::size_t turn, const std::vector<TestError>& errors) {
-  output::Series points{.label = label, .style = output::SeriesStyle::points, .turn = turn};
+Series compared(const std::string& label, std::size_t turn, const std::vector<TestError>& errors) {
+  Series points{.label = label, .style = SeriesStyle::points, .turn = turn};
   for (const TestError& error : errors) {
     points.x.push_back(error.measured);
     points.y.push_back(error.predicted);
@@ -85,16 +85,16 @@ output::Series compared(const std::string& label, std::size_t turn, const std::v
 }
 
 /// Where predicted is measured, and what the rule admits of the bias.
-void add_equality(output::Panel& panel, double low, double high) {
+void add_equality(Panel& panel, double low, double high) {
   const Rule& rule = rule_of(Quantity::peak_force);
   panel.series.push_back({.label = "bias that the rule admits",
-                          .style = output::SeriesStyle::band,
+                          .style = SeriesStyle::band,
                           .x = {low, high},
                           .y = {(1 + rule.low) * low, (1 + rule.low) * high},
                           .y2 = {(1 + rule.high) * low, (1 + rule.high) * high},
                           .turn = turn::measured});
   panel.series.push_back({.label = "as measured",
-                          .style = output::SeriesStyle::dashed_line,
+                          .style = SeriesStyle::dashed_line,
                           .x = {low, high},
                           .y = {low, high},
                           .turn = turn::measured});
@@ -102,9 +102,9 @@ void add_equality(output::Panel& panel, double low, double high) {
 
 /// Peak forces on the load cell: most readings are of them.
 output::Plot predicted_over_measured(const Study& study) {
-  output::Panel panel{.x = {.label = "Measured peak force (lb)", .logarithmic = true},
-                      .y = {.label = "Predicted peak force (lb)", .logarithmic = true}};
-  std::vector<output::Series> points;
+  Panel panel{.x = {.label = "Measured peak force (lb)", .logarithmic = true},
+              .y = {.label = "Predicted peak force (lb)", .logarithmic = true}};
+  std::vector<Series> points;
   for (const HeldOutScore& score : study.held_out.scores)
     if (score.quantity == Quantity::peak_force && score.support == TestSupport::load_cell)
       points.push_back(compared("foam fitted to the other tests", turn::accurate, score.errors));
@@ -112,7 +112,7 @@ output::Plot predicted_over_measured(const Study& study) {
     points.push_back(compared(fmt::format("report's law, {:.2f} in", study.radius.favoured_in()),
                               turn::printed_1984, score->errors));
   Interval forces = nowhere;
-  for (const output::Series& series : points)
+  for (const Series& series : points)
     for (const std::vector<double>* const values : {&series.x, &series.y})
       for (const double value : *values) forces.include(value);
   if (forces.high > 0) {
@@ -122,7 +122,7 @@ output::Plot predicted_over_measured(const Study& study) {
     panel.x.low = panel.y.low = low;
     panel.x.high = panel.y.high = high;
   }
-  for (output::Series& series : points) panel.series.push_back(std::move(series));
+  for (Series& series : points) panel.series.push_back(std::move(series));
   return {.panels = {std::move(panel)}};
 }
 

@@ -16,8 +16,8 @@ namespace {
 /// On the plate, which is linear, the support defect and the first slope change nothing.
 const std::vector<Program> programs_on_plate{Program::accurate, Program::printed_1984};
 
-output::Panel predicted_time_panel(const Study& study, const char* title, TestGroup group) {
-  output::Panel panel = speed_panel(title, Quantity::time_to_peak);
+Panel predicted_time_panel(const Study& study, const char* title, TestGroup group) {
+  Panel panel = speed_panel(title, Quantity::time_to_peak);
   add(panel, predicted_lines(study, programs, group, Quantity::time_to_peak));
   for (const auto& [name, turn] :
        {std::pair{"travel_in", turn::report}, std::pair{"expected_travel_in", turn::second}}) {
@@ -29,8 +29,8 @@ output::Panel predicted_time_panel(const Study& study, const char* title, TestGr
   return panel;
 }
 
-output::Panel force_panel(const Study& study, const char* title, TestGroup group) {
-  output::Panel panel = speed_panel(title, Quantity::peak_force);
+Panel force_panel(const Study& study, const char* title, TestGroup group) {
+  Panel panel = speed_panel(title, Quantity::peak_force);
   panel.y.high = 10'000;
   add(panel, predicted_lines(study, programs, group, Quantity::peak_force));
   add(panel, curve_a(study, group.projectile, turn::report));
@@ -39,7 +39,7 @@ output::Panel force_panel(const Study& study, const char* title, TestGroup group
 }
 
 /// Upper bound of the rebound by the logic of Table 3-2, with the peak force of the trend.
-output::Series expected_on_load_cell(const Study& study, Projectile projectile) {
+Series expected_on_load_cell(const Study& study, Projectile projectile) {
   const ValidationData& data = study.data;
   const double ratio = data.constant("rebound_ratio_load_cell");
   const double from = data.constant("energy_trend_from_in_lb");
@@ -56,12 +56,12 @@ output::Series expected_on_load_cell(const Study& study, Projectile projectile) 
 }
 
 /// The same for the plate, with the peak force of curve B. It cannot be more than the initial speed.
-output::Series expected_on_plate(const Study& study) {
+Series expected_on_plate(const Study& study) {
   const ValidationData& data = study.data;
   const double ratio = data.constant("rebound_ratio_plate");
-  output::Series line = curve_b(study, Projectile::aluminium, turn::second).front();
+  Series line = curve_b(study, Projectile::aluminium, turn::second).front();
   line.label = "expected at most (Table 3-2)";
-  line.style = output::SeriesStyle::line;
+  line.style = SeriesStyle::line;
   for (std::size_t i = 0; i < line.x.size(); ++i) {
     const double energy = impact_energy_in_lb(weight_of(data, Projectile::aluminium), line.x[i]);
     const double stored = line.y[i] * line.y[i] / (2 * data.plate_stiffness_lb_per_in);
@@ -70,9 +70,8 @@ output::Series expected_on_plate(const Study& study) {
   return line;
 }
 
-output::Series printed_expectation(const Study& study, Projectile projectile) {
-  output::Series points{
-      .label = "example printed in Table 3-2", .style = output::SeriesStyle::points, .turn = turn::second};
+Series printed_expectation(const Study& study, Projectile projectile) {
+  Series points{.label = "example printed in Table 3-2", .style = SeriesStyle::points, .turn = turn::second};
   for (const ExpectationExample& example : study.data.table_3_2) {
     if (example.projectile != projectile) continue;
     points.x.push_back(example.speed_mph);
@@ -81,8 +80,8 @@ output::Series printed_expectation(const Study& study, Projectile projectile) {
   return points;
 }
 
-output::Panel rebound_panel(const Study& study, const char* title, TestGroup group) {
-  output::Panel panel = speed_panel(title, Quantity::rebound_speed);
+Panel rebound_panel(const Study& study, const char* title, TestGroup group) {
+  Panel panel = speed_panel(title, Quantity::rebound_speed);
   const bool plate = group.support == TestSupport::plate;
   add(panel, predicted_lines(study, plate ? programs_on_plate : programs, group, Quantity::rebound_speed));
   const double ratio = study.data.constant(plate ? "rebound_ratio_plate" : "rebound_ratio_load_cell");
@@ -109,7 +108,7 @@ Drawing predicted_force_on_load_cell(const Study& study) {
 }
 
 Drawing predicted_force_on_plate(const Study& study) {
-  output::Panel panel = speed_panel("", Quantity::peak_force);
+  Panel panel = speed_panel("", Quantity::peak_force);
   add(panel, predicted_lines(study, programs_on_plate, test_group::on_plate, Quantity::peak_force));
   add(panel, curve_b(study, Projectile::aluminium, turn::report));
   return {{panel},

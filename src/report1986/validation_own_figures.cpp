@@ -13,8 +13,8 @@ namespace dashpad::report1986 {
 namespace {
 
 /// Predicted over measured force of each test, at the report's radius.
-output::Series ratios(const Study& study, Program program, Projectile projectile, std::size_t turn) {
-  output::Series points{.label = to_string(program), .style = output::SeriesStyle::points, .turn = turn};
+Series ratios(const Study& study, Program program, Projectile projectile, std::size_t turn) {
+  Series points{.label = to_string(program), .style = SeriesStyle::points, .turn = turn};
   for (const Verdict& verdict : study.at_the_reports_radius) {
     const Score& score = verdict.score;
     if (score.program != program || score.support != TestSupport::load_cell ||
@@ -30,21 +30,21 @@ output::Series ratios(const Study& study, Program program, Projectile projectile
   return points;
 }
 
-output::Panel ratio_panel(const Study& study, const char* title, Projectile projectile) {
+Panel ratio_panel(const Study& study, const char* title, Projectile projectile) {
   const Rule& rule = rule_of(Quantity::peak_force);
-  output::Panel panel = speed_panel(title, "Predicted / measured peak force");
+  Panel panel = speed_panel(title, "Predicted / measured peak force");
   panel.y.high = 4;
   // What it found: from the low end of its speeds to the high end.
-  output::Series report{.label = "report: predictions over its trend",
-                        .style = output::SeriesStyle::dashed_line,
-                        .turn = turn::measured};
+  Series report{.label = "report: predictions over its trend",
+                .style = SeriesStyle::dashed_line,
+                .turn = turn::measured};
   for (const PrintedRatio& printed : printed_ratios)
     if (printed.projectile == projectile) {
       report.x.push_back(printed.speed_mph);
       report.y.push_back(study.data.constant(printed.constant));
     }
   panel.series = {{.label = "bias that the rule admits",
-                   .style = output::SeriesStyle::band,
+                   .style = SeriesStyle::band,
                    .x = {least_speed, greatest_speed},
                    .y = {1 + rule.low, 1 + rule.low},
                    .y2 = {1 + rule.high, 1 + rule.high},
@@ -67,14 +67,14 @@ std::string program_of(const RadiusCriterion& criterion) {
 }
 
 Drawing misfit_over_radius(const Study& study) {
-  output::Panel panel{.x = {.label = "Nose radius (in)", .low = least_radius_in, .high = greatest_radius_in},
-                      .y = {.label = "Misfit / least misfit", .low = 0, .high = 5}};
+  Panel panel{.x = {.label = "Nose radius (in)", .low = least_radius_in, .high = greatest_radius_in},
+              .y = {.label = "Misfit / least misfit", .low = 0, .high = 5}};
   for (const RadiusCriterion& criterion : study.radius.criteria) {
     double least = HUGE_VAL;
     for (const double misfit : criterion.misfit)
       if (misfit < least) least = misfit;  // never if it is NaN
     if (!std::isfinite(least) || least <= 0) continue;
-    output::Series line{
+    Series line{
         .label = fmt::format("{} ({}); {}", criterion.name, criterion.readings, program_of(criterion)),
         .x = study.radius.radii_in,
         .y = criterion.misfit};

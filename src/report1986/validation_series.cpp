@@ -16,17 +16,16 @@ namespace {
 
 struct Look {
   std::size_t turn;
-  output::SeriesStyle style;
+  SeriesStyle style;
 };
 /// In the order of Program. Points for the program of 1984: many of its runs end in an ABEND.
-constexpr Look looks[] = {{turn::printed_1984, output::SeriesStyle::points},
-                          {turn::mended_1984, output::SeriesStyle::points},
-                          {turn::accurate, output::SeriesStyle::solid_line},
-                          {turn::first_slope, output::SeriesStyle::line}};
+constexpr Look looks[] = {{turn::printed_1984, SeriesStyle::points},
+                          {turn::mended_1984, SeriesStyle::points},
+                          {turn::accurate, SeriesStyle::solid_line},
+                          {turn::first_slope, SeriesStyle::line}};
 
 /// The lines of one program.
-std::vector<output::Series> lines_of(const Study& study, Program program, TestGroup group,
-                                     Quantity quantity) {
+std::vector<Series> lines_of(const Study& study, Program program, TestGroup group, Quantity quantity) {
   const double of_the_report = study.radius.of_the_report_in(), favoured = study.radius.favoured_in();
   const auto [turn, style] = looks[static_cast<std::size_t>(program)];
   std::map<double, double> at_the_reports_radius, at_the_favoured_radius;
@@ -41,8 +40,8 @@ std::vector<output::Series> lines_of(const Study& study, Program program, TestGr
     if (setup.radius_in == of_the_report) at_the_reports_radius[setup.speed_mph] = *value;
     over_radii.emplace(setup.speed_mph, nowhere).first->second.include(*value);
   }
-  const auto line_of = [&](const std::map<double, double>& values, double radius, output::SeriesStyle drawn) {
-    output::Series line{
+  const auto line_of = [&](const std::map<double, double>& values, double radius, SeriesStyle drawn) {
+    Series line{
         .label = fmt::format("{}, {:.2f} in", to_string(program), radius), .style = drawn, .turn = turn};
     for (const auto& [speed, value] : values) {
       line.x.push_back(speed);
@@ -50,57 +49,56 @@ std::vector<output::Series> lines_of(const Study& study, Program program, TestGr
     }
     return line;
   };
-  const output::Series line = line_of(at_the_reports_radius, of_the_report, style);
+  const Series line = line_of(at_the_reports_radius, of_the_report, style);
   if (program != Program::accurate) return {line};
 
-  output::Series band{.label = std::string{to_string(program)} + ", over the nose radii",
-                      .style = output::SeriesStyle::band,
-                      .turn = turn};
+  Series band{.label = std::string{to_string(program)} + ", over the nose radii",
+              .style = SeriesStyle::band,
+              .turn = turn};
   for (const auto& [speed, span] : over_radii) {
     band.x.push_back(speed);
     band.y.push_back(span.low);
     band.y2.push_back(span.high);
   }
   if (favoured == of_the_report) return {band, line};
-  return {band, line, line_of(at_the_favoured_radius, favoured, output::SeriesStyle::dashed_line)};
+  return {band, line, line_of(at_the_favoured_radius, favoured, SeriesStyle::dashed_line)};
 }
 
 /// A force over speed: solid for energies at which the trend was fitted, dashed below.
-std::vector<output::Series> curve(const Study& study, const std::string& label, std::size_t turn,
-                                  Projectile projectile,
-                                  const std::function<double(double)>& force_of_speed) {
+std::vector<Series> curve(const Study& study, const std::string& label, std::size_t turn,
+                          Projectile projectile, const std::function<double(double)>& force_of_speed) {
   const double fitted_from = study.data.constant("energy_trend_from_in_lb");
   const double unit_energy = impact_energy_in_lb(weight_of(study.data, projectile), 1);
   const double middle = std::clamp(std::sqrt(fitted_from / unit_energy), least_speed, greatest_speed);
-  return {function_line(label, turn, middle, greatest_speed, force_of_speed, output::SeriesStyle::solid_line),
-          function_line("", turn, least_speed, middle, force_of_speed, output::SeriesStyle::dashed_line)};
+  return {function_line(label, turn, middle, greatest_speed, force_of_speed, SeriesStyle::solid_line),
+          function_line("", turn, least_speed, middle, force_of_speed, SeriesStyle::dashed_line)};
 }
 
 }  // namespace
 
-output::Panel speed_panel(const std::string& title, const std::string& label) {
+Panel speed_panel(const std::string& title, const std::string& label) {
   return {.title = title,
           .x = {.label = "Initial speed (mph)", .low = least_speed, .high = greatest_speed},
           .y = {.label = label, .low = 0}};
 }
 
-output::Panel speed_panel(const std::string& title, Quantity quantity) {
+Panel speed_panel(const std::string& title, Quantity quantity) {
   return speed_panel(title, axis_label(quantity));
 }
 
-std::vector<output::Panel> both_projectiles(
-    const std::function<output::Panel(const char* title, TestGroup group)>& panel_of) {
+std::vector<Panel> both_projectiles(
+    const std::function<Panel(const char* title, TestGroup group)>& panel_of) {
   return {panel_of("Aluminium projectile, 4.13 lb", test_group::aluminium),
           panel_of("Steel projectile, 7.7 lb", test_group::steel)};
 }
 
-void add(output::Panel& panel, std::vector<output::Series> series) {
-  for (output::Series& one : series) panel.series.push_back(std::move(one));
+void add(Panel& panel, std::vector<Series> series) {
+  for (Series& one : series) panel.series.push_back(std::move(one));
 }
 
-output::Series measured_points(const Study& study, TestGroup group, Quantity quantity,
-                               const std::string& label, std::size_t turn) {
-  output::Series points{.label = label, .style = output::SeriesStyle::points, .turn = turn};
+Series measured_points(const Study& study, TestGroup group, Quantity quantity, const std::string& label,
+                       std::size_t turn) {
+  Series points{.label = label, .style = SeriesStyle::points, .turn = turn};
   for (const MeasuredTest& test : study.data.measured.tests) {
     const std::optional<double> value = measured(test, quantity);
     if (!value || test.projectile != group.projectile || test.support != group.support) continue;
@@ -110,18 +108,18 @@ output::Series measured_points(const Study& study, TestGroup group, Quantity qua
   return points;
 }
 
-std::vector<output::Series> predicted_lines(const Study& study, const std::vector<Program>& shown,
-                                            TestGroup group, Quantity quantity) {
-  std::vector<output::Series> all;
+std::vector<Series> predicted_lines(const Study& study, const std::vector<Program>& shown, TestGroup group,
+                                    Quantity quantity) {
+  std::vector<Series> all;
   for (const Program program : shown)
-    for (output::Series& series : lines_of(study, program, group, quantity)) all.push_back(std::move(series));
+    for (Series& series : lines_of(study, program, group, quantity)) all.push_back(std::move(series));
   return all;
 }
 
-output::Series function_line(const std::string& label, std::size_t turn, double low, double high,
-                             const std::function<double(double)>& value, output::SeriesStyle style) {
+Series function_line(const std::string& label, std::size_t turn, double low, double high,
+                     const std::function<double(double)>& value, SeriesStyle style) {
   constexpr int steps = 100;
-  output::Series line{.label = label, .style = style, .turn = turn};
+  Series line{.label = label, .style = style, .turn = turn};
   for (int i = 0; i <= steps; ++i) {
     line.x.push_back(low + (high - low) * i / steps);
     line.y.push_back(value(line.x.back()));
@@ -129,17 +127,17 @@ output::Series function_line(const std::string& label, std::size_t turn, double 
   return line;
 }
 
-output::Series speed_line(const std::string& label, std::size_t turn,
-                          const std::function<double(double)>& value, output::SeriesStyle style) {
+Series speed_line(const std::string& label, std::size_t turn, const std::function<double(double)>& value,
+                  SeriesStyle style) {
   return function_line(label, turn, least_speed, greatest_speed, value, style);
 }
 
-std::vector<output::Series> curve_a(const Study& study, Projectile projectile, std::size_t turn) {
+std::vector<Series> curve_a(const Study& study, Projectile projectile, std::size_t turn) {
   return curve(study, "curve A: the report's trend, Eq. 36", turn, projectile,
                [&](double speed) { return curve_a_force_lb(study.data, projectile, speed); });
 }
 
-std::vector<output::Series> curve_b(const Study& study, Projectile projectile, std::size_t turn) {
+std::vector<Series> curve_b(const Study& study, Projectile projectile, std::size_t turn) {
   return curve(study, "curve B: the report's estimate for the plate, Eq. 37", turn, projectile,
                [&](double speed) { return curve_b_force_lb(study.data, projectile, speed); });
 }
