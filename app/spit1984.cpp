@@ -13,8 +13,6 @@
 
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
-#include "dashpad/spit1984/ensol.hpp"
-#include "dashpad/spit1984/listing.hpp"
 #include "dashpad/spit1984/run_files.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"

@@ -119,17 +119,25 @@ std::string laid_out(const std::vector<Row>& rows) {
   return text;
 }
 
-/// The points of a run in the units shown, up to twice the reference's peak: an ABEND may come after absurd
-/// forces.
-output::Series series(const ComparedRun& run, const std::vector<double>& values, const char* si_unit,
-                      double most, const UnitSystem& units) {
-  output::Series drawn;
-  drawn.label = run.name;
-  for (std::size_t i = 0; i < run.time.size() && std::abs(values[i]) <= most; ++i) {
-    drawn.x.push_back(value_in(units, run.time[i], "s"));
-    drawn.y.push_back(value_in(units, values[i], si_unit));
+/// A column of all runs over time in the units shown, each up to twice the reference's peak: an ABEND may
+/// come after absurd forces.
+output::Panel panel(const Comparison& comparison, const char* title, const char* quantity,
+                    const char* si_unit, std::vector<double> ComparedRun::*values, double peak,
+                    const UnitSystem& units) {
+  const auto axis = [&](const char* text, const char* unit) {
+    return output::Axis{.label = fmt::format("{} ({})", text, shown_unit(unit_for(units, unit)))};
+  };
+  output::Panel panel{title, axis("Time", "s"), axis(quantity, si_unit), {}};
+  for (const ComparedRun& run : comparison.runs) {
+    if (&run == &comparison.runs.front()) continue;  // not to be told from the reference at this scale
+    output::Series& drawn = panel.series.emplace_back();
+    drawn.label = run.name;
+    for (std::size_t i = 0; i < run.time.size() && std::abs((run.*values)[i]) <= 2 * peak; ++i) {
+      drawn.x.push_back(value_in(units, run.time[i], "s"));
+      drawn.y.push_back(value_in(units, (run.*values)[i], si_unit));
+    }
   }
-  return drawn;
+  return panel;
 }
 
 }  // namespace
@@ -152,24 +160,21 @@ Comparison compare(const ImpactCase& impact, const Options& options, double time
   const std::size_t expected =
       expected_steps(comparison.runs[Comparison::reference], time_step, comparison.dimension);
   std::size_t runs_done = 0;
-  const auto add = [&](std::string name, const Settings& settings) {
-    comparison.runs.push_back(historical(std::move(name), deck, settings, [&](int step) {
+  const auto add = [&](std::string name, const Settings& of) {
+    comparison.runs.push_back(historical(std::move(name), deck, of, [&](int step) {
       if (progress)
         progress(runs_done * expected + std::min(static_cast<std::size_t>(step), expected), runs * expected);
     }));
     ++runs_done;
   };
+  Settings settings;
+  settings.most_steps = settings.most_stations = comparison.dimension;
   for (const Arithmetic arithmetic : {Arithmetic::pdp10, Arithmetic::binary32, Arithmetic::binary64}) {
-    Settings faithful;
-    faithful.arithmetic = arithmetic;
-    faithful.most_steps = faithful.most_stations = comparison.dimension;
-    add(fmt::format("1984, {}", to_string(arithmetic)), faithful);
+    settings.arithmetic = arithmetic;
+    add(fmt::format("1984, {}", to_string(arithmetic)), settings);
   }
-  Settings mended;
-  mended.arithmetic = Arithmetic::binary64;
-  mended.defects = all_mended;
-  mended.most_steps = mended.most_stations = comparison.dimension;
-  add("1984, mended, binary64", mended);
+  settings.defects = all_mended;
+  add("1984, mended, binary64", settings);
   return comparison;
 }
 
@@ -225,19 +230,11 @@ std::string comparison_json(const Comparison& comparison) {
 output::Plot comparison_plot(const Comparison& comparison, const ImpactCase& impact,
                              const UnitSystem& units) {
   const ComparedRun& reference = comparison.runs[Comparison::reference];
-  const auto axis = [&](const char* text, const char* si_unit) {
-    output::Axis of;
-    of.label = fmt::format("{} ({})", text, shown_unit(unit_for(units, si_unit)));
-    return of;
-  };
-  output::Panel force{"Force", axis("Time", "s"), axis("Force", "N"), {}};
-  output::Panel penetration{"Penetration of the pad", axis("Time", "s"), axis("Penetration", "m"), {}};
+  output::Panel force =
+      panel(comparison, "Force", "Force", "N", &ComparedRun::force, reference.peak_force.value_or(0), units);
   force.y.low = 0;
-  for (const ComparedRun& run : comparison.runs) {
-    if (&run == &comparison.runs.front()) continue;  // not to be told from the reference at this scale
-    force.series.push_back(series(run, run.force, "N", 2 * reference.peak_force.value_or(0), units));
-    penetration.series.push_back(series(run, run.penetration, "m", 2 * reference.peak_penetration, units));
-  }
+  const output::Panel penetration = panel(comparison, "Penetration of the pad", "Penetration", "m",
+                                          &ComparedRun::penetration, reference.peak_penetration, units);
   return {impact.title.empty() ? "The program of 1984 and the accurate solver" : impact.title,
           {force, penetration},
           fmt::format("dashpad {}; unfinished runs are drawn up to twice the reference's peak", version())};

@@ -1,12 +1,14 @@
-// Constants, claims, nose radius and lost readings as tables; tables as text.
+// Constants, claims, nose radius, lost readings and the tests held out as tables; all tables.
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "dashpad/report1986/validation/energy.hpp"
 #include "output/text/table.hpp"
 #include "quantities/text.hpp"
+#include "report1986/validation/placings.hpp"
 #include "report1986/validation_tables.hpp"
 
 namespace dashpad::report1986 {
@@ -19,22 +21,11 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 
 std::string short_number(double value) { return fmt::format("{:.4g}", value); }
 
+const char* yes_or_no(bool is_so) { return is_so ? "yes" : "NO"; }
+
 std::string span(const Interval& interval) {
   return short_number(interval.low) + " to " + short_number(interval.high);
 }
-
-/// Columns as people call them.
-std::string column_words(const std::string& column) {
-  if (column == "rebound_mph") return "rebound speed (mph)";
-  if (column == "time_to_peak_ms") return "time to peak (ms)";
-  if (column == "total_time_ms") return "duration (ms)";
-  if (column == "peak_force_lb") return "peak force (lb)";
-  if (column == "plug_strain") return "peak strain, clay plug";
-  if (column == "diameter_strain") return "peak strain, contact diameter";
-  return column;
-}
-
-}  // namespace
 
 output::Table constants_table(const Study& study) {
   output::Table table{.columns = {"constant", "printed", "fitted again", "95 % interval", "printed within it",
@@ -44,10 +35,9 @@ output::Table constants_table(const Study& study) {
     const bool has_placings = constant.placings > 1;
     table.rows.push_back({constant.title, with_unit(brief(constant.printed), constant.unit),
                           with_unit(short_number(constant.value), constant.unit), span(constant.confidence),
-                          constant.printed_in_confidence ? "yes" : "NO",
-                          fmt::format("{}", constant.tests.size()),
+                          yes_or_no(constant.printed_in_confidence), std::to_string(constant.tests.size()),
                           has_placings ? span(constant.over_placings) : "-",
-                          has_placings ? (constant.printed_in_placings ? "yes" : "NO") : "-",
+                          has_placings ? yes_or_no(constant.printed_in_placings) : "-",
                           has_placings ? span(constant.confidence_over_placings) : "-"});
   }
   return table;
@@ -62,7 +52,7 @@ output::Table radius_table(const Study& study) {
                                                                                              : "at least ";
     const bool has_one = std::isfinite(criterion.favoured_in);
     table.rows.push_back(
-        {criterion.name, fmt::format("{}", criterion.readings),
+        {criterion.name, std::to_string(criterion.readings),
          has_one ? fmt::format("{}{:.2f}", bound, criterion.favoured_in) : "-",
          has_one ? fmt::format("{:.2f} to {:.2f}", criterion.admitted.low, criterion.admitted.high) : "-",
          criterion.remark});
@@ -70,44 +60,93 @@ output::Table radius_table(const Study& study) {
   return table;
 }
 
+/// Readings whose test is lost.
 output::Table unplaced_table(const Study& study) {
   output::Table table{.columns = {"column", "tests", "readings, in their order"}};
   for (const UnplacedReadings& group : study.data.measured.unplaced) {
     std::string readings;
     for (const double reading : group.readings) readings += (readings.empty() ? "" : ", ") + brief(reading);
-    table.rows.push_back(
-        {column_words(group.column), fmt::format("{} to {}", group.first_test, group.last_test), readings});
+    table.rows.push_back({measured_column(group.column).words,
+                          fmt::format("{} to {}", group.first_test, group.last_test), readings});
   }
   return table;
 }
 
-std::vector<NamedTable> validation_tables(const Study& study) {
-  return {{"verdict", verdict_table(study)},
-          {"verdict-at-the-reports-radius", reports_radius_table(study)},
-          {"over-radii", score_over_radius_table(study)},
-          {"by-projectile", by_projectile_table(study)},
-          {"placed", placed_table(study)},
-          {"rebound", rebound_table(study)},
-          {"anomaly", anomaly_table(study, study.anomaly)},
-          {"anomaly-rules", anomaly_rules_table(study.anomaly)},
-          {"anomaly-at-the-reports-radius", anomaly_table(study, study.anomaly_at_the_reports_radius)},
-          {"anomaly-rules-at-the-reports-radius", anomaly_rules_table(study.anomaly_at_the_reports_radius)},
-          {"errors-peak-force", error_table(study, Quantity::peak_force)},
-          {"errors-time-to-peak", error_table(study, Quantity::time_to_peak)},
-          {"errors-rebound-speed", error_table(study, Quantity::rebound_speed)},
-          {"errors-peak-strain", error_table(study, Quantity::peak_strain)},
-          {"held-out", held_out_table(study)},
-          {"held-out-errors", held_out_errors_table(study)},
-          {"fitted-foam", fitted_foam_table(study)},
-          {"constants", constants_table(study)},
-          {"claims", claims_table(study)},
-          {"nose-radius", radius_table(study)},
-          {"lost-readings", unplaced_table(study)}};
+/// The report's statements that can be computed again.
+output::Table claims_table(const Study& study) {
+  output::Table table{.columns = {"where", "statement", "printed", "computed", "agrees", "remark"}};
+  for (const ReportClaim& claim : check_claims(study.data)) {
+    table.rows.push_back({claim.where, claim.claim, with_unit(brief(claim.printed), claim.unit),
+                          with_unit(short_number(claim.computed), claim.unit), yes_or_no(claim.agrees),
+                          claim.remark});
+  }
+  return table;
+}
+
+/// Each quantity of each support as predicted by a foam that has not seen the test.
+output::Table held_out_table(const Study& study) {
+  output::Table table{
+      .columns = {"support", "quantity", "tests", "bias", "standard error", "scatter", "verdict"}};
+  for (const HeldOutScore& score : study.held_out.scores) {
+    table.rows.push_back(
+        {to_string(score.support), to_string(score.quantity), tests_text(score.errors.size(), score.missing),
+         score.errors.empty() ? "-" : bias_text(score.bias, score.quantity),
+         score.standard_error ? scatter_text(*score.standard_error, score.quantity) : "-",
+         score.scatter ? scatter_text(*score.scatter, score.quantity) : "-", passed_or_not(score.passed)});
+  }
+  return table;
+}
+
+/// The same test by test.
+output::Table held_out_errors_table(const Study& study) {
+  output::Table table{.columns = {"test", "projectile", "support", "speed (mph)", "quantity", "measured",
+                                  "predicted", "error"}};
+  for (const HeldOutScore& score : study.held_out.scores)
+    for (const TestError& error : score.errors) {
+      const auto test = std::ranges::find(study.data.measured.tests, error.test, &MeasuredTest::number);
+      table.rows.push_back({std::to_string(error.test), to_string(test->projectile), to_string(test->support),
+                            fmt::format("{:.1f}", test->speed_mph), axis_label(score.quantity),
+                            with_digits(error.measured, score.quantity),
+                            with_digits(error.predicted, score.quantity),
+                            bias_text(error.error, score.quantity)});
+    }
+  return table;
+}
+
+/// The fitted foam: by all readings, and from which to which value without those of a fold.
+output::Table fitted_foam_table(const Study& study) {
+  struct Number {
+    const char* name;
+    double FittedFoam::*of;
+  };
+  constexpr Number rows[] = {{"plateau stress A (psi)", &FittedFoam::plateau_stress_psi},
+                             {"densification stress B (psi)", &FittedFoam::densification_stress_psi},
+                             {"densification exponent n", &FittedFoam::densification_exponent},
+                             {"unloading shape SHAPE", &FittedFoam::unloading_shape}};
+  output::Table table{.columns = {"number", "all readings", "without a fold"}};
+  if (study.held_out.folds.empty()) return table;
+  for (const auto& [name, of] : rows) {
+    const auto [least, greatest] = std::ranges::minmax(study.held_out.folds, {}, of);
+    table.rows.push_back({name, fmt::format("{:.1f}", study.held_out.foam.*of),
+                          fmt::format("{:.1f} to {:.1f}", least.*of, greatest.*of)});
+  }
+  return table;
+}
+
+}  // namespace
+
+Tables validation_tables(const Study& study) {
+  Tables tables{{"held-out", held_out_table(study)},       {"held-out-errors", held_out_errors_table(study)},
+                {"fitted-foam", fitted_foam_table(study)}, {"constants", constants_table(study)},
+                {"claims", claims_table(study)},           {"nose-radius", radius_table(study)},
+                {"lost-readings", unplaced_table(study)}};
+  add_verdict_tables(study, tables);
+  return tables;
 }
 
 std::map<std::string, std::string> validation_markdown_tables(const Study& study) {
   std::map<std::string, std::string> texts;
-  for (const NamedTable& named : validation_tables(study)) texts[named.name] = output::markdown(named.table);
+  for (const auto& [name, table] : validation_tables(study)) texts[name] = output::markdown(table);
   return texts;
 }
 

@@ -1,7 +1,10 @@
 // The validation as JSON.
 
-#include "dashpad/report1986/validation/claims.hpp"
+#include <fmt/format.h>
+
+#include "dashpad/report1986/validation/energy.hpp"
 #include "json/json_values.hpp"
+#include "report1986/validation/placings.hpp"
 #include "report1986/validation_tables.hpp"
 
 namespace dashpad::report1986 {
@@ -18,18 +21,17 @@ Json array(const Values& values, ToJson to_json) {
 Json interval(const Interval& of) { return {{"low", number(of.low)}, {"high", number(of.high)}}; }
 
 Json measured_test_json(const MeasuredTest& test) {
-  return {{"test", test.number},
-          {"projectile", to_string(test.projectile)},
-          {"weight_lbf", number(test.weight_lb)},
-          {"support", to_string(test.support)},
-          {"speed_mph", number(test.speed_mph)},
-          {"energy_in_lbf", number(test.energy_in_lb)},
-          {"rebound_mph", number(test.rebound_mph)},
-          {"time_to_peak_ms", number(test.time_to_peak_ms)},
-          {"total_time_ms", number(test.total_time_ms)},
-          {"peak_force_lbf", number(test.peak_force_lb)},
-          {"plug_strain", number(test.plug_strain)},
-          {"diameter_strain", number(test.diameter_strain)}};
+  Json result{{"test", test.number},
+              {"projectile", to_string(test.projectile)},
+              {"weight_lbf", number(test.weight_lb)},
+              {"support", to_string(test.support)},
+              {"speed_mph", number(test.speed_mph)},
+              {"energy_in_lbf", number(test.energy_in_lb)}};
+  for (const MeasuredColumn& column : measured_columns) {
+    const std::string name = column.name;
+    result[name.ends_with("_lb") ? name + "f" : name] = number(test.*column.reading);
+  }
+  return result;
 }
 
 Json unplaced_json(const UnplacedReadings& group) {
@@ -160,16 +162,16 @@ Json held_out_json(const HeldOut& held_out) {
 }
 
 Json trend_json(const ForceTrend& trend) {
-  return {{"program", to_string(trend.program)},
-          {"slope", number(trend.slope)},
-          {"slope_confidence_95", interval(trend.slope_confidence)},
-          {"tests", trend.tests},
-          {"slope_aluminium", number(trend.aluminium_slope)},
-          {"slope_aluminium_confidence_95", interval(trend.aluminium_slope_confidence)},
-          {"ratio_aluminium_10_mph", number(trend.aluminium_low)},
-          {"ratio_aluminium_20_mph", number(trend.aluminium_high)},
-          {"ratio_steel_10_mph", number(trend.steel_low)},
-          {"ratio_steel_15_mph", number(trend.steel_high)}};
+  Json result{{"program", to_string(trend.program)},
+              {"slope", number(trend.slope)},
+              {"slope_confidence_95", interval(trend.slope_confidence)},
+              {"tests", trend.tests},
+              {"slope_aluminium", number(trend.aluminium_slope)},
+              {"slope_aluminium_confidence_95", interval(trend.aluminium_slope_confidence)}};
+  for (const PrintedRatio& printed : printed_ratios)
+    result[fmt::format("ratio_{}_{}_mph", to_string(printed.projectile), printed.speed_mph)] =
+        number(trend.*printed.ours);
+  return result;
 }
 
 Json claim_json(const ReportClaim& claim) {

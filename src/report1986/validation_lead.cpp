@@ -7,37 +7,26 @@
 
 #include "output/document.hpp"
 #include "quantities/text.hpp"
-#include "report1986/validation_series.hpp"
+#include "report1986/validation_figures.hpp"
 #include "report1986/validation_tables.hpp"
 
 namespace dashpad::report1986 {
 
 namespace {
 
-Tally held_out_tally(const Study& study) {
-  Tally tally;
-  for (const HeldOutScore& score : study.held_out.scores) {
-    ++tally.all;
-    tally.passed += score.passed ? 1 : 0;
-  }
-  return tally;
-}
-
-bool passes_all(const Tally& tally) { return tally.all > 0 && tally.passed == tally.all; }
-
 std::string answer_of(const Tally& by_law, const Tally& held_out) {
   const std::string foam = held_out.all == 0 ? ""
                                              : fmt::format(", a foam fitted to the other tests {} of {}",
                                                            held_out.passed, held_out.all);
   const char* const met =
-      passes_all(by_law) ? "The tests of 1986 are met" : "The tests of 1986 are not all met";
+      by_law.passes_all() ? "The tests of 1986 are met" : "The tests of 1986 are not all met";
   return fmt::format("{}: the report's foam law passes {} of {} rules{}", met, by_law.passed, by_law.all,
                      foam);
 }
 
 output::Tone tone_of(const Tally& by_law, const Tally& held_out) {
-  if (passes_all(by_law)) return output::Tone::good;
-  return passes_all(held_out) ? output::Tone::doubtful : output::Tone::bad;
+  if (by_law.passes_all()) return output::Tone::good;
+  return held_out.passes_all() ? output::Tone::doubtful : output::Tone::bad;
 }
 
 /// The accurate solver by the report's law, at the favoured radius.
@@ -86,8 +75,8 @@ output::ValueRow bias_figure(const Study& study, const HeldOutScore& score) {
 }
 
 /// Predicted over measured of each test, in one colour.
-output::Series compared(const std::string& label, std::size_t turn, const std::vector<TestError>& errors) {
-  output::Series points{.label = label, .style = output::SeriesStyle::points, .turn = turn};
+Series compared(const std::string& label, std::size_t turn, const std::vector<TestError>& errors) {
+  Series points{.label = label, .style = SeriesStyle::points, .turn = turn};
   for (const TestError& error : errors) {
     points.x.push_back(error.measured);
     points.y.push_back(error.predicted);
@@ -96,16 +85,16 @@ output::Series compared(const std::string& label, std::size_t turn, const std::v
 }
 
 /// Where predicted is measured, and what the rule admits of the bias.
-void add_equality(output::Panel& panel, double low, double high) {
+void add_equality(Panel& panel, double low, double high) {
   const Rule& rule = rule_of(Quantity::peak_force);
   panel.series.push_back({.label = "bias that the rule admits",
-                          .style = output::SeriesStyle::band,
+                          .style = SeriesStyle::band,
                           .x = {low, high},
                           .y = {(1 + rule.low) * low, (1 + rule.low) * high},
                           .y2 = {(1 + rule.high) * low, (1 + rule.high) * high},
                           .turn = turn::measured});
   panel.series.push_back({.label = "as measured",
-                          .style = output::SeriesStyle::dashed_line,
+                          .style = SeriesStyle::dashed_line,
                           .x = {low, high},
                           .y = {low, high},
                           .turn = turn::measured});
@@ -113,38 +102,36 @@ void add_equality(output::Panel& panel, double low, double high) {
 
 /// Peak forces on the load cell: most readings are of them.
 output::Plot predicted_over_measured(const Study& study) {
-  output::Panel panel{.x = {.label = "Measured peak force (lb)", .logarithmic = true},
-                      .y = {.label = "Predicted peak force (lb)", .logarithmic = true}};
-  std::vector<output::Series> points;
+  Panel panel{.x = {.label = "Measured peak force (lb)", .logarithmic = true},
+              .y = {.label = "Predicted peak force (lb)", .logarithmic = true}};
+  std::vector<Series> points;
   for (const HeldOutScore& score : study.held_out.scores)
     if (score.quantity == Quantity::peak_force && score.support == TestSupport::load_cell)
       points.push_back(compared("foam fitted to the other tests", turn::accurate, score.errors));
   if (const Score* const score = score_by_law(study, TestSupport::load_cell, Quantity::peak_force))
     points.push_back(compared(fmt::format("report's law, {:.2f} in", study.radius.favoured_in()),
                               turn::printed_1984, score->errors));
-  double low = HUGE_VAL, high = 0;
-  for (const output::Series& series : points)
+  Interval forces = nowhere;
+  for (const Series& series : points)
     for (const std::vector<double>* const values : {&series.x, &series.y})
-      for (const double value : *values) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
-  if (high > 0) {
+      for (const double value : *values) forces.include(value);
+  if (forces.high > 0) {
     constexpr double room = 1.1;
-    low /= room;
-    high *= room;
+    const double low = forces.low / room, high = forces.high * room;
     add_equality(panel, low, high);
     panel.x.low = panel.y.low = low;
     panel.x.high = panel.y.high = high;
   }
-  for (output::Series& series : points) panel.series.push_back(std::move(series));
+  for (Series& series : points) panel.series.push_back(std::move(series));
   return {.panels = {std::move(panel)}};
 }
 
 }  // namespace
 
 output::Lead validation_lead(const Study& study, output::Pictures pictures) {
-  const Tally by_law = tally(study, Program::accurate), held_out = held_out_tally(study);
+  const Tally by_law = tally(study, Program::accurate);
+  Tally held_out;
+  for (const HeldOutScore& score : study.held_out.scores) held_out.count(score.passed);
   output::Lead lead{
       .answer = answer_of(by_law, held_out),
       .tone = tone_of(by_law, held_out),
@@ -162,7 +149,7 @@ output::Lead validation_lead(const Study& study, output::Pictures pictures) {
       {.label = "Rules passed by the report's law",
        .value = fmt::format("{} of {}", by_law.passed, by_law.all),
        .remark = fmt::format("the accurate solver at a nose radius of {:.2f} in", study.radius.favoured_in()),
-       .tone = passes_all(by_law) ? output::Tone::good : output::Tone::bad});
+       .tone = by_law.passes_all() ? output::Tone::good : output::Tone::bad});
   return lead;
 }
 

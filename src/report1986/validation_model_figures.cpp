@@ -7,74 +7,61 @@
 
 #include "dashpad/report1986/validation/energy.hpp"
 #include "quantities/text.hpp"
-#include "report1986/validation_figure_list.hpp"
+#include "report1986/validation_figures.hpp"
 
 namespace dashpad::report1986 {
 
 namespace {
 
-const std::vector<Program> all_programs(std::begin(programs), std::end(programs));
 /// On the plate, which is linear, the support defect and the first slope change nothing.
 const std::vector<Program> programs_on_plate{Program::accurate, Program::printed_1984};
 
-output::Panel speed_panel(const char* title, Quantity quantity) {
-  return {.title = title,
-          .x = {.label = "Initial speed (mph)", .low = least_speed, .high = greatest_speed},
-          .y = {.label = axis_label(quantity), .low = 0},
-          .series = {}};
-}
-
-void add(output::Panel& panel, std::vector<output::Series> series) {
-  for (output::Series& one : series) panel.series.push_back(std::move(one));
-}
-
-output::Panel predicted_time_panel(const Study& study, const char* title, TestGroup group) {
-  output::Panel panel = speed_panel(title, Quantity::time_to_peak);
-  add(panel, predicted_lines(study, all_programs, group, Quantity::time_to_peak));
+Panel predicted_time_panel(const Study& study, const char* title, TestGroup group) {
+  Panel panel = speed_panel(title, Quantity::time_to_peak);
+  add(panel, predicted_lines(study, programs, group, Quantity::time_to_peak));
   for (const auto& [name, turn] :
        {std::pair{"travel_in", turn::report}, std::pair{"expected_travel_in", turn::second}}) {
     const double travel = study.data.constant(name);
     const double travel_ms = 1e3 * travel / study.data.constant("inch_per_s_of_mph");
-    panel.series.push_back(function_line(fmt::format("report: VT = {} in", brief(travel)), turn, least_speed,
-                                         greatest_speed, [&](double speed) { return travel_ms / speed; }));
+    panel.series.push_back(speed_line(fmt::format("report: VT = {} in", brief(travel)), turn,
+                                      [&](double speed) { return travel_ms / speed; }));
   }
   return panel;
 }
 
-output::Panel force_panel(const Study& study, const char* title, TestGroup group) {
-  output::Panel panel = speed_panel(title, Quantity::peak_force);
+Panel force_panel(const Study& study, const char* title, TestGroup group) {
+  Panel panel = speed_panel(title, Quantity::peak_force);
   panel.y.high = 10'000;
-  add(panel, predicted_lines(study, all_programs, group, Quantity::peak_force));
+  add(panel, predicted_lines(study, programs, group, Quantity::peak_force));
   add(panel, curve_a(study, group.projectile, turn::report));
   panel.series.push_back(measured_points(study, group, Quantity::peak_force, "measured", turn::measured));
   return panel;
 }
 
 /// Upper bound of the rebound by the logic of Table 3-2, with the peak force of the trend.
-output::Series expected_on_load_cell(const Study& study, Projectile projectile) {
+Series expected_on_load_cell(const Study& study, Projectile projectile) {
   const ValidationData& data = study.data;
   const double ratio = data.constant("rebound_ratio_load_cell");
   const double from = data.constant("energy_trend_from_in_lb");
   const double greatest =
       projectile == Projectile::steel ? 16 : greatest_speed;  // beyond, Eq. 36 says nothing
-  output::Series line =
-      function_line("expected at most (Table 3-2)", turn::second, least_speed, greatest, [&](double speed) {
-        const double energy = impact_energy_in_lb(weight_of(data, projectile), speed);
-        if (energy < from) return std::nan("");
-        const double force = trend_force_lb(energy, data.constant("energy_trend_factor"),
-                                            data.constant("energy_trend_exponent"));
-        return expectation(data, projectile, speed, force, ratio).rebound_mph;
-      });
-  return line;
+  return function_line("expected at most (Table 3-2)", turn::second, least_speed, greatest,
+                       [&](double speed) {
+                         const double energy = impact_energy_in_lb(weight_of(data, projectile), speed);
+                         if (energy < from) return std::nan("");
+                         const double force = trend_force_lb(energy, data.constant("energy_trend_factor"),
+                                                             data.constant("energy_trend_exponent"));
+                         return expectation(data, projectile, speed, force, ratio).rebound_mph;
+                       });
 }
 
 /// The same for the plate, with the peak force of curve B. It cannot be more than the initial speed.
-output::Series expected_on_plate(const Study& study) {
+Series expected_on_plate(const Study& study) {
   const ValidationData& data = study.data;
   const double ratio = data.constant("rebound_ratio_plate");
-  output::Series line = curve_b(study, Projectile::aluminium, turn::second).front();
+  Series line = curve_b(study, Projectile::aluminium, turn::second).front();
   line.label = "expected at most (Table 3-2)";
-  line.style = output::SeriesStyle::line;
+  line.style = SeriesStyle::line;
   for (std::size_t i = 0; i < line.x.size(); ++i) {
     const double energy = impact_energy_in_lb(weight_of(data, Projectile::aluminium), line.x[i]);
     const double stored = line.y[i] * line.y[i] / (2 * data.plate_stiffness_lb_per_in);
@@ -83,9 +70,8 @@ output::Series expected_on_plate(const Study& study) {
   return line;
 }
 
-output::Series printed_expectation(const Study& study, Projectile projectile) {
-  output::Series points{
-      .label = "example printed in Table 3-2", .style = output::SeriesStyle::points, .turn = turn::second};
+Series printed_expectation(const Study& study, Projectile projectile) {
+  Series points{.label = "example printed in Table 3-2", .style = SeriesStyle::points, .turn = turn::second};
   for (const ExpectationExample& example : study.data.table_3_2) {
     if (example.projectile != projectile) continue;
     points.x.push_back(example.speed_mph);
@@ -94,70 +80,54 @@ output::Series printed_expectation(const Study& study, Projectile projectile) {
   return points;
 }
 
-output::Panel rebound_panel(const Study& study, const char* title, TestGroup group) {
-  output::Panel panel = speed_panel(title, Quantity::rebound_speed);
+Panel rebound_panel(const Study& study, const char* title, TestGroup group) {
+  Panel panel = speed_panel(title, Quantity::rebound_speed);
   const bool plate = group.support == TestSupport::plate;
-  add(panel,
-      predicted_lines(study, plate ? programs_on_plate : all_programs, group, Quantity::rebound_speed));
+  add(panel, predicted_lines(study, plate ? programs_on_plate : programs, group, Quantity::rebound_speed));
   const double ratio = study.data.constant(plate ? "rebound_ratio_plate" : "rebound_ratio_load_cell");
-  panel.series.push_back(function_line(fmt::format("report: {} V", brief(ratio)), turn::report, least_speed,
-                                       greatest_speed, [&](double speed) { return ratio * speed; }));
+  panel.series.push_back(speed_line(fmt::format("report: {} V", brief(ratio)), turn::report,
+                                    [&](double speed) { return ratio * speed; }));
   panel.series.push_back(plate ? expected_on_plate(study) : expected_on_load_cell(study, group.projectile));
   if (!plate) panel.series.push_back(printed_expectation(study, group.projectile));
   panel.series.push_back(measured_points(study, group, Quantity::rebound_speed, "measured", turn::measured));
   return panel;
 }
 
-ValidationFigure figure(const char* number, const char* title, std::vector<output::Panel> panels,
-                        const std::string& source, const std::string& note) {
-  return {.name = std::string{"Figure "} + number,
-          .slug = std::string{"figure-"} + number,
-          .plot = {.title = title, .panels = std::move(panels), .source = source_line(source)},
-          .note = note};
-}
-
 }  // namespace
 
-ValidationFigure predicted_time(const Study& study) {
-  return figure("4-1", "Predicted time to peak force, load cell",
-                {predicted_time_panel(study, "Aluminium projectile, 4.13 lb", test_group::aluminium),
-                 predicted_time_panel(study, "Steel projectile, 7.7 lb", test_group::steel)},
-                "section 4", radius_note(study) + "Measured times: Figure 3-4.");
+Drawing predicted_time(const Study& study) {
+  return {both_projectiles(
+              [&](const char* title, TestGroup group) { return predicted_time_panel(study, title, group); }),
+          radius_note(study) + "Measured times: Figure 3-4."};
 }
 
-ValidationFigure predicted_force_on_load_cell(const Study& study) {
-  return figure("4-2", "Predicted peak force, load cell",
-                {force_panel(study, "Aluminium projectile, 4.13 lb", test_group::aluminium),
-                 force_panel(study, "Steel projectile, 7.7 lb", test_group::steel)},
-                "Table 3-1 and section 4",
-                lost_readings(study, {"peak_force_lb"}, "peak force") + radius_note(study) + curve_note);
+Drawing predicted_force_on_load_cell(const Study& study) {
+  return {
+      both_projectiles([&](const char* title, TestGroup group) { return force_panel(study, title, group); }),
+      lost_readings(study, "peak_force_lb", "peak force") + radius_note(study) + curve_note};
 }
 
-ValidationFigure predicted_force_on_plate(const Study& study) {
-  output::Panel panel = speed_panel("", Quantity::peak_force);
+Drawing predicted_force_on_plate(const Study& study) {
+  Panel panel = speed_panel("", Quantity::peak_force);
   add(panel, predicted_lines(study, programs_on_plate, test_group::on_plate, Quantity::peak_force));
   add(panel, curve_b(study, Projectile::aluminium, turn::report));
-  return figure("4-3", "Predicted peak force, flexible plate, aluminium projectile", {panel}, "section 4",
-                radius_note(study) + curve_note +
-                    "No force was measured on the plate: curve B is the report's estimate.");
+  return {{panel},
+          radius_note(study) + curve_note +
+              "No force was measured on the plate: curve B is the report's estimate."};
 }
 
-ValidationFigure predicted_rebound_on_load_cell(const Study& study) {
-  return figure(
-      "4-4", "Predicted rebound speed, load cell",
-      {rebound_panel(study, "Aluminium projectile, 4.13 lb", test_group::aluminium),
-       rebound_panel(study, "Steel projectile, 7.7 lb", test_group::steel)},
-      "Tables 3-1 and 3-2, section 4",
-      lost_readings(study, {"rebound_mph"}, "rebound speed") + radius_note(study) +
-          "\"Expected at most\": the support absorbs all that it stores; for energies above 300 in·lb.");
+Drawing predicted_rebound_on_load_cell(const Study& study) {
+  return {both_projectiles(
+              [&](const char* title, TestGroup group) { return rebound_panel(study, title, group); }),
+          lost_readings(study, "rebound_mph", "rebound speed") + radius_note(study) +
+              "\"Expected at most\": the support absorbs all that it stores; for energies above 300 in·lb."};
 }
 
-ValidationFigure predicted_rebound_on_plate(const Study& study) {
-  return figure("4-5", "Predicted rebound speed, flexible plate, aluminium projectile",
-                {rebound_panel(study, "", test_group::on_plate)}, "Table 3-1 and section 4",
-                radius_note(study) +
-                    "\"Expected at most\" follows Table 3-2 with the force of curve B, but never above the "
-                    "initial speed: the plate stores so much that this bound says little.");
+Drawing predicted_rebound_on_plate(const Study& study) {
+  return {{rebound_panel(study, "", test_group::on_plate)},
+          radius_note(study) +
+              "\"Expected at most\" follows Table 3-2 with the force of curve B, but never above the "
+              "initial speed: the plate stores so much that this bound says little."};
 }
 
 }  // namespace dashpad::report1986

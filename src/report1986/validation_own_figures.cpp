@@ -5,38 +5,16 @@
 
 #include <fmt/format.h>
 
-#include "quantities/text.hpp"
-#include "report1986/validation_figure_list.hpp"
+#include "dashpad/version.hpp"
+#include "report1986/validation_figures.hpp"
 
 namespace dashpad::report1986 {
 
 namespace {
 
-using FigureOf = ValidationFigure (*)(const Study&);
-
-struct ListedFigure {
-  const char* slug;
-  FigureOf figure;
-};
-
-constexpr ListedFigure list[] = {{"figure-3-3", support_curves},
-                                 {"figure-3-4", time_to_peak},
-                                 {"figure-3-5", nominal_stress},
-                                 {"figure-3-6", force_over_speed},
-                                 {"figure-3-7", rebound_over_speed},
-                                 {"figure-3-8", force_over_energy},
-                                 {"figure-3-9", curves_a_and_b},
-                                 {"figure-4-1", predicted_time},
-                                 {"figure-4-2", predicted_force_on_load_cell},
-                                 {"figure-4-3", predicted_force_on_plate},
-                                 {"figure-4-4", predicted_rebound_on_load_cell},
-                                 {"figure-4-5", predicted_rebound_on_plate},
-                                 {"nose-radius", misfit_over_radius},
-                                 {"force-ratio", force_ratio}};
-
 /// Predicted over measured force of each test, at the report's radius.
-output::Series ratios(const Study& study, Program program, Projectile projectile, std::size_t turn) {
-  output::Series points{.label = to_string(program), .style = output::SeriesStyle::points, .turn = turn};
+Series ratios(const Study& study, Program program, Projectile projectile, std::size_t turn) {
+  Series points{.label = to_string(program), .style = SeriesStyle::points, .turn = turn};
   for (const Verdict& verdict : study.at_the_reports_radius) {
     const Score& score = verdict.score;
     if (score.program != program || score.support != TestSupport::load_cell ||
@@ -52,29 +30,26 @@ output::Series ratios(const Study& study, Program program, Projectile projectile
   return points;
 }
 
-/// What the report found: from the ratio at the low end of its speeds to that at the high end.
-output::Series printed_ratio(const Study& study, const std::string& projectile, double greatest) {
-  return {.label = "report: predictions over its trend",
-          .style = output::SeriesStyle::dashed_line,
-          .x = {10, greatest},
-          .y = {study.data.constant("force_ratio_" + projectile + "_low_speed"),
-                study.data.constant("force_ratio_" + projectile + "_high_speed")},
-          .turn = turn::measured};
-}
-
-output::Panel ratio_panel(const Study& study, const char* title, Projectile projectile,
-                          output::Series printed) {
+Panel ratio_panel(const Study& study, const char* title, Projectile projectile) {
   const Rule& rule = rule_of(Quantity::peak_force);
-  output::Panel panel{.title = title,
-                      .x = {.label = "Initial speed (mph)", .low = least_speed, .high = greatest_speed},
-                      .y = {.label = "Predicted / measured peak force", .low = 0, .high = 4},
-                      .series = {{.label = "bias that the rule admits",
-                                  .style = output::SeriesStyle::band,
-                                  .x = {least_speed, greatest_speed},
-                                  .y = {1 + rule.low, 1 + rule.low},
-                                  .y2 = {1 + rule.high, 1 + rule.high},
-                                  .turn = turn::measured},
-                                 std::move(printed)}};
+  Panel panel = speed_panel(title, "Predicted / measured peak force");
+  panel.y.high = 4;
+  // What it found: from the low end of its speeds to the high end.
+  Series report{.label = "report: predictions over its trend",
+                .style = SeriesStyle::dashed_line,
+                .turn = turn::measured};
+  for (const PrintedRatio& printed : printed_ratios)
+    if (printed.projectile == projectile) {
+      report.x.push_back(printed.speed_mph);
+      report.y.push_back(study.data.constant(printed.constant));
+    }
+  panel.series = {{.label = "bias that the rule admits",
+                   .style = SeriesStyle::band,
+                   .x = {least_speed, greatest_speed},
+                   .y = {1 + rule.low, 1 + rule.low},
+                   .y2 = {1 + rule.high, 1 + rule.high},
+                   .turn = turn::measured},
+                  std::move(report)};
   for (const auto& [program, turn] : {std::pair{Program::printed_1984, turn::printed_1984},
                                       std::pair{Program::mended_support_1984, turn::mended_1984},
                                       std::pair{Program::accurate_first_slope, turn::first_slope},
@@ -91,59 +66,97 @@ std::string program_of(const RadiusCriterion& criterion) {
   return rest.substr(0, rest.find("; "));
 }
 
-}  // namespace
-
-ValidationFigure misfit_over_radius(const Study& study) {
-  output::Panel panel{.x = {.label = "Nose radius (in)", .low = least_radius_in, .high = greatest_radius_in},
-                      .y = {.label = "Misfit / least misfit", .low = 0, .high = 5},
-                      .series = {}};
+Drawing misfit_over_radius(const Study& study) {
+  Panel panel{.x = {.label = "Nose radius (in)", .low = least_radius_in, .high = greatest_radius_in},
+              .y = {.label = "Misfit / least misfit", .low = 0, .high = 5}};
   for (const RadiusCriterion& criterion : study.radius.criteria) {
     double least = HUGE_VAL;
     for (const double misfit : criterion.misfit)
       if (misfit < least) least = misfit;  // never if it is NaN
     if (!std::isfinite(least) || least <= 0) continue;
-    output::Series line{
+    Series line{
         .label = fmt::format("{} ({}); {}", criterion.name, criterion.readings, program_of(criterion)),
         .x = study.radius.radii_in,
         .y = criterion.misfit};
     for (double& misfit : line.y) misfit /= least;
     panel.series.push_back(line);
   }
-  return {
-      .name = "Nose radius",
-      .slug = "nose-radius",
-      .plot = {.title = "What each set of readings says of the nose radius",
-               .panels = {panel},
-               .source = source_line("Table 3-1 and section 4")},
-      .note = fmt::format("Root mean square of the residuals over its least value; in brackets the number "
-                          "of readings. The first criterion decides: {:.2f} in.",
-                          study.radius.favoured_in())};
+  return {{panel},
+          fmt::format("Root mean square of the residuals over its least value; in brackets the number "
+                      "of readings. The first criterion decides: {:.2f} in.",
+                      study.radius.favoured_in())};
 }
 
-ValidationFigure force_ratio(const Study& study) {
-  return {.name = "Force ratio",
-          .slug = "force-ratio",
-          .plot = {.title = "The anomaly of section 4: predicted over measured peak force, load cell",
-                   .panels = {ratio_panel(study, "Aluminium projectile, 4.13 lb", Projectile::aluminium,
-                                          printed_ratio(study, "aluminium", 20)),
-                              ratio_panel(study, "Steel projectile, 7.7 lb", Projectile::steel,
-                                          printed_ratio(study, "steel", 15))},
-                   .source = source_line("Table 3-1 and section 4")},
-          .note = lost_readings(study, {"peak_force_lb"}, "peak force") +
-                  fmt::format("Predictions at a nose radius of {:.2f} in. The report compares with its trend "
-                              "(curve A), we with each test.",
-                              study.radius.of_the_report_in())};
+Drawing force_ratio(const Study& study) {
+  return {both_projectiles([&](const char* title, TestGroup group) {
+            return ratio_panel(study, title, group.projectile);
+          }),
+          lost_readings(study, "peak_force_lb", "peak force") +
+              fmt::format("Predictions at a nose radius of {:.2f} in. The report compares with its trend "
+                          "(curve A), we with each test.",
+                          study.radius.of_the_report_in())};
 }
+
+struct ListedFigure {
+  const char* name;
+  const char* title;
+  const char* source;  ///< in the report
+  Drawing (*drawing)(const Study&);
+};
+
+constexpr ListedFigure list[] = {
+    {"Figure 3-3", "Static curves of the supports", "section 3.3, Table 3-2", support_curves},
+    {"Figure 3-4", "Time to peak force over initial speed, load cell", "Table 3-1 and section 3.3",
+     time_to_peak},
+    {"Figure 3-5", "Nominal stress (Eq. 33) over peak force, load cell", "Table 3-1 and Eq. 33",
+     nominal_stress},
+    {"Figure 3-6", "Peak force over initial speed, load cell", "Table 3-1", force_over_speed},
+    {"Figure 3-7", "Rebound speed over initial speed", "Table 3-1 and section 3.3", rebound_over_speed},
+    {"Figure 3-8", "Peak force over energy", "Table 3-1 and Eqs. 35 and 36", force_over_energy},
+    {"Figure 3-9", "Peak force over initial speed, aluminium projectile", "Table 3-1 and Eqs. 36 and 37",
+     curves_a_and_b},
+    {"Figure 4-1", "Predicted time to peak force, load cell", "section 4", predicted_time},
+    {"Figure 4-2", "Predicted peak force, load cell", "Table 3-1 and section 4",
+     predicted_force_on_load_cell},
+    {"Figure 4-3", "Predicted peak force, flexible plate, aluminium projectile", "section 4",
+     predicted_force_on_plate},
+    {"Figure 4-4", "Predicted rebound speed, load cell", "Tables 3-1 and 3-2, section 4",
+     predicted_rebound_on_load_cell},
+    {"Figure 4-5", "Predicted rebound speed, flexible plate, aluminium projectile", "Table 3-1 and section 4",
+     predicted_rebound_on_plate},
+    {"Nose radius", "What each set of readings says of the nose radius", "Table 3-1 and section 4",
+     misfit_over_radius},
+    {"Force ratio", "The anomaly of section 4: predicted over measured peak force, load cell",
+     "Table 3-1 and section 4", force_ratio}};
+
+/// "Figure 3-3": "figure-3-3".
+std::string slug_of(std::string name) {
+  name.front() += 'a' - 'A';
+  std::ranges::replace(name, ' ', '-');
+  return name;
+}
+
+}  // namespace
 
 std::vector<std::string> validation_figure_slugs() {
   std::vector<std::string> slugs;
-  for (const ListedFigure& listed : list) slugs.emplace_back(listed.slug);
+  for (const ListedFigure& listed : list) slugs.push_back(slug_of(listed.name));
   return slugs;
 }
 
 std::vector<ValidationFigure> validation_figures(const Study& study) {
   std::vector<ValidationFigure> figures;
-  for (const ListedFigure& listed : list) figures.push_back(listed.figure(study));
+  for (const auto& [name, title, source, drawing] : list) {
+    auto [panels, note] = drawing(study);
+    figures.push_back(
+        {.name = name,
+         .slug = slug_of(name),
+         .plot = {.title = title,
+                  .panels = std::move(panels),
+                  .source = fmt::format("Crash Padding Research, Volume III (1986), {}; dashpad {}", source,
+                                        version())},
+         .note = std::move(note)});
+  }
   return figures;
 }
 

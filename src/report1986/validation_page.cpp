@@ -6,7 +6,6 @@
 
 #include "output/document.hpp"
 #include "quantities/text.hpp"
-#include "report1986/validation_series.hpp"
 #include "report1986/validation_tables.hpp"
 
 namespace dashpad::report1986 {
@@ -23,58 +22,11 @@ std::vector<output::CaptionedPlot> chosen(const std::vector<ValidationFigure>& f
   return result;
 }
 
-output::Section verdict_section(const Study& study, const std::vector<ValidationFigure>& figures) {
-  return {
-      .heading = "Verdict",
-      .paragraphs =
-          {"The rules were fixed before the first run: bias of peak force and rebound speed within 15 %, of "
-           "time to peak within 10 %, of strain within 0.05; scatter at most 25 % for force, 15 % for time "
-           "and rebound, 0.05 for strain. A score of fewer than two tests cannot pass.",
-           "Bias is exp(mean of ln(predicted / measured)) - 1, scatter the standard deviation of the same; "
-           "for "
-           "strain both are of the difference.",
-           fmt::format(
-               "The anomaly of section 4: predicted forces fall with speed from about 1 to 0.4 of the "
-               "measured ones. By the rules the support defect {}.",
-               words(study.anomaly.explanation))},
-      .tables = {output::captioned("Predictions of the tests", verdict_table(study)),
-                 output::captioned(
-                     "Rebound on the load cell: between 0.95 of the measured speed and 1.05 of the bound "
-                     "of Table 3-2 in at least 80 % of the tests",
-                     rebound_table(study)),
-                 output::captioned("On the load cell, each projectile alone", by_projectile_table(study)),
-                 output::captioned("Anomaly: ratio of the forces", anomaly_table(study, study.anomaly)),
-                 output::captioned("Anomaly: the rules", anomaly_rules_table(study.anomaly)),
-                 output::captioned(
-                     fmt::format("Predictions of the tests at {:.2f} in, the radius that the report's "
-                                 "own simulations point to",
-                                 study.radius.of_the_report_in()),
-                     reports_radius_table(study)),
-                 output::captioned("Anomaly at that radius: ratio of the forces",
-                                   anomaly_table(study, study.anomaly_at_the_reports_radius)),
-                 output::captioned("Anomaly at that radius: the rules",
-                                   anomaly_rules_table(study.anomaly_at_the_reports_radius)),
-                 output::captioned("The accurate solver over the nose radius: bias",
-                                   score_over_radius_table(study))},
-      .figures = chosen(figures, {"force-ratio"})};
-}
-
-output::Section held_out_section(const Study& study) {
-  return {
-      .heading = "The tests predicted by a foam",
-      .paragraphs = {fmt::format(
-                         "The law foam with {} fitted numbers, at a nose radius of {} in, instead of the "
-                         "report's law. On the load cell five folds by speed, on the plate test by test.",
-                         fitted_numbers, brief(held_out_radius_in)),
-                     seen_data},
-      .tables = {output::captioned("Predictions of tests that the fit has not seen", held_out_table(study)),
-                 output::captioned("The foam", fitted_foam_table(study)),
-                 output::captioned("Test by test", held_out_errors_table(study))}};
-}
-
-/// The columns that fit a terminal.
-output::Table narrow(std::string caption, const output::Table& table,
-                     const std::vector<std::size_t>& columns) {
+/// A table below a line; of a wide one the columns for which a terminal has room.
+output::Table captioned(std::string caption, const Tables& tables, const char* name,
+                        const std::vector<std::size_t>& columns = {}) {
+  const output::Table& table = tables.at(name);
+  if (columns.empty()) return output::captioned(std::move(caption), table);
   output::Table result{.caption = std::move(caption)};
   for (const std::size_t column : columns) result.columns.push_back(table.columns[column]);
   for (const auto& row : table.rows) {
@@ -84,39 +36,74 @@ output::Table narrow(std::string caption, const output::Table& table,
   return result;
 }
 
+output::Section verdict_section(const Study& study, const Tables& tables,
+                                const std::vector<ValidationFigure>& figures) {
+  return {
+      .heading = "Verdict",
+      .paragraphs =
+          {"The rules were fixed before the first run: bias of peak force and rebound speed within 15 %, of "
+           "time to peak within 10 %, of strain within 0.05; scatter at most 25 % for force, 15 % for time "
+           "and rebound, 0.05 for strain. A score of fewer than two tests cannot pass.",
+           "Bias is exp(mean of ln(predicted / measured)) - 1, scatter the standard deviation of the same; "
+           "for strain both are of the difference.",
+           fmt::format(
+               "The anomaly of section 4: predicted forces fall with speed from about 1 to 0.4 of the "
+               "measured ones. By the rules the support defect {}.",
+               words(study.anomaly.explanation))},
+      .tables =
+          {captioned("Predictions of the tests", tables, "verdict"),
+           captioned("Rebound on the load cell: between 0.95 of the measured speed and 1.05 of the bound "
+                     "of Table 3-2 in at least 80 % of the tests",
+                     tables, "rebound"),
+           captioned("On the load cell, each projectile alone", tables, "by-projectile"),
+           captioned("Anomaly: ratio of the forces", tables, "anomaly"),
+           captioned("Anomaly: the rules", tables, "anomaly-rules"),
+           captioned(fmt::format("Predictions of the tests at {:.2f} in, the radius that the report's "
+                                 "own simulations point to",
+                                 study.radius.of_the_report_in()),
+                     tables, "verdict-at-the-reports-radius"),
+           captioned("Anomaly at that radius: ratio of the forces", tables, "anomaly-at-the-reports-radius"),
+           captioned("Anomaly at that radius: the rules", tables, "anomaly-rules-at-the-reports-radius"),
+           captioned("The accurate solver over the nose radius: bias", tables, "over-radii")},
+      .figures = chosen(figures, {"force-ratio"})};
+}
+
+output::Section held_out_section(const Tables& tables) {
+  return {.heading = "The tests predicted by a foam",
+          .paragraphs = {fmt::format(
+                             "The law foam with {} fitted numbers, at a nose radius of {} in, instead of the "
+                             "report's law. On the load cell five folds by speed, on the plate test by test.",
+                             fitted_numbers, brief(held_out_radius_in)),
+                         seen_data},
+          .tables = {captioned("Predictions of tests that the fit has not seen", tables, "held-out"),
+                     captioned("The foam", tables, "fitted-foam"),
+                     captioned("Test by test", tables, "held-out-errors")}};
+}
+
 /// What of the verdict a terminal has room for.
-output::Section brief_section(const Study& study) {
+output::Section brief_section(const Study& study, const Tables& tables) {
   return {
       .heading = "Verdict",
       .seen = output::Seen::in_brief,
       .paragraphs = {"Bias and scatter are of predicted / measured, for strain of the difference.",
                      seen_data},
-      .tables = {
-          narrow(fmt::format("At a nose radius of {:.2f} in", study.radius.favoured_in()),
-                 verdict_table(study), {0, 1, 3, 4, 5, 6, 10}),
-          narrow("Which radius the readings favour", radius_table(study), {0, 1, 2, 3}),
-          output::captioned(fmt::format("A foam of {} fitted numbers at {} in, each test held out",
-                                        fitted_numbers, brief(held_out_radius_in)),
-                            held_out_table(study)),
-          output::captioned("Rebound on the load cell, between what was measured and what Table "
-                            "3-2 admits",
-                            rebound_table(study)),
-          output::captioned("The anomaly of section 4, predicted over measured force",
-                            anomaly_table(study, study.anomaly)),
-          output::captioned("Its rules", anomaly_rules_table(study.anomaly)),
-          narrow(fmt::format("At {:.2f} in, where the report's statements on its own simulations "
-                             "come back",
-                             study.radius.of_the_report_in()),
-                 reports_radius_table(study), {0, 1, 3, 4, 5, 6, 10}),
-          output::captioned("The anomaly there", anomaly_table(study, study.anomaly_at_the_reports_radius)),
-          output::captioned("Its rules there", anomaly_rules_table(study.anomaly_at_the_reports_radius))}};
-}
-
-output::Section error_section(const Study& study) {
-  output::Section section{.heading = "Errors test by test"};
-  for (const Quantity quantity : quantities)
-    section.tables.push_back(output::captioned(axis_label(quantity), error_table(study, quantity)));
-  return section;
+      .tables = {captioned(fmt::format("At a nose radius of {:.2f} in", study.radius.favoured_in()), tables,
+                           "verdict", {0, 1, 3, 4, 5, 6, 10}),
+                 captioned("Which radius the readings favour", tables, "nose-radius", {0, 1, 2, 3}),
+                 captioned(fmt::format("A foam of {} fitted numbers at {} in, each test held out",
+                                       fitted_numbers, brief(held_out_radius_in)),
+                           tables, "held-out"),
+                 captioned("Rebound on the load cell, between what was measured and what Table "
+                           "3-2 admits",
+                           tables, "rebound"),
+                 captioned("The anomaly of section 4, predicted over measured force", tables, "anomaly"),
+                 captioned("Its rules", tables, "anomaly-rules"),
+                 captioned(fmt::format("At {:.2f} in, where the report's statements on its own simulations "
+                                       "come back",
+                                       study.radius.of_the_report_in()),
+                           tables, "verdict-at-the-reports-radius", {0, 1, 3, 4, 5, 6, 10}),
+                 captioned("The anomaly there", tables, "anomaly-at-the-reports-radius"),
+                 captioned("Its rules there", tables, "anomaly-rules-at-the-reports-radius")}};
 }
 
 std::vector<std::string> warnings(const Study& study) {
@@ -143,6 +130,7 @@ std::vector<std::string> warnings(const Study& study) {
 output::Document validation_document(const Study& study, output::Pictures pictures) {
   const std::vector<ValidationFigure> figures =
       pictures == output::Pictures::drawn ? validation_figures(study) : std::vector<ValidationFigure>{};
+  const Tables tables = validation_tables(study);
   output::Document page{
       .title = "Validation against the tests of 1986",
       .lead = validation_lead(study, pictures),
@@ -150,32 +138,35 @@ output::Document validation_document(const Study& study, output::Pictures pictur
                   "in, mph, ms."},
       .warnings = warnings(study)};
   page.sections = {
-      brief_section(study),
-      verdict_section(study, figures),
-      held_out_section(study),
-      error_section(study),
+      brief_section(study, tables),
+      verdict_section(study, tables, figures),
+      held_out_section(tables),
+      {.heading = "Errors test by test",
+       .tables = {captioned(axis_label(Quantity::peak_force), tables, "errors-peak-force"),
+                  captioned(axis_label(Quantity::time_to_peak), tables, "errors-time-to-peak"),
+                  captioned(axis_label(Quantity::rebound_speed), tables, "errors-rebound-speed"),
+                  captioned(axis_label(Quantity::peak_strain), tables, "errors-peak-strain")}},
       {.heading = "Measurements", .figures = chosen(figures, {"figure-3-3", "figure-3-6", "figure-3-7"})},
       {.heading = "Regressions",
        .paragraphs = {"The constants of the report's trend lines, fitted again to the readings whose test is "
                       "certain. \"Over all placings\": the least and the greatest value when the other "
                       "readings are placed in every order that the scan allows."},
-       .tables = {output::captioned("Constants of the trend lines", constants_table(study))},
+       .tables = {captioned("Constants of the trend lines", tables, "constants")},
        .figures = chosen(figures, {"figure-3-4", "figure-3-5"})},
       {.heading = "Energy account and statements of the report",
-       .tables = {output::captioned("Statements that can be computed", claims_table(study))},
+       .tables = {captioned("Statements that can be computed", tables, "claims")},
        .figures = chosen(figures, {"figure-3-8", "figure-3-9"})},
       {.heading = "Simulations",
        .figures = chosen(figures, {"figure-4-1", "figure-4-2", "figure-4-3", "figure-4-4", "figure-4-5"})},
       {.heading = "Nose radius",
-       .tables = {output::captioned("Which radius the readings favour", radius_table(study))},
+       .tables = {captioned("Which radius the readings favour", tables, "nose-radius")},
        .figures = chosen(figures, {"nose-radius"})},
       {.heading = "What remains uncertain",
        .paragraphs =
            {"The scan lost the rows of some readings: their order in a column is known, their tests "
             "are not. They take no part in scores and are not drawn."},
-       .tables = {
-           output::captioned("Readings whose test is lost", unplaced_table(study)),
-           output::captioned("What they would say, over all placings in their order", placed_table(study))}}};
+       .tables = {captioned("Readings whose test is lost", tables, "lost-readings"),
+                  captioned("What they would say, over all placings in their order", tables, "placed")}}};
   return page;
 }
 

@@ -1,77 +1,104 @@
-#include "report1986/validation_series.hpp"
+#include "report1986/validation_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "dashpad/version.hpp"
+#include "dashpad/report1986/validation/energy.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::report1986 {
 
 namespace {
 
-std::size_t turn_of(Program program) {
-  switch (program) {
-    case Program::printed_1984: return turn::printed_1984;
-    case Program::mended_support_1984: return turn::mended_1984;
-    case Program::accurate: return turn::accurate;
-    case Program::accurate_first_slope: return turn::first_slope;
-  }
-  return 0;
-}
-
-/// What the runs at one speed give.
-struct AtSpeed {
-  std::optional<double> favoured, of_the_report;
-  double low = HUGE_VAL, high = -HUGE_VAL;
+struct Look {
+  std::size_t turn;
+  SeriesStyle style;
 };
+/// In the order of Program. Points for the program of 1984: many of its runs end in an ABEND.
+constexpr Look looks[] = {{turn::printed_1984, SeriesStyle::points},
+                          {turn::mended_1984, SeriesStyle::points},
+                          {turn::accurate, SeriesStyle::solid_line},
+                          {turn::first_slope, SeriesStyle::line}};
 
-std::map<double, AtSpeed> by_speed(const Study& study, Program program, TestGroup group, Quantity quantity) {
-  std::map<double, AtSpeed> speeds;
+/// The lines of one program.
+std::vector<Series> lines_of(const Study& study, Program program, TestGroup group, Quantity quantity) {
+  const double of_the_report = study.radius.of_the_report_in(), favoured = study.radius.favoured_in();
+  const auto [turn, style] = looks[static_cast<std::size_t>(program)];
+  std::map<double, double> at_the_reports_radius, at_the_favoured_radius;
+  std::map<double, Interval> over_radii;
   for (const Prediction& prediction : study.on_curves) {
     const Setup& setup = prediction.setup;
-    if (prediction.program != program || setup.projectile != group.projectile ||
-        setup.support != group.support)
-      continue;
     const std::optional<double> value = predicted(prediction, quantity);
-    if (!value) continue;
-    AtSpeed& at = speeds[setup.speed_mph];
-    if (setup.radius_in == study.radius.favoured_in()) at.favoured = value;
-    if (setup.radius_in == study.radius.of_the_report_in()) at.of_the_report = value;
-    at.low = std::min(at.low, *value);
-    at.high = std::max(at.high, *value);
+    if (prediction.program != program || setup.projectile != group.projectile ||
+        setup.support != group.support || !value)
+      continue;
+    if (setup.radius_in == favoured) at_the_favoured_radius[setup.speed_mph] = *value;
+    if (setup.radius_in == of_the_report) at_the_reports_radius[setup.speed_mph] = *value;
+    over_radii.emplace(setup.speed_mph, nowhere).first->second.include(*value);
   }
-  return speeds;
+  const auto line_of = [&](const std::map<double, double>& values, double radius, SeriesStyle drawn) {
+    Series line{
+        .label = fmt::format("{}, {:.2f} in", to_string(program), radius), .style = drawn, .turn = turn};
+    for (const auto& [speed, value] : values) {
+      line.x.push_back(speed);
+      line.y.push_back(value);
+    }
+    return line;
+  };
+  const Series line = line_of(at_the_reports_radius, of_the_report, style);
+  if (program != Program::accurate) return {line};
+
+  Series band{.label = std::string{to_string(program)} + ", over the nose radii",
+              .style = SeriesStyle::band,
+              .turn = turn};
+  for (const auto& [speed, span] : over_radii) {
+    band.x.push_back(speed);
+    band.y.push_back(span.low);
+    band.y2.push_back(span.high);
+  }
+  if (favoured == of_the_report) return {band, line};
+  return {band, line, line_of(at_the_favoured_radius, favoured, SeriesStyle::dashed_line)};
 }
 
-output::Series over_speed(const std::map<double, AtSpeed>& speeds, std::optional<double> AtSpeed::*value) {
-  output::Series series;
-  for (const auto& [speed, at] : speeds) {
-    if (!(at.*value)) continue;
-    series.x.push_back(speed);
-    series.y.push_back(*(at.*value));
-  }
-  return series;
+/// A force over speed: solid for energies at which the trend was fitted, dashed below.
+std::vector<Series> curve(const Study& study, const std::string& label, std::size_t turn,
+                          Projectile projectile, const std::function<double(double)>& force_of_speed) {
+  const double fitted_from = study.data.constant("energy_trend_from_in_lb");
+  const double unit_energy = impact_energy_in_lb(weight_of(study.data, projectile), 1);
+  const double middle = std::clamp(std::sqrt(fitted_from / unit_energy), least_speed, greatest_speed);
+  return {function_line(label, turn, middle, greatest_speed, force_of_speed, SeriesStyle::solid_line),
+          function_line("", turn, least_speed, middle, force_of_speed, SeriesStyle::dashed_line)};
 }
 
 }  // namespace
 
-std::string axis_label(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::peak_force: return "Peak force (lb)";
-    case Quantity::time_to_peak: return "Time to peak force (ms)";
-    case Quantity::rebound_speed: return "Rebound speed (mph)";
-    case Quantity::peak_strain: return "Peak strain (1)";
-  }
-  return "";
+Panel speed_panel(const std::string& title, const std::string& label) {
+  return {.title = title,
+          .x = {.label = "Initial speed (mph)", .low = least_speed, .high = greatest_speed},
+          .y = {.label = label, .low = 0}};
 }
 
-output::Series measured_points(const Study& study, TestGroup group, Quantity quantity,
-                               const std::string& label, std::size_t turn) {
-  output::Series points{.label = label, .style = output::SeriesStyle::points, .turn = turn};
+Panel speed_panel(const std::string& title, Quantity quantity) {
+  return speed_panel(title, axis_label(quantity));
+}
+
+std::vector<Panel> both_projectiles(
+    const std::function<Panel(const char* title, TestGroup group)>& panel_of) {
+  return {panel_of("Aluminium projectile, 4.13 lb", test_group::aluminium),
+          panel_of("Steel projectile, 7.7 lb", test_group::steel)};
+}
+
+void add(Panel& panel, std::vector<Series> series) {
+  for (Series& one : series) panel.series.push_back(std::move(one));
+}
+
+Series measured_points(const Study& study, TestGroup group, Quantity quantity, const std::string& label,
+                       std::size_t turn) {
+  Series points{.label = label, .style = SeriesStyle::points, .turn = turn};
   for (const MeasuredTest& test : study.data.measured.tests) {
     const std::optional<double> value = measured(test, quantity);
     if (!value || test.projectile != group.projectile || test.support != group.support) continue;
@@ -81,48 +108,18 @@ output::Series measured_points(const Study& study, TestGroup group, Quantity qua
   return points;
 }
 
-std::vector<output::Series> predicted_lines(const Study& study, Program program, TestGroup group,
-                                            Quantity quantity) {
-  const auto speeds = by_speed(study, program, group, quantity);
-  const double of_the_report = study.radius.of_the_report_in(), favoured = study.radius.favoured_in();
-  const auto label = [&](double radius) { return fmt::format("{}, {:.2f} in", to_string(program), radius); };
-  output::Series line = over_speed(speeds, &AtSpeed::of_the_report);
-  line.label = label(of_the_report);
-  line.style = output::SeriesStyle::points;  // the program of 1984: many of its runs end in an ABEND
-  if (program == Program::accurate) line.style = output::SeriesStyle::solid_line;
-  if (program == Program::accurate_first_slope) line.style = output::SeriesStyle::line;
-  line.turn = turn_of(program);
-  if (program != Program::accurate) return {line};
-
-  output::Series band{.label = std::string{to_string(program)} + ", over the nose radii",
-                      .style = output::SeriesStyle::band,
-                      .turn = line.turn};
-  for (const auto& [speed, at] : speeds) {
-    band.x.push_back(speed);
-    band.y.push_back(at.low);
-    band.y2.push_back(at.high);
-  }
-  output::Series dashed = over_speed(speeds, &AtSpeed::favoured);
-  dashed.label = label(favoured);
-  dashed.style = output::SeriesStyle::dashed_line;
-  dashed.turn = line.turn;
-  if (favoured == of_the_report) return {band, line};
-  return {band, line, dashed};
-}
-
-std::vector<output::Series> predicted_lines(const Study& study, const std::vector<Program>& shown,
-                                            TestGroup group, Quantity quantity) {
-  std::vector<output::Series> all;
+std::vector<Series> predicted_lines(const Study& study, const std::vector<Program>& shown, TestGroup group,
+                                    Quantity quantity) {
+  std::vector<Series> all;
   for (const Program program : shown)
-    for (output::Series& series : predicted_lines(study, program, group, quantity))
-      all.push_back(std::move(series));
+    for (Series& series : lines_of(study, program, group, quantity)) all.push_back(std::move(series));
   return all;
 }
 
-output::Series function_line(const std::string& label, std::size_t turn, double low, double high,
-                             const std::function<double(double)>& value, output::SeriesStyle style) {
+Series function_line(const std::string& label, std::size_t turn, double low, double high,
+                     const std::function<double(double)>& value, SeriesStyle style) {
   constexpr int steps = 100;
-  output::Series line{.label = label, .style = style, .turn = turn};
+  Series line{.label = label, .style = style, .turn = turn};
   for (int i = 0; i <= steps; ++i) {
     line.x.push_back(low + (high - low) * i / steps);
     line.y.push_back(value(line.x.back()));
@@ -130,9 +127,19 @@ output::Series function_line(const std::string& label, std::size_t turn, double 
   return line;
 }
 
-const FittedConstant* fitted(const Study& study, const std::string& name) {
-  const auto found = std::ranges::find(study.constants, name, &FittedConstant::name);
-  return found == study.constants.end() ? nullptr : &*found;
+Series speed_line(const std::string& label, std::size_t turn, const std::function<double(double)>& value,
+                  SeriesStyle style) {
+  return function_line(label, turn, least_speed, greatest_speed, value, style);
+}
+
+std::vector<Series> curve_a(const Study& study, Projectile projectile, std::size_t turn) {
+  return curve(study, "curve A: the report's trend, Eq. 36", turn, projectile,
+               [&](double speed) { return curve_a_force_lb(study.data, projectile, speed); });
+}
+
+std::vector<Series> curve_b(const Study& study, Projectile projectile, std::size_t turn) {
+  return curve(study, "curve B: the report's estimate for the plate, Eq. 37", turn, projectile,
+               [&](double speed) { return curve_b_force_lb(study.data, projectile, speed); });
 }
 
 const MeasuredTest& test_of(const Study& study, int number) {
@@ -142,15 +149,10 @@ const MeasuredTest& test_of(const Study& study, int number) {
   return *found;
 }
 
-std::string source_line(const std::string& where) {
-  return fmt::format("Crash Padding Research, Volume III (1986), {}; dashpad {}", where, version());
-}
-
-std::string lost_readings(const Study& study, const std::vector<std::string>& columns,
-                          const std::string& what) {
+std::string lost_readings(const Study& study, const std::string& column, const std::string& what) {
   std::size_t count = 0;
   for (const UnplacedReadings& group : study.data.measured.unplaced)
-    if (std::ranges::find(columns, group.column) != columns.end()) count += group.readings.size();
+    if (group.column == column) count += group.readings.size();
   if (count == 0) return "";
   return fmt::format("{} {} of {} whose test the scan lost {} left out. ", count,
                      count == 1 ? "reading" : "readings", what, count == 1 ? "is" : "are");

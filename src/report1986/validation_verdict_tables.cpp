@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "quantities/text.hpp"
-#include "report1986/validation_series.hpp"
 #include "report1986/validation_tables.hpp"
 
 namespace dashpad::report1986 {
@@ -51,6 +50,7 @@ std::vector<ErrorColumn> error_columns(const Study& study) {
           {Program::printed_1984, of_the_report, study.at_the_reports_radius}};
 }
 
+/// Each program on each support for each quantity that was measured.
 output::Table table_of(const std::vector<Verdict>& verdicts) {
   output::Table table{.columns = {"program", "support", "projectile", "quantity", "tests", "bias", "scatter",
                                   "bias over radii", "scatter over radii", "radii that pass", "verdict"}};
@@ -58,13 +58,12 @@ output::Table table_of(const std::vector<Verdict>& verdicts) {
     if (!is_judged(verdict)) continue;
     const Score& score = verdict.score;
     const Quantity quantity = score.quantity;
-    std::string tests = fmt::format("{}", score.errors.size());
-    if (score.missing > 0) tests += fmt::format(", {} without prediction", score.missing);
     const auto span = [&](const Interval& interval, auto shown) {
       return fmt::format("{} to {}", shown(interval.low, quantity), shown(interval.high, quantity));
     };
     table.rows.push_back({to_string(score.program), to_string(score.support),
-                          score.projectile ? to_string(*score.projectile) : "all", to_string(quantity), tests,
+                          score.projectile ? to_string(*score.projectile) : "all", to_string(quantity),
+                          tests_text(score.errors.size(), score.missing),
                           score.errors.empty() ? "-" : bias_text(score.bias, quantity),
                           score.errors.size() < 2 ? "-" : scatter_text(score.scatter, quantity),
                           score.errors.empty() ? "-" : span(verdict.bias_over_radii, bias_text),
@@ -75,52 +74,7 @@ output::Table table_of(const std::vector<Verdict>& verdicts) {
   return table;
 }
 
-}  // namespace
-
-std::string bias_text(double value, Quantity quantity) {
-  return is_logarithmic(quantity) ? fmt::format("{:+.1f} %", 100 * value) : fmt::format("{:+.3f}", value);
-}
-
-std::string scatter_text(double value, Quantity quantity) {
-  return is_logarithmic(quantity) ? fmt::format("{:.1f} %", 100 * value) : fmt::format("{:.3f}", value);
-}
-
-std::string with_digits(double value, Quantity quantity) {
-  switch (quantity) {
-    case Quantity::peak_force: return fmt::format("{:.0f}", value);
-    case Quantity::peak_strain: return fmt::format("{:.3f}", value);
-    default: return fmt::format("{:.2f}", value);
-  }
-}
-
-const char* passed_or_not(bool passed) { return passed ? "pass" : "FAIL"; }
-
-Tally tally(const Study& study, Program program) {
-  Tally tally;
-  for (const Verdict& verdict : study.verdicts) {
-    if (verdict.score.program != program || !is_judged(verdict)) continue;
-    ++tally.all;
-    tally.passed += verdict.score.passed ? 1 : 0;
-  }
-  for (const Admissible& rebound : study.rebounds) {
-    if (rebound.program != program) continue;
-    ++tally.all;
-    tally.passed += rebound.passed ? 1 : 0;
-  }
-  return tally;
-}
-
-bool passes(const Study& study) {
-  const Tally accurate = tally(study, Program::accurate);
-  return accurate.all > 0 && accurate.passed == accurate.all;
-}
-
-output::Table verdict_table(const Study& study) { return table_of(study.verdicts); }
-
-output::Table reports_radius_table(const Study& study) { return table_of(study.at_the_reports_radius); }
-
-output::Table by_projectile_table(const Study& study) { return table_of(study.by_projectile); }
-
+/// Readings whose tests are lost, in all placings.
 output::Table placed_table(const Study& study) {
   output::Table table{.columns = {"program", "quantity", "tests", "readings", "placings", "mean bias",
                                   "bias over placings", "placings that would pass"}};
@@ -129,27 +83,29 @@ output::Table placed_table(const Study& study) {
     const auto shown = [&](double bias) { return bias_text(bias, placed.quantity); };
     table.rows.push_back(
         {to_string(placed.program), to_string(placed.quantity),
-         fmt::format("{} to {}", group.first_test, group.last_test), fmt::format("{}", group.readings.size()),
-         fmt::format("{}", placed.placings), placed.placings == 0 ? "-" : shown(placed.bias),
+         fmt::format("{} to {}", group.first_test, group.last_test), std::to_string(group.readings.size()),
+         std::to_string(placed.placings), placed.placings == 0 ? "-" : shown(placed.bias),
          placed.placings == 0
              ? "-"
              : shown(placed.bias_over_placings.low) + " to " + shown(placed.bias_over_placings.high),
-         fmt::format("{}", placed.placings_passed)});
+         std::to_string(placed.placings_passed)});
   }
   return table;
 }
 
+/// The second rule of the rebound speed.
 output::Table rebound_table(const Study& study) {
   output::Table table{
       .columns = {"program", "tests", "admissible", "too low", "too high", "without prediction", "verdict"}};
   for (const Admissible& rebound : study.rebounds)
-    table.rows.push_back({to_string(rebound.program), fmt::format("{}", rebound.tests),
-                          fmt::format("{}", rebound.admissible), fmt::format("{}", rebound.too_low),
-                          fmt::format("{}", rebound.too_high), fmt::format("{}", rebound.missing),
+    table.rows.push_back({to_string(rebound.program), std::to_string(rebound.tests),
+                          std::to_string(rebound.admissible), std::to_string(rebound.too_low),
+                          std::to_string(rebound.too_high), std::to_string(rebound.missing),
                           passed_or_not(rebound.passed)});
   return table;
 }
 
+/// Test by test: measured, the accurate solver at both radii and the program of 1984 at the report's.
 output::Table error_table(const Study& study, Quantity quantity) {
   output::Table table{.columns = {"test", "projectile", "support", "speed (mph)", "measured"}};
   for (const ErrorColumn& column : error_columns(study)) {
@@ -159,7 +115,7 @@ output::Table error_table(const Study& study, Quantity quantity) {
   for (const MeasuredTest& test : study.data.measured.tests) {
     const std::optional<double> value = measured(test, quantity);
     if (!value) continue;
-    std::vector<std::string> row{fmt::format("{}", test.number), to_string(test.projectile),
+    std::vector<std::string> row{std::to_string(test.number), to_string(test.projectile),
                                  to_string(test.support), fmt::format("{:.1f}", test.speed_mph),
                                  with_digits(*value, quantity)};
     for (const ErrorColumn& column : error_columns(study))
@@ -170,6 +126,7 @@ output::Table error_table(const Study& study, Quantity quantity) {
   return table;
 }
 
+/// The accurate solver at each radius: biases, and whether they pass.
 output::Table score_over_radius_table(const Study& study) {
   output::Table table{.columns = {"nose radius (in)"}};
   struct Column {
@@ -196,25 +153,62 @@ output::Table score_over_radius_table(const Study& study) {
 }
 
 output::Table anomaly_table(const Study& study, const AnomalyVerdict& anomaly) {
-  output::Table table{.columns = {"program", "tests", "slope", "95 % interval", "slope, aluminium",
-                                  "95 % interval", "aluminium, 10 mph", "aluminium, 20 mph", "steel, 10 mph",
-                                  "steel, 15 mph"}};
-  std::vector<std::string> printed{"report", "-", "-", "-", "-", "-"};
-  for (const char* name : {"force_ratio_aluminium_low_speed", "force_ratio_aluminium_high_speed",
-                           "force_ratio_steel_low_speed", "force_ratio_steel_high_speed"})
-    printed.push_back(brief(study.data.constant(name)));
-  table.rows.push_back(std::move(printed));
+  output::Table table{
+      .columns = {"program", "tests", "slope", "95 % interval", "slope, aluminium", "95 % interval"},
+      .rows = {{"report", "-", "-", "-", "-", "-"}}};
+  for (const PrintedRatio& printed : printed_ratios) {
+    table.columns.push_back(fmt::format("{}, {} mph", to_string(printed.projectile), printed.speed_mph));
+    table.rows.front().push_back(brief(study.data.constant(printed.constant)));
+  }
   for (const ForceTrend& trend : anomaly.trends) {
     std::vector<std::string> row{
-        to_string(trend.program),         fmt::format("{}", trend.tests),
+        to_string(trend.program),         std::to_string(trend.tests),
         with_sign(trend.slope),           with_signs(trend.slope_confidence),
         with_sign(trend.aluminium_slope), with_signs(trend.aluminium_slope_confidence)};
-    for (const double ratio : {trend.aluminium_low, trend.aluminium_high, trend.steel_low, trend.steel_high})
-      row.push_back(decimals(ratio));
+    for (const PrintedRatio& printed : printed_ratios) row.push_back(decimals(trend.*printed.ours));
     table.rows.push_back(std::move(row));
   }
   return table;
 }
+
+/// The three conditions and the conclusion.
+output::Table anomaly_rules_table(const AnomalyVerdict& anomaly) {
+  const auto met = [](bool is_met) { return is_met ? "met" : "NOT MET"; };
+  return {.columns = {"condition", "outcome"},
+          .rows = {{"1. the first slope alone gives the report's ratios within 25 %",
+                    met(anomaly.first_slope_gives_the_fall)},
+                   {"2. the support as specified removes the fall, and its peak forces pass",
+                    met(anomaly.curve_removes_the_fall)},
+                   {"the slope at least halves", met(anomaly.slope_halves)},
+                   {"so the support defect", words(anomaly.explanation)}}};
+}
+
+}  // namespace
+
+std::string bias_text(double value, Quantity quantity) {
+  return is_logarithmic(quantity) ? fmt::format("{:+.1f} %", 100 * value) : fmt::format("{:+.3f}", value);
+}
+
+std::string scatter_text(double value, Quantity quantity) {
+  return is_logarithmic(quantity) ? fmt::format("{:.1f} %", 100 * value) : fmt::format("{:.3f}", value);
+}
+
+std::string tests_text(std::size_t tests, int missing) {
+  return missing > 0 ? fmt::format("{}, {} without prediction", tests, missing) : std::to_string(tests);
+}
+
+const char* passed_or_not(bool passed) { return passed ? "pass" : "FAIL"; }
+
+Tally tally(const Study& study, Program program) {
+  Tally tally;
+  for (const Verdict& verdict : study.verdicts)
+    if (verdict.score.program == program && is_judged(verdict)) tally.count(verdict.score.passed);
+  for (const Admissible& rebound : study.rebounds)
+    if (rebound.program == program) tally.count(rebound.passed);
+  return tally;
+}
+
+bool passes(const Study& study) { return tally(study, Program::accurate).passes_all(); }
 
 const char* words(Explanation explanation) {
   switch (explanation) {
@@ -225,15 +219,21 @@ const char* words(Explanation explanation) {
   return "";
 }
 
-output::Table anomaly_rules_table(const AnomalyVerdict& anomaly) {
-  const auto met = [](bool is_met) { return is_met ? "met" : "NOT MET"; };
-  return {.columns = {"condition", "outcome"},
-          .rows = {{"1. the first slope alone gives the report's ratios within 25 %",
-                    met(anomaly.first_slope_gives_the_fall)},
-                   {"2. the support as specified removes the fall, and its peak forces pass",
-                    met(anomaly.curve_removes_the_fall)},
-                   {"the slope at least halves", met(anomaly.slope_halves)},
-                   {"so the support defect", words(anomaly.explanation)}}};
+void add_verdict_tables(const Study& study, Tables& tables) {
+  tables["verdict"] = table_of(study.verdicts);
+  tables["verdict-at-the-reports-radius"] = table_of(study.at_the_reports_radius);
+  tables["by-projectile"] = table_of(study.by_projectile);
+  tables["over-radii"] = score_over_radius_table(study);
+  tables["placed"] = placed_table(study);
+  tables["rebound"] = rebound_table(study);
+  tables["anomaly"] = anomaly_table(study, study.anomaly);
+  tables["anomaly-rules"] = anomaly_rules_table(study.anomaly);
+  tables["anomaly-at-the-reports-radius"] = anomaly_table(study, study.anomaly_at_the_reports_radius);
+  tables["anomaly-rules-at-the-reports-radius"] = anomaly_rules_table(study.anomaly_at_the_reports_radius);
+  tables["errors-peak-force"] = error_table(study, Quantity::peak_force);
+  tables["errors-time-to-peak"] = error_table(study, Quantity::time_to_peak);
+  tables["errors-rebound-speed"] = error_table(study, Quantity::rebound_speed);
+  tables["errors-peak-strain"] = error_table(study, Quantity::peak_strain);
 }
 
 }  // namespace dashpad::report1986

@@ -40,8 +40,7 @@ template <class Real>
 std::vector<double> stresses(PadKey pad, const std::array<double, 21>& parameters,
                              const std::vector<double>& strains, double step) {
   constexpr int stations = 2;
-  PadParameters<Real> converted;
-  for (std::size_t i = 0; i < parameters.size(); ++i) converted[i] = static_cast<Real>(parameters[i]);
+  const PadParameters<Real> in_its_numbers = converted<Real>(parameters);
   const auto time_step = static_cast<Real>(step);
   ContactField<Real> field(stations);
   Real time(0);
@@ -49,11 +48,8 @@ std::vector<double> stresses(PadKey pad, const std::array<double, 21>& parameter
   for (std::size_t k = 1; k < strains.size(); ++k) {
     time = time + time_step;
     field.new_strain[0] = static_cast<Real>(-strains[k]);
-    update_stresses(pad, converted, field, stations, time_step, time);
-    field.strain[0] = field.new_strain[0];
-    const Real magnitude = abs(field.strain[0]);
-    if (field.largest_strain[0] < magnitude) field.largest_strain[0] = magnitude;
-    field.stress[0] = field.new_stress[0];
+    update_stresses(pad, in_its_numbers, field, stations, time_step, time);
+    field.accept(0);
     result.push_back(0 - to_double(field.stress[0]));
   }
   return result;

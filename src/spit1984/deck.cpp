@@ -86,39 +86,35 @@ void store_support(const Support& support, Deck& deck) {
 
 std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
   std::vector<Violation> unsaid;
+  const auto add = [&](const std::string& key, double value, const std::string& rule) {
+    unsaid.push_back({key, value, rule});
+  };
   if (!std::holds_alternative<Sphere>(impact.impactor.nose))
-    unsaid.push_back({"impactor.nose", 0, "the 1984 program knows no nose but a sphere"});
-  if (impact.blows) unsaid.push_back({"blows", 0, "the 1984 program knows one blow only"});
-  if (impact.pad.earlier_penetration > 0)
-    unsaid.push_back({"pad.earlier_penetration", impact.pad.earlier_penetration,
-                      "the 1984 program knows no pad that was struck before"});
+    add("impactor.nose", 0, "the 1984 program knows no nose but a sphere");
+  if (impact.blows) add("blows", 0, "the 1984 program knows one blow only");
+  if (const double depth = impact.pad.earlier_penetration; depth > 0)
+    add("pad.earlier_penetration", depth, "the 1984 program knows no pad that was struck before");
   if (impact.pad.sheet > 0)
-    unsaid.push_back(
-        {"pad.sheet_mass_per_area", impact.pad.sheet, "the 1984 program knows no sheet on the pad"});
-  if (impact.pad.area)
-    unsaid.push_back({"pad.area", *impact.pad.area, "the 1984 program knows no pad with an edge"});
+    add("pad.sheet_mass_per_area", impact.pad.sheet, "the 1984 program knows no sheet on the pad");
+  if (impact.pad.area) add("pad.area", *impact.pad.area, "the 1984 program knows no pad with an edge");
   if (impact.impactor.gravity != 0)
-    unsaid.push_back({"impactor.gravity", impact.impactor.gravity, "the 1984 program knows no gravity"});
+    add("impactor.gravity", impact.impactor.gravity, "the 1984 program knows no gravity");
   for (const Parameter<Backing>& parameter : Backing::parameters)
     if (const double value = parameter.of(impact.backing); value != 0)
-      unsaid.push_back(
-          {std::string("support.") + parameter.key, value,
-           "the support of the 1984 program has no mass, loses nothing and stands on the ground"});
+      add(std::string("support.") + parameter.key, value,
+          "the support of the 1984 program has no mass, loses nothing and stands on the ground");
   if (!impact.pad.layers.empty())
-    unsaid.push_back(
-        {"pad.layers", double(impact.pad.layers.size()), "the 1984 program knows no pad of several layers"});
+    add("pad.layers", double(impact.pad.layers.size()), "the 1984 program knows no pad of several layers");
   else if (impact.pad.material.law.index() >= laws_of_1984)
-    unsaid.push_back(
-        {"pad.law", 0,
-         "the 1984 program has five laws, and " + name_of(impact.pad.material.law) + " is none of them"});
+    add("pad.law", 0,
+        "the 1984 program has five laws, and " + name_of(impact.pad.material.law) + " is none of them");
   const std::size_t points = impact.support.points().size();
   if (points == 0)
-    unsaid.push_back({"support.type", 0,
-                      "the 1984 program has no rigid support: its KEYS = 0 divides zero by zero; "
-                      "give a stiff linear one"});
+    add("support.type", 0,
+        "the 1984 program has no rigid support: its KEYS = 0 divides zero by zero; give a stiff linear one");
   if (points > 4)
-    unsaid.push_back({"support.points", static_cast<double>(points),
-                      "the 1984 program takes four points of a support curve at most"});
+    add("support.points", static_cast<double>(points),
+        "the 1984 program takes four points of a support curve at most");
   return unsaid;
 }
 

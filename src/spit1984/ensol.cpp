@@ -1,15 +1,17 @@
-#include "dashpad/spit1984/ensol.hpp"
-
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <istream>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "dashpad/spit1984/deck.hpp"
 #include "spit1984/fortran_format.hpp"
 
 namespace dashpad::spit1984 {
@@ -34,7 +36,9 @@ class Terminal {
  public:
   Terminal(std::istream& input, std::ostream& output) : input_(input), output_(output) {}
 
-  void write(const PrintedRecords& records) { say(records.printed()); }
+  void say(std::string_view text) {
+    if (!(output_ << text << std::flush)) throw std::runtime_error("the terminal takes no more questions");
+  }
 
   /// The fields that `fields` reads from the next line; from the line after it where they are not numbers.
   template <typename Fields>
@@ -76,66 +80,30 @@ class Terminal {
   }
 
  private:
-  void say(const std::string& text) {
-    if (!(output_ << text << std::flush)) throw std::runtime_error("the terminal takes no more questions");
-  }
-
   std::istream& input_;
   std::ostream& output_;
 };
 
-PrintedRecords prompt(std::string_view text) {
-  PrintedRecords records;
-  records.skip(1).text(text).end_record_on_the_line();
-  return records;
-}
+// What its FORMATs print, the number of each beside it.
 
-PrintedRecords greeting() {  // 500
-  PrintedRecords records;
-  records.skip(1).text("SPHERE/PAD IMPACT TRACKER VERSION 2-DEC 1984").end_record();
-  return records;
-}
+constexpr std::string_view greeting = "SPHERE/PAD IMPACT TRACKER VERSION 2-DEC 1984\n";  // 500
 
-PrintedRecords model_prompt() {  // 510
-  PrintedRecords records;
-  records.skip(1).text("PLEASE CHOOSE MODEL: 1 = ELASTIC").end_record();
-  records.skip(22).text("2 = LINEAR V.E.").end_record();
-  records.skip(22).text("3 = RIGID-FOAM").end_record();
-  records.skip(22).text("4 = 9-PARAMETER").end_record();
-  records.skip(22).text("5 = 21-PARAMETER: ").end_record_on_the_line();
-  return records;
-}
+constexpr std::string_view model_prompt =  // 510
+    "PLEASE CHOOSE MODEL: 1 = ELASTIC\n"
+    "                     2 = LINEAR V.E.\n"
+    "                     3 = RIGID-FOAM\n"
+    "                     4 = 9-PARAMETER\n"
+    "                     5 = 21-PARAMETER: ";
 
-PrintedRecords support_prompt() {  // 520
-  PrintedRecords records;
-  records.end_record();
-  records.skip(1).text("PLEASE ENTER: 1 = LINEAR ELASTIC SUPPORT").end_record();
-  records.skip(15).text("2 = PIECEWISE LINEAR SUPPORT (2 SLOPES)").end_record();
-  records.skip(15).text("3 = PIECEWISE LINEAR SUPPORT (3 SLOPES)").end_record();
-  records.skip(15).text("4 = PIECEWISE LINEAR SUPPORT (4 SLOPES): ").end_record_on_the_line();
-  return records;
-}
+constexpr std::string_view support_prompt =  // 520
+    "\n"
+    "PLEASE ENTER: 1 = LINEAR ELASTIC SUPPORT\n"
+    "              2 = PIECEWISE LINEAR SUPPORT (2 SLOPES)\n"
+    "              3 = PIECEWISE LINEAR SUPPORT (3 SLOPES)\n"
+    "              4 = PIECEWISE LINEAR SUPPORT (4 SLOPES): ";
 
-PrintedRecords radius_prompt() {  // 530
-  PrintedRecords records;
-  records.end_record().skip(1).text("ENTER SPHERE RADIUS (IN.): ").end_record_on_the_line();
-  return records;
-}
-
-PrintedRecords break_points_heading() {  // 651
-  PrintedRecords records;
-  records.skip(1).text("ENTER BREAK POINTS FOR PIECEWISE LINEAR SUPPORT: ").end_record();
-  return records;
-}
-
-PrintedRecords break_point_prompt(int number) {  // 652
-  PrintedRecords records;
-  records.skip(1).text("DEFLECTION-LOAD PAIR ").i(number, 2).text(":").end_record_on_the_line();
-  return records;
-}
-
-double ask(Terminal& terminal, std::string_view text) {
-  terminal.write(prompt(text));
+double ask(Terminal& terminal, const std::string& text) {
+  terminal.say(text);
   return terminal.number();
 }
 
@@ -144,9 +112,9 @@ void ask_for_support(Terminal& terminal, Deck& deck) {
     deck.support_parameters[8] = ask(terminal, "ENTER SUPPORT STIFFNESS (LB/IN): ");  // 601
     return;
   }
-  terminal.write(break_points_heading());
+  terminal.say("ENTER BREAK POINTS FOR PIECEWISE LINEAR SUPPORT: \n");  // 651
   for (int point = 1; point <= deck.support; ++point) {
-    terminal.write(break_point_prompt(point));
+    terminal.say(fmt::format("DEFLECTION-LOAD PAIR {:2}:", point));  // 652
     const auto [deflection, load] = terminal.pair_of_numbers();
     deck.support_parameters[static_cast<std::size_t>(2 * point - 2)] = deflection;
     deck.support_parameters[static_cast<std::size_t>(2 * point - 1)] = load;
@@ -160,18 +128,17 @@ void take_ensolite(Deck& deck) {
 
 Deck asked_deck(Terminal& terminal) {
   Deck deck;
-  terminal.write(greeting());
-  terminal.write(model_prompt());
+  terminal.say(greeting);
+  terminal.say(model_prompt);
   deck.pad = static_cast<PadKey>(terminal.choice(5));
-  terminal.write(support_prompt());
+  terminal.say(support_prompt);
   deck.support = terminal.choice(4);
-  terminal.write(radius_prompt());
-  deck.radius_in = terminal.number();
+  deck.radius_in = ask(terminal, "\nENTER SPHERE RADIUS (IN.): ");       // 530
   deck.speed_mph = ask(terminal, "ENTER INITIAL SPEED (MPH): ");         // 999
   deck.weight_lb = ask(terminal, "ENTER WEIGHT (LBS): ");                // 531
   deck.thickness_in = ask(terminal, "ENTER FOAM THICKNESS (IN.): ");     // 535
   deck.time_step_ms = ask(terminal, "INITIAL TIME STEP SIZE (MSEC): ");  // 998
-  terminal.write(prompt("ENTER PRINT INTERVAL, NDEL: "));                // 996
+  terminal.say("ENTER PRINT INTERVAL, NDEL: ");                          // 996
   deck.print_interval = terminal.whole_number();
   ask_for_support(terminal, deck);
   take_ensolite(deck);

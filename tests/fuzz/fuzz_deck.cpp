@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "dashpad/spit1984/deck.hpp"
-#include "dashpad/spit1984/ensol.hpp"
 #include "reading.hpp"
 
 using namespace dashpad;

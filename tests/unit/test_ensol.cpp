@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dashpad/spit1984/ensol.hpp"
+#include "dashpad/spit1984/deck.hpp"
 
 namespace dashpad::spit1984 {
 namespace {

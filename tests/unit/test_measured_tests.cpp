@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "report1986/validation/measured_tests_columns.hpp"
+#include "report1986/validation/placings.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad::report1986 {

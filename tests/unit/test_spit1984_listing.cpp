@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dashpad/spit1984/listing.hpp"
+#include "dashpad/spit1984/run_files.hpp"
 
 namespace dashpad::spit1984 {
 namespace {

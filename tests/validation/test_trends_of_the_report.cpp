@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "dashpad/input/case_file.hpp"
-#include "dashpad/report1986/validation/claims.hpp"
+#include "dashpad/report1986/validation/energy.hpp"
 #include "dashpad/report1986/validation/trends.hpp"
 
 namespace dashpad::report1986 {

@@ -6,6 +6,9 @@
 /// where 17.6 is exact, and weight into mass with 386.4 in/s2.
 
 #include <array>
+#include <iosfwd>
+#include <optional>
+#include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
 
@@ -49,5 +52,13 @@ std::vector<Violation> violations(const Deck& deck);
 /// The case as the 1984 program counts it: 17.64 in/s to the mile per hour (0.23 % faster than exact) and
 /// 386.4 in/s2 (0.08 % lighter). For the accurate solver, to see what the scheme alone does.
 ImpactCase with_the_constants_of_1984(ImpactCase impact);
+
+/// The main program ENSOL of the report's Appendix C, a dialogue that fills a deck: asks on `terminal` what
+/// ENSOL asked, in its words and order, and reads the answers as its FORMATs I, E10.0 and 2F did. Absent
+/// where the input ends before the last answer.
+///
+/// Models 4 and 5 get the parameters of Ensolite AAC. ENSOL never asked for those of models 1 to 3: they stay
+/// zero, as they did in 1984. Throws std::runtime_error where `terminal` can no longer be written to.
+std::optional<Deck> ensol(std::istream& input, std::ostream& terminal);
 
 }  // namespace dashpad::spit1984

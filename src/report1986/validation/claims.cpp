@@ -1,4 +1,4 @@
-#include "dashpad/report1986/validation/claims.hpp"
+#include "dashpad/report1986/validation/energy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/report1986/validation/energy.hpp"
-#include "report1986/validation/measured_tests_columns.hpp"
+#include "report1986/validation/placings.hpp"
 
 namespace dashpad::report1986 {
 

@@ -11,7 +11,6 @@
 #include "dashpad/report1986/validation/held_out.hpp"
 #include "fit/problem.hpp"
 #include "fit/solve.hpp"
-#include "report1986/validation/figures_of.hpp"
 
 namespace dashpad::report1986 {
 
@@ -34,7 +33,7 @@ fit::Coordinate between(double lowest, double highest, bool is_logarithmic) {
   coordinate.is_logarithmic = is_logarithmic;
   return coordinate;
 }
-const std::array<FittedNumber, fitted_numbers> fitted{{
+const std::array<FittedNumber, fitted_numbers> sought{{
     {&FittedFoam::plateau_stress_psi, between(0.5, 200, true), 16, 1.0},
     {&FittedFoam::densification_stress_psi, between(0.1, 200, true), 10, 1.2},
     {&FittedFoam::densification_exponent, between(0.5, 4, false), 1.2, 0.6},
@@ -64,7 +63,7 @@ constexpr double derivative_step = 1e-2;
 
 FittedFoam foam_at(std::span<const double> x) {
   FittedFoam foam;
-  for (std::size_t i = 0; i < fitted.size(); ++i) foam.*fitted[i].of = fitted[i].coordinate.value(x[i]);
+  for (std::size_t i = 0; i < sought.size(); ++i) foam.*sought[i].of = sought[i].coordinate.value(x[i]);
   return foam;
 }
 
@@ -79,7 +78,7 @@ class Misfit {
       }
     options_.fixed_runs = runs;
   }
-  [[nodiscard]] std::size_t size() const { return readings_.size() + fitted.size(); }
+  [[nodiscard]] std::size_t size() const { return readings_.size() + sought.size(); }
 
   bool operator()(std::span<const double> x, std::span<double> residuals) {
     const FittedFoam foam = foam_at(x);
@@ -95,8 +94,8 @@ class Misfit {
         residuals[i] = error_of(rule_of(quantity), measured, *value) / scatter_of(quantity);
       }
     }
-    for (std::size_t i = 0; i < fitted.size(); ++i)
-      residuals[readings_.size() + i] = fitted[i].prior_residual(foam.*fitted[i].of);
+    for (std::size_t i = 0; i < sought.size(); ++i)
+      residuals[readings_.size() + i] = sought[i].prior_residual(foam.*sought[i].of);
     return true;
   }
 
@@ -129,9 +128,9 @@ Material material_of(const FittedFoam& foam) {
 
 FittedFoam fit_foam(const ValidationData& data, const std::vector<Reading>& readings) {
   Misfit misfit(data, readings);
-  const fit::LeastSquares problem{fitted.size(), misfit.size(), derivative_step, std::ref(misfit)};
+  const fit::LeastSquares problem{sought.size(), misfit.size(), derivative_step, std::ref(misfit)};
   std::vector<double> start;
-  for (const FittedNumber& number : fitted) start.push_back(number.coordinate.place(number.mean));
+  for (const FittedNumber& number : sought) start.push_back(number.coordinate.place(number.mean));
   const fit::Minimum minimum = fit::minimise(problem, start, fit::coarse);
   FittedFoam foam = foam_at(minimum.x);
   foam.misfit = minimum.misfit;

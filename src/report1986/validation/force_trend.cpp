@@ -31,29 +31,17 @@ double tail_force_lb(const ValidationData& data) {
   return readings > 0 ? sum / readings : 0;
 }
 
-double ratio_to_curve_a(const ValidationData& data, const std::vector<Prediction>& on_curves, Program program,
-                        Projectile projectile, double speed_mph, double radius_in) {
-  const Prediction* prediction =
-      find(on_curves, program, {projectile, TestSupport::load_cell, speed_mph, radius_in});
-  if (!prediction || !prediction->peak_force_lb) return no_value;
-  return *prediction->peak_force_lb / curve_a_force_lb(data, projectile, speed_mph);
-}
-
 Estimate slope_of(const std::vector<Point>& points) {
   const auto [least, greatest] = std::ranges::minmax_element(points, {}, &Point::x);
-  if (points.empty() || least->x == greatest->x) return {no_value, {no_value, no_value}};
+  if (points.empty() || least->x == greatest->x) return {no_value, no_value, no_value};
   return fit_line(points).slope;
 }
 
 /// Within 25 % of what the report prints.
 bool gives_the_printed_ratios(const ValidationData& data, const ForceTrend& trend) {
-  const auto near = [&](double ratio, const char* constant) {
-    return std::abs(ratio / data.constant(constant) - 1) <= ratio_tolerance;
-  };
-  return near(trend.aluminium_low, "force_ratio_aluminium_low_speed") &&
-         near(trend.aluminium_high, "force_ratio_aluminium_high_speed") &&
-         near(trend.steel_low, "force_ratio_steel_low_speed") &&
-         near(trend.steel_high, "force_ratio_steel_high_speed");
+  return std::ranges::all_of(printed_ratios, [&](const PrintedRatio& printed) {
+    return std::abs(trend.*printed.ours / data.constant(printed.constant) - 1) <= ratio_tolerance;
+  });
 }
 
 }  // namespace
@@ -84,16 +72,14 @@ ForceTrend force_trend(const ValidationData& data, const std::vector<Prediction>
   trend.tests = static_cast<int>(all.size());
   const Estimate both = slope_of(all), one = slope_of(aluminium);
   trend.slope = both.value;
-  trend.slope_confidence = both.confidence;
+  trend.slope_confidence = {both.low, both.high};
   trend.aluminium_slope = one.value;
-  trend.aluminium_slope_confidence = one.confidence;
-  const auto ratio = [&](Projectile projectile, double speed_mph) {
-    return ratio_to_curve_a(data, on_curves, program, projectile, speed_mph, radius_in);
-  };
-  trend.aluminium_low = ratio(Projectile::aluminium, 10);
-  trend.aluminium_high = ratio(Projectile::aluminium, 20);
-  trend.steel_low = ratio(Projectile::steel, 10);
-  trend.steel_high = ratio(Projectile::steel, 15);
+  trend.aluminium_slope_confidence = {one.low, one.high};
+  for (const auto& [projectile, speed, constant, ours] : printed_ratios) {
+    const auto peak = predicted(on_curves, program, {projectile, TestSupport::load_cell, speed, radius_in},
+                                Quantity::peak_force);
+    trend.*ours = peak ? *peak / curve_a_force_lb(data, projectile, speed) : no_value;
+  }
   return trend;
 }
 

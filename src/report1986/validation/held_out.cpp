@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <mutex>
 #include <set>
-
-#include <tbb/parallel_for.h>
 
 namespace dashpad::report1986 {
 
@@ -54,27 +51,21 @@ std::vector<Predicted> predict_fold(const ValidationData& data, const std::vecto
 }
 
 HeldOutScore score_of(const ScoreName& wanted, const std::vector<Predicted>& all) {
-  HeldOutScore score;
-  score.name = wanted.name;
-  score.support = wanted.support;
-  score.quantity = wanted.quantity;
+  HeldOutScore score{wanted.name, wanted.support, wanted.quantity};
   const Rule& rule = rule_of(wanted.quantity);
-  std::vector<double> errors;
   for (const auto& [reading, value] : all) {
     if (reading.setup.support != wanted.support || reading.quantity != wanted.quantity) continue;
-    if (!value) {
+    if (value)
+      score.errors.push_back(test_error(rule, reading.test, reading.value, *value));
+    else
       ++score.missing;
-      continue;
-    }
-    errors.push_back(error_of(rule, reading.value, *value));
-    score.errors.push_back(test_error(rule, reading.test, reading.value, *value));
   }
-  const Statistics statistics = judge(rule, errors);
+  const Statistics statistics = statistics_of(rule, score.errors);
   score.bias = statistics.bias;
   score.passed = statistics.passed && score.missing == 0;
-  if (errors.size() < 2) return score;
+  if (score.errors.size() < 2) return score;
   score.scatter = statistics.scatter;
-  const double of_mean = statistics.scatter / std::sqrt(static_cast<double>(errors.size()));
+  const double of_mean = statistics.scatter / std::sqrt(static_cast<double>(score.errors.size()));
   score.standard_error = rule.logarithmic ? (1 + score.bias) * of_mean : of_mean;
   return score;
 }
@@ -86,8 +77,7 @@ std::vector<Reading> certain_readings(const MeasuredTests& measured_tests) {
   for (const MeasuredTest& test : measured_tests.tests)
     for (const auto& [name, support, quantity] : score_names)
       if (const auto value = measured(test, quantity); value && test.support == support)
-        readings.push_back(
-            {test.number, {test.projectile, support, test.speed_mph, held_out_radius_in}, quantity, *value});
+        readings.push_back({test.number, setup_of(test, held_out_radius_in), quantity, *value});
   return readings;
 }
 
@@ -121,18 +111,15 @@ HeldOut hold_out(const ValidationData& data, const Progress& progress) {
   HeldOut result;
   result.folds.resize(folds.size());
   std::vector<std::vector<Predicted>> predicted_by(folds.size());
-  std::mutex mutex;
-  std::size_t done = 0;
-  tbb::parallel_for(std::size_t{0}, folds.size() + 1, [&](std::size_t i) {
+  const auto fit = [&](std::size_t i) {
     if (i == folds.size()) {
       result.foam = fit_foam(data, readings);
     } else {
       result.folds[i] = fit_foam(data, chosen(readings, folds[i], true));
       predicted_by[i] = predict_fold(data, chosen(readings, folds[i], false), result.folds[i]);
     }
-    const std::lock_guard lock(mutex);
-    if (progress) progress(++done, folds.size() + 1);
-  });
+  };
+  on_all_cores(folds.size() + 1, fit, progress);
   std::vector<Predicted> all;
   for (const auto& fold : predicted_by) all.insert(all.end(), fold.begin(), fold.end());
   std::ranges::stable_sort(all, {}, [](const Predicted& of) { return of.reading.test; });

@@ -2,20 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "input/measurement/csv_rows.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "input/spelling.hpp"
 #include "input/text_file.hpp"
+#include "quantities/special_numbers.hpp"
 
 namespace dashpad::report1986 {
 
 namespace {
 
-constexpr double at_fault = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest_whole = 9999;
+
 std::vector<std::string> texts_of(const input::CsvRow& row) {
   std::vector<std::string> texts;
   for (const std::string_view field : row.fields) texts.emplace_back(input::without_blanks(field));
@@ -34,89 +36,76 @@ std::string why_no_reading(const std::string& text, bool is_fraction, double& va
   return "";
 }
 
-CsvTable::CsvTable(const std::filesystem::path& file, std::vector<std::string> columns,
-                   std::vector<input::Fault>& faults)
-    : file_(file.string()), columns_(std::move(columns)), faults_(&faults) {
-  try {
-    read(input::read_text_file(file).value());
-  } catch (const input::InputError& error) {
-    faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+CsvTable::CsvTable(const std::filesystem::path& of, std::vector<std::string> wanted,
+                   std::vector<input::Fault>& list)
+    : file(of.string()), columns(std::move(wanted)), faults(list) {
+  const auto text = input::read_text_file(of);
+  if (!text) {
+    for (input::Fault& unread : text.faults()) faults.push_back(std::move(unread));
+    return;
   }
-}
-
-void CsvTable::read(const std::string& text) {
-  input::CsvRows rows(input::without_mark(text), ',');
+  input::CsvRows rows(input::without_mark(*text), ',');
   input::CsvRow row;
-  if (!rows.next(row) || texts_of(row) != columns_)
-    throw input::InputError({{file_, static_cast<int>(row.line), "", "",
-                              "must name these columns first: " + input::listing(columns_)}});
+  if (!rows.next(row) || texts_of(row) != columns) {
+    fault("must name these columns first: " + input::listing(columns), static_cast<int>(row.line));
+    return;
+  }
   while (rows.next(row)) {
     const int line = static_cast<int>(row.line);
     if (!row.fault.empty())
-      faults_->push_back({file_, line, "", "", std::string(row.fault)});
-    else if (row.fields.size() != columns_.size())
-      faults_->push_back({file_, line, "", "",
-                          "has " + std::to_string(row.fields.size()) + " fields; the columns are " +
-                              std::to_string(columns_.size())});
+      fault(std::string(row.fault), line);
+    else if (row.fields.size() != columns.size())
+      fault(fmt::format("has {} fields; the columns are {}", row.fields.size(), columns.size()), line);
     else
-      records_.push_back({line, texts_of(row)});
+      records.emplace_back(*this, line, texts_of(row));
   }
-  if (records_.empty()) fault("has no rows");
+  if (records.empty()) fault("has no rows");
 }
 
-const std::string& CsvTable::field(const CsvRecord& record, const std::string& column) const {
-  const auto at = std::ranges::find(columns_, column) - columns_.begin();
-  return record.fields.at(static_cast<std::size_t>(at));
+void CsvTable::fault(std::string rule, int line) { faults.push_back({file, line, "", "", std::move(rule)}); }
+
+const std::string& CsvRecord::field(const std::string& column) const {
+  const auto at = std::ranges::find(table_->columns, column) - table_->columns.begin();
+  return fields_.at(static_cast<std::size_t>(at));
 }
 
-void CsvTable::fault(const CsvRecord& record, const std::string& column, std::string rule) {
-  faults_->push_back({file_, record.line, column, field(record, column), std::move(rule)});
+void CsvRecord::fault(const std::string& column, std::string rule) const {
+  table_->faults.push_back({table_->file, line_, column, field(column), std::move(rule)});
 }
 
-void CsvTable::fault(const std::string& rule) { faults_->push_back({file_, 0, "", "", rule}); }
-
-std::string CsvTable::text(const CsvRecord& record, const std::string& column) {
-  if (field(record, column).empty()) fault(record, column, "is missing");
-  return field(record, column);
+std::string CsvRecord::text(const std::string& column) const {
+  if (field(column).empty()) fault(column, "is missing");
+  return field(column);
 }
 
-double CsvTable::number(const CsvRecord& record, const std::string& column) {
-  double value = at_fault;
-  const std::string rule = why_no_reading(field(record, column), false, value);
-  if (!rule.empty()) fault(record, column, rule);
+double CsvRecord::number(const std::string& column, bool is_fraction) const {
+  double value = no_value;
+  const std::string rule = why_no_reading(field(column), is_fraction, value);
+  if (!rule.empty()) fault(column, rule);
   return value;
 }
 
-double CsvTable::fraction(const CsvRecord& record, const std::string& column) {
-  double value = at_fault;
-  const std::string rule = why_no_reading(field(record, column), true, value);
-  if (!rule.empty()) fault(record, column, rule);
-  return value;
-}
-
-std::optional<double> CsvTable::reading(const CsvRecord& record, const std::string& column,
-                                        bool is_fraction) {
-  if (field(record, column).empty()) return std::nullopt;
-  const double value = is_fraction ? fraction(record, column) : number(record, column);
+std::optional<double> CsvRecord::reading(const std::string& column, bool is_fraction) const {
+  if (field(column).empty()) return std::nullopt;
+  const double value = number(column, is_fraction);
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-int CsvTable::whole(const CsvRecord& record, const std::string& column) {
+int CsvRecord::whole(const std::string& column) const {
   double value = 0;
-  std::string rule = why_no_reading(field(record, column), false, value);
+  std::string rule = why_no_reading(field(column), false, value);
   if (rule.empty() && (value != std::floor(value) || value > largest_whole))
     rule = "must be a whole number from 1 to 9999";
   if (rule.empty()) return static_cast<int>(value);
-  fault(record, column, rule);
+  fault(column, rule);
   return 0;
 }
 
-std::optional<std::size_t> CsvTable::choice(const CsvRecord& record, const std::string& column,
-                                            const std::vector<std::string>& words) {
-  const auto found = std::ranges::find(words, field(record, column));
+std::optional<std::size_t> CsvRecord::choice(const std::string& column,
+                                             const std::vector<std::string>& words) const {
+  const auto found = std::ranges::find(words, field(column));
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  fault(record, column,
-        "must be one of " + input::listing(words) + input::did_you_mean(field(record, column), words));
+  fault(column, "must be one of " + input::listing(words) + input::did_you_mean(field(column), words));
   return std::nullopt;
 }
 

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <functional>
+#include <map>
 #include <stdexcept>
 #include <variant>
 
@@ -8,13 +10,143 @@
 
 #include "dashpad/report1986/validation/energy.hpp"
 #include "dashpad/report1986/validation/trends.hpp"
-#include "report1986/validation/nominal_stress_placings.hpp"
+#include "quantities/special_numbers.hpp"
 #include "report1986/validation/placings.hpp"
 #include "report1986/validation/trends_least_squares.hpp"
 
 namespace dashpad::report1986 {
 
 namespace {
+
+constexpr std::array<const char*, 3> columns{"plug_strain", "diameter_strain", "peak_force_lb"};
+
+/// How many readings of the current group of each column are placed.
+using Placed = std::array<std::size_t, columns.size()>;
+
+/// A test with some of the lost readings given to it.
+struct Served {
+  MeasuredTest test;
+  Placed placed{};
+  bool is_certain = true;
+};
+
+const UnplacedReadings* group_at(const MeasuredTests& measured, const std::string& column, int test) {
+  const auto found = std::ranges::find_if(measured.unplaced, [&](const UnplacedReadings& group) {
+    return group.column == column && group.first_test <= test && test <= group.last_test;
+  });
+  return found == measured.unplaced.end() ? nullptr : &*found;
+}
+
+/// Both ways to go on in a column, with the next reading and without it. At the end of its group all readings
+/// must be placed.
+std::vector<Served> served(const MeasuredTests& measured, const std::vector<Served>& before,
+                           std::size_t column) {
+  std::vector<Served> after;
+  for (const Served& way : before) {
+    const UnplacedReadings* group = group_at(measured, columns[column], way.test.number);
+    const auto add = [&](Served next) {
+      if (group && next.test.number == group->last_test) {
+        if (next.placed[column] < group->readings.size()) return;
+        next.placed[column] = 0;
+      }
+      after.push_back(next);
+    };
+    add(way);
+    if (!group || way.placed[column] == group->readings.size()) continue;
+    Served with = way;
+    with.test.*measured_column(columns[column]).reading = group->readings[with.placed[column]++];
+    with.is_certain = false;
+    add(with);
+  }
+  return after;
+}
+
+/// The least sum over the points of a placing.
+struct LeastSum {
+  double sum = 0;
+  std::vector<NominalStressPoint> points;
+};
+
+/// All placings of strains and forces at once. There are far too many to visit; sums over a placing's points
+/// are least along a path through the tests, by dynamic programming.
+class NominalStressPlacings {
+ public:
+  /// Tests with strain and force make points. `stress` is the nominal stress of a test with its readings
+  /// placed.
+  NominalStressPlacings(const MeasuredTests& measured,
+                        const std::function<double(const MeasuredTest&)>& stress) {
+    std::map<Placed, std::size_t> here{{Placed{}, 0}};
+    states_.push_back(1);
+    for (const MeasuredTest& test : measured.tests) {
+      std::map<Placed, std::size_t> next;
+      std::vector<Step>& steps = steps_.emplace_back();
+      for (const auto& [placed, number] : here) {
+        std::vector<Served> ways{{test, placed, true}};
+        for (std::size_t column = 0; column < columns.size(); ++column) ways = served(measured, ways, column);
+        for (const Served& way : ways) {
+          Step step{number, next.emplace(way.placed, next.size()).first->second, false, {}};
+          step.has_point = peak_strain(way.test) && way.test.peak_force_lb;
+          if (step.has_point)
+            step.point = {way.is_certain ? test.number : 0, stress(way.test), *way.test.peak_force_lb};
+          steps.push_back(step);
+        }
+      }
+      states_.push_back(next.size());
+      here = std::move(next);
+    }
+  }
+
+  /// The placing with the least sum of cost(ln(force / stress)) for each number of points that a placing may
+  /// have.
+  [[nodiscard]] std::map<std::size_t, LeastSum> least(const std::function<double(double)>& cost) const {
+    struct Best {
+      double sum = infinite;
+      const Step* step = nullptr;
+    };
+    const std::size_t counts = steps_.size() + 1;  // numbers of points: 0 to that of the tests
+    std::vector<std::vector<Best>> best;           // before each test: for each state and number of points
+    for (const std::size_t states : states_) best.emplace_back(states * counts);
+    best.front().front().sum = 0;
+
+    for (std::size_t test = 0; test < steps_.size(); ++test)
+      for (const Step& step : steps_[test]) {
+        const std::size_t more = step.has_point ? 1 : 0;
+        const double added = step.has_point ? cost(std::log(step.point.force_lb / step.point.stress_psi)) : 0;
+        for (std::size_t points = 0; points + more < counts; ++points) {
+          const double sum = best[test][step.from * counts + points].sum + added;
+          Best& there = best[test + 1][step.to * counts + points + more];
+          if (sum < there.sum) there = {sum, &step};
+        }
+      }
+
+    std::map<std::size_t, LeastSum> found;
+    for (std::size_t points = 0; states_.back() > 0 && points < counts; ++points) {
+      if (best.back()[points].sum == infinite) continue;
+      LeastSum& least = found[points];
+      least.sum = best.back()[points].sum;
+      std::size_t state = 0;
+      std::size_t left = points;
+      for (std::size_t test = steps_.size(); test-- > 0;) {
+        const Step& step = *best[test + 1][state * counts + left].step;
+        if (step.has_point) least.points.push_back(step.point);
+        left -= step.has_point ? 1 : 0;
+        state = step.from;
+      }
+      std::ranges::reverse(least.points);
+    }
+    return found;
+  }
+
+ private:
+  /// A way to serve one test: from how many readings placed before, to how many after it.
+  struct Step {
+    std::size_t from = 0, to = 0;
+    bool has_point = false;
+    NominalStressPoint point;
+  };
+  std::vector<std::vector<Step>> steps_;  ///< for each test
+  std::vector<std::size_t> states_;       ///< how many there are before each test, and after the last
+};
 
 constexpr double pound_per_square_inch = 4.4482216152605 / (0.0254 * 0.0254);  // Pa
 constexpr std::size_t fewest_points = 3;                                       // for a slope with an interval
@@ -49,18 +181,18 @@ double scatter_of(const std::vector<NominalStressPoint>& points) {
 
 /// Least and greatest mean of ln(F / stress), over all placings with points.
 Interval means_over(const NominalStressPlacings& placings) {
-  Interval means{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  Interval means = nowhere;
   for (const auto& [points, least] : placings.least([](double ratio) { return ratio; }))
-    if (points > 0) means.low = std::min(means.low, least.sum / static_cast<double>(points));
+    if (points > 0) means.include(least.sum / static_cast<double>(points));
   for (const auto& [points, least] : placings.least([](double ratio) { return -ratio; }))
-    if (points > 0) means.high = std::max(means.high, -least.sum / static_cast<double>(points));
+    if (points > 0) means.include(-least.sum / static_cast<double>(points));
   return means;
 }
 
 /// Sets the placing of least scatter, and the span of the scatter. A placing scatters least about its own
 /// mean; so the least about any line is the least of all, and the greatest about one line exceeds all.
 void scan_lines(const NominalStressPlacings& placings, const Interval& means, NominalStressFit& fit) {
-  fit.scatter = std::numeric_limits<double>::infinity();
+  fit.scatter = infinite;
   std::map<std::size_t, double> bounds;
   for (int i = 0; i <= lines; ++i) {
     const double line = means.low + (means.high - means.low) * i / lines;
@@ -87,14 +219,11 @@ void scan_lines(const NominalStressPlacings& placings, const Interval& means, No
 
 std::string remark_on(const ValidationData& data, const NominalStressFit& fit) {
   double ways = 1;
-  for (const char* column : {"plug_strain", "diameter_strain", "peak_force_lb"})
-    ways *= placings(data.measured, column);
+  for (const char* const column : columns) ways *= placings(data.measured, column);
   return fmt::format(
       "The placing of least scatter, {} points of {:.2g} placings: nearly all strains have lost their tests, "
-      "and "
-      "some forces. It is the most favourable choice, not the report's Figure 3-5, which has {:g} tests, and "
-      "{:g} "
-      "of them in its fit; that cannot be rebuilt.",
+      "and some forces. It is the most favourable choice, not the report's Figure 3-5, which has {:g} tests, "
+      "and {:g} of them in its fit; that cannot be rebuilt.",
       fit.points.size(), ways, data.constant("nominal_stress_tests"),
       data.constant("nominal_stress_clustered_tests"));
 }
@@ -131,7 +260,7 @@ NominalStressFit fit_nominal_stress(const ValidationData& data, const Material& 
   fit.area_over_placings = {std::exp(means.low), std::exp(means.high)};
   const LineFit line = fit_line(logarithms(fit.points));
   fit.slope = line.slope.value;
-  fit.slope_confidence = line.slope.confidence;
+  fit.slope_confidence = {line.slope.low, line.slope.high};
   fit.remark = remark_on(data, fit);
   return fit;
 }

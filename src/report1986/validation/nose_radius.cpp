@@ -7,7 +7,9 @@
 
 #include "dashpad/report1986/validation/energy.hpp"
 #include "dashpad/report1986/validation/verdict.hpp"
+#include "quantities/special_numbers.hpp"
 #include "report1986/validation/placings.hpp"
+#include "uncertainty/student.hpp"
 
 namespace dashpad::report1986 {
 
@@ -15,43 +17,94 @@ namespace {
 
 using Residuals = std::vector<std::optional<double>>;
 
+constexpr double step_in = 0.25;
+
+/// The least sum of squares between the radii: the vertex of the parabola through three of them.
+struct Least {
+  std::size_t index = 0;
+  double radius_in = 0;
+  double sum = 0;
+};
+
+Least least_of(const std::vector<double>& radii, const std::vector<double>& sums) {
+  Least least{0, no_value, infinite};
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (sums[i] < least.sum) least = {i, radii[i], sums[i]};
+  const std::size_t i = least.index;
+  if (i == 0 || i + 1 == radii.size() || std::isnan(sums[i - 1]) || std::isnan(sums[i + 1])) return least;
+  const double bend = sums[i - 1] - 2 * sums[i] + sums[i + 1];
+  if (!(bend > 0)) return least;
+  const double shift = (sums[i - 1] - sums[i + 1]) / (2 * bend);
+  least.radius_in += shift * step_in;
+  least.sum = std::max(0.0, sums[i] - bend * shift * shift / 2);
+  return least;
+}
+
+/// No radius with a figure is left on one side of the least sum.
+bool is_at_an_end(const std::vector<double>& sums, std::size_t least) {
+  const auto has_figure = [](double sum) { return !std::isnan(sum); };
+  const auto place = sums.begin() + static_cast<std::ptrdiff_t>(least);
+  return std::none_of(sums.begin(), place, has_figure) || std::none_of(place + 1, sums.end(), has_figure);
+}
+
+/// Where the sum of squares crosses the limit, from the least one towards an end of the range; a radius
+/// without a figure forbids nothing.
+double border(const std::vector<double>& radii, const std::vector<double>& sums, const Least& least,
+              double limit, int direction) {
+  double radius = least.radius_in, sum = least.sum;
+  for (auto i = static_cast<std::ptrdiff_t>(least.index); i >= 0 && i < std::ssize(radii); i += direction) {
+    const auto at = static_cast<std::size_t>(i);
+    if ((radii[at] - least.radius_in) * direction <= 0 || std::isnan(sums[at])) continue;
+    if (sums[at] > limit) return radius + (radii[at] - radius) * (limit - sum) / (sums[at] - sum);
+    radius = radii[at], sum = sums[at];
+  }
+  return direction < 0 ? radii.front() : radii.back();
+}
+
+/// Sum of squares; NaN where a reading has no figure.
+double sum_of_squares(const Residuals& residuals) {
+  double sum = 0;
+  for (const std::optional<double>& residual : residuals) {
+    if (!residual) return no_value;
+    sum += *residual * *residual;
+  }
+  return sum;
+}
+
 /// Speeds of the plate at which curve "B" is above its tail, mph.
 constexpr double speeds_on_the_plate[] = {14, 16, 18, 20};
 
-Setup setup_of(const MeasuredTest& test, double radius_in) {
-  return {test.projectile, test.support, test.speed_mph, radius_in};
-}
+/// What a prediction is held against, at whatever radius.
+struct Expected {
+  Setup setup;
+  double value = 0;
+};
 
-std::optional<double> log_ratio(std::optional<double> predicted, double expected) {
-  if (!predicted) return {};
-  return std::log(*predicted / expected);
-}
-
-std::optional<double> value_of(const std::vector<Prediction>& predictions, Program program,
-                               const Setup& setup, Quantity quantity) {
-  const Prediction* prediction = find(predictions, program, setup);
-  return prediction ? predicted(*prediction, quantity) : std::nullopt;
-}
-
-/// Residuals of the certain readings of a quantity on a support, by the accurate solver.
-RadiusCriterion of_tests(const ValidationData& data, const std::vector<Prediction>& at_tests,
-                         std::string name, TestSupport support, Quantity quantity) {
-  const bool logarithmic = rule_of(quantity).logarithmic;
+/// Residuals of a program's predictions of a quantity, by the error of its rule.
+RadiusCriterion criterion_of(std::string name, std::string remark, const std::vector<Prediction>& predictions,
+                             Program program, Quantity quantity, const std::vector<Expected>& expected) {
+  const Rule& rule = rule_of(quantity);
   const auto residuals_at = [&](double radius) {
     Residuals residuals;
-    for (const MeasuredTest& test : data.measured.tests) {
-      const std::optional<double> reading = measured(test, quantity);
-      if (test.support != support || !reading) continue;
-      const auto value = value_of(at_tests, Program::accurate, setup_of(test, radius), quantity);
-      if (logarithmic)
-        residuals.push_back(log_ratio(value, *reading));
-      else
-        residuals.push_back(value ? std::optional(*value - *reading) : std::nullopt);
+    for (auto [setup, value] : expected) {
+      setup.radius_in = radius;
+      const auto figure = predicted(predictions, program, setup, quantity);
+      residuals.push_back(figure ? std::optional(error_of(rule, value, *figure)) : std::nullopt);
     }
     return residuals;
   };
-  return radius_criterion(std::move(name), "certain rows of Table 3-1; accurate solver",
-                          logarithmic ? "ln" : "1", residuals_at);
+  return radius_criterion(std::move(name), std::move(remark), rule.logarithmic ? "ln" : "1", residuals_at);
+}
+
+/// The certain readings of a quantity on a support, by the accurate solver.
+RadiusCriterion of_tests(const ValidationData& data, const std::vector<Prediction>& at_tests,
+                         std::string name, TestSupport support, Quantity quantity) {
+  std::vector<Expected> expected;
+  for (const MeasuredTest& test : data.measured.tests)
+    if (const auto reading = measured(test, quantity); reading && test.support == support)
+      expected.push_back({setup_of(test, 0), *reading});
+  return criterion_of(std::move(name), "certain rows of Table 3-1; accurate solver", at_tests,
+                      Program::accurate, quantity, expected);
 }
 
 /// Steel projectile: the strains lost their rows, so a residual is the root mean square over all placings.
@@ -70,8 +123,8 @@ RadiusCriterion strains_on_the_load_cell(const ValidationData& data,
       for (const MeasuredTest& test : tests) {
         if (test.number < 28 || test.number > 33 || !test.plug_strain) continue;
         const auto value =
-            value_of(at_tests, Program::accurate, setup_of(test, radius), Quantity::peak_strain);
-        squares[reading++] += value ? std::pow(*value - *test.plug_strain, 2) : std::nan("");
+            predicted(at_tests, Program::accurate, setup_of(test, radius), Quantity::peak_strain);
+        squares[reading++] += value ? std::pow(*value - *test.plug_strain, 2) : no_value;
       }
     });
     Residuals residuals;
@@ -87,68 +140,79 @@ RadiusCriterion strains_on_the_load_cell(const ValidationData& data,
 
 RadiusCriterion forces_of_curve_b(const ValidationData& data, const std::vector<Prediction>& others,
                                   std::string name, Program program) {
-  const auto residuals_at = [&](double radius) {
-    Residuals residuals;
-    for (const double speed : speeds_on_the_plate)
-      residuals.push_back(
-          log_ratio(value_of(others, program, {Projectile::aluminium, TestSupport::plate, speed, radius},
-                             Quantity::peak_force),
-                    curve_b_force_lb(data, Projectile::aluminium, speed)));
-    return residuals;
-  };
-  return radius_criterion(std::move(name),
-                          fmt::format("curve \"B\" at 14 to 20 mph, the report's estimate; {}",
-                                      program == Program::accurate ? "accurate solver" : to_string(program)),
-                          "ln", residuals_at);
+  std::vector<Expected> expected;
+  for (const double speed : speeds_on_the_plate)
+    expected.push_back({{Projectile::aluminium, TestSupport::plate, speed, 0},
+                        curve_b_force_lb(data, Projectile::aluminium, speed)});
+  return criterion_of(std::move(name),
+                      fmt::format("curve \"B\" at 14 to 20 mph, the report's estimate; {}",
+                                  program == Program::accurate ? "accurate solver" : to_string(program)),
+                      others, program, Quantity::peak_force, expected);
 }
-
-struct Ratio {
-  Projectile projectile;
-  double speed_mph;
-  const char* constant;
-};
-constexpr Ratio ratios[] = {{Projectile::aluminium, 10, "force_ratio_aluminium_low_speed"},
-                            {Projectile::aluminium, 20, "force_ratio_aluminium_high_speed"},
-                            {Projectile::steel, 10, "force_ratio_steel_low_speed"},
-                            {Projectile::steel, 15, "force_ratio_steel_high_speed"}};
 
 /// The report's statements on its simulations are about the load cell.
 RadiusCriterion ratios_of_the_report(const ValidationData& data, const std::vector<Prediction>& others,
                                      Program program) {
-  const auto residuals_at = [&](double radius) {
-    Residuals residuals;
-    for (const Ratio& ratio : ratios)
-      residuals.push_back(log_ratio(
-          value_of(others, program, {ratio.projectile, TestSupport::load_cell, ratio.speed_mph, radius},
-                   Quantity::peak_force),
-          data.constant(ratio.constant) * curve_a_force_lb(data, ratio.projectile, ratio.speed_mph)));
-    return residuals;
-  };
-  return radius_criterion(
+  std::vector<Expected> expected;
+  for (const auto& [projectile, speed, constant, ratio] : printed_ratios)
+    expected.push_back({{projectile, TestSupport::load_cell, speed, 0},
+                        data.constant(constant) * curve_a_force_lb(data, projectile, speed)});
+  return criterion_of(
       "the report's force ratios",
-      fmt::format("1 to 0.4 and 1.4 to 0.4 of curve \"A\" (section 4); {}", to_string(program)), "ln",
-      residuals_at);
+      fmt::format("1 to 0.4 and 1.4 to 0.4 of curve \"A\" (section 4); {}", to_string(program)), others,
+      program, Quantity::peak_force, expected);
 }
 
 RadiusCriterion times_of_the_report(const ValidationData& data, const std::vector<Prediction>& others,
                                     Program program) {
-  const auto residuals_at = [&](double radius) {
-    Residuals residuals;
-    for (const Setup& setup : setups_of_curves(radius)) {
-      if (setup.support != TestSupport::load_cell) continue;
-      const double expected =
-          1e3 * data.constant("expected_travel_in") / (inch_per_s_of_mph * setup.speed_mph) +
-          data.constant("excess_of_predicted_time_ms");
-      residuals.push_back(log_ratio(value_of(others, program, setup, Quantity::time_to_peak), expected));
-    }
-    return residuals;
-  };
-  return radius_criterion("the report's times to peak",
-                          fmt::format("2 ms above VT = 1.25 in (section 4); {}", to_string(program)), "ln",
-                          residuals_at);
+  std::vector<Expected> expected;
+  for (const Setup& setup : setups_of_curves(0))
+    if (setup.support == TestSupport::load_cell)
+      expected.push_back(
+          {setup, 1e3 * data.constant("expected_travel_in") / (inch_per_s_of_mph * setup.speed_mph) +
+                      data.constant("excess_of_predicted_time_ms")});
+  return criterion_of("the report's times to peak",
+                      fmt::format("2 ms above VT = 1.25 in (section 4); {}", to_string(program)), others,
+                      program, Quantity::time_to_peak, expected);
 }
 
 }  // namespace
+
+std::vector<double> radii_of_the_study() {
+  std::vector<double> radii;
+  for (int i = 0; least_radius_in + i * step_in <= greatest_radius_in; ++i)
+    radii.push_back(least_radius_in + i * step_in);
+  return radii;
+}
+
+RadiusCriterion radius_criterion(
+    std::string name, std::string remark, std::string unit,
+    const std::function<std::vector<std::optional<double>>(double radius_in)>& residuals_at) {
+  RadiusCriterion criterion;
+  criterion.name = std::move(name);
+  criterion.remark = std::move(remark);
+  criterion.unit = std::move(unit);
+  const std::vector<double> radii = radii_of_the_study();
+  std::vector<double> sums;
+  for (const double radius : radii) {
+    const auto residuals = residuals_at(radius);
+    criterion.readings = static_cast<int>(residuals.size());
+    sums.push_back(residuals.empty() ? no_value : sum_of_squares(residuals));
+    criterion.misfit.push_back(std::sqrt(sums.back() / criterion.readings));
+  }
+  const Least least = least_of(radii, sums);
+  criterion.favoured_in = std::round(100 * least.radius_in) / 100;
+  criterion.at_an_end = std::isfinite(least.sum) && is_at_an_end(sums, least.index);
+  criterion.admitted = {radii.front(), radii.back()};
+  const auto missing = std::ranges::count_if(sums, [](double sum) { return std::isnan(sum); });
+  if (missing > 0) criterion.remark += fmt::format("; no figure at {} of {} radii", missing, radii.size());
+  if (criterion.readings < 2 || std::ssize(radii) - missing < 3) return criterion;
+  const int freedom = criterion.readings - 1;
+  const double quantile = std::pow(uncertainty::student_95(freedom), 2);  // of F(1, freedom)
+  const double limit = least.sum * (1 + quantile / freedom);
+  criterion.admitted = {border(radii, sums, least, limit, -1), border(radii, sums, least, limit, 1)};
+  return criterion;
+}
 
 std::vector<Prediction> predict_for_radius(const ValidationData& data, const Material& ensolite,
                                            const Progress& progress) {
@@ -200,14 +264,6 @@ double RadiusStudy::of_the_report_in() const {
   if (estimates == 0) return favoured_in();
   return *std::ranges::min_element(radii_in, {},
                                    [&](double radius) { return std::abs(radius - sum / estimates); });
-}
-
-RadiusStudy study_radius(const ValidationData& data, const Material& ensolite, const Progress& progress) {
-  std::vector<Setup> setups;
-  for (const double radius : radii_of_the_study())
-    for (const Setup& setup : setups_of_tests(data.measured, radius)) setups.push_back(setup);
-  return study_radius(data, predict_all(data, ensolite, {Program::accurate}, setups, progress),
-                      predict_for_radius(data, ensolite, progress));
 }
 
 }  // namespace dashpad::report1986

@@ -1,12 +1,14 @@
 #include "report1986/validation/placings.hpp"
 
+#include <algorithm>
 #include <stdexcept>
-
-#include "report1986/validation/measured_tests_columns.hpp"
 
 namespace dashpad::report1986 {
 
 namespace {
+
+/// More placings are not gone through.
+constexpr double most_placings = 1e6;
 
 using Visit = std::function<void(const std::vector<MeasuredTest>&)>;
 
@@ -50,6 +52,21 @@ struct Search {
 };
 
 }  // namespace
+
+const MeasuredColumn& measured_column(const std::string& name) {
+  const auto* const found = std::ranges::find(measured_columns, name, &MeasuredColumn::name);
+  if (found == measured_columns.end()) throw std::out_of_range("no measured column is called " + name);
+  return *found;
+}
+
+std::vector<const MeasuredTest*> free_tests(const MeasuredTests& measured, const UnplacedReadings& group) {
+  const MeasuredColumn& column = measured_column(group.column);
+  std::vector<const MeasuredTest*> tests;
+  for (const MeasuredTest& test : measured.tests)
+    if (test.number >= group.first_test && test.number <= group.last_test && !(test.*column.reading))
+      tests.push_back(&test);
+  return tests;
+}
 
 double placings(std::size_t rows, std::size_t readings) {
   if (readings > rows) return 0;

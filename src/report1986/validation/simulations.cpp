@@ -1,15 +1,15 @@
 #include "dashpad/report1986/validation/simulations.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <mutex>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/report1986/validation/energy.hpp"
 #include "dashpad/spit1984/run.hpp"
-#include "report1986/validation/figures_of.hpp"
 
 namespace dashpad::report1986 {
 
@@ -70,6 +70,14 @@ void read_broken_run(const spit1984::Run& run, double thickness_in, Prediction& 
                                    end[-1].time_ms, 100 * left);
 }
 
+/// On the linear plate a support's later slopes say nothing.
+Program that_runs(Program program, TestSupport support) {
+  if (support == TestSupport::load_cell) return program;
+  if (program == Program::mended_support_1984) return Program::printed_1984;
+  if (program == Program::accurate_first_slope) return Program::accurate;
+  return program;
+}
+
 void run_the_program(const ImpactCase& impact, Program program, Prediction& prediction) {
   spit1984::Settings settings;
   settings.defects.idle_segments = program == Program::printed_1984;
@@ -115,6 +123,10 @@ const char* to_string(Program program) {
   return "accurate, first slope";
 }
 
+Setup setup_of(const MeasuredTest& test, double radius_in) {
+  return {test.projectile, test.support, test.speed_mph, radius_in};
+}
+
 ImpactCase impact_case(const ValidationData& data, const Material& ensolite, const Setup& setup) {
   const double inch = to_si("1 in", "m");
   ImpactCase impact;
@@ -131,18 +143,51 @@ ImpactCase impact_case(const ValidationData& data, const Material& ensolite, con
 Prediction predict(const ValidationData& data, const Material& ensolite, Program program,
                    const Setup& setup) {
   Prediction prediction;
-  prediction.program = program;
-  prediction.setup = setup;
   ImpactCase impact = impact_case(data, ensolite, setup);
   if (program == Program::printed_1984 || program == Program::mended_support_1984) {
     run_the_program(impact, program, prediction);
   } else {
     if (program == Program::accurate_first_slope) impact.support = support_of(data, setup.support, true);
     prediction = figures_of(solve(impact).summary);
-    prediction.program = program;
-    prediction.setup = setup;
   }
+  prediction.program = program;
+  prediction.setup = setup;
   return prediction;
+}
+
+void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work, const Progress& progress) {
+  std::mutex mutex;
+  std::size_t done = 0;
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    work(i);
+    const std::lock_guard lock(mutex);
+    if (progress) progress(++done, count);
+  });
+}
+
+std::vector<Prediction> predict_all(const ValidationData& data, const Material& ensolite,
+                                    const std::vector<Program>& which, const std::vector<Setup>& setups,
+                                    const Progress& progress) {
+  std::vector<std::pair<Program, Setup>> jobs;
+  std::vector<std::size_t> job_of;
+  for (const Setup& setup : setups)
+    for (const Program program : which) {
+      const std::pair job{that_runs(program, setup.support), setup};
+      const auto place = std::ranges::find(jobs, job);
+      job_of.push_back(static_cast<std::size_t>(place - jobs.begin()));
+      if (place == jobs.end()) jobs.push_back(job);
+    }
+  std::vector<Prediction> results(jobs.size());
+  const auto run = [&](std::size_t i) {
+    results[i] = predict(data, ensolite, jobs[i].first, jobs[i].second);
+  };
+  on_all_cores(jobs.size(), run, progress);
+  std::vector<Prediction> predictions;
+  for (std::size_t i = 0; i < job_of.size(); ++i) {
+    predictions.push_back(results[job_of[i]]);
+    predictions.back().program = which[i % which.size()];
+  }
+  return predictions;
 }
 
 const Prediction* find(const std::vector<Prediction>& predictions, Program program, const Setup& setup) {

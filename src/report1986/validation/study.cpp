@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "dashpad/report1986/validation/study.hpp"
 
@@ -6,17 +7,10 @@ namespace dashpad::report1986 {
 
 namespace {
 
-const std::vector<Program> all_programs{std::begin(programs), std::end(programs)};
 constexpr TestSupport supports[] = {TestSupport::load_cell, TestSupport::plate};
 
-std::vector<double> without_repeats(std::vector<double> radii) {
-  std::ranges::sort(radii);
-  radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
-  return radii;
-}
-
-template <class SetupsAt>
-std::vector<Setup> at_radii(const std::vector<double>& radii, SetupsAt&& setups_at) {
+template <class Radii, class SetupsAt>
+std::vector<Setup> at_radii(const Radii& radii, SetupsAt&& setups_at) {
   std::vector<Setup> setups;
   for (const double radius : radii)
     for (const Setup& setup : setups_at(radius)) setups.push_back(setup);
@@ -31,20 +25,17 @@ Verdict verdict_of(const Study& study, double radius_in, Program program, TestSu
   };
   Verdict verdict;
   verdict.score = score_at(radius_in);
-  std::vector<double> biases, scatters;
+  verdict.bias_over_radii = verdict.scatter_over_radii = nowhere;
   for (const double radius : study.radius.radii_in) {
     const Score score = score_at(radius);
     ++verdict.radii;
     verdict.radii_passed += score.passed ? 1 : 0;
     if (score.errors.empty()) continue;
-    biases.push_back(score.bias);
-    scatters.push_back(score.scatter);
+    verdict.bias_over_radii.include(score.bias);
+    verdict.scatter_over_radii.include(score.scatter);
   }
-  if (biases.empty()) return verdict;
-  const auto [least_bias, greatest_bias] = std::ranges::minmax(biases);
-  const auto [least_scatter, greatest_scatter] = std::ranges::minmax(scatters);
-  verdict.bias_over_radii = {least_bias, greatest_bias};
-  verdict.scatter_over_radii = {least_scatter, greatest_scatter};
+  if (verdict.bias_over_radii.low > verdict.bias_over_radii.high)
+    verdict.bias_over_radii = verdict.scatter_over_radii = {};
   return verdict;
 }
 
@@ -69,9 +60,9 @@ AnomalyVerdict anomaly_at(const Study& study, double radius, const std::vector<P
 
 /// `others`: the first slope at the report's speeds, at all radii.
 void judge_anomaly_of(Study& study, const std::vector<Prediction>& others) {
-  study.anomaly = anomaly_at(study, study.radius.favoured_in(), study.on_curves, all_programs);
+  study.anomaly = anomaly_at(study, study.radius.favoured_in(), study.on_curves, programs);
   study.anomaly_at_the_reports_radius =
-      anomaly_at(study, study.radius.of_the_report_in(), study.on_curves, all_programs);
+      anomaly_at(study, study.radius.of_the_report_in(), study.on_curves, programs);
   for (const double radius : study.radius.radii_in)
     study.anomaly.over_radii.push_back(
         anomaly_at(study, radius, others, {Program::accurate, Program::accurate_first_slope}).explanation);
@@ -102,7 +93,7 @@ void judge_all(Study& study) {
 std::vector<Setup> setups_of_tests(const MeasuredTests& measured, double radius_in) {
   std::vector<Setup> setups;
   for (const MeasuredTest& test : measured.tests) {
-    const Setup setup{test.projectile, test.support, test.speed_mph, radius_in};
+    const Setup setup = setup_of(test, radius_in);
     if (std::ranges::count(setups, setup) == 0) setups.push_back(setup);
   }
   return setups;
@@ -124,22 +115,17 @@ Study run_study(const ValidationData& data, const Material& ensolite, const Prog
   study.constants = fit_trends(data);
   study.nominal_stress = fit_nominal_stress(data, ensolite);
   const auto tests_at = [&](double radius) { return setups_of_tests(data.measured, radius); };
-  study.at_tests =
-      predict_all(data, ensolite, all_programs, at_radii(radii_of_the_study(), tests_at), progress);
+  study.at_tests = predict_all(data, ensolite, programs, at_radii(radii_of_the_study(), tests_at), progress);
   const std::vector<Prediction> others = predict_for_radius(data, ensolite, progress);
   study.radius = study_radius(data, study.at_tests, others);
 
-  const double favoured = study.radius.favoured_in();
+  const double favoured = study.radius.favoured_in(), of_the_report = study.radius.of_the_report_in();
   if (std::ranges::count(study.radius.radii_in, favoured) == 0) {
-    const std::vector<Prediction> more =
-        predict_all(data, ensolite, all_programs, tests_at(favoured), progress);
+    const std::vector<Prediction> more = predict_all(data, ensolite, programs, tests_at(favoured), progress);
     study.at_tests.insert(study.at_tests.end(), more.begin(), more.end());
   }
-  study.on_curves = predict_all(data, ensolite, all_programs,
-                                at_radii(without_repeats({least_radius_in, study.radius.of_the_report_in(),
-                                                          favoured, greatest_radius_in}),
-                                         setups_of_curves),
-                                progress);
+  const std::set<double> radii{least_radius_in, of_the_report, favoured, greatest_radius_in};
+  study.on_curves = predict_all(data, ensolite, programs, at_radii(radii, setups_of_curves), progress);
   judge_all(study);
   judge_anomaly_of(study, others);
   study.held_out = hold_out(data, progress);

@@ -10,9 +10,7 @@ namespace dashpad::report1986 {
 
 namespace {
 
-Estimate estimate(double value, double half_width) {
-  return {value, {value - half_width, value + half_width}};
-}
+Estimate estimate(double value, double half_width) { return {value, value - half_width, value + half_width}; }
 
 /// Fieller: all r for which intercept - r slope may be 0. `t2_aa` and so on: t^2 times the covariances.
 Estimate ratio_of(double intercept, double slope, double t2_aa, double t2_ab, double t2_bb) {
@@ -20,9 +18,9 @@ Estimate ratio_of(double intercept, double slope, double t2_aa, double t2_ab, do
   const double a = slope * slope - t2_bb;
   const double b = intercept * slope - t2_ab;
   const double c = intercept * intercept - t2_aa;
-  if (!(a > 0)) return {ratio, {-infinite, infinite}};
+  if (!(a > 0)) return {ratio, -infinite, infinite};
   const double root = std::sqrt(std::max(0.0, b * b - a * c));
-  return {ratio, {(b - root) / a, (b + root) / a}};
+  return {ratio, (b - root) / a, (b + root) / a};
 }
 
 }  // namespace

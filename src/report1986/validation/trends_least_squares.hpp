@@ -1,21 +1,17 @@
 #pragma once
-/// Least squares of one and two constants, with 95 % intervals by Student's t.
+/// Least squares of one and two constants, with 95 % intervals by Student's t: infinite where there are too
+/// few points to tell.
 
-#include <cstddef>
 #include <vector>
 
-#include "dashpad/report1986/validation/trends.hpp"
+#include "dashpad/study/answers.hpp"
 
 namespace dashpad::report1986 {
 
+using study::Estimate;
+
 struct Point {
   double x = 0, y = 0;
-};
-
-/// An estimate, and how far it may be off. Infinite where there are too few points to tell.
-struct Estimate {
-  double value = 0;
-  Interval confidence;
 };
 
 /// y = constant x; at least one point.

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "dashpad/report1986/validation/energy.hpp"
+#include "output/text/capitals.hpp"
+#include "report1986/validation/placings.hpp"
 
 namespace dashpad::report1986 {
 
@@ -12,6 +16,57 @@ namespace {
 constexpr double least_admissible_fraction = 0.8;
 constexpr double least_of_measured = 0.95;
 constexpr double most_of_bound = 1.05;
+
+struct QuantityFacts {
+  const char* name;
+  const char* unit;
+  int decimals;  ///< of a reading
+  std::optional<double> Prediction::*prediction;
+};
+
+/// In the order of Quantity.
+constexpr QuantityFacts facts[] = {{"peak force", "lb", 0, &Prediction::peak_force_lb},
+                                   {"time to peak force", "ms", 2, &Prediction::time_to_peak_ms},
+                                   {"rebound speed", "mph", 2, &Prediction::rebound_mph},
+                                   {"peak strain", "1", 3, &Prediction::peak_strain}};
+
+const QuantityFacts& of(Quantity quantity) { return facts[static_cast<std::size_t>(quantity)]; }
+
+PlacedScore placed_score(const MeasuredTests& measured_tests, const std::vector<Prediction>& predictions,
+                         Program program, double radius_in, const UnplacedReadings& group,
+                         Quantity quantity) {
+  const MeasuredTests alone{measured_tests.tests, {group}};
+  std::vector<std::optional<double>> values;
+  for (const MeasuredTest& test : alone.tests)
+    values.push_back(predicted(predictions, program, setup_of(test, radius_in), quantity));
+  PlacedScore score{program, radius_in, group, quantity, 0, 0, 0, nowhere, nowhere};
+  const Rule& rule = rule_of(quantity);
+  std::vector<double> errors;
+  for_each_placing(alone, group.column, [&](const std::vector<MeasuredTest>& tests) {
+    errors.clear();
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+      if (tests[i].number < group.first_test || tests[i].number > group.last_test) continue;
+      // A test's strain by the other method is certain, and none of this group.
+      MeasuredTest placed = tests[i];
+      (group.column == "plug_strain" ? placed.diameter_strain : placed.plug_strain).reset();
+      const std::optional<double> reading = measured(placed, quantity);
+      if (!reading || measured(alone.tests[i], quantity)) continue;
+      if (!values[i]) return;
+      errors.push_back(error_of(rule, *reading, *values[i]));
+    }
+    const Statistics statistics = judge(rule, errors);
+    ++score.placings;
+    score.placings_passed += statistics.passed ? 1 : 0;
+    score.bias += statistics.bias;
+    score.bias_over_placings.include(statistics.bias);
+    score.scatter_over_placings.include(statistics.scatter);
+  });
+  if (score.placings == 0)
+    score.bias_over_placings = score.scatter_over_placings = {};
+  else
+    score.bias /= static_cast<double>(score.placings);
+  return score;
+}
 
 }  // namespace
 
@@ -25,14 +80,14 @@ const std::array<Rule, 4> rules{{
 
 const Rule& rule_of(Quantity quantity) { return *std::ranges::find(rules, quantity, &Rule::quantity); }
 
-const char* to_string(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::peak_force: return "peak force";
-    case Quantity::time_to_peak: return "time to peak force";
-    case Quantity::rebound_speed: return "rebound speed";
-    case Quantity::peak_strain: break;
-  }
-  return "peak strain";
+const char* to_string(Quantity quantity) { return of(quantity).name; }
+
+std::string axis_label(Quantity quantity) {
+  return output::capitalised(of(quantity).name) + " (" + of(quantity).unit + ")";
+}
+
+std::string with_digits(double value, Quantity quantity) {
+  return fmt::format("{:.{}f}", value, of(quantity).decimals);
 }
 
 std::optional<double> measured(const MeasuredTest& test, Quantity quantity) {
@@ -46,13 +101,13 @@ std::optional<double> measured(const MeasuredTest& test, Quantity quantity) {
 }
 
 std::optional<double> predicted(const Prediction& prediction, Quantity quantity) {
-  switch (quantity) {
-    case Quantity::peak_force: return prediction.peak_force_lb;
-    case Quantity::time_to_peak: return prediction.time_to_peak_ms;
-    case Quantity::rebound_speed: return prediction.rebound_mph;
-    case Quantity::peak_strain: break;
-  }
-  return prediction.peak_strain;
+  return prediction.*of(quantity).prediction;
+}
+
+std::optional<double> predicted(const std::vector<Prediction>& predictions, Program program,
+                                const Setup& setup, Quantity quantity) {
+  const Prediction* const prediction = find(predictions, program, setup);
+  return prediction ? predicted(*prediction, quantity) : std::nullopt;
 }
 
 double error_of(const Rule& rule, double measured, double predicted) {
@@ -78,34 +133,39 @@ Statistics judge(const Rule& rule, const std::vector<double>& errors) {
   return statistics;
 }
 
+Statistics statistics_of(const Rule& rule, const std::vector<TestError>& errors) {
+  std::vector<double> values;
+  for (const TestError& error : errors) values.push_back(error_of(rule, error.measured, error.predicted));
+  return judge(rule, values);
+}
+
 Score score(const MeasuredTests& measured_tests, const std::vector<Prediction>& predictions, Program program,
             TestSupport support, Quantity quantity, double radius_in, std::optional<Projectile> projectile) {
-  Score score;
-  score.program = program;
-  score.support = support;
-  score.quantity = quantity;
-  score.radius_in = radius_in;
-  score.projectile = projectile;
+  Score score{program, support, quantity, radius_in, projectile};
   const Rule& rule = rule_of(quantity);
-  std::vector<double> errors;
   for (const MeasuredTest& test : measured_tests.tests) {
     const std::optional<double> reading = measured(test, quantity);
     if (test.support != support || !reading || (projectile && test.projectile != *projectile)) continue;
-    const Prediction* prediction =
-        find(predictions, program, {test.projectile, test.support, test.speed_mph, radius_in});
-    const std::optional<double> value = prediction ? predicted(*prediction, quantity) : std::nullopt;
-    if (!value) {
+    if (const auto value = predicted(predictions, program, setup_of(test, radius_in), quantity))
+      score.errors.push_back(test_error(rule, test.number, *reading, *value));
+    else
       ++score.missing;
-      continue;
-    }
-    errors.push_back(error_of(rule, *reading, *value));
-    score.errors.push_back(test_error(rule, test.number, *reading, *value));
   }
-  const Statistics statistics = judge(rule, errors);
+  const Statistics statistics = statistics_of(rule, score.errors);
   score.bias = statistics.bias;
   score.scatter = statistics.scatter;
   score.passed = statistics.passed && score.missing == 0;
   return score;
+}
+
+std::vector<PlacedScore> placed_scores(const MeasuredTests& measured_tests,
+                                       const std::vector<Prediction>& predictions, Program program,
+                                       double radius_in) {
+  std::vector<PlacedScore> scores;
+  for (const UnplacedReadings& group : measured_tests.unplaced)
+    if (const auto quantity = measured_column(group.column).quantity)
+      scores.push_back(placed_score(measured_tests, predictions, program, radius_in, group, *quantity));
+  return scores;
 }
 
 std::optional<double> rebound_bound_mph(const ValidationData& data, const MeasuredTest& test) {
@@ -117,20 +177,17 @@ std::optional<double> rebound_bound_mph(const ValidationData& data, const Measur
 
 Admissible admissible_rebounds(const ValidationData& data, const std::vector<Prediction>& predictions,
                                Program program, double radius_in) {
-  Admissible result;
-  result.program = program;
-  result.radius_in = radius_in;
+  Admissible result{program, radius_in};
   for (const MeasuredTest& test : data.measured.tests) {
     const std::optional<double> bound = rebound_bound_mph(data, test);
     if (!bound) continue;
     ++result.tests;
-    const Prediction* prediction =
-        find(predictions, program, {test.projectile, test.support, test.speed_mph, radius_in});
-    if (!prediction || !prediction->rebound_mph)
+    const auto rebound = predicted(predictions, program, setup_of(test, radius_in), Quantity::rebound_speed);
+    if (!rebound)
       ++result.missing;
-    else if (*prediction->rebound_mph < least_of_measured * *test.rebound_mph)
+    else if (*rebound < least_of_measured * *test.rebound_mph)
       ++result.too_low;
-    else if (*prediction->rebound_mph > most_of_bound * *bound)
+    else if (*rebound > most_of_bound * *bound)
       ++result.too_high;
     else
       ++result.admissible;

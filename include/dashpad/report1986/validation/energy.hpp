@@ -2,6 +2,7 @@
 /// The report's energy account (section 3.3, Eqs. 32 and 34 to 37, Table 3-2), in its units and with its
 /// constants: 17.64 in/s to the mile per hour, 386.4 in/s2.
 
+#include <string>
 #include <vector>
 
 #include "dashpad/report1986/validation/measured_tests.hpp"
@@ -45,5 +46,21 @@ double curve_a_speed_mph(const ValidationData& data, Projectile projectile, doub
 double curve_b_speed_mph(const ValidationData& data, Projectile projectile, double force_lb);
 
 double weight_of(const ValidationData& data, Projectile projectile);  ///< lb
+
+/// A number that the report states, in its unit, and that follows from other numbers of the report (sections
+/// 3.2, 3.3 and 4): computed again.
+struct ReportClaim {
+  std::string where;  ///< "section 3.3, Eq. 34"
+  std::string claim;  ///< what is claimed, for people
+  std::string unit;   ///< "1" for a pure number
+  double printed = 0;
+  double computed = 0;
+  double tolerance = 0;  ///< half a unit of the last printed digit; wider where the text says "about"
+  bool agrees = false;   ///< |computed - printed| <= tolerance
+  std::string remark;    ///< why it does not agree, or what to beware of; may be empty
+};
+
+/// All of them, in the order of the report. Those of the model's runs are not among them.
+std::vector<ReportClaim> check_claims(const ValidationData& data);
 
 }  // namespace dashpad::report1986

@@ -53,9 +53,9 @@ struct HeldOutScore {
   std::string name;  ///< "peak_force", "rebound_plate"
   TestSupport support = TestSupport::load_cell;
   Quantity quantity = Quantity::peak_force;
-  std::vector<TestError> errors;  ///< as in Score
-  int missing = 0;                ///< tests without a prediction: a fit that did not converge
-  double bias = 0;                ///< exp(mean of ln ratio) - 1, or mean difference
+  std::vector<TestError> errors = {};  ///< as in Score
+  int missing = 0;                     ///< tests without a prediction: a fit that did not converge
+  double bias = 0;                     ///< exp(mean of ln ratio) - 1, or mean difference
   std::optional<double> standard_error = {},
                         scatter = {};  ///< of the bias, and as in Score; absent below two tests
   bool passed = false;                 ///< the rules of decision 7

@@ -64,7 +64,4 @@ std::vector<Prediction> predict_for_radius(const ValidationData& data, const Mat
 RadiusStudy study_radius(const ValidationData& data, const std::vector<Prediction>& at_tests,
                          const std::vector<Prediction>& others);
 
-/// The same, with the predictions that it needs.
-RadiusStudy study_radius(const ValidationData& data, const Material& ensolite, const Progress& progress = {});
-
 }  // namespace dashpad::report1986

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/solution.hpp"
 #include "dashpad/report1986/validation/measured_tests.hpp"
 
 namespace dashpad::report1986 {
@@ -18,8 +19,8 @@ enum class Program {
   accurate_first_slope,  ///< the solver, with the load cell's first slope alone; on the plate the same as
                          ///< accurate
 };
-inline constexpr Program programs[] = {Program::printed_1984, Program::mended_support_1984, Program::accurate,
-                                       Program::accurate_first_slope};
+inline const std::vector<Program> programs{Program::printed_1984, Program::mended_support_1984,
+                                           Program::accurate, Program::accurate_first_slope};
 const char* to_string(Program program);  ///< for people: "1984 program", ...
 
 /// What is simulated: the projectile at a speed, with a nose radius, on one of the supports.
@@ -30,6 +31,8 @@ struct Setup {
   double radius_in = 0;
   friend bool operator==(const Setup&, const Setup&) = default;
 };
+
+Setup setup_of(const MeasuredTest& test, double radius_in);
 
 /// The impact case of a setup, exact units, with the 9-parameter law of Ensolite (report, section 4).
 ImpactCase impact_case(const ValidationData& data, const Material& ensolite, const Setup& setup);
@@ -44,17 +47,22 @@ struct Prediction {
   std::optional<double> time_to_peak_ms;
   std::optional<double> rebound_mph;  ///< at the weight criterion, the report's end of an impact
   std::optional<double> peak_strain;
-  bool bottomed = false;  ///< the accurate solver: the pad was fully compressed
-  double error =
-      0;  ///< the solver's estimate for the peak force, relative; 0 for the program of 1984, which has none
+  bool bottomed = false;    ///< the accurate solver: the pad was fully compressed
+  double error = 0;         ///< the solver's estimate for the peak force, relative; 0 for the program of 1984
   std::string remark = {};  ///< why figures are missing or doubtful: an ABEND, a tolerance not met
 };
+
+/// The figures of an impact in the report's units; program and setup are left to the caller.
+Prediction figures_of(const Summary& summary);
 
 /// Throws std::invalid_argument for a setup that is no sound case (impact_case.hpp).
 Prediction predict(const ValidationData& data, const Material& ensolite, Program program, const Setup& setup);
 
 /// Told after each run: done, of how many. One call at a time, from any thread.
 using Progress = std::function<void(std::size_t, std::size_t)>;
+
+/// Calls work(0) to work(count - 1) on all cores, and throws again what the first of them throws.
+void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work, const Progress& progress);
 
 /// One prediction for each setup and program, programs innermost; on all cores. Equal impacts are run once.
 /// Throws what predict() throws.

@@ -1,6 +1,8 @@
 #pragma once
 /// The report's trend lines (section 3.3), fitted again to the readings of Table 3-1.
 
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,29 +16,37 @@ struct Interval {
   double low = 0;
   double high = 0;
   [[nodiscard]] bool holds(double value) const { return low <= value && value <= high; }
+  /// Widens it to hold a value.
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
 };
+/// What holds nothing yet.
+inline constexpr Interval nowhere{std::numeric_limits<double>::infinity(),
+                                  -std::numeric_limits<double>::infinity()};
 
 /// A constant fitted to the certain rows.
 struct FittedConstant {
-  std::string name;   ///< of the printed constant
-  std::string title;  ///< "V T, load cell", for people
-  std::string unit;
+  std::string name = {};   ///< of the printed constant
+  std::string title = {};  ///< "V T, load cell", for people
+  std::string unit = {};
   double printed = 0;
-  double value = 0;        ///< least squares over the certain rows
-  Interval confidence;     ///< 95 %, of `value`, by the scatter of the rows
-  std::vector<int> tests;  ///< the certain rows used
-  double scatter = 0;      ///< standard deviation of the residuals, in the unit of the fitted quantity
-  std::string residual_unit;
+  double value = 0;             ///< least squares over the certain rows
+  Interval confidence = {};     ///< 95 %, of `value`, by the scatter of the rows
+  std::vector<int> tests = {};  ///< the certain rows used
+  double scatter = 0;           ///< standard deviation of the residuals, in the unit of the fitted quantity
+  std::string residual_unit = {};
   /// Least and greatest value over all placings of the unplaced readings in their order; equal to `value`
   /// where there are none.
-  Interval over_placings;
+  Interval over_placings = {};
   /// From the lowest to the highest end of the 95 % intervals of all placings. The certain rows are no random
   /// sample of all, so this says more than `confidence` where many readings are lost.
   Interval confidence_over_placings = {};
   long placings = 0;
   bool printed_in_confidence = false;
   bool printed_in_placings = false;
-  std::string method;  ///< in one line: what is minimised over which rows
+  std::string method = {};  ///< in one line: what is minimised over which rows
 };
 
 /// All of them: travel VT with T = c/V (load cell); V_R/V of the load cell, of the plate, and of the plate

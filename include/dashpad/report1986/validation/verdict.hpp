@@ -17,10 +17,17 @@ enum class Quantity { peak_force, time_to_peak, rebound_speed, peak_strain };
 inline constexpr Quantity quantities[] = {Quantity::peak_force, Quantity::time_to_peak,
                                           Quantity::rebound_speed, Quantity::peak_strain};
 const char* to_string(Quantity quantity);
+/// "Peak force (lb)".
+std::string axis_label(Quantity quantity);
+/// With the digits that a reading of the quantity has.
+std::string with_digits(double value, Quantity quantity);
 
 /// The measured and the predicted value of a test; of rows that are certain.
 std::optional<double> measured(const MeasuredTest& test, Quantity quantity);
 std::optional<double> predicted(const Prediction& prediction, Quantity quantity);
+/// That of a program for a setup.
+std::optional<double> predicted(const std::vector<Prediction>& predictions, Program program,
+                                const Setup& setup, Quantity quantity);
 
 /// The rule of a quantity: bounds of bias and scatter; of ln(predicted/measured), for strain of the
 /// difference.
@@ -35,14 +42,6 @@ const Rule& rule_of(Quantity quantity);
 /// ln(predicted/measured); for strain the difference.
 double error_of(const Rule& rule, double measured, double predicted);
 
-/// What the errors of a score, by error_of(), come to.
-struct Statistics {
-  double bias = 0;      ///< exp(mean) - 1, or the mean
-  double scatter = 0;   ///< standard deviation, n - 1; 0 below two
-  bool passed = false;  ///< never below two
-};
-Statistics judge(const Rule& rule, const std::vector<double>& errors);
-
 /// The error of one test.
 struct TestError {
   int test = 0;
@@ -51,6 +50,15 @@ struct TestError {
 };
 TestError test_error(const Rule& rule, int test, double measured, double predicted);
 
+/// What the errors of a score, by error_of(), come to.
+struct Statistics {
+  double bias = 0;      ///< exp(mean) - 1, or the mean
+  double scatter = 0;   ///< standard deviation, n - 1; 0 below two
+  bool passed = false;  ///< never below two
+};
+Statistics judge(const Rule& rule, const std::vector<double>& errors);
+Statistics statistics_of(const Rule& rule, const std::vector<TestError>& errors);
+
 /// A program on a support, for one quantity, at one radius.
 struct Score {
   Program program = Program::accurate;
@@ -58,7 +66,7 @@ struct Score {
   Quantity quantity = Quantity::peak_force;
   double radius_in = 0;
   std::optional<Projectile> projectile = {};  ///< absent: both
-  std::vector<TestError> errors;              ///< of the tests with a certain reading and a prediction
+  std::vector<TestError> errors = {};         ///< of the tests with a certain reading and a prediction
   int missing = 0;                            ///< tests with a certain reading, but no prediction
   double bias = 0;                            ///< exp(mean of ln ratio) - 1, or mean difference
   double scatter = 0;  ///< standard deviation of ln ratio, or of the difference; 0 below two tests
@@ -127,6 +135,19 @@ struct ForceTrend {
   double aluminium_low = 0, aluminium_high = 0;  ///< ratio to curve "A" at 10 and 20 mph
   double steel_low = 0, steel_high = 0;          ///< at 10 and 15 mph
 };
+
+/// A ratio of forces that the report prints for an end of a speed range (section 4).
+struct PrintedRatio {
+  Projectile projectile;
+  double speed_mph;
+  const char* constant;
+  double ForceTrend::*ours;
+};
+inline constexpr PrintedRatio printed_ratios[] = {
+    {Projectile::aluminium, 10, "force_ratio_aluminium_low_speed", &ForceTrend::aluminium_low},
+    {Projectile::aluminium, 20, "force_ratio_aluminium_high_speed", &ForceTrend::aluminium_high},
+    {Projectile::steel, 10, "force_ratio_steel_low_speed", &ForceTrend::steel_low},
+    {Projectile::steel, 15, "force_ratio_steel_high_speed", &ForceTrend::steel_high}};
 
 /// Curve "A" with its tail: the trend of Eq. 36, and for the aluminium projectile not below the mean force of
 /// tests 1 and 24 (report, Figure 3-9: the tail is drawn through them; below 300 in.lb the trend is no fit),

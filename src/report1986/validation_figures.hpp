@@ -1,0 +1,104 @@
+#pragma once
+/// The figures of the validation, and the series and notes that several of them share. Units are the
+/// report's.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dashpad/report1986/validation_report.hpp"
+
+namespace dashpad::report1986 {
+
+using output::Panel;
+using output::Series;
+using output::SeriesStyle;
+
+/// What is drawn in a figure; its name, title and source stand in the list of all figures.
+struct Drawing {
+  std::vector<Panel> panels;
+  std::string note;
+};
+
+// Measurements (report, section 3)
+Drawing support_curves(const Study& study);      // 3-3
+Drawing time_to_peak(const Study& study);        // 3-4
+Drawing nominal_stress(const Study& study);      // 3-5
+Drawing force_over_speed(const Study& study);    // 3-6
+Drawing rebound_over_speed(const Study& study);  // 3-7
+Drawing force_over_energy(const Study& study);   // 3-8
+Drawing curves_a_and_b(const Study& study);      // 3-9
+
+// Predictions (report, section 4)
+Drawing predicted_time(const Study& study);                  // 4-1
+Drawing predicted_force_on_load_cell(const Study& study);    // 4-2
+Drawing predicted_force_on_plate(const Study& study);        // 4-3
+Drawing predicted_rebound_on_load_cell(const Study& study);  // 4-4
+Drawing predicted_rebound_on_plate(const Study& study);      // 4-5
+
+// --- Shared by them ---
+
+/// Colours and shapes that mean the same in all figures.
+namespace turn {
+inline constexpr std::size_t accurate = 0, printed_1984 = 1, report = 2, second = 3, mended_1984 = 4,
+                             first_slope = 5, measured = 6;
+}  // namespace turn
+
+/// The tests of a projectile on a support.
+struct TestGroup {
+  Projectile projectile = Projectile::aluminium;
+  TestSupport support = TestSupport::load_cell;
+};
+
+namespace test_group {
+inline constexpr TestGroup aluminium{Projectile::aluminium, TestSupport::load_cell};
+inline constexpr TestGroup steel{Projectile::steel, TestSupport::load_cell};
+inline constexpr TestGroup on_plate{Projectile::aluminium, TestSupport::plate};
+}  // namespace test_group
+
+/// Speeds that the figures show, mph.
+inline constexpr double least_speed = 9, greatest_speed = 21;
+
+/// A panel over the initial speed, from zero.
+Panel speed_panel(const std::string& title, const std::string& label);
+Panel speed_panel(const std::string& title, Quantity quantity);
+/// One for each projectile on the load cell.
+std::vector<Panel> both_projectiles(const std::function<Panel(const char* title, TestGroup group)>& panel_of);
+
+void add(Panel& panel, std::vector<Series> series);
+
+/// The certain readings over speed.
+Series measured_points(const Study& study, TestGroup group, Quantity quantity, const std::string& label,
+                       std::size_t turn);
+
+/// The predictions of programs over speed at the radius that the report simulated with, a line, for the
+/// program of 1984 points; for the accurate solver also at the favoured radius, dashed, and with a band over
+/// the radii.
+std::vector<Series> predicted_lines(const Study& study, const std::vector<Program>& shown, TestGroup group,
+                                    Quantity quantity);
+
+/// A function over an even grid.
+Series function_line(const std::string& label, std::size_t turn, double low, double high,
+                     const std::function<double(double)>& value, SeriesStyle style = SeriesStyle::line);
+/// The same over all speeds.
+Series speed_line(const std::string& label, std::size_t turn, const std::function<double(double)>& value,
+                  SeriesStyle style = SeriesStyle::line);
+
+/// The trend of Eq. 36 as peak force over speed (curve "A") or its estimate for the plate (curve "B"); dashed
+/// below the energies for which the trend was fitted.
+std::vector<Series> curve_a(const Study& study, Projectile projectile, std::size_t turn);
+std::vector<Series> curve_b(const Study& study, Projectile projectile, std::size_t turn);
+inline constexpr const char* curve_note =
+    "Curves A and B are dashed below 300 in·lb, where Eq. 36 was not fitted; curve A of the aluminium "
+    "projectile has a tail through tests 1 and 24 there. ";
+
+const MeasuredTest& test_of(const Study& study, int number);
+
+/// "16 readings of peak force whose test is lost are left out." Empty if there are none.
+std::string lost_readings(const Study& study, const std::string& column, const std::string& what);
+
+/// Which radii the predictions are at, and why.
+std::string radius_note(const Study& study);
+
+}  // namespace dashpad::report1986
