@@ -11,7 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "dashpad/impact/blows.hpp"
+#include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/input/fault.hpp"

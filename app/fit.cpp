@@ -15,7 +15,7 @@
 #include "input/measurement/measurement_text.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
-#include "quantities/fingerprint.hpp"
+#include "quantities/text.hpp"
 #include "study/stop_signal.hpp"
 
 namespace dashpad::app {

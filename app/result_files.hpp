@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "command.hpp"
-#include "dashpad/impact/blows.hpp"
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/impact/solve.hpp"
 #include "dashpad/input/input_file.hpp"
 #include "documents.hpp"
 

@@ -7,7 +7,6 @@
 
 #include "cases.hpp"
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/impact/solver.hpp"
 #include "model/contact/column_field.hpp"
 
 namespace dashpad::bench {

@@ -7,8 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "dashpad/injury/hic.hpp"
-#include "dashpad/injury/severity_index.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 namespace dashpad::bench {
 namespace {

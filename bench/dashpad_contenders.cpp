@@ -7,7 +7,6 @@
 
 #include "contenders.hpp"
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/impact/solver.hpp"
 #include "fixed_run.hpp"
 
 namespace dashpad::bench {

@@ -12,8 +12,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/injury/dwell.hpp"
-#include "dashpad/injury/hic.hpp"
+#include "dashpad/injury/metrics.hpp"
 #include "dashpad/input/iso_mme/iso_mme.hpp"
 #include "dashpad/input/measurement/pulse_csv.hpp"
 #include "progress_line.hpp"

@@ -8,9 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
 
 namespace dashpad {
+
 namespace {
 
 /// Adds a number of what `place` finds in a case, be the case constant or not: a nose, a law, a pad.
@@ -168,6 +170,13 @@ constexpr std::array<OtherWay, 2> all_other_ways{{
          }},
 }};
 
+template <class Owner>
+void add_fields(const std::string& table, std::vector<CaseField>& into) {
+  for (const Parameter<Owner>& parameter : Owner::parameters)
+    into.push_back({table, parameter.key, parameter.unit, rule_of(parameter.bounds, parameter.unit),
+                    parameter.left_out, parameter.of(Owner()), parameter.meaning});
+}
+
 }  // namespace
 
 std::span<const OtherWay> other_ways() { return all_other_ways; }
@@ -198,6 +207,19 @@ CaseQuantities::CaseQuantities(std::vector<CaseQuantity> all) : all_(std::move(a
 const CaseQuantity* CaseQuantities::find(const std::string& key) const {
   const auto place = places_.find(key);
   return place == places_.end() ? nullptr : &all_[place->second];
+}
+
+std::vector<CaseField> case_fields() {
+  std::vector<CaseField> all;
+  add_fields<Impactor>("impactor", all);
+  add_fields<Pad>("pad", all);
+  add_fields<PadCondition>("pad", all);
+  add_fields<PadLayer>("pad.layers", all);
+  add_fields<PadCondition>("pad.layers", all);
+  add_fields<Backing>("support", all);
+  add_fields<Blows>("blows", all);
+  add_fields<Options>("solver", all);
+  return all;
 }
 
 }  // namespace dashpad

@@ -6,8 +6,7 @@
 #include <stdexcept>
 
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/injury/hic.hpp"
-#include "dashpad/injury/peak.hpp"
+#include "dashpad/injury/metrics.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
 #include "fit/impact_residuals.hpp"
 #include "fit/met.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dashpad/fit/report.hpp"
-#include "dashpad/model/pad/uncertainty.hpp"
+#include "dashpad/model/pad/material.hpp"
 #include "fit/determine.hpp"
 #include "fit/problem.hpp"
 #include "fit/session.hpp"

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "dashpad/case/case_quantity.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "dashpad/study/application.hpp"
 #include "fit/met.hpp"
 #include "fit/problem.hpp"
-#include "quantities/special_numbers.hpp"
 
 namespace dashpad::fit {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "dashpad/quantities/constants.hpp"
 #include "fit/fit_tables.hpp"
-#include "quantities/special_numbers.hpp"
 
 namespace dashpad::fit {
 

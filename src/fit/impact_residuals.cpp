@@ -11,11 +11,9 @@
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/impact/solver.hpp"
-#include "dashpad/injury/clip.hpp"
+#include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/figures.hpp"
-#include "dashpad/injury/hic.hpp"
-#include "dashpad/injury/peak.hpp"
+#include "dashpad/injury/metrics.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
 #include "fit/problem.hpp"
 #include "fit/smooth_curve.hpp"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/fit/fit.hpp"
-#include "dashpad/injury/hic.hpp"
+#include "dashpad/injury/metrics.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
 
 namespace dashpad::fit {

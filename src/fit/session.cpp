@@ -11,7 +11,7 @@
 
 #include "fit/problem.hpp"
 #include "input/measurement/measurement_text.hpp"
-#include "quantities/fingerprint.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::fit {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "dashpad/input/measurement/stress_strain_csv.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "fit/fit_tables.hpp"
-#include "quantities/special_numbers.hpp"
 
 namespace dashpad::fit {
 

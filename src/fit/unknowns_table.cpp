@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "dashpad/case/case_quantity.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "dashpad/study/application.hpp"
 #include "fit/fit_tables.hpp"
-#include "quantities/special_numbers.hpp"
 
 namespace dashpad::fit {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <type_traits>
 
-#include "impact/layers.hpp"
+#include "impact/contacts.hpp"
 #include "impact/neighbours.hpp"
 #include "model/contact/column_field.hpp"
 #include "model/contact/curve_contact.hpp"
@@ -96,22 +96,34 @@ void look_at(const ColumnField<Law>& field, double penetration, const Sections& 
               edge < nose.depth ? 0 : field.column(pressing - 1).stress);
 }
 
-template <class Law>
-std::vector<ContactSnapshot> replayed(const Law& law, const ImpactCase& impact, const History& history) {
-  const double thickness = impact.pad.thickness;
-  const Sections nose = sections_of(impact);
-  ColumnField<Law> field(law, thickness, nose, ColumnMath::plain);
-  field.start(resolution, *std::max_element(history.penetration.begin(), history.penetration.end()));
+/// Leads a contact that locks at a penetration through the history; `look(entry, snapshot)` adds its columns.
+template <IsContact Contact, class Look>
+std::vector<ContactSnapshot> replayed(const ImpactCase& impact, const History& history, Contact& contact,
+                                      double lock, Look&& look) {
   std::vector<ContactSnapshot> snapshots;
   std::size_t now = 0;
   for (const std::size_t entry : chosen_entries(history)) {
-    replay(history, now, entry, field);
+    replay(history, now, entry, contact);
     ContactSnapshot snapshot = empty_snapshot(impact, history, entry);
-    snapshot.determined = history.penetration[entry] < field.lock_penetration() * (1 - 1e-12);
-    look_at(field, history.penetration[entry], nose, thickness, snapshot);
+    snapshot.determined = history.penetration[entry] < lock * (1 - 1e-12);
+    look(history.penetration[entry], snapshot);
     if (snapshot.radius.size() > 1) snapshots.push_back(std::move(snapshot));
   }
   return snapshots;
+}
+
+double deepest(const History& history) { return *std::ranges::max_element(history.penetration); }
+
+template <class Law>
+std::vector<ContactSnapshot> from_columns(const Law& law, const ImpactCase& impact, const History& history) {
+  const double thickness = impact.pad.thickness;
+  const Sections nose = sections_of(impact);
+  ColumnField<Law> field(law, thickness, nose, ColumnMath::plain);
+  field.start(resolution, deepest(history));
+  return replayed(impact, history, field, field.lock_penetration(),
+                  [&](double penetration, ContactSnapshot& snapshot) {
+                    look_at(field, penetration, nose, thickness, snapshot);
+                  });
 }
 
 std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const ImpactCase& impact,
@@ -120,34 +132,22 @@ std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const Impact
   const Sections nose = sections_of(impact);
   FoamContact contact(law, thickness, nose, 1, ColumnMath::vector, impact.pad.earlier_penetration);
   contact.start(resolution, thickness);
-  std::vector<ContactSnapshot> snapshots;
-  std::size_t now = 0;
-  for (const std::size_t entry : chosen_entries(history)) {
-    replay(history, now, entry, contact);
-    ContactSnapshot snapshot = empty_snapshot(impact, history, entry);
-    snapshot.determined =
-        history.penetration[entry] < (contact.crater() + contact.lock_penetration()) * (1 - 1e-12);
+  const auto look = [&](double, ContactSnapshot& snapshot) {
     const double edge = contact.contact_radius();
     for (int k = 0; k <= most_points && edge > 0; ++k) {
       const double radius = edge * k / most_points;
       const auto column = contact.column(nose.depth_at(radius));
       add_point(snapshot, radius, std::max(column.strain, 0.0), column.stress);
     }
-    if (snapshot.radius.size() > 1) snapshots.push_back(std::move(snapshot));
-  }
-  return snapshots;
+  };
+  return replayed(impact, history, contact, contact.crater() + contact.lock_penetration(), look);
 }
 
 std::vector<ContactSnapshot> from_layers(const ImpactCase& impact, const History& history) {
   const Sections nose = sections_of(impact);
   LayeredContact contact(layers_of(impact.pad), nose);
-  contact.start(resolution, *std::max_element(history.penetration.begin(), history.penetration.end()));
-  std::vector<ContactSnapshot> snapshots;
-  std::size_t now = 0;
-  for (const std::size_t entry : chosen_entries(history)) {
-    replay(history, now, entry, contact);
-    ContactSnapshot snapshot = empty_snapshot(impact, history, entry);
-    snapshot.determined = history.penetration[entry] < contact.lock_penetration() * (1 - 1e-12);
+  contact.start(resolution, deepest(history));
+  const auto look = [&](double penetration, ContactSnapshot& snapshot) {
     // Below a flat tip all is as on the axis.
     if (nose.tip > 0 && contact.column(0).stress > 0)
       add_point(snapshot, 0, contact.column(0).strain, contact.column(0).stress);
@@ -156,11 +156,10 @@ std::vector<ContactSnapshot> from_layers(const ImpactCase& impact, const History
         add_point(snapshot, nose.radius(column.depth), column.strain, column.stress);
     if (const double edge = contact.contact_radius();
         !snapshot.radius.empty() && edge > snapshot.radius.back())
-      add_point(snapshot, edge, (history.penetration[entry] - nose.depth_at(edge)) / impact.pad.thickness,
+      add_point(snapshot, edge, (penetration - nose.depth_at(edge)) / impact.pad.thickness,
                 nose.depth_at(edge) < nose.depth ? 0 : snapshot.stress.back());
-    if (snapshot.radius.size() > 1) snapshots.push_back(std::move(snapshot));
-  }
-  return snapshots;
+  };
+  return replayed(impact, history, contact, contact.lock_penetration(), look);
 }
 
 /// Without memory the stress is the curve's. A foam that does not recover is off its curve once its
@@ -208,7 +207,7 @@ std::vector<ContactSnapshot> contact_snapshots(const ImpactCase& impact, const H
         else if constexpr (SharesSlip<Law>)
           return from_foam(law, impact, history);
         else
-          return replayed(law, impact, history);
+          return from_columns(law, impact, history);
       },
       scaled(impact.pad.material.law, stress_factor(impact.pad.condition, impact.pad.material)));
 }

@@ -7,7 +7,6 @@
 #include <variant>
 
 #include "dashpad/impact/impact_case.hpp"
-#include "impact/layers.hpp"
 #include "impact/neighbours.hpp"
 #include "model/contact/column_field.hpp"
 #include "model/contact/curve_contact.hpp"
@@ -15,8 +14,20 @@
 #include "model/contact/layered_contact.hpp"
 #include "model/contact/nine_parameter_contact.hpp"
 #include "model/contact/with_neighbours.hpp"
+#include "model/pad/layer/layer_law.hpp"
 
 namespace dashpad {
+
+// The layers of a case as a contact takes them.
+
+/// The layers must be sound.
+inline LayeredContact::Parts layers_of(const Pad& pad) {
+  LayeredContact::Parts parts;
+  for (const PadLayer& layer : pad.layers)
+    parts.push_back({layer.thickness, layer_law(layer.material.law).value(),
+                     stress_factor(layer.condition, layer.material)});
+  return parts;
+}
 
 class Contacts {
  public:

@@ -10,15 +10,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "dashpad/quantities/constants.hpp"
 #include "impact/motion.hpp"
 #include "impact/numerics.hpp"
 #include "impact/predictor.hpp"
-#include "impact/root.hpp"
 #include "impact/trial.hpp"
 #include "model/contact/contact.hpp"
+#include "model/root.hpp"
 
 namespace dashpad {
 
@@ -61,7 +61,7 @@ class Equilibrium {
     double advance = guess(step, predictor, at.slope);
     if (!(advance < 0)) advance = std::min(predictor.pad_rate(), -std::abs(speed_to_back())) * step / 2;
     RootSearch search;
-    search.low = -std::numeric_limits<double>::infinity();
+    search.low = -infinite;
     search.high = 0;
     search.high_is_positive = now().drive < 0;
     search.guess = advance;
@@ -101,7 +101,7 @@ class Equilibrium {
     const double travel = std::abs(speed_to_back()) * step;
     const double scale = std::abs(reach(now())) + travel;
     RootSearch search;
-    search.low = -std::numeric_limits<double>::infinity();
+    search.low = -infinite;
     search.high = std::max(now().force, 0.0) + 2 * (travel + scale) / flexibility;
     search.guess = now().force + motion_.approach(step, false) / flexibility;
     search.slope = flexibility;

@@ -2,24 +2,26 @@
 /// Where within a step something happens: regula falsi with halved end values (Illinois). The values may jump
 /// to a bound where no step exists.
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include "dashpad/quantities/constants.hpp"
 
 namespace dashpad {
 
 struct EventSearch {
-  double step = 0;                                             ///< by which it has happened
-  double precision = 0;                                        ///< of the answer
-  double value_now = std::numeric_limits<double>::infinity();  ///< > 0
-  double value_then = 0;                                       ///< at `step`, <= 0
-  /// Where it is expected, for a step without a solution, whose value is below -1e250.
-  double guess = std::numeric_limits<double>::infinity();
+  double step = 0;              ///< by which it has happened
+  double precision = 0;         ///< of the answer
+  double value_now = infinite;  ///< > 0
+  double value_then = 0;        ///< at `step`, <= 0; -infinite where that step has no solution
+  double guess = infinite;      ///< where it is expected, if that step has none
 };
 
 /// A step before the event, where value_at(step) > 0 or the step is 0, and one after it.
 template <class Value>
 std::pair<double, double> bracket_event(Value&& value_at, const EventSearch& search) {
+  constexpr double largest = 1e300;  // value to interpolate with
   double low = 0;
   double high = search.step;
   double f_low = search.value_now;
@@ -27,14 +29,15 @@ std::pair<double, double> bracket_event(Value&& value_at, const EventSearch& sea
   int side = 0;
   double before = high;
   for (int i = 0; i < 80 && high - low > search.precision; ++i) {
-    double x = (f_low * high - f_high * low) / (f_low - f_high);
+    const bool is_nowhere = f_high == -infinite;
+    double x = is_nowhere ? low : (f_low * high - f_high * low) / (f_low - f_high);
     // Where the guesses have settled, one just beyond the event closes the bracket.
     if (std::abs(x - before) < search.precision / 50) x += (side == 1 ? 1 : -1) * search.precision / 25;
     before = x;
     // No solution at the far end is no number to interpolate with: first the guess, then halves.
-    if (f_high < -1e250) x = i == 0 ? search.guess : std::numeric_limits<double>::infinity();
+    if (is_nowhere) x = i == 0 ? search.guess : infinite;
     if (!(x > low && x < high) || i % 8 == 7) x = low + (high - low) / 2;
-    const double f = value_at(x);
+    const double f = std::min(value_at(x), largest);
     if (f > 0) {
       low = x, f_low = f;
       if (side == 1) f_high /= 2;

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
+#include "dashpad/quantities/constants.hpp"
 #include "impact/numerics.hpp"
 #include "impact/trial.hpp"
 #include "model/support/foundation.hpp"
@@ -60,7 +60,7 @@ struct EventKind {
 
 namespace event_rules {
 
-inline constexpr double far_beyond = -std::numeric_limits<double>::infinity();
+inline constexpr double far_beyond = -infinite;
 
 inline bool always(const Sight&) { return true; }
 inline double force(const Sight& s) { return s.trial.end.force; }
@@ -194,6 +194,45 @@ inline FirstEvent first_event(const Sight& sight) {
     case Phase::over: break;
   }
   return {};
+}
+
+// The phase that follows an event (theory.md, section 4). With `is_driven` and `has_unloading_step`, which
+// tell how far a branch goes, all there is of rules about branches.
+//
+// The rate that satisfies equilibrium has up to three values; the drive (Eq. 26) says which of them the
+// limit of a vanishing dashpot takes.
+
+/// What an impact is made of, as far as branches go.
+struct BranchConditions {
+  bool pad_recovers = true;  ///< the pad follows its law back; if not, it holds its deformation
+  bool stops_hard = false;   ///< Foundation::stops_hard()
+  bool rigid_support = false;
+  bool back_is_waited_for = false;  ///< it may come after the impactor, or still goes away from it
+};
+
+/// `drive` is that of the state now, m/s. Phase::over: the run ends.
+inline Phase phase_after(Event event, Phase now, double drive, BranchConditions conditions) {
+  const Phase by_drive = drive > 0 ? Phase::loading : Phase::unloading;
+  switch (event) {
+    case Event::release: return conditions.back_is_waited_for ? Phase::flight : Phase::over;
+    case Event::parting: return Phase::over;
+    case Event::lock: return conditions.stops_hard ? Phase::over : Phase::held;
+    case Event::turning:
+      if (conditions.pad_recovers) return Phase::unloading;
+      return conditions.rigid_support ? Phase::over : Phase::held;
+    case Event::touch:
+    case Event::yielding:
+    case Event::reloading: return Phase::loading;
+    case Event::unlock: return by_drive;
+    case Event::support_turning:
+    case Event::corner:
+    case Event::joining:
+    case Event::rate_corner:
+    case Event::landing:
+    case Event::closing:
+    case Event::none: break;
+  }
+  return now;
 }
 
 }  // namespace dashpad

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/toms748_solve.hpp>
-#include <cstdint>
+
+#include "model/root.hpp"
 
 namespace dashpad {
 namespace {
@@ -75,12 +75,14 @@ class ForceCurve {
 Moment where_force_falls_below(double level, const Track& track, std::size_t i, const Impactor& impactor) {
   const History& h = track.history;
   const ForceCurve force(track, i);
-  std::uintmax_t most = 60;
-  const auto excess = [&](double t) { return force.at(t) - level; };
-  const auto [low, high] = boost::math::tools::toms748_solve(
-      excess, h.time[i], h.time[i + 1], h.force[i] - level, h.force[i + 1] - level,
-      boost::math::tools::eps_tolerance<double>(40), most);
-  const double time = (low + high) / 2;
+  constexpr int bits = 40;
+  const RootBracket found = narrowed(
+      {.low = h.time[i],
+       .high = h.time[i + 1],
+       .f_low = h.force[i] - level,
+       .f_high = h.force[i + 1] - level},
+      [&](double t) { return force.at(t) - level; }, bits);
+  const double time = (found.low + found.high) / 2;
   const double duration = time - h.time[i];
   const double impulse = duration / 6 * (h.force[i] + 4 * force.at(time - duration / 2) + force.at(time));
   return {time, h.velocity[i] - impulse / impactor.mass + impactor.gravity * duration};

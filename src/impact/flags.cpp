@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "model/plain_number.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad {
 
@@ -50,7 +50,7 @@ constexpr std::array all_flags{
 std::string missed_tolerance(const Summary& summary) {
   const std::string asked =
       std::isfinite(summary.tolerance) ? fmt::format("{:.2g} %", 100 * summary.tolerance) : "unknown";
-  return fmt::format("TOLERANCE NOT MET: asked for {}; the errors may be larger than estimated", asked);
+  return fmt::format("asked for {}; the errors may be larger than estimated", asked);
 }
 
 std::string bottoming(const Summary& summary) {
@@ -68,14 +68,14 @@ double energy_gained(const Summary& summary) { return -summary.energy_absorbed_f
 
 std::string gain(const Summary& summary) {
   return fmt::format(
-      "ENERGY GAINED: the pad gave back {:.2g} % of the impact energy more than it took, as no foam does; "
+      "the pad gave back {:.2g} % of the impact energy more than it took, as no foam does; "
       "the law does not exclude it",
       100 * energy_gained(summary));
 }
 
 std::string pushing_back(const Summary& summary) {
   return fmt::format(
-      "PEAK ON THE WAY BACK: going in, the force reached {:.4g} N; then the pad sprang open and pushed the "
+      "going in, the force reached {:.4g} N; then the pad sprang open and pushed the "
       "harder the faster it did, as no foam does: the law takes the size of the strain rate, not its sign",
       summary.force_on_way_in);
 }
@@ -85,9 +85,8 @@ std::string series_cut(const Summary& summary) {
   const char* const why = !summary.trustworthy()                 ? "misses the tolerance"
                           : summary.status == Status::time_limit ? "had not ended by the time limit"
                                                                  : "closed the pad";
-  return fmt::format(
-      "SERIES CUT: blow {} of {} {}, and what it leaves behind is not known; no further blow was computed",
-      summary.blow, summary.blows, why);
+  return fmt::format("blow {} of {} {}, and what it leaves behind is not known; no further blow was computed",
+                     summary.blow, summary.blows, why);
 }
 
 /// A pad of which next to nothing was left, or the layers in the order in which they were struck through;
@@ -95,11 +94,10 @@ std::string series_cut(const Summary& summary) {
 std::optional<Flag> striking_through(const Summary& summary) {
   const char* const name = "STRUCK THROUGH";
   if (summary.layers.empty() && !summary.bottomed && is_struck_through(summary.peak_strain, 1))
-    return Flag{
-        name,
-        "STRUCK THROUGH: less than a thousandth of the pad was left, which no test of a foam reaches; "
-        "forces and accelerations are not to be relied on",
-        {{"peak_strain", summary.peak_strain}}};
+    return flag_of(name,
+                   "less than a thousandth of the pad was left, which no test of a foam reaches; forces and "
+                   "accelerations are not to be relied on",
+                   {{"peak_strain", summary.peak_strain}});
   std::vector<std::pair<double, std::size_t>> layers;
   for (std::size_t i = 0; i < summary.layers.size(); ++i)
     if (const auto& time = summary.layers[i].struck_through) layers.emplace_back(*time, i + 1);
@@ -111,13 +109,12 @@ std::optional<Flag> striking_through(const Summary& summary) {
     figures.push_back({fmt::format("layer_{}_s", layer), time});
     text += fmt::format("{}layer {} at {:.4g} ms", text.empty() ? "" : ", then ", layer, 1e3 * time);
   }
-  return Flag{name, fmt::format("STRUCK THROUGH: {}; from then on the others alone gave way", text),
-              std::move(figures)};
+  return flag_of(name, text + "; from then on the others alone gave way", std::move(figures));
 }
 
 std::string softening(const Summary& summary) {
   return fmt::format(
-      "SOFTENING: the curve at {} per second falls behind its yield; a real foam may then crush layer by "
+      "the curve at {} per second falls behind its yield; a real foam may then crush layer by "
       "layer, which a column of one strain does not show",
       plain_number(summary.softening_rates.front()));
 }
@@ -167,17 +164,16 @@ std::optional<Flag> extrapolation_flag(const Summary& summary, const Extrapolati
                                        const std::vector<std::string>& decisive) {
   const std::string name = name_of(of.beyond);
   const Source source = of.beyond == Beyond::strain ? Source::continuation : Source::rate;
-  const Flag plain{name, name + ": " + of.text};
   const auto& intervals = summary.intervals;
   if (of.beyond == Beyond::other || !intervals || intervals->figures.empty() || !intervals->find(source))
-    return plain;
+    return flag_of(name, of.text);
   const Effect effect = effect_of(source, *intervals, decisive);
   if (effect.largest() <= worth_saying) return std::nullopt;
-  return Flag{name,
-              plain.text + "; " + words_of(effect) +
-                  (of.beyond == Beyond::strain ? " by how it goes on there, which is a guess"
-                                               : " if the stress follows the rate otherwise there"),
-              {{effect.key + "_lower_fraction", effect.down}, {effect.key + "_higher_fraction", effect.up}}};
+  const char* const by = of.beyond == Beyond::strain ? " by how it goes on there, which is a guess"
+                                                     : " if the stress follows the rate otherwise there";
+  return flag_of(
+      name, of.text + "; " + words_of(effect) + by,
+      {{effect.key + "_lower_fraction", effect.down}, {effect.key + "_higher_fraction", effect.up}});
 }
 
 }  // namespace
@@ -228,49 +224,54 @@ Severity severity_of(std::string_view name) {
   return found == all_flags.end() ? Severity::doubtful : found->severity;
 }
 
+Flag flag_of(const std::string& name, std::string_view words, std::vector<FlagFigure> figures) {
+  return {name, fmt::format("{}: {}", name, words), std::move(figures)};
+}
+
 std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& decisive) {
   std::vector<Flag> all;
+  const auto add = [&all](const char* name, std::string_view words, std::vector<FlagFigure> figures = {}) {
+    all.push_back(flag_of(name, words, std::move(figures)));
+  };
   if (summary.status == Status::not_run)
-    all.push_back({"NOT RUN", "NOT RUN: nothing was computed"});
+    add("NOT RUN", "nothing was computed");
   else if (!summary.trustworthy())
-    all.push_back({"TOLERANCE NOT MET", missed_tolerance(summary), {{"tolerance", summary.tolerance}}});
+    add("TOLERANCE NOT MET", missed_tolerance(summary), {{"tolerance", summary.tolerance}});
   if (summary.status == Status::time_limit)
-    all.push_back(
-        {"TIME LIMIT", "TIME LIMIT: the impactor was still on the pad when the time limit was reached"});
+    add("TIME LIMIT", "the impactor was still on the pad when the time limit was reached");
   if (summary.status != Status::not_run && is_cut(summary))
-    all.push_back({"PULSE CUT",
-                   "PULSE CUT: the pulse ends before the force has returned to zero; HIC, clips and the "
-                   "duration of the whole pulse are not known"});
+    add("PULSE CUT",
+        "the pulse ends before the force has returned to zero; HIC, clips and the duration of the whole "
+        "pulse "
+        "are not known");
   if (summary.speed_to_sheet > 0)
-    all.push_back(
-        {"SHEET STRUCK FLAT",
-         fmt::format("SHEET STRUCK FLAT: the flat nose loses {:.2g} m/s to the sheet at first contact, in "
-                     "a blow that no force or acceleration here shows",
-                     summary.speed_to_sheet),
-         {{"speed_lost_m_per_s", summary.speed_to_sheet}}});
+    add("SHEET STRUCK FLAT",
+        fmt::format(
+            "the flat nose loses {:.2g} m/s to the sheet at first contact, in a blow that no force or "
+            "acceleration here shows",
+            summary.speed_to_sheet),
+        {{"speed_lost_m_per_s", summary.speed_to_sheet}});
   if (summary.still_sinking)
-    all.push_back(
-        {"STILL SINKING",
-         fmt::format("STILL SINKING: the pad creeps on; the impactor counts as at rest at {:.2g} mm/s, and "
-                     "its penetration and displacement are those so far",
-                     1e3 * summary.rest->velocity),
-         {{"velocity_m_per_s", summary.rest->velocity}}});
+    add("STILL SINKING",
+        fmt::format(
+            "the pad creeps on; the impactor counts as at rest at {:.2g} mm/s, and its penetration and "
+            "displacement are those so far",
+            1e3 * summary.rest->velocity),
+        {{"velocity_m_per_s", summary.rest->velocity}});
   if (gained_energy(summary))
-    all.push_back({"ENERGY GAINED", gain(summary), {{"energy_gained_fraction", energy_gained(summary)}}});
+    add("ENERGY GAINED", gain(summary), {{"energy_gained_fraction", energy_gained(summary)}});
   if (summary.force_on_way_in > 0)
-    all.push_back(
-        {"PEAK ON THE WAY BACK", pushing_back(summary), {{"force_on_way_in_N", summary.force_on_way_in}}});
+    add("PEAK ON THE WAY BACK", pushing_back(summary), {{"force_on_way_in_N", summary.force_on_way_in}});
   if (summary.bottomed)
     all.push_back({"BOTTOMED",
                    bottoming(summary),
                    {{"time_s", summary.bottomed->time}, {"velocity_m_per_s", summary.bottomed->velocity}}});
   if (is_series_cut(summary))
-    all.push_back({"SERIES CUT",
-                   series_cut(summary),
-                   {{"blow", double(summary.blow)}, {"blows", double(summary.blows)}}});
+    add("SERIES CUT", series_cut(summary),
+        {{"blow", double(summary.blow)}, {"blows", double(summary.blows)}});
   if (std::optional<Flag> flag = striking_through(summary)) all.push_back(*std::move(flag));
   if (!summary.softening_rates.empty())
-    all.push_back({"SOFTENING", softening(summary), {{"rate_per_s", summary.softening_rates.front()}}});
+    add("SOFTENING", softening(summary), {{"rate_per_s", summary.softening_rates.front()}});
   for (const Extrapolation& of : summary.extrapolations)
     if (std::optional<Flag> flag = extrapolation_flag(summary, of, decisive)) all.push_back(*std::move(flag));
   if (summary.intervals && !summary.intervals->warning.empty())

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "dashpad/quantities/constants.hpp"
 #include "model/pad/layer/layer_law.hpp"
 
 #include "model/parameter_values.hpp"
@@ -57,7 +57,7 @@ void check_rules(const Profile& profile, std::vector<Violation>& broken) {
          fault.rule});
   }
   if (!faults.empty() || !Profile::parameters[0].bounds.contain(profile.scale)) return;
-  const double widest = profile.sections().radius(std::numeric_limits<double>::infinity());
+  const double widest = profile.sections().radius(infinite);
   check(broken, list, widest, lengths, "m", "the widest radius must be ");
   check(broken, list, profile.scale * profile.points.back().depth, lengths, "m", "the last depth must be ");
 }

@@ -8,11 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
-#include "impact/branch.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "impact/equilibrium.hpp"
 #include "impact/event_search.hpp"
 #include "impact/events.hpp"
@@ -23,7 +22,6 @@
 #include "impact/sheet.hpp"
 #include "impact/step_control.hpp"
 #include "impact/swing.hpp"
-#include "impact/track.hpp"
 #include "model/contact/contact.hpp"
 #include "model/contact/station_layout.hpp"
 #include "model/support/foundation.hpp"
@@ -59,9 +57,8 @@ class March {
   March& operator=(const March&) = delete;
 
   struct Bounds {
-    double expected =
-        std::numeric_limits<double>::infinity();  ///< peak penetration, m, as far as it is known
-    double most_work = std::numeric_limits<double>::infinity();  ///< after which the run is given up, s
+    double expected = infinite;   ///< peak penetration, m, as far as it is known
+    double most_work = infinite;  ///< after which the run is given up, s
   };
   /// Runs the impact with steps of about `resolution` radians of the momentary oscillation.
   Figures run(double resolution, Track& track, Bounds bounds = {}) {
@@ -80,8 +77,9 @@ class March {
       if (next.event != Event::none && phase_ != Phase::over) track.begin_stretch();
       if (phase_ != phase_before && !foundation_.is_plain()) jump_from(phase_before);
       control_.learn(phase_, now_, predictor_);
-      step = std::min(control_.next(phase_, motion_, predictor_, now_.time - turning_time_),
-                      options_.time_limit - now_.time);
+      step =
+          std::min(control_.next(phase_, motion_, predictor_, {now_.time - turning_time_, has_just_turned_}),
+                   options_.time_limit - now_.time);
     }
     return read_figures(track);
   }
@@ -106,7 +104,8 @@ class March {
     idle_ = moments_ = 0;
     foundation_.start();
     swing_ = {};
-    turning_time_ = std::numeric_limits<double>::infinity();
+    turning_time_ = infinite;
+    has_just_turned_ = false;
     contact_.start(resolution, expected);
     if constexpr (RemembersBlows<Contact>) joint_ = contact_.joint();
     motion_.start(impactor_.speed, phase_ == Phase::held ? at_once : strength);
@@ -122,8 +121,7 @@ class March {
     const auto force_of = [&](double y, double step) { return contact_.trial(y, 0, step).force - strength; };
     // A pad on a damper may give way, as to a shock, long before the two have come anywhere.
     const bool gives_way_first = !memoryless && foundation_.kind() == Foundation::Kind::damper;
-    const double most_force =
-        gives_way_first ? resolution * at_once : std::numeric_limits<double>::infinity();
+    const double most_force = gives_way_first ? resolution * at_once : infinite;
     const double step = control_.first_step(phase_, impactor_.speed, most_force, force_of, stiffness);
     predictor_.start(impactor_.speed, stiffness);
     control_.learn(phase_, now_, predictor_);
@@ -160,14 +158,14 @@ class March {
     return trial;
   }
   Trial attempt_as_it_is(double step) {
-    const Trial trial = phase_ == Phase::loading  ? equilibrium_.loading(step, predictor_)
-                        : phase_ == Phase::held   ? equilibrium_.held(step, predictor_)
-                        : phase_ == Phase::flight ? equilibrium_.released(step, predictor_)
-                                                  : equilibrium_.unloading(step, predictor_, just_turned());
+    const Trial trial = phase_ == Phase::loading ? equilibrium_.loading(step, predictor_)
+                        : phase_ == Phase::held  ? equilibrium_.held(step, predictor_)
+                        : phase_ == Phase::flight
+                            ? equilibrium_.released(step, predictor_)
+                            : equilibrium_.unloading(step, predictor_, has_just_turned_);
     predictor_.learn_from_try(trial);
     return trial;
   }
-  [[nodiscard]] bool just_turned() const { return now_.time == turning_time_; }
   [[nodiscard]] Sight sight(const Trial& trial, double corner = 0) {
     const bool is_pressed =
         phase_ == Phase::flight &&
@@ -279,11 +277,10 @@ class March {
     const Look far = by_attempt ? seen(first, beyond) : look(first, beyond.step, by_force);
     Trial before;
     Trial after = far.trial;
-    const auto value_of = [](const Look& look) { return std::clamp(look.value, -1e300, 1e300); };
     const auto value_at = [&](double step) {
       const Look found = look(first, step, by_force);
       (found.value > 0 ? before : after) = found.trial;
-      return value_of(found);
+      return found.value;
     };
     const bool turning = kind.event == Event::turning;
     const double share = turning && !memoryless ? numerics.turning_precision * resolution_
@@ -291,7 +288,7 @@ class March {
     EventSearch search;
     search.step = beyond.step;
     search.precision = std::max(share * beyond.step, numerics.rounding * (now_.time + beyond.step));
-    search.value_then = value_of(far);
+    search.value_then = far.value;
     if (turning && now_.drive > 0)
       search.value_now = now_.drive, search.guess = predictor_.time_to_turning(now_);
     bracket_event(value_at, search);
@@ -310,6 +307,7 @@ class March {
   void move_to(const State& end, double step, bool smooth) {
     foundation_.accept(now_.back, end.back, end.force, step, smooth);
     const double before = now_.velocity;
+    if (end.time > now_.time) has_just_turned_ = false;
     motion_.accept(end, step, smooth);
     if (impactor_.gravity == 0 || phase_ == Phase::flight) return;
     if (const std::optional<double> left = swing_.rest(before, now_, step, impactor_)) {
@@ -346,7 +344,7 @@ class March {
     predictor_.begin_phase(event, now_);
     if (event == Event::support_turning) foundation_.turn();
     if (event == Event::landing) motion_.land(foundation_.land(now_.back));
-    if (event == Event::closing) turning_time_ = now_.time;
+    if (event == Event::closing) turn();
     if (event == Event::release) {
       figures_.release = Moment{now_.time, now_.velocity};
       left_at_ = now_.penetration;
@@ -360,11 +358,16 @@ class March {
       if (event == Event::touch) contact_.meet_again();
     }
     if (event == Event::turning) {
-      turning_time_ = now_.time;
+      turn();
       // A rigid foam on a firm support has brought the impactor to rest on it.
       if (next == Phase::over && foundation_.backing().body_mass == 0) motion_.stop();
     }
     enter(next, event == Event::lock ? Ending::bottomed_out : Ending::released);
+  }
+
+  void turn() {
+    turning_time_ = now_.time;
+    has_just_turned_ = true;
   }
 
   /// The force jumps where a phase begins in which something else sets it.
@@ -482,10 +485,11 @@ class March {
   double resolution_ = 0;
   double most_work_ = 0;
   Phase phase_ = Phase::loading;
-  int idle_ = 0;             ///< turns of the loop since time last went on
-  int moments_ = 0;          ///< in which the pad was held, since a step was taken
-  double turning_time_ = 0;  ///< of the nose against the back of the pad, the last, s
-  double left_at_ = 0;       ///< penetration at the last release, m
+  int idle_ = 0;                  ///< turns of the loop since time last went on
+  int moments_ = 0;               ///< in which the pad was held, since a step was taken
+  double turning_time_ = 0;       ///< of the nose against the back of the pad, the last, s
+  bool has_just_turned_ = false;  ///< no time has passed since then
+  double left_at_ = 0;            ///< penetration at the last release, m
   Swing swing_;
   Figures figures_;
 };

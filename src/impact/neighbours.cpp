@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <type_traits>
+
+#include "dashpad/quantities/constants.hpp"
 
 namespace dashpad {
 namespace {
@@ -17,7 +18,7 @@ constexpr double smallest = 0.5;
 /// Of the axes of an ellipsoid across the motion, up to which it counts as round.
 constexpr double longest = 1.5;
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double never = infinite;
 
 /// A disc by its perimeter: 2 / a is the perimeter over the area.
 Tip flat_tip(double perimeter, double area, double thickness) {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "dashpad/impact/impact_case.hpp"
-#include "model/contact/column_factor.hpp"
+#include "model/contact/with_neighbours.hpp"
 
 namespace dashpad {
 

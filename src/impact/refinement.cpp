@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "dashpad/quantities/constants.hpp"
 #include "impact/numerics.hpp"
 
 namespace dashpad {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::infinity();
+constexpr double unknown = infinite;
 
 /// Calls visit(member of each) for every number of a run that is extrapolated.
 template <class Visit, class... Run>

@@ -55,4 +55,10 @@ class Refinement {
   double rebound_error_ = 0, bottomed_error_ = 0;  ///< of the last comparison alone
 };
 
+// The summary of an impact from the figures of its runs.
+
+/// All but steps and wall time. `finest`: the history of the finest run; `tolerance` that was asked for.
+Summary summarise(const ImpactCase& impact, const Refinement& refinement, const History& finest,
+                  double tolerance);
+
 }  // namespace dashpad

@@ -1,6 +1,4 @@
-#include "dashpad/impact/solver.hpp"
-
-#include <fmt/format.h>
+#include "dashpad/impact/solve.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -10,15 +8,17 @@
 #include <string>
 #include <utility>
 
-#include "impact/blow_series.hpp"
+#include <fmt/format.h>
+
+#include "dashpad/impact/flags.hpp"
 #include "impact/contacts.hpp"
+#include "impact/figures.hpp"
 #include "impact/march.hpp"
 #include "impact/numerics.hpp"
 #include "impact/refinement.hpp"
-#include "impact/summarise.hpp"
-#include "impact/track.hpp"
 
 namespace dashpad {
+
 namespace {
 
 void refuse_unsound(const ImpactCase& impact, bool law_is_sound, const Options& options) {
@@ -90,6 +90,31 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
   return refinement;
 }
 
+/// The first blow of a series, or the case itself.
+ImpactCase first_blow(const ImpactCase& series) {
+  ImpactCase blow = series;
+  blow.blows.reset();
+  return blow;
+}
+
+/// What the next blow meets (theory.md, Eq. 47): the only place where a state is carried from one blow to the
+/// next. Nothing after the last blow, and after one whose outcome does not say what it leaves behind; with a
+/// fixed number of runs its accuracy does not count.
+std::optional<ImpactCase> next_blow(const ImpactCase& series, const ImpactCase& blow, const Summary& summary,
+                                    const Options& options) {
+  const bool leaves_a_pad =
+      options.fixed_runs > 0 ? summary.release && !summary.bottomed : leaves_a_known_pad(summary);
+  if (summary.blow >= summary.blows || !leaves_a_pad) return std::nullopt;
+  ImpactCase next = blow;
+  if (blow_memory(blow.pad.material.law) != BlowMemory::none)
+    next.pad.earlier_penetration =
+        (1 - series.blows->recovery) * std::max(blow.pad.earlier_penetration, summary.peak_penetration);
+  // Below its preload a support stays where it is.
+  if (summary.support && summary.support->crushing_force > blow.backing.preload)
+    next.backing.earlier_force = std::max(blow.backing.earlier_force, summary.support->crushing_force);
+  return next;
+}
+
 }  // namespace
 
 struct Solver::Memory {
@@ -148,6 +173,16 @@ void Solver::solve_each_blow(const ImpactCase& impact, const Options& options, c
     visit(*blow, memory_->solution);
     blow = next_blow(impact, *blow, summary, options);
   }
+}
+
+Solution solve(const ImpactCase& impact, const Options& options) { return Solver().solve(impact, options); }
+
+std::vector<Blow> solve_blows(const ImpactCase& impact, const Options& options) {
+  std::vector<Blow> blows;
+  Solver().solve_each_blow(impact, options, [&](const ImpactCase& blow, const Solution& solution) {
+    blows.push_back({blow, solution});
+  });
+  return blows;
 }
 
 }  // namespace dashpad

@@ -5,16 +5,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/model/nose/sections.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "impact/motion.hpp"
 #include "impact/numerics.hpp"
 #include "impact/predictor.hpp"
 #include "model/support/foundation.hpp"
 
 namespace dashpad {
+
+/// When the nose last turned against the back of the pad.
+struct LastTurn {
+  double elapsed = 0;   ///< since then, s; below 0 if it has not turned
+  bool is_now = false;  ///< no time has passed since then
+};
 
 class StepControl {
  public:
@@ -30,7 +36,7 @@ class StepControl {
     resolution_ = resolution;
     lock_ = lock;
     largest_force_ = 0;
-    usual_ = std::numeric_limits<double>::infinity();
+    usual_ = infinite;
   }
 
   /// The first step, short against what the pad's stiffness over it allows; that is left in `pad_stiffness`.
@@ -73,10 +79,9 @@ class StepControl {
   void learn_force(double force) { largest_force_ = std::max(largest_force_, force); }
 
   /// The next step: grown from the last by no more than a half, and shorter where something is approached.
-  /// `since_turning`: time since the nose last turned against the back of the pad, below 0 if it has not.
   template <class Contact>
   [[nodiscard]] double next(Phase phase, const Motion<Contact>& motion, const Predictor& predictor,
-                            double since_turning) const {
+                            const LastTurn& turn) const {
     const State& now = motion.now();
     double step = usual_;
     const bool firm =
@@ -87,17 +92,17 @@ class StepControl {
                            (FollowsRate<Contact> || (!HasEnergy<Contact> && now.time < usual_));
     if (phase == Phase::loading && is_damped && motion.force_rate() > 0)
       step = std::min(step, damped_limit(predictor, now.time));
-    if (phase == Phase::unloading && firm && FollowsRate<Contact> && since_turning > 0)
-      step = std::min(step, logarithm_limit(since_turning));
+    if (phase == Phase::unloading && firm && FollowsRate<Contact> && turn.elapsed > 0)
+      step = std::min(step, logarithm_limit(turn.elapsed));
     if (phase == Phase::unloading) {
       step = std::min(step, end_of_unloading_limit(now, predictor));
       if (motion.force_rate() < 0) step = std::min(step, release_limit(now, motion.force_rate(), step));
     }
     // From rest against the panel the nose comes back at a rate that grows with the time.
-    if (phase == Phase::flight && now.drive > 0 && since_turning > 0)
-      step = std::min(step, std::max(numerics.closing * resolution_ * since_turning, resolution_ * usual_));
+    if (phase == Phase::flight && now.drive > 0 && turn.elapsed > 0)
+      step = std::min(step, std::max(numerics.closing * resolution_ * turn.elapsed, resolution_ * usual_));
     // On a firm support the pad turns at rate zero, about which the force has a power of the time.
-    const double last = since_turning == 0 && firm ? 0 : motion.last_step();
+    const double last = turn.is_now && firm ? 0 : motion.last_step();
     return std::min(numerics.growth * std::max(last, resolution_ * usual_), step);
   }
 
@@ -109,7 +114,7 @@ class StepControl {
       double squared = foundation_.square_frequency(state.back, state.force, pad_stiffness, held, mass_);
       if (!held)
         squared = std::max(squared, foundation_.square_settling(state.back, pad_stiffness, pad_rate));
-      return squared > 0 ? resolution_ / std::sqrt(squared) : std::numeric_limits<double>::infinity();
+      return squared > 0 ? resolution_ / std::sqrt(squared) : infinite;
     }
     const double compliance = foundation_.static_compliance(state.back, state.force);
     const double stiffness = held ? 1 / compliance : 1 / (1 / pad_stiffness + compliance);
@@ -120,8 +125,7 @@ class StepControl {
   }
   /// Penetration over which the area of the contact changes, m; the longer the more of it a flat tip has.
   [[nodiscard]] double widening(double penetration) const {
-    return share_of_side_ > 0 ? (nose_.depth + penetration) / share_of_side_
-                              : std::numeric_limits<double>::infinity();
+    return share_of_side_ > 0 ? (nose_.depth + penetration) / share_of_side_ : infinite;
   }
   [[nodiscard]] double gap_limit(const State& state, double pad_stiffness, double pad_rate) const {
     const double gap = lock_ - state.penetration;
@@ -133,7 +137,7 @@ class StepControl {
   }
   [[nodiscard]] double turning_limit(const State& now, const Predictor& predictor, bool follows_rate) const {
     const double left = predictor.time_to_turning(now);
-    if (!(left > 0)) return std::numeric_limits<double>::infinity();
+    if (!(left > 0)) return infinite;
     double step = numerics.towards_turning * left;
     if (follows_rate) step = std::min(step, logarithm_limit(left));
     return std::max(step, resolution_ * usual_);
@@ -150,7 +154,7 @@ class StepControl {
   }
   /// Where the unloading may end any moment, the pad's rate changes with the square root of the time left.
   [[nodiscard]] double end_of_unloading_limit(const State& now, const Predictor& predictor) const {
-    if (now.drive <= 0) return std::numeric_limits<double>::infinity();
+    if (now.drive <= 0) return infinite;
     return resolution_ * std::max(usual_, predictor.time_scale());
   }
   /// Towards the release steps shrink, since the force vanishes there with a power of the time left.

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "dashpad/impact/impact_case.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "impact/numerics.hpp"
 #include "impact/trial.hpp"
 
@@ -36,7 +36,7 @@ class Swing {
     if (!creeps) return std::nullopt;
     const double slows = (before - now.velocity) / step;
     if (now.velocity <= 0) return 0;
-    return slows > 0 ? now.velocity * now.velocity / slows : std::numeric_limits<double>::infinity();
+    return slows > 0 ? now.velocity * now.velocity / slows : infinite;
   }
 
   /// The fastest speed of the swing with which it came to rest, and of the slowest of all others, m/s; 0:

@@ -6,54 +6,45 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/injury/dwell.hpp"
 #include "dashpad/injury/figures.hpp"
+#include "dashpad/injury/metrics.hpp"
 #include "dashpad/injury/standard.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "injury/coarser_run.hpp"
-#include "quantities/special_numbers.hpp"
 
 namespace dashpad::injury {
 
 namespace {
 
-struct Estimate {
-  double value = 0;
-  double error = 0;  ///< absolute
-};
-
-/// The time above a level, with what the errors of force and time and the steps of the history make of it. An
-/// error of the force moves the pulse against the level; where the pulse is as flat as that, the time is
-/// open. Unknown where one of them is.
-Estimate dwell(const Solution& solution, const InjuryFigures& figures, double level) {
+/// Sets the time above a level as the value of a result, with what the errors of force and time and the steps
+/// of the history make of it. An error of the force moves the pulse against the level; where the pulse is as
+/// flat as that, the time is open. Unknown where one of them is.
+void set_dwell(const Solution& solution, const InjuryFigures& figures, CriterionResult& result) {
   const Pulse pulse = pulse_of(solution.history);
+  const double level = result.criterion.level;
   const double time = cumulative_dwell(pulse, level);
-  if (!has_coarser_run(solution) || !std::isfinite(figures.errors.peak)) return {time, infinite};
+  result.value = time;
+  result.error = infinite;
+  if (!has_coarser_run(solution) || !std::isfinite(figures.errors.peak)) return;
   const double shift = figures.errors.peak * level;
   const double shorter = cumulative_dwell(pulse, level + shift);
   const double longer = cumulative_dwell(pulse, std::max(level - shift, 0.0));
   const double of_steps = std::abs(cumulative_dwell(solution.coarser, level) - time);
   const double of_time = solution.summary.errors.contact_end * time;
-  return {time, std::max(time - shorter, longer - time) + of_steps + of_time};
+  result.error = std::max(time - shorter, longer - time) + of_steps + of_time;
 }
 
-/// `error` is relative.
-Estimate estimate(double value, double error) { return {value, std::abs(value) * error}; }
-
-Estimate estimate(const Criterion& criterion, const Solution& solution, const InjuryFigures& figures) {
-  const InjuryFigures::Errors& errors = figures.errors;
-  switch (criterion.metric) {
-    case Metric::peak_acceleration:  // the solver's own lies between its steps
-      return estimate(solution.summary.peak_acceleration.value_or(figures.peak.magnitude), errors.peak);
-    case Metric::clip_3ms: return estimate(figures.clip_3ms.level, errors.clip_3ms);
-    case Metric::cumulative_3ms: return estimate(figures.cumulative_3ms.level, errors.cumulative_3ms);
-    case Metric::dwell_time: return dwell(solution, figures, criterion.level);
-    case Metric::hic15: return estimate(figures.hic15.value, errors.hic15);
-    case Metric::hic36: return estimate(figures.hic36.value, errors.hic36);
-    case Metric::hic_unlimited: return estimate(figures.hic_unlimited.value, errors.hic_unlimited);
-    case Metric::hic_d: return estimate(figures.hic_d, errors.hic_d);
-    case Metric::severity_index: return estimate(figures.severity_index, errors.severity_index);
-  }
-  throw std::invalid_argument("assess: unknown metric");
+/// Sets the value of a result and its error; of the peak those of the solver, which lies between its steps.
+void set_value(const Solution& solution, const InjuryFigures& figures, CriterionResult& result) {
+  const Metric metric = result.criterion.metric;
+  if (metric == Metric::dwell_time) return set_dwell(solution, figures, result);
+  for (const InjuryValue& of : injury_values(figures))
+    if (of.quantity == &quantity_of(metric)) {
+      const std::optional<double> solved =
+          metric == Metric::peak_acceleration ? solution.summary.peak_acceleration : std::nullopt;
+      result.value = solved.value_or(of.value);
+      result.error = std::abs(*result.value) * of.error;
+    }
 }
 
 /// The force has had its largest value: the impactor came to rest, or went on to leave the pad.
@@ -83,11 +74,9 @@ std::string reason_of(const CriterionResult& result, const Summary& summary) {
 
 CriterionResult judge(const Criterion& criterion, const Solution& solution, const InjuryFigures& figures) {
   if (bottomed_on_rigid_support(solution.summary)) return struck_through(criterion);
-  const Estimate value = estimate(criterion, solution, figures);
   CriterionResult result;
   result.criterion = criterion;
-  result.value = value.value;
-  result.error = value.error;
+  set_value(solution, figures, result);
   if (const auto& intervals = solution.summary.intervals)
     if (const FigureInterval* of = intervals->find(
             quantity_of(criterion.metric).key, criterion.metric == Metric::dwell_time ? criterion.level : 0))
@@ -95,7 +84,7 @@ CriterionResult judge(const Criterion& criterion, const Solution& solution, cons
   result.lower_bound = is_lower_bound(criterion.metric, solution.summary);
   result.verdict = verdict_of(result);
   if (!result.lower_bound || result.verdict == Verdict::fail) {
-    result.margin = criterion.limit - value.value;
+    result.margin = criterion.limit - *result.value;
     result.relative_margin = *result.margin / criterion.limit;
   }
   result.reason = reason_of(result, solution.summary);
@@ -124,8 +113,7 @@ KeyFigures key_figures(const Summary& summary, const InjuryFigures& injury) {
 void add_reservations_about(const Material& material, std::vector<Flag>& reservations) {
   if (range_of(material)) return;
   const std::string where = material.name == foam_of_the_case ? "case" : "card";
-  reservations.push_back(
-      {"UNKNOWN RANGE", "UNKNOWN RANGE: the " + where + " does not say where its law was fitted"});
+  reservations.push_back(flag_of("UNKNOWN RANGE", "the " + where + " does not say where its law was fitted"));
 }
 
 /// Names of values and limits by how well they were read.
@@ -140,10 +128,9 @@ struct ReadNames {
   void say(std::vector<Flag>& reservations) const {
     if (!unverified.empty())
       reservations.push_back(
-          {"UNVERIFIED", "UNVERIFIED: not read in the standard or a source that repeats it: " + unverified});
+          flag_of("UNVERIFIED", "not read in the standard or a source that repeats it: " + unverified));
     if (!secondary.empty())
-      reservations.push_back(
-          {"SECONDARY SOURCE", "SECONDARY SOURCE: not read in the standard itself: " + secondary});
+      reservations.push_back(flag_of("SECONDARY SOURCE", "not read in the standard itself: " + secondary));
   }
 };
 
@@ -154,8 +141,8 @@ void add_reservations_about(const Standard& standard, std::vector<Flag>& reserva
   for (const auto& [name, value] : values) {
     const bool is_other_nose = value == &standard.radius && !value->value;
     if (value->instead)
-      reservations.push_back({"REPLACED", std::string("REPLACED: the ") + (is_other_nose ? "nose" : name) +
-                                              " is not that of the standard"});
+      reservations.push_back(flag_of(
+          "REPLACED", fmt::format("the {} is not that of the standard", is_other_nose ? "nose" : name)));
     if (value->value && !value->chosen_by_user) names.add(value->origin, name);
   }
   for (const Criterion& criterion : standard.criteria) names.add(criterion.origin, limit_of(criterion));
@@ -165,9 +152,8 @@ void add_reservations_about(const Standard& standard, std::vector<Flag>& reserva
 /// What gives no interval is no better known for it.
 void add_reservations_about(const Summary& summary, std::vector<Flag>& reservations) {
   if (!summary.intervals) {
-    reservations.push_back({"NO INTERVALS",
-                            "NO INTERVALS: how sure the figures are was not asked for; the verdict is of the "
-                            "values alone"});
+    reservations.push_back(flag_of(
+        "NO INTERVALS", "how sure the figures are was not asked for; the verdict is of the values alone"));
     return;
   }
   for (const OpenSource& of : summary.intervals->sources)

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "injury/pulse_line.hpp"
+
 namespace dashpad::injury {
 namespace {
 
@@ -20,10 +22,9 @@ constexpr std::size_t outermost_extension = 9;  // samples, of negated_before: t
 constexpr double most_samples = 10e6;           // of resampled()
 constexpr double evenness = 1e-3;               // of the interval
 
-double interval_of(const Pulse& pulse) {
-  const std::size_t last = pulse.time.size() - 1;
-  const double interval = (pulse.time[last] - pulse.time[0]) / static_cast<double>(last);
-  for (std::size_t i = 0; i <= last; ++i)
+double even_interval(const Pulse& pulse) {
+  const double interval = interval_of(pulse);
+  for (std::size_t i = 0; i < pulse.time.size(); ++i)
     if (std::abs(pulse.time[i] - (pulse.time[0] + static_cast<double>(i) * interval)) > evenness * interval)
       throw std::invalid_argument("filter: the samples are not evenly spaced: sample " +
                                   std::to_string(i + 1));
@@ -136,7 +137,7 @@ bool samples_suffice(double channel_frequency_class, double interval) {
 
 Pulse cfc_filtered(const Pulse& pulse, double channel_frequency_class, Corner corner, Ends ends) {
   check(pulse);
-  const double interval = interval_of(pulse);
+  const double interval = even_interval(pulse);
   const FilterCoefficients coefficients = cfc_coefficients(channel_frequency_class, interval, corner);
   Samples samples = pulse.acceleration;
   const auto before = static_cast<std::ptrdiff_t>(extend(samples, interval, ends));

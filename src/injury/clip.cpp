@@ -1,23 +1,24 @@
-#include "dashpad/injury/clip.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <stdexcept>
 
-#include "injury/attainable.hpp"
 #include "injury/hump.hpp"
-#include "injury/magnitude.hpp"
+#include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {
 namespace {
 
-void check_input(const Pulse& pulse, double duration) {
+/// That of a pulse which is too short to have one, or a hump.
+std::optional<Clip> simple_clip(const Pulse& pulse, double duration) {
   check(pulse);
   if (!(duration > 0)) throw std::invalid_argument("clip: the duration must be positive");
+  if (attainable(pulse, duration) > pulse.time.back() - pulse.time.front()) return Clip{};
+  if (const std::optional<Hump> hump = hump_of(pulse)) return clip_of(*hump, pulse, duration);
+  return std::nullopt;
 }
-
-double length_of(const Pulse& pulse) { return pulse.time.back() - pulse.time.front(); }
 
 /// A window of fixed length that moves over the magnitude from corner to corner.
 class Window {
@@ -92,13 +93,10 @@ class Window {
 
 /// The highest level that lasts is the highest minimum over a window of that length.
 Clip contiguous_clip(const Pulse& pulse, double duration) {
-  check_input(pulse, duration);
-  const double wanted = attainable(pulse, duration);
-  if (wanted > length_of(pulse)) return {};
-  if (const std::optional<Hump> hump = hump_of(pulse)) return clip_of(*hump, pulse, duration);
+  if (const std::optional<Clip> clip = simple_clip(pulse, duration)) return *clip;
   const Magnitude line = magnitude_of(pulse);
   Clip best{-1, 0, 0};
-  Window window(line, wanted);
+  Window window(line, attainable(pulse, duration));
   while (window.advance(best)) {
   }
   best.end = std::min(best.begin + duration, pulse.time.back());
@@ -108,10 +106,8 @@ Clip contiguous_clip(const Pulse& pulse, double duration) {
 /// The time spent at or above a level falls as the level rises: linearly between two neighbouring values of
 /// the corners, with a jump where the pulse has a plateau. The pair is found by bisection.
 Clip cumulative_clip(const Pulse& pulse, double duration) {
-  check_input(pulse, duration);
+  if (const std::optional<Clip> clip = simple_clip(pulse, duration)) return *clip;
   const double wanted = attainable(pulse, duration);
-  if (wanted > length_of(pulse)) return {};
-  if (const std::optional<Hump> hump = hump_of(pulse)) return clip_of(*hump, pulse, duration);
   const Magnitude line = magnitude_of(pulse);
   const auto time_at = [&](double level) {
     double sum = 0;

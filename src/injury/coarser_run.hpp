@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/injury/clip.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 namespace dashpad::injury {
 

@@ -1,11 +1,11 @@
-#include "dashpad/injury/contact.hpp"
+#include "dashpad/injury/pulse_report.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "dashpad/injury/dwell.hpp"
-#include "dashpad/injury/peak.hpp"
+#include "dashpad/injury/metrics.hpp"
+#include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {
 
@@ -74,7 +74,7 @@ Contact contact_of(const Pulse& along, const std::optional<Stretch>& quiet) {
   const Peak top = peak(along);
   if (top.magnitude == 0) return {along.time.front(), along.time.front(), 0};
   const std::vector<double>&time = along.time, &a = along.acceleration;
-  const auto at = static_cast<std::size_t>(std::ranges::find(time, top.time) - time.begin());
+  const std::size_t at = peak_sample(along);
   const double side = a[at] < 0 ? -1 : 1;
   const double level = level_of(along, quiet, side, top.magnitude);
   const double longest = of_the_width * width_of_hump(along, at, side, level);

@@ -1,9 +1,9 @@
-#include "dashpad/injury/dwell.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "injury/magnitude.hpp"
+#include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {
 namespace {

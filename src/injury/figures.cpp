@@ -2,20 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstddef>
+#include <vector>
 
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/injury/severity_index.hpp"
+#include "dashpad/injury/metrics.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "injury/coarser_run.hpp"
 
 namespace dashpad::injury {
 
 namespace {
 
-constexpr double three_milliseconds = 3e-3;
-
 InjuryFigures::Errors all_unknown() {
-  constexpr double unknown = std::numeric_limits<double>::infinity();
+  constexpr double unknown = infinite;
   return {unknown, unknown, unknown, unknown, unknown, unknown, unknown, unknown, unknown};
 }
 
@@ -26,11 +26,11 @@ InjuryFigures injury_figures(const Pulse& pulse) {
   InjuryFigures figures;
   figures.peak = peak(pulse);
   figures.hic15 = hic(pulse, hic15_window);
-  figures.hic36 = hic(pulse, 36e-3);
+  figures.hic36 = hic(pulse, hic36_window);
   figures.hic_unlimited = hic(pulse, unlimited_window);
   figures.hic_d = hic_d(figures.hic36.value);
-  figures.clip_3ms = contiguous_clip(pulse, three_milliseconds);
-  figures.cumulative_3ms = cumulative_clip(pulse, three_milliseconds);
+  figures.clip_3ms = contiguous_clip(pulse, usual_clip);
+  figures.cumulative_3ms = cumulative_clip(pulse, usual_clip);
   figures.severity_index = severity_index(pulse);
   figures.velocity_change = velocity_change(pulse);
   return figures;
@@ -95,6 +95,26 @@ std::optional<InjuryFigures> whole_pulse_figures(const Solution& solution) {
       !std::ranges::all_of(solution.history.acceleration, finite))
     return std::nullopt;
   return injury_figures(solution);
+}
+
+double chord_error(const Pulse& pulse, const Clip& clip) {
+  if (!(clip.level > 0)) return 0;
+  const std::vector<double>&t = pulse.time, &a = pulse.acceleration;
+  const auto bend = [&](std::size_t i) {
+    if (i == 0 || i + 1 >= t.size()) return 0.0;
+    const double before = t[i] - t[i - 1], after = t[i + 1] - t[i];
+    if (!(before > 0 && after > 0)) return 0.0;
+    return 2 * std::abs((a[i + 1] - a[i]) / after - (a[i] - a[i - 1]) / before) / (before + after);
+  };
+  const auto first = std::ranges::upper_bound(t, clip.begin);
+  double error = 0;
+  for (auto i = std::size_t(std::max(first - t.begin(), std::ptrdiff_t{1})); i < t.size(); ++i) {
+    const double from = std::abs(a[i - 1]), to = std::abs(a[i]), length = t[i] - t[i - 1];
+    if (std::min(from, to) <= clip.level && clip.level <= std::max(from, to))
+      error = std::max(error, length * length * std::max(bend(i - 1), bend(i)) / 8);
+    if (t[i] >= clip.end) break;
+  }
+  return error / clip.level;
 }
 
 }  // namespace dashpad::injury

@@ -1,4 +1,4 @@
-#include "dashpad/injury/hic.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "injury/hic_blocks.hpp"
-#include "injury/hic_candidates.hpp"
+#include "injury/hic_search.hpp"
 #include "injury/hump.hpp"
 
 namespace dashpad::injury {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "dashpad/impact/solution.hpp"
-#include "injury/attainable.hpp"
-#include "injury/hic_candidates.hpp"
+#include "dashpad/quantities/constants.hpp"
+#include "injury/hic_search.hpp"
+#include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {
 namespace {
@@ -26,7 +26,7 @@ struct Band {
 /// Bands from the peak down, until `visit` returns false or the pulse ends on both sides.
 template <class Time, class Level, class Visit>
 void walk_down(std::size_t peak, std::size_t samples, Time time, Level level, Visit visit) {
-  const double none = -std::numeric_limits<double>::infinity();
+  const double none = -infinite;
   Band band{.first = peak, .last = peak};
   while (band.first > 0 || band.last + 1 < samples) {
     const double left = band.first > 0 ? level(band.first - 1) : none;

@@ -6,9 +6,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "dashpad/injury/clip.hpp"
-#include "dashpad/injury/hic.hpp"
-#include "injury/hic_curve.hpp"
+#include "dashpad/injury/metrics.hpp"
+#include "injury/hic_search.hpp"
 
 namespace dashpad::injury {
 

@@ -1,18 +1,15 @@
-#include "dashpad/injury/peak.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 #include <cmath>
 
-#include "injury/accurate_sum.hpp"
+#include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {
 
 Peak peak(const Pulse& pulse) {
   check(pulse);
-  Peak peak{std::abs(pulse.acceleration[0]), pulse.time[0]};
-  for (std::size_t i = 1; i < pulse.time.size(); ++i)
-    if (std::abs(pulse.acceleration[i]) > peak.magnitude)
-      peak = {std::abs(pulse.acceleration[i]), pulse.time[i]};
-  return peak;
+  const std::size_t top = peak_sample(pulse);
+  return {std::abs(pulse.acceleration[top]), pulse.time[top]};
 }
 
 double velocity_change(const Pulse& pulse) {

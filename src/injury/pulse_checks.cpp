@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "dashpad/injury/pulse_report.hpp"
+#include "dashpad/injury/standard.hpp"
+#include "injury/pulse_line.hpp"
 #include "injury/pulse_words.hpp"
 #include "quantities/text.hpp"
 
@@ -20,6 +22,8 @@ constexpr double most_quiet_scatter = 0.02;  // of the peak, of a part that is q
 constexpr double worth_a_remark = 1e-3;      // of HIC15
 constexpr double surely = 3;                 // standard errors of a mean that is not 0
 constexpr double rounding = 1e-9;            // of the peak
+constexpr double unlike = 0.01;              // of a speed or a height
+constexpr double samples_in_doubt = 4;       // at the beginning and at the end of a fall
 
 /// Root mean square of the samples in the quiet interval, m/s2; 0 where there is none.
 double scatter(const PulseReport& report, const Pulse& pulse, double peak) {
@@ -36,20 +40,45 @@ double scatter(const PulseReport& report, const Pulse& pulse, double peak) {
 
 Flag cut(const std::string& where, double acceleration, double peak, const std::string& missing) {
   const double left = std::abs(acceleration), share = left / peak;
+  return flag_of(
+      "PULSE CUT",
+      fmt::format("it {} at {} g, {} of its peak: {}, or the sensor has an offset; of a pulse that is "
+                  "not whole HIC, clips and velocity change are lower bounds",
+                  where, brief(left / standard_gravity), in_percent(share), missing),
+      {{"acceleration_m_per_s2", left}, {"peak_fraction", share}});
+}
+
+std::string shown(double speed) { return brief(speed, 4) + " m/s"; }
+
+/// A factor next to 1 as its difference from it.
+std::string other_scale(double factor) {
+  constexpr double near = 0.1;
+  const double change = std::abs(factor - 1);
+  if (change < near) return in_percent(change) + (factor > 1 ? " greater" : " smaller");
+  return brief(factor, 3) + " times this one";
+}
+
+/// What would make up for a change that is off.
+std::string way_out(const SpeedCheck& check, const Contact& contact, const char* stated) {
+  const bool is_short = check.shortfall > 0;
   std::string text = fmt::format(
-      "PULSE CUT: it {} at {} g, {} of its peak: {}, or the sensor has an offset; of a pulse that is not "
-      "whole "
-      "HIC, clips and velocity change are lower bounds",
-      where, brief(left / standard_gravity), in_percent(share), missing);
-  return {"PULSE CUT", std::move(text), {{"acceleration_m_per_s2", left}, {"peak_fraction", share}}};
+      "There is no restitution between 0 and 1. For a velocity change that agrees with the {}", stated);
+  if (check.least_scale && check.greatest_scale)
+    text += fmt::format(
+        " the scale (unit, sensitivity) would have to be {}, or the sensor to show {:.2g} g "
+        "too {} over contact",
+        other_scale(is_short ? *check.least_scale : *check.greatest_scale),
+        std::abs(check.shortfall) / (contact.end - contact.begin) / standard_gravity,
+        is_short ? "little" : "much");
+  else
+    text += " there would have to be an acceleration";
+  return text + (is_short ? ", or samples to be missing." : ".");
 }
 
 }  // namespace
 
 MeasuredImpact after_fall(double drop_height) {
-  return {.speed = std::sqrt(2 * standard_gravity * drop_height),
-          .drop_height = drop_height,
-          .gravity = standard_gravity};
+  return {.speed = speed_after_fall(drop_height), .drop_height = drop_height, .gravity = standard_gravity};
 }
 
 double change_of_motion(const Contact& contact, const MeasuredImpact& impact) {
@@ -75,15 +104,15 @@ std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse) {
   const std::optional<SpeedCheck> check = speed_check(report);
   if (check && !check->agrees()) {
     const bool is_short = check->shortfall > 0;
-    all.push_back({"IMPOSSIBLE VELOCITY CHANGE",
-                   fmt::format("IMPOSSIBLE VELOCITY CHANGE: {} m/s is {} the impact speed, {} m/s; likely {}",
-                               brief(std::max(check->change, 0.0)),
-                               is_short ? "less than" : "more than twice", brief(report.impact->speed),
-                               is_short ? "the pulse is cut, the unit or the sensitivity is wrong, or the "
-                                          "sensor has an offset"
-                                        : "the sensor has an offset, the unit or the sensitivity is wrong, "
-                                          "or there is more than one impact in the pulse"),
-                   {{"velocity_change_m_per_s", check->change}, {"speed_m_per_s", report.impact->speed}}});
+    all.push_back(flag_of(
+        "IMPOSSIBLE VELOCITY CHANGE",
+        fmt::format("{} m/s is {} the impact speed, {} m/s; likely {}", brief(std::max(check->change, 0.0)),
+                    is_short ? "less than" : "more than twice", brief(report.impact->speed),
+                    is_short ? "the pulse is cut, the unit or the sensitivity is wrong, or the "
+                               "sensor has an offset"
+                             : "the sensor has an offset, the unit or the sensitivity is wrong, "
+                               "or there is more than one impact in the pulse"),
+        {{"velocity_change_m_per_s", check->change}, {"speed_m_per_s", report.impact->speed}}));
   }
   if (std::optional<Flag> flag = height_in_doubt(report)) all.push_back(*std::move(flag));
   return all;
@@ -124,6 +153,56 @@ std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak)
     remarks.push_back(fmt::format("the interval of --zero is not quiet: its scatter is {}, and the peak {}",
                                   each_in_g(offset.scatter, peak), each_in_g({peak}, peak)));
   return remarks;
+}
+
+std::optional<SpeedCheck> speed_check(const PulseReport& report) {
+  if (!report.impact) return std::nullopt;
+  const double speed = report.impact->speed, sensed = report.contact.velocity_change;
+  SpeedCheck check{.change = change_of_motion(report.contact, *report.impact)};
+  const double given = sensed - check.change;  // by gravity
+  if (check.change < (1 - rounding_of_velocity) * speed) check.shortfall = speed - check.change;
+  if (check.change > (1 + rounding_of_velocity) * 2 * speed) check.shortfall = 2 * speed - check.change;
+  if (sensed > 0) {
+    check.least_scale = (speed + given) / sensed;
+    check.greatest_scale = (2 * speed + given) / sensed;
+  }
+  const char* stated = report.impact->drop_height ? "drop height" : "speed";
+  check.text =
+      check.agrees()
+          ? fmt::format(
+                "Velocity change and {} agree: {} lies between {} (a body that stays) and twice that. "
+                "So it would if all accelerations were {} to {} times these: a smaller error of the "
+                "scale does not show here.",
+                stated, shown(check.change), shown(speed), brief(*check.least_scale, 3),
+                brief(*check.greatest_scale, 3))
+          : way_out(check, report.contact, stated);
+  return check;
+}
+
+std::optional<Flag> unlike_speeds(const MeasuredImpact& measured, const MeasuredImpact& computed) {
+  const double share = computed.speed / measured.speed - 1;
+  if (!(std::abs(share) > unlike)) return std::nullopt;
+  return flag_of(
+      "UNLIKE SPEEDS",
+      fmt::format("the case strikes at {}, {} {} than the measured impact at {}{}: the "
+                  "differences are those of two impacts",
+                  shown(computed.speed), in_percent(std::abs(share)), share < 0 ? "slower" : "faster",
+                  shown(measured.speed),
+                  measured.drop_height ? fmt::format(" (from {} m)", brief(*measured.drop_height, 4)) : ""),
+      {{"speed_m_per_s", computed.speed}, {"measured_speed_m_per_s", measured.speed}});
+}
+
+std::optional<Flag> height_in_doubt(const PulseReport& report) {
+  if (!report.impact || !report.impact->drop_height || !report.offset || !report.offset->offset.rest)
+    return std::nullopt;
+  const double fall = report.contact.begin - report.offset->offset.begin;
+  const double height = standard_gravity * fall * fall / 2, said = *report.impact->drop_height;
+  const double interval = interval_of(report.measured.pulse);
+  if (std::abs(height / said - 1) <= unlike + 2 * samples_in_doubt * interval / fall) return std::nullopt;
+  return flag_of("DROP HEIGHT IN DOUBT",
+                 fmt::format("the fall in the record takes {} ms, as from {} m; {} m was said",
+                             brief(1e3 * fall, 4), brief(height, 3), brief(said, 4)),
+                 {{"fall_s", fall}, {"height_m", height}, {"stated_height_m", said}});
 }
 
 }  // namespace dashpad::injury

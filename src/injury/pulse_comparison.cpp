@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/injury/dwell.hpp"
 #include "dashpad/injury/figures.hpp"
+#include "dashpad/injury/metrics.hpp"
 #include "injury/coarser_run.hpp"
-#include "injury/magnitude.hpp"
+#include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {
 
@@ -43,10 +43,6 @@ Pulse with_peak(Pulse pulse, const Summary& summary) {
     pulse.acceleration.insert(pulse.acceleration.begin() + index, -*summary.peak_acceleration);
   }
   return pulse;
-}
-
-double interval_of(const Pulse& pulse) {
-  return (pulse.time.back() - pulse.time.front()) / static_cast<double>(pulse.time.size() - 1);
 }
 
 /// The history as far as it is finite.
@@ -121,9 +117,7 @@ PulseShape pulse_shape(const Pulse& pulse, const std::optional<MeasuredImpact>& 
   PulseShape shape;
   shape.peak = peak(pulse);
   if (!(shape.peak.magnitude > 0)) throw std::invalid_argument("its acceleration is 0 throughout");
-  const auto place = std::ranges::find(pulse.time, shape.peak.time) - pulse.time.begin();
-  const auto index = static_cast<std::size_t>(place);
-  shape.side = pulse.acceleration[index] < 0 ? -1 : 1;
+  shape.side = pulse.acceleration[peak_sample(pulse)] < 0 ? -1 : 1;
   find_onset(pulse, onset_share * shape.peak.magnitude, shape);
   shape.width = cumulative_dwell(pulse, shape.peak.magnitude / 2);
   shape.contact = contact ? *contact : contact_of(pulse);

@@ -1,14 +1,23 @@
 // What is done to a measured pulse before its figures.
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "dashpad/injury/pulse_report.hpp"
+#include "injury/pulse_line.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::injury {
+
+std::vector<double> resultant_of(const std::vector<std::vector<double>>& components) {
+  std::vector<double> length(components.empty() ? 0 : components.front().size());
+  for (const std::vector<double>& component : components)
+    for (std::size_t i = 0; i < length.size(); ++i) length[i] = std::hypot(length[i], component[i]);
+  return length;
+}
 
 namespace {
 
@@ -44,9 +53,7 @@ ProcessedPulse processed_pulse(const MeasuredPulse& measured, std::optional<doub
 
 std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std::optional<double> interval,
                                               const PulseFilter& filter) {
-  const std::vector<double>& time = measured.pulse.time;
-  const double mean = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
-  const double slower = std::max(mean, interval.value_or(0));
+  const double slower = std::max(interval_of(measured.pulse), interval.value_or(0));
   const int of_class = filter.channel_frequency_class;
   if (samples_suffice(of_class, slower)) return std::nullopt;
   return fmt::format("sampled at {} kHz; CFC{} wants {} kHz at least", brief(1e-3 / slower), of_class,

@@ -1,4 +1,4 @@
-#include "dashpad/injury/pulse_uncertainty.hpp"
+#include "dashpad/injury/pulse_report.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/injury/pulse_report.hpp"
+#include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {
 
@@ -55,8 +55,8 @@ Values values_of(const ProcessedPulse& processed, const PulseReport& report) {
           hic_within(pulse, of.hic15),
           hic_within(pulse, of.hic36),
           hic_within(pulse, of.hic_unlimited),
-          of.clip_3ms.level > 0 ? contiguous_clip(pulse, 3e-3).level : 0,
-          of.cumulative_3ms.level > 0 ? cumulative_clip(pulse, 3e-3).level : 0,
+          of.clip_3ms.level > 0 ? contiguous_clip(pulse, usual_clip).level : 0,
+          of.cumulative_3ms.level > 0 ? cumulative_clip(pulse, usual_clip).level : 0,
           std::abs(gained(processed.along(), report.contact.begin, report.contact.end))};
 }
 
@@ -134,8 +134,7 @@ MeasuredPulse finer(const MeasuredPulse& measured) {
 /// By how much a parabola lies above the largest sample at most, m/s2. None at an end of the pulse, where it
 /// may have gone on to grow.
 std::optional<double> hidden_peak(const Pulse& pulse) {
-  const auto at =
-      static_cast<std::size_t>(std::ranges::find(pulse.time, peak(pulse).time) - pulse.time.begin());
+  const std::size_t at = peak_sample(pulse);
   if (at == 0 || at + 1 >= pulse.time.size()) return std::nullopt;
   const double before = pulse.time[at] - pulse.time[at - 1], after = pulse.time[at + 1] - pulse.time[at];
   const double falls = (pulse.acceleration[at] - pulse.acceleration[at - 1]) / before -
@@ -146,11 +145,9 @@ std::optional<double> hidden_peak(const Pulse& pulse) {
 
 /// That with which the figures of a filter are compared.
 std::optional<PulseFilter> next_filter(const PulseFilter& filter, const Pulse& pulse) {
-  const double interval =
-      (pulse.time.back() - pulse.time.front()) / static_cast<double>(pulse.time.size() - 1);
   for (const int higher : channel_frequency_classes)
     if (higher > filter.channel_frequency_class)
-      return samples_suffice(higher, interval)
+      return samples_suffice(higher, interval_of(pulse))
                  ? std::optional{PulseFilter{higher, filter.corner, filter.ends}}
                  : std::nullopt;
   return std::nullopt;

@@ -1,4 +1,4 @@
-#include "dashpad/injury/sensor_offset.hpp"
+#include "dashpad/injury/measured_pulse.hpp"
 
 #include <algorithm>
 #include <cmath>

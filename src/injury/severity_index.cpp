@@ -1,9 +1,9 @@
-#include "dashpad/injury/severity_index.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 #include <cmath>
 
 #include "dashpad/impact/solution.hpp"
-#include "injury/accurate_sum.hpp"
+#include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {
 namespace {

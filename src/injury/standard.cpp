@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -22,20 +24,10 @@ constexpr Replaceable replaceable[]{{"mass", &Standard::mass, &StandardVariant::
                                     {"radius", &Standard::radius, &StandardVariant::radius},
                                     {"speed", &Standard::speed, &StandardVariant::speed}};
 
-struct MetricKey {
-  Metric metric;
-  const char* key;  ///< of its quantity
-};
-
-constexpr MetricKey metric_keys[]{{Metric::peak_acceleration, "peak_acceleration"},
-                                  {Metric::clip_3ms, "clip_3ms"},
-                                  {Metric::cumulative_3ms, "cumulative_3ms"},
-                                  {Metric::dwell_time, "dwell_time"},
-                                  {Metric::hic15, "hic15"},
-                                  {Metric::hic36, "hic36"},
-                                  {Metric::hic_unlimited, "hic_unlimited"},
-                                  {Metric::hic_d, "hic_d"},
-                                  {Metric::severity_index, "severity_index"}};
+/// The keys of their quantities, in the order of the enumeration.
+constexpr const char* keys_of_metrics[]{"peak_acceleration", "clip_3ms", "cumulative_3ms",
+                                        "dwell_time",        "hic15",    "hic36",
+                                        "hic_unlimited",     "hic_d",    "severity_index"};
 
 std::string names_of(const std::vector<StandardVariant>& variants) {
   std::string names;
@@ -57,13 +49,40 @@ const StandardVariant& find_variant(const Standard& standard, const std::string&
                               standard.name + " both set the " + what);
 }
 
-void replace(StandardValue& standard, std::optional<double> by_user, std::optional<double> drop_height) {
-  if (!by_user || (standard.value && !differ(*by_user, *standard.value))) return;
-  standard = {.value = by_user,
-              .drop_height = drop_height,
-              .origin = {.source = "the user", .kind = SourceKind::none, .verified = true, .note = ""},
-              .chosen_by_user = true,
-              .instead = standard.value};
+/// What takes the place of a value of the standard.
+StandardValue by_user(const StandardValue& standard, std::optional<double> value,
+                      std::optional<double> drop_height = {}) {
+  return {.value = value,
+          .drop_height = drop_height,
+          .origin = {.source = "the user", .kind = SourceKind::none, .verified = true, .note = ""},
+          .chosen_by_user = true,
+          .instead = standard.value};
+}
+
+void replace(StandardValue& standard, std::optional<double> value, std::optional<double> drop_height = {}) {
+  if (value && !(standard.value && !differ(*value, *standard.value)))
+    standard = by_user(standard, value, drop_height);
+}
+
+/// A value of the standard that is not the case's, NaN where the case has none.
+bool is_choice(const StandardValue& value, double of_case) {
+  return value.value && !value.chosen_by_user && differ(*value.value, of_case);
+}
+
+using Judged = std::function<Assessment(const Standard&, const ImpactCase&)>;
+
+std::optional<OtherChoice> solved(const Standard& standard, const ImpactCase& given, Kept kept, Kept other,
+                                  const Judged& judged) {
+  const Kept now{kept.nose != other.nose, kept.speed != other.speed};
+  const Standard chosen = with_kept(standard, given.impactor, now);
+  const ImpactCase impact = with_impactor_of(chosen, given);
+  if (!violations(impact).empty()) return std::nullopt;
+  return OtherChoice{.other = other, .kept = now, .assessment = judged(chosen, impact)};
+}
+
+std::string above_level(const Criterion& criterion) {
+  if (criterion.metric != Metric::dwell_time) return "";
+  return fmt::format(" above {:.5g} g", criterion.level / standard_gravity);
 }
 
 }  // namespace
@@ -80,24 +99,15 @@ std::string to_string(SourceKind kind) {
 const std::vector<Metric>& metrics() {
   static const std::vector<Metric> all = [] {
     std::vector<Metric> list;
-    for (const MetricKey& entry : metric_keys) list.push_back(entry.metric);
+    for (std::size_t i = 0; i < std::size(keys_of_metrics); ++i) list.push_back(static_cast<Metric>(i));
     return list;
   }();
   return all;
 }
 
 const ResultQuantity& quantity_of(Metric metric) {
-  return result_quantity(std::ranges::find(metric_keys, metric, &MetricKey::metric)->key);
+  return result_quantity(keys_of_metrics[static_cast<std::size_t>(metric)]);
 }
-
-namespace {
-
-std::string above_level(const Criterion& criterion) {
-  if (criterion.metric != Metric::dwell_time) return "";
-  return fmt::format(" above {:.5g} g", criterion.level / standard_gravity);
-}
-
-}  // namespace
 
 std::string title_of(const Criterion& criterion) {
   return quantity_of(criterion.metric).title + above_level(criterion);
@@ -124,9 +134,9 @@ Standard with_variants(const Standard& standard, const std::vector<std::string>&
 
 Standard with_user_values(const Standard& standard, const UserValues& values) {
   Standard result = standard;
-  replace(result.mass, values.mass, {});
-  replace(result.radius, values.radius, {});
-  replace(result.speed, values.speed, {});
+  replace(result.mass, values.mass);
+  replace(result.radius, values.radius);
+  replace(result.speed, values.speed);
   if (values.drop_height) replace(result.speed, speed_after_fall(*values.drop_height), values.drop_height);
   return result;
 }
@@ -145,6 +155,30 @@ ImpactCase with_impactor_of(const Standard& standard, const ImpactCase& impact) 
   if (standard.radius.value) result.impactor.nose = Sphere{*standard.radius.value};
   result.impactor.speed = standard.speed.value.value_or(impact.impactor.speed);
   return result;
+}
+
+Standard with_kept(const Standard& standard, const Impactor& of_case, Kept kept) {
+  Standard result = standard;
+  if (kept.nose && is_choice(standard.radius, sphere_radius(of_case.nose)))
+    result.radius = by_user(standard.radius, {});
+  if (kept.speed && is_choice(standard.speed, of_case.speed)) result.speed = by_user(standard.speed, {});
+  return result;
+}
+
+std::vector<OtherChoice> turning_choices(const Standard& standard, const ImpactCase& given, Kept kept,
+                                         Verdict verdict, const Judged& judged) {
+  std::vector<OtherChoice> turning;
+  const auto add = [&](Kept other) {
+    std::optional<OtherChoice> choice = solved(standard, given, kept, other, judged);
+    if (choice && choice->assessment.verdict != verdict && choice->assessment.verdict != Verdict::undecided)
+      turning.push_back(*std::move(choice));
+  };
+  const bool nose = is_choice(standard.radius, sphere_radius(given.impactor.nose));
+  const bool speed = is_choice(standard.speed, given.impactor.speed);
+  if (nose) add({.nose = true, .speed = false});
+  if (speed) add({.nose = false, .speed = true});
+  if (nose && speed && turning.empty()) add({.nose = true, .speed = true});
+  return turning;
 }
 
 }  // namespace dashpad::injury

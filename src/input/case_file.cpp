@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/case/case_quantity.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "input/disk.hpp"
 #include "input/law_table.hpp"
 #include "input/nose_table.hpp"
@@ -17,7 +18,6 @@
 #include "input/spelling.hpp"
 #include "input/support_table.hpp"
 #include "model/pad/layer/layer_law.hpp"
-#include "quantities/special_numbers.hpp"
 
 namespace dashpad::input {
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 /// The table [support] of a case.
 
-#include "dashpad/model/support/backing.hpp"
 #include "dashpad/model/support/support.hpp"
 #include "input/table_reader.hpp"
 

@@ -11,6 +11,7 @@
 #include "laboratory/foam_column.hpp"
 #include "laboratory/maxwell_column.hpp"
 #include "laboratory/record.hpp"
+#include "laboratory/rules.hpp"
 #include "laboratory/viscous_column.hpp"
 
 namespace dashpad::laboratory {
@@ -20,18 +21,14 @@ constexpr int fewest_places = 2, most_places = 100000;
 constexpr double most_places_in_all = 1e7;
 
 void check(const PadLaw& law, const StrainHistory& history, int places) {
-  std::string text;
-  const auto add = [&text](const std::vector<Violation>& broken) {
-    for (const Violation& v : broken)
-      text += fmt::format("{}{} is {}: {}", text.empty() ? "" : "; ", v.key, v.value, v.rule);
-  };
-  add(violations(law));
-  add(violations(history));
+  Rules rules;
+  rules.none_of(violations(law)).none_of(violations(history));
   if (places < fewest_places || places > most_places)
-    add({{"places", double(places), fmt::format("must be {} to {}", fewest_places, most_places)}});
-  else if (static_cast<double>(history.pieces.size()) * places > most_places_in_all)
-    add({{"places", double(places), fmt::format("times pieces must be at most {}", most_places_in_all)}});
-  if (!text.empty()) throw std::invalid_argument(text);
+    rules.require(false, "places", places, fmt::format("must be {} to {}", fewest_places, most_places));
+  else
+    rules.require(static_cast<double>(history.pieces.size()) * places <= most_places_in_all, "places", places,
+                  fmt::format("times pieces must be at most {}", most_places_in_all));
+  rules.done();
 }
 
 /// Times from the arc's start, beyond it, at which there is output: the places of its piece, the ends of the
@@ -102,11 +99,11 @@ class Drive {
                                           : integral(power, last, x, 1e-9, 12));
     }
     const bool ends = contact.lost && x == contact.to;
-    const Estimate stress = within && !ends ? column_.at(x) : Estimate{};
+    const WithError stress = within && !ends ? column_.at(x) : WithError{};
     record_.add(arc.time + x, motion, stress);
     if (ends && contact.any) record_.note(Kind::contact_lost, arc.time + x, motion.strain, 0, 0);
     if (contact.any && x == contact.from && x < arc.duration) {
-      const Estimate taken_up = column_.at(x);
+      const WithError taken_up = column_.at(x);
       if (contact.taken_up)
         record_.note(Kind::contact_taken_up, arc.time + x, motion.strain, 0, taken_up.value);
       record_.add(arc.time + x, motion, taken_up);

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <stdexcept>
@@ -9,8 +8,9 @@
 #include <variant>
 
 #include "dashpad/laboratory/column_test.hpp"
-#include "laboratory/foam_creep.hpp"
+#include "laboratory/creep_hold.hpp"
 #include "laboratory/record.hpp"
+#include "laboratory/rules.hpp"
 #include "laboratory/viscous_stress.hpp"
 
 namespace dashpad::laboratory {
@@ -19,19 +19,13 @@ namespace {
 constexpr double tolerance = 1e-12;  ///< of the integration, relative
 
 void check(const PadLaw& law, const CreepTest& test, int places) {
-  std::string text;
-  const auto require = [&text](bool kept, const std::string& name, double value, const std::string& rule) {
-    if (!kept) text += fmt::format("{}{} is {}: {}", text.empty() ? "" : "; ", name, value, rule);
-  };
-  const auto positive_number = [&](const char* name, double value, const char* unit) {
-    require(value > 0 && std::isfinite(value), name, value, fmt::format("must be more than 0 ({})", unit));
-  };
-  for (const Violation& v : violations(law)) require(false, v.key, v.value, v.rule);
-  positive_number("stress", test.stress, "Pa");
-  positive_number("loading_rate", test.loading_rate, "1/s");
-  positive_number("hold", test.hold, "s");
-  require(places >= 2 && places <= 100000, "places", places, "must be 2 to 100000");
-  if (!text.empty()) throw std::invalid_argument(text);
+  Rules()
+      .none_of(violations(law))
+      .positive("stress", test.stress, "Pa")
+      .positive("loading_rate", test.loading_rate, "1/s")
+      .positive("hold", test.hold, "s")
+      .require(places >= 2 && places <= 100000, "places", places, "must be 2 to 100000")
+      .done();
 }
 
 /// How a law that has been loaded to its stress goes on under it.
@@ -51,7 +45,7 @@ class Creep {
     for (; low > -700 && of_logarithm(low) >= 0; stride *= 2) low = std::max(low - stride, -700.0);
     if (low <= -700) return last_rate_ = 0;
     for (; high < 700 && of_logarithm(high) < 0; stride *= 2) high = std::min(high + stride, 700.0);
-    return last_rate_ = std::exp(high > low ? root(of_logarithm, low, high) : low);
+    return last_rate_ = std::exp(high > low ? root_between(of_logarithm, low, high) : low);
   }
 
   /// The lasting stress has come up to the stress, as far as numbers tell.
@@ -132,7 +126,7 @@ std::optional<double> strain_at(const Law& law, const CreepTest& test) {
   if (missing(farthest_strain) < 0) return std::nullopt;
   const auto of_logarithm = [&](double log_strain) { return missing(std::exp(log_strain)); };
   if (of_logarithm(-700) >= 0) return std::nullopt;
-  return std::exp(root(of_logarithm, -700, std::log(farthest_strain)));
+  return std::exp(root_between(of_logarithm, -700, std::log(farthest_strain)));
 }
 
 template <HasMemory Law>
@@ -158,7 +152,7 @@ std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int pl
   if (test.stress > first) {
     const auto missing = [&](double e) { return (e > 0 ? curve.at(e) : first) - test.stress; };
     if (missing(farthest_strain) < 0) return std::nullopt;
-    strain = root(missing, 0, farthest_strain);
+    strain = root_between(missing, 0, farthest_strain);
   }
   ColumnTest result;
   if (strain > 0) {

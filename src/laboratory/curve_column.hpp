@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "dashpad/model/pad/law.hpp"
-#include "laboratory/viscous_column.hpp"
+#include "laboratory/arc.hpp"
+#include "laboratory/quadrature.hpp"
 
 namespace dashpad::laboratory {
 
@@ -35,7 +36,7 @@ class CurveColumn {
     return contact;
   }
 
-  [[nodiscard]] Estimate at(double x) const {
+  [[nodiscard]] WithError at(double x) const {
     // Where the strain begins to grow from zero, the curve's jump is past.
     const double strain = arc_.at(x).strain;
     const bool grows_from_zero = x == from_ && strain == 0 && arc_.direction() > 0;

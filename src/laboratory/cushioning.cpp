@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "model/root.hpp"
 
 namespace dashpad::laboratory {
 namespace {
@@ -61,14 +62,9 @@ CushionPoint between(const CushionCurve& curve, std::size_t i, double limit) {
   const double low = std::log(curve.strain[i - 1]);
   const double high = std::log(curve.strain[i]);
   const auto missing = [&](double x) { return log_stress(curve, i, x) - std::log(limit); };
-  double x = high;
-  if (missing(low) < 0 && missing(high) > 0) {
-    std::uintmax_t most = 100;
-    x = boost::math::tools::toms748_solve(missing, low, high, boost::math::tools::eps_tolerance<double>(50),
-                                          most)
-            .first;
-  }
-  const double strain = std::exp(x);
+  const RootBracket ends{.low = low, .high = high, .f_low = missing(low), .f_high = missing(high)};
+  const bool is_between = ends.f_low < 0 && ends.f_high > 0;
+  const double strain = std::exp(is_between ? narrowed(ends, missing).low : high);
   return point_of(strain, limit, energy_between(curve, i, strain));
 }
 

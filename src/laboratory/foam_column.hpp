@@ -9,7 +9,8 @@
 #include <cmath>
 #include <vector>
 
-#include "laboratory/pressing_part.hpp"
+#include "laboratory/arc.hpp"
+#include "laboratory/quadrature.hpp"
 #include "model/pad/foam/foam_stress.hpp"
 
 namespace dashpad::laboratory {
@@ -28,7 +29,7 @@ class FoamColumn {
   }
 
   /// `x` s after the arc's start.
-  [[nodiscard]] Estimate at(double x) const {
+  [[nodiscard]] WithError at(double x) const {
     const double value = stress(x, fine_);
     return {std::max(value, 0.0), std::abs(value - stress(x, coarse_)) + 4e-16 * std::abs(value)};
   }

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "laboratory/strain_marks.hpp"
+#include "laboratory/arc.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::laboratory {
@@ -130,34 +130,33 @@ std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run)
   for (const double rate : run.column.rate) fastest = std::max(fastest, std::abs(rate));
   for (const Extrapolation& of :
        extrapolations(material, without_rounding(run.column.largest_strain), without_rounding(fastest)))
-    flags.push_back({name_of(of.beyond), name_of(of.beyond) + ": " + of.text});
+    flags.push_back(flag_of(name_of(of.beyond), of.text));
   if (!has_curves(material.law) && std::ranges::any_of(run.column.events, [](const ColumnEvent& event) {
         return event.kind == ColumnEvent::Kind::contact_taken_up;
       }))
-    flags.push_back(
-        {"ASSUMPTION",
-         std::holds_alternative<RigidFoam>(material.law)
-             ? "ASSUMPTION: reloaded after contact was lost; the foam does not recover, and carries "
-               "nothing below its largest strain"
-             : "ASSUMPTION: reloaded after contact was lost; the law is silent there, and the column is "
-               "taken "
-               "to have followed the platen without force, and to start again from stress zero"});
+    flags.push_back(flag_of(
+        "ASSUMPTION",
+        std::holds_alternative<RigidFoam>(material.law)
+            ? "reloaded after contact was lost; the foam does not recover, and carries nothing below its "
+              "largest strain"
+            : "reloaded after contact was lost; the law is silent there, and the column is taken to have "
+              "followed the platen without force, and to start again from stress zero"));
   if (run.unloads && -run.figures.hysteresis > std::max(1e-9, run.figures.energy_error))
-    flags.push_back({"ENERGY GAIN",
-                     fmt::format("ENERGY GAIN: the law gives back {:.3g} % more energy than "
-                                 "was put in",
-                                 -100 * run.figures.hysteresis),
-                     {{"energy_gained_fraction", -run.figures.hysteresis}}});
+    flags.push_back(flag_of(
+        "ENERGY GAIN",
+        fmt::format("the law gives back {:.3g} % more energy than was put in", -100 * run.figures.hysteresis),
+        {{"energy_gained_fraction", -run.figures.hysteresis}}));
   if (const auto& update = run.update_of_1984;
       update && std::ranges::any_of(update->stress, [&](double stress) {
         return stress > highest_drawn * run.figures.peak_stress ||
                stress < lowest_drawn * run.figures.peak_stress;
       }))
-    flags.push_back({"OUT OF BOUNDS",
-                     fmt::format("OUT OF BOUNDS: with steps of {:.3g} s the update of 1984 leaves the range "
-                                 "from {:g} to {:g} times the exact peak stress; those points are not drawn",
-                                 update->step, lowest_drawn, highest_drawn),
-                     {{"step_s", update->step}}});
+    flags.push_back(flag_of(
+        "OUT OF BOUNDS",
+        fmt::format("with steps of {:.3g} s the update of 1984 leaves the range from {:g} to {:g} times "
+                    "the exact peak stress; those points are not drawn",
+                    update->step, lowest_drawn, highest_drawn),
+        {{"step_s", update->step}}));
   return flags;
 }
 

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "laboratory/pressing_part.hpp"
+#include "laboratory/arc.hpp"
 #include "laboratory/quadrature.hpp"
 #include "model/pad/column_law.hpp"
 
@@ -25,8 +25,8 @@ class MaxwellColumn {
   }
 
   /// `x` s after the arc's start.
-  [[nodiscard]] Estimate at(double x) const {
-    const Estimate found = stress(x);
+  [[nodiscard]] WithError at(double x) const {
+    const WithError found = stress(x);
     return {std::max(found.value, 0.0), found.error};
   }
 
@@ -35,7 +35,7 @@ class MaxwellColumn {
     return strain > 0 ? envelope(law_, power_, strain_of(strain), {}, strain) : 0;
   }
   /// q of the first (0) or second (1) branch, `x` s after the arc's start.
-  [[nodiscard]] Estimate branch(int i, double x) const;
+  [[nodiscard]] WithError branch(int i, double x) const;
 
   /// Goes through an arc at once; the stress at its end. In place of enter(), at() and leave().
   [[nodiscard]] double pass(const Arc& arc) {
@@ -48,9 +48,9 @@ class MaxwellColumn {
   void leave() { branches_ = {branch(0, arc_.duration), branch(1, arc_.duration)}; }
 
  private:
-  [[nodiscard]] Estimate stress(double x) const {
-    const Estimate first = branch(0, x);
-    const Estimate second = branch(1, x);
+  [[nodiscard]] WithError stress(double x) const {
+    const WithError first = branch(0, x);
+    const WithError second = branch(1, x);
     const double strain = arc_.at(x).strain;
     const double value = strain > 0 ? lasting(strain) + first.value + second.value : 0;
     return {value, first.error + second.error + 4e-16 * std::abs(value)};
@@ -59,14 +59,14 @@ class MaxwellColumn {
   ViscoelasticFoam law_;
   PowerShape power_;
   Arc arc_;
-  std::array<Estimate, 2> branches_{};
+  std::array<WithError, 2> branches_{};
   bool lost_ = false;
 };
 
-inline Estimate MaxwellColumn::branch(int i, double x) const {
+inline WithError MaxwellColumn::branch(int i, double x) const {
   const double share = i == 0 ? law_.first_share : law_.second_share;
   const double time = i == 0 ? law_.first_time : law_.second_time;
-  const Estimate before = branches_[static_cast<std::size_t>(i)];
+  const WithError before = branches_[static_cast<std::size_t>(i)];
   const double kept = std::exp(-x / time);
   if (share == 0 || x == 0 || arc_.direction() == 0) return {before.value * kept, before.error * kept};
   const auto added = [&](double y) {
@@ -77,7 +77,7 @@ inline Estimate MaxwellColumn::branch(int i, double x) const {
     return share * slope * motion.rate * std::exp((y - x) / time);
   };
   // Older parts than 40 relaxation times are gone.
-  const Estimate sum = integral(added, std::max(0.0, x - 40 * time), x, 1e-10, 10);
+  const WithError sum = integral(added, std::max(0.0, x - 40 * time), x, 1e-10, 10);
   return {before.value * kept + sum.value, before.error * kept + sum.error};
 }
 

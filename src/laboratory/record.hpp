@@ -12,7 +12,7 @@ namespace dashpad::laboratory {
 
 class Record {
  public:
-  void add(double time, Motion motion, Estimate stress) {
+  void add(double time, Motion motion, WithError stress) {
     test_.time.push_back(time);
     test_.strain.push_back(motion.strain);
     test_.rate.push_back(motion.rate);
@@ -21,7 +21,7 @@ class Record {
     largest_error_ = std::max(largest_error_, stress.error);
   }
   /// Done since the last place.
-  void work(Estimate done) {
+  void work(WithError done) {
     work_.value += done.value;
     work_.error += done.error;
   }
@@ -40,7 +40,7 @@ class Record {
 
  private:
   ColumnTest test_;
-  Estimate work_;
+  WithError work_;
   double largest_error_ = 0;
 };
 

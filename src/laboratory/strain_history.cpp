@@ -6,31 +6,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "laboratory/rules.hpp"
+
 namespace dashpad::laboratory {
 namespace {
 
 constexpr double rounding = 1e-9;  ///< of a strain
-
-/// Collects broken rules of a test's figures, and throws them together.
-class Rules {
- public:
-  void require(bool kept, const char* name, double value, const char* rule) {
-    if (kept) return;
-    text_ += fmt::format("{}{} is {}: {}", text_.empty() ? "" : "; ", name, value, rule);
-  }
-  void rate(double value) {
-    require(value > 0 && std::isfinite(value), "rate", value, "must be more than 0 (1/s)");
-  }
-  void peak(double value) {
-    require(value > 0 && value < 1, "strain", value, "must be more than 0 and less than 1");
-  }
-  void done() const {
-    if (!text_.empty()) throw std::invalid_argument(text_);
-  }
-
- private:
-  std::string text_;
-};
 
 StrainPiece straight(double from, double to, double rate) {
   return {std::abs(to - from) / rate, from, to > from ? rate : -rate, 0};
@@ -62,30 +43,23 @@ void check_range(const StrainPiece& piece, const std::string& key, std::vector<V
 StrainHistory constant_rate_test(double rate, double strain) { return cyclic_test(rate, strain, 0, 1); }
 
 StrainHistory parabolic_test(double rate, double strain) {
-  Rules rules;
-  rules.rate(rate);
-  rules.peak(strain);
-  rules.done();
+  Rules().rate(rate).peak(strain).done();
   const double up = strain / rate;
   return {{{2 * up, 0, 2 * rate, -2 * rate / up}}};
 }
 
 StrainHistory ramp_and_hold_test(double rate, double strain, double hold) {
-  Rules rules;
-  rules.rate(rate);
-  rules.peak(strain);
-  rules.require(hold > 0 && std::isfinite(hold), "hold", hold, "must be more than 0 (s)");
-  rules.done();
+  Rules().rate(rate).peak(strain).positive("hold", hold, "s").done();
   return {{straight(0, strain, rate), {hold, strain, 0, 0}}};
 }
 
 StrainHistory cyclic_test(double rate, double strain, double low, int cycles) {
-  Rules rules;
-  rules.rate(rate);
-  rules.peak(strain);
-  rules.require(low >= 0 && low < strain, "low", low, "must be at least 0 and less than strain");
-  rules.require(cycles >= 1 && cycles <= 1000, "cycles", cycles, "must be 1 to 1000");
-  rules.done();
+  Rules()
+      .rate(rate)
+      .peak(strain)
+      .require(low >= 0 && low < strain, "low", low, "must be at least 0 and less than strain")
+      .require(cycles >= 1 && cycles <= 1000, "cycles", cycles, "must be 1 to 1000")
+      .done();
   StrainHistory history;
   for (int i = 0; i < cycles; ++i) {
     history.pieces.push_back(straight(i == 0 ? 0 : low, strain, rate));
@@ -103,11 +77,7 @@ StrainHistory measured_test(const std::vector<double>& times, const std::vector<
     const double duration = times[i] - times[i - 1];
     history.pieces.push_back({duration, strains[i - 1], (strains[i] - strains[i - 1]) / duration, 0});
   }
-  if (const auto broken = violations(history); !broken.empty()) {
-    Rules rules;
-    for (const Violation& v : broken) rules.require(false, v.key.c_str(), v.value, v.rule.c_str());
-    rules.done();
-  }
+  Rules().none_of(violations(history)).done();
   return history;
 }
 

@@ -2,22 +2,12 @@
 /// A column with memory on its way through a history, arc by arc.
 
 #include <array>
-#include <boost/math/tools/toms748_solve.hpp>
-#include <cstdint>
 #include <vector>
 
 #include "laboratory/viscous_stress.hpp"
+#include "model/root.hpp"
 
 namespace dashpad::laboratory {
-
-/// When in an arc a column carries stress; times from the arc's start.
-struct Contact {
-  bool any = false;
-  double from = 0;
-  double to = 0;
-  bool taken_up = false;  ///< at `from`, after it was lost
-  bool lost = false;      ///< at `to`
-};
 
 template <HasMemory Law>
 class ViscousColumn {
@@ -35,7 +25,7 @@ class ViscousColumn {
     for (std::size_t i = 1; i < node_places.size(); ++i) {
       const double x = node_places[i] * arc.duration;
       const bool at_zero = i + 1 == node_places.size() && arc.end.strain == 0;
-      const Estimate stress = direction < 0 && at_zero ? Estimate{-1, 0} : at(x);
+      const WithError stress = direction < 0 && at_zero ? WithError{-1, 0} : at(x);
       if (direction < 0 && stress.value <= 0) {
         contact.to = moment_of_loss(node_places[i - 1] * arc.duration, x);
         contact.lost = lost_ = true;
@@ -47,7 +37,7 @@ class ViscousColumn {
   }
 
   /// `x` s after the arc's start, within the contact.
-  [[nodiscard]] Estimate at(double x) const {
+  [[nodiscard]] WithError at(double x) const {
     if (x == 0) return nodes_.front().stress;
     auto node = nodes_.end() - 1;
     while (node->x >= x) --node;
@@ -55,14 +45,14 @@ class ViscousColumn {
   }
 
   void leave() {
-    stress_ = lost_ ? Estimate{} : at(arc_.duration);
+    stress_ = lost_ ? WithError{} : at(arc_.duration);
     largest_ = std::max(largest_, arc_.end.strain);
   }
 
  private:
   struct Node {
     double x = 0;
-    Estimate stress;
+    WithError stress;
   };
 
   /// Where the stress is computed on the way, as fractions of an arc: closer at its ends, where the singular
@@ -90,16 +80,13 @@ class ViscousColumn {
     const double low = before == 0 ? stress_.value : stress(before);
     if (low <= 0) return before;
     if (high >= 0) return after;
-    std::uintmax_t most = 200;
-    const auto bracket = boost::math::tools::toms748_solve(
-        stress, before, after, low, high, boost::math::tools::eps_tolerance<double>(50), most);
-    return bracket.first;
+    return narrowed({.low = before, .high = after, .f_low = low, .f_high = high}, stress).low;
   }
 
   ViscousStress<Law> law_;
   Arc arc_;
   std::vector<Node> nodes_;
-  Estimate stress_;
+  WithError stress_;
   double largest_ = 0;
   bool lost_ = false;
 };

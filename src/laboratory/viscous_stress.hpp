@@ -23,12 +23,12 @@ namespace dashpad::laboratory {
 
 /// H over the part of a stretch between two times from its start.
 template <HasMemory Law>
-Estimate relaxation(const Law& law, const Stretch&, double from, double to) {
+WithError relaxation(const Law& law, const Stretch&, double from, double to) {
   return {(to - from) * law.relaxation_rate(0), 0};
 }
 
 /// Law 5: h depends on time and strain. In u = t^a it is not singular where contact begins.
-inline Estimate relaxation(const TwentyOneParameter& law, const Stretch& stretch, double from, double to) {
+inline WithError relaxation(const TwentyOneParameter& law, const Stretch& stretch, double from, double to) {
   const double a = law.relaxation_exponent;
   const double log_base = std::log(law.relaxation_strain_base);
   const auto fading = [&](double x) { return std::exp(-log_base * stretch.at(x).strain); };
@@ -51,15 +51,15 @@ class ViscousStress {
 
   /// With `largest` the largest strain seen until the stretch begins. On unloading the strain at the end must
   /// be more than 0: the envelopes of laws 4 and 5 have no lower bound there.
-  [[nodiscard]] Estimate after(const Stretch& stretch, Estimate stress, double largest) const {
-    const Estimate H = relaxation(law_, stretch, 0, stretch.duration);
+  [[nodiscard]] WithError after(const Stretch& stretch, WithError stress, double largest) const {
+    const WithError H = relaxation(law_, stretch, 0, stretch.duration);
     const double kept = std::exp(-H.value);
     if (stretch.acceleration == 0) {
       const double from = stress.value - envelope(stretch.start, largest);
       const double to = envelope(stretch.end, largest);
       return {to + from * kept, kept * (stress.error + std::abs(from) * H.error) + rounding * std::abs(to)};
     }
-    const Estimate added = memory(remembered(stretch), largest);
+    const WithError added = memory(remembered(stretch), largest);
     const double value = stress.value * kept + added.value;
     return {value, kept * stress.error + added.error + (std::abs(stress.value) + std::abs(value)) * H.error +
                        rounding * std::abs(value)};
@@ -98,26 +98,26 @@ class ViscousStress {
   }
 
   /// The integral, by halves: each counts time from its own end of the stretch.
-  [[nodiscard]] Estimate memory(const Stretch& stretch, double largest) const {
+  [[nodiscard]] WithError memory(const Stretch& stretch, double largest) const {
     const double half = stretch.duration / 2;
     const auto first = [&](double x) { return integrand(stretch, x, stretch.after_start(x), largest); };
     const auto second = [&](double y) {
       return integrand(stretch, stretch.duration - y, stretch.before_end(y), largest);
     };
-    Estimate early;
+    WithError early;
     if (stretch.start.strain == 0)
       early = from_zero_strain(first, half);
     else if (stretch.start.rate == 0)
       early = integral_from_singularity(first, 0, half);
     else
       early = integral(first, 0, half);
-    const Estimate late =
+    const WithError late =
         stretch.end.rate == 0 ? integral_from_singularity(second, 0, half) : integral(second, 0, half);
     return {early.value + late.value, early.error + late.error};
   }
 
   template <class F>
-  [[nodiscard]] Estimate from_zero_strain(F&& f, double half) const {
+  [[nodiscard]] WithError from_zero_strain(F&& f, double half) const {
     const double m = power_.exponents().m;
     const double least = std::pow(1e-140, m);  // below it the integrand is constant in z, and x underflows
     const auto in_power = [&](double z) {

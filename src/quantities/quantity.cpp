@@ -1,17 +1,55 @@
 #include "dashpad/quantities/quantity.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
-#include "quantities/dimension.hpp"
+#include <fmt/format.h>
+
 #include "quantities/from_chars.hpp"
 #include "quantities/unit.hpp"
 
 namespace dashpad {
+
 namespace {
+
+/// A dimension that Dashpad meets: how people call it, and which units they use.
+struct Dimension {
+  std::string_view si_unit;
+  std::string_view name;                       ///< with its article: "a speed"
+  std::array<std::string_view, 4> examples{};  ///< of units, the best known first; may end early
+};
+
+constexpr Dimension dimensions[] = {
+    {"m", "a length", {"m", "mm", "in", "ft"}},
+    {"m/s", "a speed", {"m/s", "km/h", "mph", "in/s"}},
+    {"m/s2", "an acceleration", {"m/s2", "ft/s2", "gravity"}},
+    {"s", "a time", {"s", "ms"}},
+    {"1/s", "a rate", {"1/s", "1/ms"}},
+    {"kg", "a mass", {"kg", "g", "lb"}},
+    {"N", "a force", {"N", "kN", "lbf", "kgf"}},
+    {"N/m", "a stiffness", {"N/m", "N/mm", "kN/m", "lbf/in"}},
+    {"N s/m", "a damping", {"N s/m", "kN s/m", "lbf s/in"}},
+    {"Pa", "a stress", {"Pa", "kPa", "MPa", "psi"}},
+    {"J", "an energy", {"J", "kJ", "ft lbf", "in lbf"}},
+    {"N s", "an impulse", {"N s", "lbf s"}},
+    {"kg/m3", "a density", {"kg/m3", "g/cm3", "lb/ft3"}},
+    {"kg/m2", "a mass per area", {"kg/m2", "g/m2", "lb/ft2"}},
+    {"V", "a voltage", {"V", "mV"}},
+    {"m2", "an area", {"m2", "mm2", "in2"}},
+    {"m3", "a volume", {"m3", "cm3", "in3"}},
+    {"rad", "an angle", {"deg", "rad"}},
+    {"K", "a temperature", {"degC", "degF", "K"}},
+    {"1", "a pure number", {}},
+};
+
+/// The one with this SI unit; without a name where there is none.
+Dimension dimension_of(std::string_view si_unit) {
+  const auto* found = std::ranges::find(dimensions, si_unit, &Dimension::si_unit);
+  return found != std::end(dimensions) ? *found : Dimension{si_unit, "", {si_unit}};
+}
 
 constexpr std::size_t longest_text = 100;
 
@@ -82,7 +120,7 @@ std::string wrong_dimension(const std::string& unit, const Dimension& wanted) {
   if (!wanted.examples[0].empty())
     rule += fmt::format(" ({})", examples_of_units(std::string(wanted.si_unit)));
   // An angle counts as a pure number, and a pure number as an angle.
-  for (const Dimension& dimension : known_dimensions())
+  for (const Dimension& dimension : dimensions)
     if (dimension.si_unit != "rad" && fits(unit, dimension.si_unit))
       rule += fmt::format(", but \"{}\" gives {}", unit, dimension.name);
   if (fits(fmt::format("({}) m/s2", unit), wanted.si_unit))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <numbers>
 #include <utility>
@@ -62,6 +63,8 @@ std::string brief(double value, int digits) {
   if (!std::isfinite(value)) return "none";
   return is_long(value, digits) ? fmt::format("{:.0f}", value) : fmt::format("{:.{}g}", value, digits);
 }
+
+std::string plain_number(double value) { return fmt::format("{:g}", rounded_to(value, 3)); }
 
 ScaledUnit shown_as(const std::string& si_unit, const UnitSystem& units) {
   if (si_unit == "rad") return {180 / std::numbers::pi, "deg"};
@@ -177,6 +180,16 @@ std::string wrapped_lines(std::string_view text) {
     begin = end + 1;
   }
   return result;
+}
+
+std::string fingerprint(const std::vector<std::string>& texts) {
+  std::uint64_t hash = 14695981039346656037U;
+  const auto add = [&hash](char c) { hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U; };
+  for (const std::string& text : texts) {
+    for (const char c : text) add(c);
+    add('\0');
+  }
+  return fmt::format("{:016x}", hash);
 }
 
 }  // namespace dashpad

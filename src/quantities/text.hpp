@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "dashpad/quantities/unit_system.hpp"
 
@@ -15,6 +16,9 @@ std::string significant(double value, int digits = 5);
 
 /// The same without trailing zeros: "25.4".
 std::string brief(double value, int digits = 5);
+
+/// "1230", "0.0123": three digits, and no exponent from 0.0001 to below a million.
+std::string plain_number(double value);
 
 /// The unit in which people see an SI unit: g for accelerations, "" for pure numbers, "in·lbf" for in.lbf.
 ScaledUnit shown_as(const std::string& si_unit, const UnitSystem& units);
@@ -60,5 +64,9 @@ void replace_all(std::string& text, std::string_view old, std::string_view fresh
 std::string wrapped(std::string_view line, std::size_t indent);
 /// The same with each line of a text, by two columns.
 std::string wrapped_lines(std::string_view text);
+
+/// Tells texts from others that were changed, by accident or by hand: FNV-1a of the texts and of where each
+/// ends, 16 hexadecimal digits.
+std::string fingerprint(const std::vector<std::string>& texts);
 
 }  // namespace dashpad

@@ -3,8 +3,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "dashpad/quantities/constants.hpp"
 #include "dashpad/quantities/quantity.hpp"
-#include "dashpad/quantities/standard_gravity.hpp"
 
 namespace dashpad {
 namespace {

@@ -2,10 +2,10 @@
 /// What a summary says of each quantity of a result: read here, and nowhere else, by text, page, JSON and
 /// studies.
 
-#include <limits>
 #include <span>
 
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "dashpad/result/result_quantity.hpp"
 
 namespace dashpad {
@@ -13,9 +13,9 @@ namespace dashpad {
 /// A value in SI and its error, estimated as ErrorEstimates has it; of a moment its time, and the velocity
 /// then.
 struct EstimatedValue {
-  double value = std::numeric_limits<double>::quiet_NaN();     ///< NaN where the impact has none
-  double error = 0;                                            ///< 0 where the quantity has no estimate
-  double velocity = std::numeric_limits<double>::quiet_NaN();  ///< m/s
+  double value = no_value;     ///< NaN where the impact has none
+  double error = 0;            ///< 0 where the quantity has no estimate
+  double velocity = no_value;  ///< m/s
 };
 
 struct SummaryQuantity {

@@ -5,7 +5,7 @@
 
 #include <boost/math/distributions/binomial.hpp>
 
-#include "quantities/special_numbers.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "uncertainty/student.hpp"
 
 namespace dashpad::study {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "quantities/special_numbers.hpp"
+#include "dashpad/quantities/constants.hpp"
 
 namespace dashpad::study {
 namespace {

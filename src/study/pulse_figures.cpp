@@ -4,10 +4,8 @@
 #include <limits>
 
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/injury/clip.hpp"
 #include "dashpad/injury/figures.hpp"
-#include "dashpad/injury/peak.hpp"
-#include "dashpad/injury/severity_index.hpp"
+#include "dashpad/injury/metrics.hpp"
 #include "injury/coarser_run.hpp"
 
 namespace dashpad::study {

@@ -5,8 +5,8 @@
 
 #include "dashpad/impact/pulse.hpp"
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/injury/hic.hpp"
-#include "injury/hic_curve.hpp"
+#include "dashpad/injury/metrics.hpp"
+#include "injury/hic_search.hpp"
 #include "injury/hump.hpp"
 #include "result/summary_values.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "quantities/special_numbers.hpp"
+#include "dashpad/quantities/constants.hpp"
 
 #include "dashpad/study/answers.hpp"
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "quantities/special_numbers.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "result/summary_values.hpp"
 #include "study/pulse_figures.hpp"
 

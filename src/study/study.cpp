@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "dashpad/case/case_quantity.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "dashpad/study/application.hpp"
 #include "dashpad/study/responses.hpp"
 #include "input/spelling.hpp"
-#include "quantities/special_numbers.hpp"
 #include "study/case_checks.hpp"
 #include "study/cholesky.hpp"
 #include "study/distribution.hpp"

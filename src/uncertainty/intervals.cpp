@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <tbb/parallel_for.h>
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/injury/dwell.hpp"
 #include "dashpad/injury/figures.hpp"
-#include "dashpad/injury/hic.hpp"
-#include "uncertainty/figures.hpp"
+#include "dashpad/injury/metrics.hpp"
+#include "dashpad/quantities/constants.hpp"
+#include "dashpad/result/result_quantity.hpp"
+#include "result/summary_values.hpp"
 #include "uncertainty/line.hpp"
 
 namespace dashpad::uncertainty {
@@ -28,13 +28,49 @@ std::vector<Part> parts_of(const Pad& pad, const Summary& summary) {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double tolerance_of_ends = 1e-3;
 /// Of the nominal: what a point between the ends has to add to be worth an impact.
 constexpr double worth_solving = 3e-3;
 /// Of a figure: an impact whose peak is less sure says nothing.
 constexpr double largest_error = 0.05;
 constexpr double two_sided_95 = 1.959964;
+
+/// A figure that gets an interval.
+struct AskedFigure {
+  const ResultQuantity* quantity;
+  double level = 0;  ///< m/s2, of a dwell time
+};
+
+/// All of them; with a dwell time for each level.
+std::vector<AskedFigure> asked_figures(std::span<const double> dwell_levels) {
+  std::vector<AskedFigure> asked;
+  for (const ResultQuantity& of : result_quantities())
+    if (of.role.doubt == Doubt::of_level) {
+      for (const double level : dwell_levels) asked.push_back({&of, level});
+    } else if (of.has_interval()) {
+      asked.push_back({&of});
+    }
+  return asked;
+}
+
+/// Their values, SI; NaN where the impact has none.
+std::vector<double> figures_of(const Solution& solution, std::span<const AskedFigure> asked) {
+  const Summary& summary = solution.summary;
+  const auto injury = injury::whole_pulse_figures(solution);
+  const auto value_of = [&](const AskedFigure& figure) {
+    for (const SummaryQuantity& of : summary_quantities())
+      if (figure.quantity == of.quantity) return of.of(summary).value;
+    if (!injury) return no_value;
+    if (figure.quantity->role.doubt == Doubt::of_level)
+      return injury::cumulative_dwell(injury::pulse_of(solution.history), figure.level);
+    for (const injury::InjuryValue& of : injury::injury_values(*injury))
+      if (figure.quantity == of.quantity) return of.value;
+    return no_value;
+  };
+  std::vector<double> values;
+  for (const AskedFigure& figure : asked) values.push_back(value_of(figure));
+  return values;
+}
 
 /// A solved place of a line, as figures less those of the base.
 struct Place {

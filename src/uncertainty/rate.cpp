@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "model/pad/foam/overstress.hpp"
-#include "model/plain_number.hpp"
+#include "quantities/text.hpp"
 #include "uncertainty/line.hpp"
 
 namespace dashpad::uncertainty {

@@ -4,11 +4,15 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <boost/math/distributions/students_t.hpp>
 
 #include "dashpad/case/case_quantity.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "uncertainty/line.hpp"
+#include "uncertainty/student.hpp"
 
 namespace dashpad::uncertainty {
+
 namespace {
 
 void add_scatter(const ImpactCase& impact, const std::vector<Part>& parts, Open& open) {
@@ -97,6 +101,11 @@ void add_statistics(const ImpactCase& impact, const Summary& summary, Open& open
   add_scatter(impact, parts, open);
   add_posterior(impact, parts, open);
   add_misfit(parts, open);
+}
+
+double student_95(double degrees_of_freedom) {
+  if (!(degrees_of_freedom > 0)) return infinite;
+  return quantile(complement(boost::math::students_t(degrees_of_freedom), 0.025));
 }
 
 }  // namespace dashpad::uncertainty

@@ -23,7 +23,7 @@
 #include "answers/answer_figures.hpp"
 #include "answers/processor_time.hpp"
 #include "answers/program.hpp"
-#include "dashpad/impact/blows.hpp"
+#include "dashpad/impact/solve.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "oracle/any_impact.hpp"
 

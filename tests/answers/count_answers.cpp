@@ -24,7 +24,7 @@
 #include "answers/answer_figures.hpp"
 #include "answers/processor_time.hpp"
 #include "answers/program.hpp"
-#include "dashpad/impact/blows.hpp"
+#include "dashpad/impact/solve.hpp"
 #include "output/text/case_toml.hpp"
 
 namespace dashpad::test {

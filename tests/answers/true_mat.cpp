@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/injury/hic.hpp"
+#include "dashpad/injury/metrics.hpp"
 #include "study/random.hpp"
 
 namespace dashpad::test {

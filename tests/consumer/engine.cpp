@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/injury/hic.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 int main() {
   dashpad::ImpactCase impact;

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/injury/cfc_filter.hpp"
-#include "dashpad/injury/sensor_offset.hpp"
+#include "dashpad/injury/measured_pulse.hpp"
 #include "dashpad/input/measurement/pulse_csv.hpp"
 #include "reading.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "dashpad/model/support/backing.hpp"
+#include "dashpad/model/support/support.hpp"
 #include "oracle/cvode_impact.hpp"
 #include "oracle/ode_session.hpp"
 #include "oracle/support_line.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
-#include "dashpad/impact/solver.hpp"
+#include "dashpad/impact/solve.hpp"
 
 namespace dashpad::test {
 

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "dashpad/impact/blows.hpp"
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/impact/solver.hpp"
+#include "dashpad/impact/solve.hpp"
 #include "property/answer_comparison.hpp"
 #include "property/draw.hpp"
 #include "property/random_case.hpp"

@@ -7,7 +7,6 @@
 
 #include <map>
 
-#include "dashpad/impact/blows.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "property/draw.hpp"
 #include "property/random_case.hpp"

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/impact/solver.hpp"
 #include "property/answer_comparison.hpp"
 #include "property/draw.hpp"
 #include "property/random_case.hpp"

@@ -4,7 +4,6 @@
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "impact/figures.hpp"
-#include "impact/track.hpp"
 
 namespace dashpad::test {
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "dashpad/case/case_quantity.hpp"
-#include "dashpad/impact/blows.hpp"
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/input/fault.hpp"

@@ -12,7 +12,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "dashpad/case/case_field.hpp"
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "shared/generated_text.hpp"

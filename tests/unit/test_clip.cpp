@@ -1,6 +1,6 @@
 /// The clips against closed forms, against a slow second way, and on the pulses where a measure jumps.
 
-#include "dashpad/injury/clip.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 #include <gtest/gtest.h>
 

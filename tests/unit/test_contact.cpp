@@ -7,7 +7,6 @@
 #include <random>
 #include <stdexcept>
 
-#include "dashpad/injury/contact.hpp"
 #include "dashpad/injury/pulse_report.hpp"
 
 namespace dashpad::injury {

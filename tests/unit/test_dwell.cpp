@@ -1,6 +1,6 @@
 /// The time above a level: what can be read off a drawing, and an identity that holds for every pulse.
 
-#include "dashpad/injury/dwell.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 #include <gtest/gtest.h>
 

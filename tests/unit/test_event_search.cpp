@@ -7,7 +7,7 @@
 namespace dashpad {
 namespace {
 
-constexpr double nowhere = -1e300;
+constexpr double nowhere = -infinite;
 
 TEST(event_search, brackets_a_change_of_sign) {
   for (const double place : {0.1, 0.3, 0.999}) {

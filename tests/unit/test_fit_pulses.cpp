@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/fit/fit_file.hpp"
-#include "dashpad/injury/hic.hpp"
+#include "dashpad/injury/metrics.hpp"
 #include "dashpad/input/fault.hpp"
 #include "fit/reservations.hpp"
 #include "shared/temporary_folder.hpp"

@@ -1,6 +1,6 @@
 /// HIC: what its header promises.
 
-#include "dashpad/injury/hic.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "injury/hic_blocks.hpp"
+#include "injury/hic_search.hpp"
 
 namespace dashpad::injury::hic_search {
 namespace {

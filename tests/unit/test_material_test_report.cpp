@@ -9,7 +9,7 @@
 
 #include "dashpad/output/materials.hpp"
 #include "dashpad/spit1984/column.hpp"
-#include "laboratory/strain_marks.hpp"
+#include "laboratory/arc.hpp"
 
 namespace dashpad {
 namespace {

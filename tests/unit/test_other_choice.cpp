@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/injury/other_choice.hpp"
+#include "dashpad/injury/standard.hpp"
 #include "dashpad/output/assessment.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 

@@ -1,6 +1,6 @@
 /// Peak and velocity change of a pulse.
 
-#include "dashpad/injury/peak.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 #include <gtest/gtest.h>
 

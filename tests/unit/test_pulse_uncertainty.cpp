@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "dashpad/injury/hic.hpp"
+#include "dashpad/injury/metrics.hpp"
 #include "dashpad/injury/pulse_report.hpp"
 
 namespace dashpad::injury {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "impact/root.hpp"
+#include "model/root.hpp"
 
 namespace dashpad {
 namespace {

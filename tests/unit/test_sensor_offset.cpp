@@ -9,8 +9,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "dashpad/injury/hic.hpp"
-#include "dashpad/injury/sensor_offset.hpp"
+#include "dashpad/injury/measured_pulse.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 namespace dashpad {
 namespace {

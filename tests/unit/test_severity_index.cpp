@@ -1,6 +1,6 @@
 /// Severity index: closed forms, and a line against its integral.
 
-#include "dashpad/injury/severity_index.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "dashpad/model/nose/sphere.hpp"
-#include "impact/branch.hpp"
 #include "impact/events.hpp"
 #include "impact/predictor.hpp"
 #include "impact/step_control.hpp"
@@ -213,9 +212,9 @@ TEST(StepControl, GrowsByHalf) {
   const double usual = control.usual();
   motion.start(2, 0);
   motion.accept({}, 0.3 * usual, true);
-  EXPECT_NEAR(control.next(Phase::loading, motion, predictor, -1), 0.45 * usual, 1e-15);
+  EXPECT_NEAR(control.next(Phase::loading, motion, predictor, {.elapsed = -1}), 0.45 * usual, 1e-15);
   motion.accept({}, usual, true);
-  EXPECT_NEAR(control.next(Phase::loading, motion, predictor, -1), usual, 1e-15);
+  EXPECT_NEAR(control.next(Phase::loading, motion, predictor, {.elapsed = -1}), usual, 1e-15);
 }
 
 /// The impactor comes to rest in the time that is left, and goes back from there by a short step.
@@ -237,8 +236,9 @@ TEST(StepControl, ShrinksAboutTheTurningPointOnARigidSupport) {
     predictor.learn(Phase::loading, before, trial, Event::none);
     motion.start(2, 0);
     motion.accept(now, usual, true);
-    return std::array{control.next(Phase::loading, motion, predictor, -1) / usual,
-                      control.next(Phase::unloading, motion, predictor, 0) / usual};
+    return std::array{
+        control.next(Phase::loading, motion, predictor, {.elapsed = -1}) / usual,
+        control.next(Phase::unloading, motion, predictor, {.elapsed = 0, .is_now = true}) / usual};
   };
   const auto [towards, back] = steps_on(rigid);
   EXPECT_NEAR(towards, numerics.towards_turning * 0.2, 1e-9) << "as long as the last step took, by the drive";
@@ -259,7 +259,7 @@ TEST(StepControl, ShrinksTowardsTheRelease) {
   motion.accept(now, 1e-3, true);
   now.force = 5;
   motion.accept(now, 1e-4, true);
-  EXPECT_NEAR(control.next(Phase::unloading, motion, predictor, -1), 0.7 * 1e-4, 1e-12)
+  EXPECT_NEAR(control.next(Phase::unloading, motion, predictor, {.elapsed = -1}), 0.7 * 1e-4, 1e-12)
       << "seven tenths of the force";
 }
 

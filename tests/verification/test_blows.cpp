@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/impact/blows.hpp"
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "model/contact/foam_contact.hpp"

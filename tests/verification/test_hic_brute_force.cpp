@@ -9,7 +9,7 @@
 #include <random>
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/injury/hic.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 namespace dashpad::test {
 namespace {

@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/injury/hic.hpp"
+#include "dashpad/injury/metrics.hpp"
 
 namespace dashpad::test {
 namespace {

@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <random>
 
-#include "dashpad/injury/clip.hpp"
-#include "dashpad/injury/hic.hpp"
-#include "injury/hic_curve.hpp"
+#include "dashpad/injury/metrics.hpp"
+#include "injury/hic_search.hpp"
 #include "injury/hump.hpp"
 
 namespace dashpad {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <vector>
 
-#include "dashpad/impact/blows.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "property/random_case.hpp"
 #include "shared/run_once.hpp"

@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/injury/hic.hpp"
+#include "dashpad/injury/metrics.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/version.hpp"
 #include "input/disk.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// The quantities of an impact case by name, to be read and set: what studies vary.
+/// The numbers of an impact case by name: to be read and set, which is what studies vary, and as a list.
 
 #include <cstddef>
 #include <functional>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
+#include "dashpad/model/parameter.hpp"
 
 namespace dashpad {
 
@@ -58,5 +59,20 @@ class CaseQuantities {
 /// every such case; another law throws std::bad_variant_access. `support.scale` counts from the support of
 /// `base`.
 CaseQuantities quantities_of(const ImpactCase& base);
+
+/// The numbers that a case may give beside those of its law, its nose and the curve of its support: read from
+/// the tables that stand with the structures, for documents, schemas and whoever asks for a list.
+struct CaseField {
+  std::string table;  ///< "pad", "pad.layers"
+  std::string key;    ///< in that table: "area"
+  std::string unit;   ///< SI; "1" for a pure number
+  std::string rule;   ///< "must be at least 0 m"
+  LeftOut left_out = LeftOut::refused;
+  double default_value = 0;  ///< SI, of LeftOut::as_default; NaN for one that is absent then
+  std::string meaning;
+};
+
+/// In the order of case files.
+std::vector<CaseField> case_fields();
 
 }  // namespace dashpad

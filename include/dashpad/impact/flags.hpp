@@ -61,6 +61,8 @@ struct Flag {
   std::string text;  ///< a line that begins with the name
   std::vector<FlagFigure> figures = {};
 };
+/// The flag whose text is its name, a colon and these words.
+Flag flag_of(const std::string& name, std::string_view words, std::vector<FlagFigure> figures = {});
 
 /// What a person decides by where no standard says it.
 const std::vector<std::string>& usual_figures();

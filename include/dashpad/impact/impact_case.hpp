@@ -9,7 +9,6 @@
 
 #include "dashpad/model/nose/nose.hpp"
 #include "dashpad/model/pad/stress_scale.hpp"
-#include "dashpad/model/support/backing.hpp"
 #include "dashpad/model/support/support.hpp"
 
 namespace dashpad {
@@ -28,7 +27,7 @@ struct Impactor {
 inline constexpr std::array<Parameter<Impactor>, 3> Impactor::parameters{{
     {"mass", "M", "kg", &Impactor::mass, wide(1e-6, 1e6), "mass of the impactor"},
     {"speed", "V", "m/s", &Impactor::speed, wide(1e-4, 1e3), "impact speed"},
-    {"gravity", "g", "m/s2", &Impactor::gravity, {0, 1000, true, true}, "gravity", LeftOut::as_default},
+    {"gravity", "g", "m/s2", &Impactor::gravity, from_to(0, 1000), "gravity", LeftOut::as_default},
 }};
 
 /// One layer of a pad, as wide as the pad.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +12,7 @@
 #include "dashpad/impact/interval.hpp"
 #include "dashpad/impact/pulse.hpp"
 #include "dashpad/model/pad/material.hpp"
-#include "dashpad/quantities/standard_gravity.hpp"
+#include "dashpad/quantities/constants.hpp"
 
 namespace dashpad {
 
@@ -37,8 +36,7 @@ struct Options {
 inline constexpr std::array<Parameter<Options>, 2> Options::parameters{{
     {"tolerance", "", "1", &Options::tolerance, in_words(1e-8, 1e-2, "at least 1e-8 and at most 1e-2"),
      "relative error asked for", LeftOut::computed},
-    {"time_limit", "", "s", &Options::time_limit,
-     in_words(0, std::numeric_limits<double>::infinity(), "more than 0", false),
+    {"time_limit", "", "s", &Options::time_limit, in_words(0, infinite, "more than 0", false),
      "time after first contact at which an impact is given up", LeftOut::computed},
 }};
 

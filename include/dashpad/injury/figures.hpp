@@ -7,9 +7,7 @@
 
 #include "dashpad/impact/pulse.hpp"
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/injury/clip.hpp"
-#include "dashpad/injury/hic.hpp"
-#include "dashpad/injury/peak.hpp"
+#include "dashpad/injury/metrics.hpp"
 #include "dashpad/result/result_quantity.hpp"
 
 namespace dashpad::injury {

@@ -9,7 +9,7 @@
 
 #include "dashpad/impact/pulse.hpp"
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/injury/peak.hpp"
+#include "dashpad/injury/metrics.hpp"
 #include "dashpad/injury/pulse_report.hpp"
 #include "dashpad/result/result_quantity.hpp"
 

@@ -7,13 +7,12 @@
 #include <vector>
 
 #include "dashpad/impact/flags.hpp"
+#include "dashpad/impact/pulse.hpp"
 #include "dashpad/injury/cfc_filter.hpp"
-#include "dashpad/injury/contact.hpp"
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/injury/measured_pulse.hpp"
-#include "dashpad/injury/pulse_uncertainty.hpp"
-#include "dashpad/injury/sensor_offset.hpp"
 #include "dashpad/injury/standard.hpp"
+#include "dashpad/result/result_quantity.hpp"
 
 namespace dashpad::injury {
 
@@ -57,6 +56,51 @@ struct MeasuredImpact {
 /// v = sqrt(2 g h), of a free fall from `drop_height`, m, more than 0; g is standard gravity, also in
 /// contact.
 MeasuredImpact after_fall(double drop_height);
+
+/// A stretch of a pulse from `begin` to `end`, s, both included.
+struct Stretch {
+  double begin = 0, end = 0;
+};
+
+/// The stretch in which the impactor touches what it strikes.
+struct Contact {
+  double begin = 0, end = 0;   ///< s
+  double velocity_change = 0;  ///< m/s, over that stretch, magnitude
+};
+
+/// `along` is the acceleration along the axis of the impact, m/s2, of either sign: of a resultant that of its
+/// main axis, since a length never changes its sign. Contact is the stretch around the peak above the level
+/// of `quiet`, where nothing happens: its mean and its scatter, which a record of lengths has too; without
+/// one, the stretch that keeps the sign of the peak. It goes on over an interruption, as by ringing, behind
+/// which, within a quarter of the width of the pulse, the velocity changes by another 1 %. That width is the
+/// time above half the peak, from where the acceleration last leaves that level before the peak to where it
+/// first reaches it again: a second blow is none of it. Throws std::invalid_argument for what check()
+/// refuses.
+Contact contact_of(const Pulse& along, const std::optional<Stretch>& quiet = {});
+
+/// What sampling, filter and calibration leave open of a figure of a measured pulse.
+///
+/// Components and their sum are expanded uncertainties, k = 2 (some 95 %), relative to the figure. A bound b
+/// on what sampling or a filter does counts as even between -b and b: its standard uncertainty is b / sqrt(3)
+/// (GUM, JCGM 100:2008, 4.3.7).
+struct FigureUncertainty {
+  const ResultQuantity* quantity;
+  std::optional<double> sampling = {};     ///< absent for a peak at an end, and for fewer than four samples
+  std::optional<double> filter = {};       ///< absent where none was applied: what was before is not known
+  std::optional<double> calibration = {};  ///< absent where nobody said it
+
+  /// Root of the sum of the squares of those that are known.
+  [[nodiscard]] double combined() const;
+};
+
+struct MeasurementUncertainty {
+  std::optional<double> calibration = {};  ///< as stated: of an acceleration, expanded, relative
+  std::string compared_with = {};          ///< "CFC1000" or "no filter", for the filter; empty without one
+  std::vector<FigureUncertainty> figures;  ///< of peak, HIC, clips, velocity change, as far as known
+};
+
+/// A calibration is at most so much.
+inline constexpr double most_calibration = 0.5;
 
 /// A standard's limits beside the figures of a pulse.
 struct PulseLimits {
@@ -148,5 +192,16 @@ PulseLimits within_limits(const PulseReport& report, const Standard& standard);
 /// it is resampled.
 std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std::optional<double> interval,
                                               const PulseFilter& filter);
+
+/// Of the figures of `report`. `calibration`: of an acceleration, expanded, in (0, most_calibration), alike
+/// in all directions.
+///
+/// Sampling of the peak: a smooth pulse, a parabola through the largest sample and its neighbours, lies at
+/// most |y(-1) - 2 y(0) + y(1)| / 8 above the largest sample. Of the others: 4/3 of what samples between the
+/// given ones, by a cubic through four, do to them, since straight lines err by the square of the interval.
+/// Filter: what the next higher class leaves of the figure that the chosen one takes away; where there is
+/// none or the samples are too few for it, what no filter leaves. Calibration: to the power that the
+/// acceleration has in the figure, 2.5 of HIC.
+MeasurementUncertainty measurement_uncertainty(const PulseReport& report, std::optional<double> calibration);
 
 }  // namespace dashpad::injury

@@ -2,17 +2,18 @@
 /// What a law of a pad or the shape of a nose tells the rest of the program about its numbers: key, unit,
 /// admissible range, meaning.
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "dashpad/quantities/constants.hpp"
 
 namespace dashpad {
 
 /// Physically possible values of a parameter (not the range of a fit; see FittedRange).
 struct Bounds {
-  double lowest = -std::numeric_limits<double>::infinity();
-  double highest = std::numeric_limits<double>::infinity();
+  double lowest = -infinite;
+  double highest = infinite;
   bool lowest_admitted = false;
   bool highest_admitted = false;
   /// Beyond any impact, but within what the arithmetic bears: the rule says so.
@@ -22,8 +23,7 @@ struct Bounds {
 
   /// False for NaN and for infinities as well.
   [[nodiscard]] constexpr bool contain(double value) const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (!(value > -infinity && value < infinity)) return false;
+    if (!(value > -infinite && value < infinite)) return false;
     return (value > lowest || (lowest_admitted && value == lowest)) &&
            (value < highest || (highest_admitted && value == highest));
   }
@@ -33,6 +33,11 @@ struct Bounds {
 inline constexpr Bounds positive{.lowest = 0};
 /// Zero or greater.
 inline constexpr Bounds not_negative{.lowest = 0, .lowest_admitted = true};
+
+/// Between two values, both admitted.
+constexpr Bounds from_to(double lowest, double highest) { return {lowest, highest, true, true}; }
+/// Above one value, and at most another.
+constexpr Bounds above_to(double lowest, double highest) { return {lowest, highest, false, true}; }
 
 /// More than zero, and between two values that nobody's impact is outside of.
 constexpr Bounds wide(double lowest, double highest) { return {lowest, highest, true, true, true, ""}; }
@@ -54,7 +59,7 @@ class Member {
   [[nodiscard]] double of(const Owner& owner) const {
     if (number_ != nullptr) return owner.*number_;
     if (count_ != nullptr) return owner.*count_;
-    return (owner.*optional_).value_or(std::numeric_limits<double>::quiet_NaN());
+    return (owner.*optional_).value_or(no_value);
   }
   void set(Owner& owner, double value) const {
     if (number_ != nullptr)

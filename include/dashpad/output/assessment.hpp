@@ -6,7 +6,6 @@
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/injury/other_choice.hpp"
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/output/document.hpp"
 #include "dashpad/quantities/unit_system.hpp"

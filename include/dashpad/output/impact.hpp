@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "dashpad/impact/blows.hpp"
 #include "dashpad/impact/contact_snapshot.hpp"
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/post_impact.hpp"
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/output/document.hpp"
 #include "dashpad/output/plot/plot.hpp"

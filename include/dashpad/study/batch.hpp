@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dashpad/impact/solver.hpp"
+#include "dashpad/impact/solve.hpp"
 #include "dashpad/study/application.hpp"
 #include "dashpad/study/design.hpp"
 #include "dashpad/study/store.hpp"

@@ -14,14 +14,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
 
 #include "dashpad/model/nose/sections.hpp"
 #include "dashpad/model/pad/law.hpp"
-#include "model/contact/columns.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "model/contact/contact.hpp"
 #include "model/contact/station_layout.hpp"
 #include "model/contact/sweep.hpp"
@@ -78,7 +77,7 @@ class ColumnField {
 
   /// `resolution` is the relative spacing of stations aimed at; `expected` the largest penetration that is
   /// expected, m, over which they are spread.
-  void start(double resolution, double expected = std::numeric_limits<double>::infinity()) {
+  void start(double resolution, double expected = infinite) {
     clear(resolution);
     lay_columns(expected, thickness_);
   }
@@ -145,7 +144,7 @@ class ColumnField {
   /// Of any column, tension negative: contact is lost where it crosses zero.
   [[nodiscard]] double largest_stress(const PadTrial& trial) {
     recall(trial);
-    if (trial_live_ == 0) return -std::numeric_limits<double>::min();
+    if (trial_live_ == 0) return not_pressed;
     return *std::max_element(columns_.next_state.stress, columns_.next_state.stress + trial_live_);
   }
 

@@ -9,6 +9,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <limits>
 
 namespace dashpad {
 
@@ -28,6 +29,9 @@ struct PadTrial {
     return advance == other.advance && shares_time_with(other);
   }
 };
+
+/// largest_stress() where no column is pressed: just below zero.
+inline constexpr double not_pressed = -std::numeric_limits<double>::min();
 
 template <class C>
 concept IsContact = requires(C contact, const C fixed, const PadTrial& trial, double x) {

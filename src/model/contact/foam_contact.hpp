@@ -17,13 +17,13 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "dashpad/model/nose/sections.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "model/contact/contact.hpp"
 #include "model/contact/foam_nodes.hpp"
 #include "model/contact/sweep.hpp"
@@ -134,7 +134,7 @@ class FoamContact {
   }
   [[nodiscard]] double largest_stress(const PadTrial& trial) {
     recall(trial);
-    return trial_penetration_ > 0 ? most_pressed_ : -std::numeric_limits<double>::min();
+    return trial_penetration_ > 0 ? most_pressed_ : not_pressed;
   }
 
   void accept(const PadTrial& trial) {
@@ -245,7 +245,7 @@ class FoamContact {
   /// The force at the end of the trial; on the way what else is asked for.
   double integrate() {
     relaxing_ = 0;
-    most_pressed_ = -std::numeric_limits<double>::infinity();
+    most_pressed_ = -infinite;
     trial_pressing_ = -1;
     points_ = 0;
     const double Y = trial_penetration_;

@@ -282,7 +282,7 @@ double LayeredContact::lasting_stiffness(const PadTrial& trial) {
 
 double LayeredContact::largest_stress(const PadTrial& trial) {
   recall(trial);
-  if (trial_live_ == 0) return -std::numeric_limits<double>::min();
+  if (trial_live_ == 0) return not_pressed;
   const double* stress = columns_.next_moment.stress;
   return *std::max_element(stress, stress + trial_live_);
 }

@@ -4,8 +4,8 @@
 /// (model/contact/column_field.hpp).
 
 #include <cstddef>
-#include <limits>
 
+#include "dashpad/quantities/constants.hpp"
 #include "model/contact/column_field.hpp"
 #include "model/contact/loading_force.hpp"
 
@@ -36,7 +36,7 @@ class NineParameterContact {
   [[nodiscard]] std::size_t stations() const { return was_unloaded_ ? field_.stations() : 0; }
   [[nodiscard]] std::size_t updates() const { return updates_ + field_.updates(); }
 
-  void start(double resolution, double = std::numeric_limits<double>::infinity()) {
+  void start(double resolution, double = infinite) {
     penetration_ = 0;
     updates_ = 0;
     last_ = {};

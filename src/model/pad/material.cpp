@@ -6,7 +6,7 @@
 
 #include "model/pad/foam/foam_curve.hpp"
 #include "model/pad/foam/foam_rules.hpp"
-#include "model/plain_number.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad {
 namespace {
@@ -76,7 +76,7 @@ void check_parameter_range(const Material& material, const char* key, const std:
 }
 
 void check_uncertainty(const Material& material, std::vector<Violation>& broken) {
-  constexpr Bounds shares{.lowest = 0, .highest = 1, .lowest_admitted = true, .highest_admitted = true};
+  constexpr Bounds shares = from_to(0, 1);
   const Uncertainty& of = material.uncertainty;
   check_parameter_range(material, "recoil", of.recoil, broken);
   check_parameter_range(material, "unloading_factor", of.unloading_factor, broken);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "dashpad/quantities/constants.hpp"
+
 namespace dashpad {
 namespace {
 
@@ -270,7 +272,7 @@ double Foundation::static_compliance(const BackState& now, double force) const {
   if (bare_) return support_.compliance(force);
   if (kind_ != Kind::at_once) {
     const double slope = stiffness(now.deflection);
-    return slope > 0 ? 1 / slope : std::numeric_limits<double>::infinity();
+    return slope > 0 ? 1 / slope : infinite;
   }
   if (force < holding()) return 0;
   if (crushes_ && (force < yield_force_ || (turned_ && force <= yield_force_)))

@@ -8,12 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
-#include "dashpad/model/support/backing.hpp"
 #include "dashpad/model/support/support.hpp"
+#include "dashpad/quantities/constants.hpp"
 
 namespace dashpad {
 
@@ -143,7 +142,7 @@ class Foundation {
   /// How long the panel takes to its stop if it goes on as it does, s; without end if it does not go there.
   [[nodiscard]] double time_to_stop(const BackState& now) const {
     const bool comes = kind_ == Kind::panel && std::isfinite(stop_) && now.rate < 0 && now.deflection > stop_;
-    return comes ? (now.deflection - stop_) / -now.rate : std::numeric_limits<double>::infinity();
+    return comes ? (now.deflection - stop_) / -now.rate : infinite;
   }
   /// It strikes its stop now.
   BackState land(const BackState& now);
@@ -228,8 +227,8 @@ class Foundation {
   bool bare_ = true;   ///< the curve alone
   bool plain_ = true;  ///< and no body behind
   double damping_ = 0;
-  double inverse_body_ = 0;                                 ///< 1/Mb
-  double stop_ = -std::numeric_limits<double>::infinity();  ///< x at which a stop holds the panel, m
+  double inverse_body_ = 0;    ///< 1/Mb
+  double stop_ = -infinite;    ///< x at which a stop holds the panel, m
   double offset_ = 0;          ///< deflection of the curve at rest, by the preload or an earlier force, m
   double set_before_ = 0;      ///< by an earlier force, m
   double yielded_before_ = 0;  ///< x behind the gap up to which that has crushed it, m

@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-#include "dashpad/impact/solver.hpp"
+#include "dashpad/impact/solve.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/report1986/validation/held_out.hpp"
 #include "fit/problem.hpp"

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dashpad/quantities/constants.hpp"
 #include "dashpad/report1986/validation/energy.hpp"
 #include "dashpad/report1986/validation/verdict.hpp"
-#include "quantities/special_numbers.hpp"
 #include "report1986/validation/trends_least_squares.hpp"
 
 namespace dashpad::report1986 {

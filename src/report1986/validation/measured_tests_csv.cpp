@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/quantities/constants.hpp"
 #include "input/measurement/csv_rows.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "input/spelling.hpp"
 #include "input/text_file.hpp"
-#include "quantities/special_numbers.hpp"
 
 namespace dashpad::report1986 {
 

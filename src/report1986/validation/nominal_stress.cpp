@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/quantities/constants.hpp"
 #include "dashpad/report1986/validation/energy.hpp"
 #include "dashpad/report1986/validation/trends.hpp"
-#include "quantities/special_numbers.hpp"
 #include "report1986/validation/placings.hpp"
 #include "report1986/validation/trends_least_squares.hpp"
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/quantities/constants.hpp"
 #include "dashpad/report1986/validation/energy.hpp"
 #include "dashpad/report1986/validation/verdict.hpp"
-#include "quantities/special_numbers.hpp"
 #include "report1986/validation/placings.hpp"
 #include "uncertainty/student.hpp"
 

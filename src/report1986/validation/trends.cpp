@@ -5,8 +5,8 @@
 #include <functional>
 #include <utility>
 
+#include "dashpad/quantities/constants.hpp"
 #include "dashpad/report1986/validation/energy.hpp"
-#include "quantities/special_numbers.hpp"
 #include "report1986/validation/placings.hpp"
 #include "report1986/validation/trends_least_squares.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "quantities/special_numbers.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "uncertainty/student.hpp"
 
 namespace dashpad::report1986 {

@@ -5,7 +5,6 @@
 /// is all that it needs beside its own file.
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <variant>
 
@@ -17,6 +16,7 @@
 #include "dashpad/model/nose/profile.hpp"
 #include "dashpad/model/nose/rod.hpp"
 #include "dashpad/model/nose/sphere.hpp"
+#include "dashpad/quantities/constants.hpp"
 
 namespace dashpad {
 
@@ -41,7 +41,7 @@ inline std::string words_of(const Nose& nose) {
 /// For standards, whose headforms are spheres: R, m; NaN for any other shape.
 inline double sphere_radius(const Nose& nose) {
   const auto* sphere = std::get_if<Sphere>(&nose);
-  return sphere == nullptr ? std::numeric_limits<double>::quiet_NaN() : sphere->radius;
+  return sphere == nullptr ? no_value : sphere->radius;
 }
 
 }  // namespace dashpad

@@ -18,11 +18,18 @@
 #include <optional>
 #include <variant>
 
-#include "dashpad/model/pad/foam/base_curve.hpp"
+#include "dashpad/model/pad/foam/avalle_curve.hpp"
+#include "dashpad/model/pad/foam/gibson_ashby_curve.hpp"
+#include "dashpad/model/pad/foam/hyperfoam_curve.hpp"
+#include "dashpad/model/pad/foam/power_curve.hpp"
 #include "dashpad/model/pad/foam/rate_effect.hpp"
+#include "dashpad/model/pad/foam/table_curve.hpp"
 #include "dashpad/model/parameter.hpp"
 
 namespace dashpad {
+
+/// The forms that the base curve of a foam can have: the stress of its slowest test over the strain.
+using BaseCurve = std::variant<TableCurve, AvalleCurve, PowerCurve, GibsonAshbyCurve, HyperfoamCurve>;
 
 /// What foams are made of: the curves of their tests.
 struct FoamCurves {
@@ -60,24 +67,18 @@ inline bool is_without_loss(const Foam& foam) {
          std::holds_alternative<NoRateEffect>(foam.curves.rate_effect);
 }
 
-inline constexpr Bounds lag_strains{
-    .lowest = 1e-4, .highest = 0.05, .lowest_admitted = true, .highest_admitted = true};
-inline constexpr Bounds continuation_exponents{
-    .lowest = 1, .highest = 6, .lowest_admitted = true, .highest_admitted = true};
+inline constexpr Bounds lag_strains = from_to(1e-4, 0.05);
+inline constexpr Bounds continuation_exponents = from_to(1, 6);
 
 inline constexpr std::array<Parameter<Foam>, 8> Foam::parameters{{
-    {"friction", "f", "1", &Foam::friction,
-     Bounds{.lowest = 0, .highest = 0.45, .lowest_admitted = true, .highest_admitted = true},
+    {"friction", "f", "1", &Foam::friction, from_to(0, 0.45),
      "share of the base curve that is lost however slow the test", LeftOut::as_default},
-    {"unloading_factor", "HU", "1", &Foam::unloading_factor,
-     Bounds{.lowest = 0, .highest = 1, .lowest_admitted = true, .highest_admitted = true},
+    {"unloading_factor", "HU", "1", &Foam::unloading_factor, from_to(0, 1),
      "what is left of the stress where the foam is nearly unloaded", LeftOut::as_default},
-    {"unloading_shape", "SHAPE", "1", &Foam::unloading_shape,
-     Bounds{.lowest = 0.01, .highest = 50, .lowest_admitted = true, .highest_admitted = true},
+    {"unloading_shape", "SHAPE", "1", &Foam::unloading_shape, from_to(0.01, 50),
      "exponent of the work in the unloading", LeftOut::as_default},
-    {"recoil", "k", "1", &Foam::recoil,
-     Bounds{.lowest = 0, .highest = 1, .lowest_admitted = true, .highest_admitted = true},
-     "share of the rate's stress that resists the way back", LeftOut::as_default},
+    {"recoil", "k", "1", &Foam::recoil, from_to(0, 1), "share of the rate's stress that resists the way back",
+     LeftOut::as_default},
     {"lag_strain", "l", "1", &Foam::lag_strain, lag_strains,
      "strain over which the rate's stress follows the rate", LeftOut::as_default},
     {"continuation_exponent", "n", "1", &Foam::continuation_exponent, continuation_exponents,

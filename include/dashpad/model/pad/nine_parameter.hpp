@@ -6,7 +6,7 @@
 ///   unloading: G = A B E(e, e*, D)
 ///                                                   (theory.md, Eqs. 14 to 16; report, Eq. 28, KEYP = 4)
 ///
-/// E is in src/model/pad/formulas.hpp, D in dashpad/model/pad/unloading.hpp.
+/// E is in src/model/pad/formulas.hpp, D in dashpad/model/pad/strain.hpp.
 ///
 /// Stress and strain are engineering values, compression positive. |de/dt|^r and (tau* |de/dt|)^p take the
 /// rate in 1/s. The ninth parameter, the zero-time modulus E_0, does not enter the law and is left out, as
@@ -16,7 +16,7 @@
 #include <cmath>
 
 #include "dashpad/model/pad/power_shape.hpp"
-#include "dashpad/model/pad/unloading.hpp"
+#include "dashpad/model/pad/strain.hpp"
 #include "dashpad/model/parameter.hpp"
 
 namespace dashpad {
@@ -64,21 +64,19 @@ struct NineParameter {
 inline constexpr std::array<Parameter<NineParameter>, 8> NineParameter::parameters{{
     {"asymptotic_modulus", "E_inf", "Pa", &NineParameter::asymptotic_modulus, positive,
      "modulus of the lasting stress"},
-    {"contact_exponent", "m", "1", &NineParameter::contact_exponent,
-     Bounds{.lowest = 0, .highest = 1, .highest_admitted = true}, "exponent of the strain"},
-    {"compaction_exponent", "n", "1", &NineParameter::compaction_exponent,
-     Bounds{.lowest = 0, .highest = 4, .lowest_admitted = true, .highest_admitted = true},
+    {"contact_exponent", "m", "1", &NineParameter::contact_exponent, above_to(0, 1),
+     "exponent of the strain"},
+    {"compaction_exponent", "n", "1", &NineParameter::compaction_exponent, from_to(0, 4),
      "exponent of one minus the strain"},
     {"relaxation_time", "tau", "s", &NineParameter::relaxation_time, positive,
      "time constant of the relaxation"},
     {"rate_modulus", "E_r", "Pa", &NineParameter::rate_modulus, not_negative,
      "modulus of the stress that a strain rate of 1/s adds"},
-    {"rate_exponent", "r", "1", &NineParameter::rate_exponent,
-     Bounds{.lowest = 0, .highest = 1, .highest_admitted = true}, "exponent of the strain rate"},
+    {"rate_exponent", "r", "1", &NineParameter::rate_exponent, above_to(0, 1), "exponent of the strain rate"},
     {"residual_strain_time", "tau*", "s", &NineParameter::residual_strain_time, positive,
      "scale of the strain rate in the residual strain on unloading"},
-    {"residual_strain_exponent", "p", "1", &NineParameter::residual_strain_exponent,
-     Bounds{.lowest = 0, .highest = 1, .highest_admitted = true}, "its exponent"},
+    {"residual_strain_exponent", "p", "1", &NineParameter::residual_strain_exponent, above_to(0, 1),
+     "its exponent"},
 }};
 
 }  // namespace dashpad

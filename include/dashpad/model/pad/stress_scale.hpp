@@ -28,20 +28,10 @@ struct PadCondition {
 
 /// What a density and a temperature may be depends on the card.
 inline constexpr std::array<Parameter<PadCondition>, 3> PadCondition::parameters{{
-    {"scale",
-     "",
-     "1",
-     &PadCondition::scale,
-     {1e-3, 1e3, true, true},
-     "scale of the foam's stress",
+    {"scale", "", "1", &PadCondition::scale, from_to(1e-3, 1e3), "scale of the foam's stress",
      LeftOut::as_default},
     {"density", "", "kg/m3", &PadCondition::density, positive, "density of the foam", LeftOut::as_default},
-    {"temperature",
-     "",
-     "K",
-     &PadCondition::temperature,
-     {0, 2000, false, true},
-     "temperature of the foam",
+    {"temperature", "", "K", &PadCondition::temperature, above_to(0, 2000), "temperature of the foam",
      LeftOut::as_default},
 }};
 

@@ -7,7 +7,7 @@
 ///   h = a t^(a-1) / (b c^e)   with t the time since first contact, in s
 ///                                                (theory.md, Eqs. 14, 16, 17; report, Eq. 28, KEYP = 5)
 ///
-/// E is in src/model/pad/formulas.hpp, D in dashpad/model/pad/unloading.hpp.
+/// E is in src/model/pad/formulas.hpp, D in dashpad/model/pad/strain.hpp.
 ///
 /// Stress and strain are engineering values, compression positive; the rate powers take 1/s. Parameters 17
 /// to 21 of the report (the zero-time stress) do not enter the law and are left out, as in the 1984 program.
@@ -16,7 +16,7 @@
 #include <cmath>
 
 #include "dashpad/model/pad/power_shape.hpp"
-#include "dashpad/model/pad/unloading.hpp"
+#include "dashpad/model/pad/strain.hpp"
 #include "dashpad/model/parameter.hpp"
 
 namespace dashpad {
@@ -84,38 +84,34 @@ struct TwentyOneParameter {
 inline constexpr std::array<Parameter<TwentyOneParameter>, 16> TwentyOneParameter::parameters{{
     {"asymptotic_modulus", "E_inf", "Pa", &TwentyOneParameter::asymptotic_modulus, positive,
      "modulus of the lasting stress"},
-    {"contact_exponent", "m", "1", &TwentyOneParameter::contact_exponent,
-     Bounds{.lowest = 0, .highest = 1, .highest_admitted = true}, "exponent of the strain"},
-    {"compaction_exponent", "n", "1", &TwentyOneParameter::compaction_exponent,
-     Bounds{.lowest = 0, .highest = 4, .lowest_admitted = true, .highest_admitted = true},
+    {"contact_exponent", "m", "1", &TwentyOneParameter::contact_exponent, above_to(0, 1),
+     "exponent of the strain"},
+    {"compaction_exponent", "n", "1", &TwentyOneParameter::compaction_exponent, from_to(0, 4),
      "exponent of one minus the strain"},
-    {"relaxation_exponent", "a", "1", &TwentyOneParameter::relaxation_exponent,
-     Bounds{.lowest = 0, .highest = 1, .highest_admitted = true}, "exponent of time in the relaxation"},
+    {"relaxation_exponent", "a", "1", &TwentyOneParameter::relaxation_exponent, above_to(0, 1),
+     "exponent of time in the relaxation"},
     {"relaxation_scale", "b", "1", &TwentyOneParameter::relaxation_scale, positive,
      "scale of the relaxation, with time in seconds"},
-    {"relaxation_strain_base", "c", "1", &TwentyOneParameter::relaxation_strain_base,
-     Bounds{.lowest = 1e-3, .highest = 1e3, .lowest_admitted = true, .highest_admitted = true},
+    {"relaxation_strain_base", "c", "1", &TwentyOneParameter::relaxation_strain_base, from_to(1e-3, 1e3),
      "base of the strain's effect on the relaxation"},
     {"rate_stress", "S_r", "Pa", &TwentyOneParameter::rate_stress, not_negative,
      "stress that a strain rate of 1/s adds"},
-    {"rate_exponent", "R", "1", &TwentyOneParameter::rate_exponent,
-     Bounds{.lowest = 0, .highest = 1, .highest_admitted = true},
+    {"rate_exponent", "R", "1", &TwentyOneParameter::rate_exponent, above_to(0, 1),
      "exponent of the strain rate at small strain"},
-    {"rate_strain_exponent", "U", "1", &TwentyOneParameter::rate_strain_exponent,
-     Bounds{.lowest = 0, .highest = 10, .highest_admitted = true}, "how the rate exponent falls with strain"},
+    {"rate_strain_exponent", "U", "1", &TwentyOneParameter::rate_strain_exponent, above_to(0, 10),
+     "how the rate exponent falls with strain"},
     {"rate_strain_scale", "V", "1", &TwentyOneParameter::rate_strain_scale, positive, "its scale"},
-    {"growth_strain_exponent", "W", "1", &TwentyOneParameter::growth_strain_exponent,
-     Bounds{.lowest = 0, .highest = 10, .highest_admitted = true}, "how the rate stress grows with strain"},
+    {"growth_strain_exponent", "W", "1", &TwentyOneParameter::growth_strain_exponent, above_to(0, 10),
+     "how the rate stress grows with strain"},
     {"growth_strain_scale", "X", "1", &TwentyOneParameter::growth_strain_scale,
      Bounds{.lowest = 0.01, .lowest_admitted = true}, "its scale"},
-    {"onset_strain_exponent", "Y", "1", &TwentyOneParameter::onset_strain_exponent,
-     Bounds{.lowest = 0, .highest = 10, .highest_admitted = true},
+    {"onset_strain_exponent", "Y", "1", &TwentyOneParameter::onset_strain_exponent, above_to(0, 10),
      "how the rate stress sets in at small strain"},
     {"onset_strain_scale", "Z", "1", &TwentyOneParameter::onset_strain_scale, positive, "its scale"},
     {"residual_strain_time", "tau*", "s", &TwentyOneParameter::residual_strain_time, positive,
      "scale of the strain rate in the residual strain on unloading"},
-    {"residual_strain_exponent", "p", "1", &TwentyOneParameter::residual_strain_exponent,
-     Bounds{.lowest = 0, .highest = 1, .highest_admitted = true}, "its exponent"},
+    {"residual_strain_exponent", "p", "1", &TwentyOneParameter::residual_strain_exponent, above_to(0, 1),
+     "its exponent"},
 }};
 
 }  // namespace dashpad

@@ -60,10 +60,8 @@ struct ViscoelasticFoam {
   }
 };
 
-inline constexpr Bounds viscoelastic_exponents{
-    .lowest = -3, .highest = 50, .lowest_admitted = true, .highest_admitted = true};
-inline constexpr Bounds viscoelastic_shares{
-    .lowest = 0, .highest = 1000, .lowest_admitted = true, .highest_admitted = true};
+inline constexpr Bounds viscoelastic_exponents = from_to(-3, 50);
+inline constexpr Bounds viscoelastic_shares = from_to(0, 1000);
 inline constexpr std::array<Parameter<ViscoelasticFoam>, 8> ViscoelasticFoam::parameters{{
     {"first_modulus", "mu_1", "Pa", &ViscoelasticFoam::first_modulus, positive,
      "modulus of the lasting curve"},

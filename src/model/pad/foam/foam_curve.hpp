@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-#include "dashpad/model/pad/foam/base_curve.hpp"
+#include "dashpad/model/pad/foam.hpp"
 #include "dashpad/model/pad/strain.hpp"
 #include "model/pad/foam/cell_table.hpp"
 #include "model/pad/scalar.hpp"

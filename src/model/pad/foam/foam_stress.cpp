@@ -1,9 +1,9 @@
 #include "model/pad/foam/foam_stress.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
+#include "dashpad/quantities/constants.hpp"
 #include "model/pad/foam/foam_memo.hpp"
 #include "model/pad/foam/monotone_curve.hpp"
 
@@ -67,7 +67,7 @@ double FoamStress::strain_of_crater(double largest, double least) const {
     return curve_.at(at_strain).stress / slope_back(at_strain);
   };
   // It grows with the strain until the curve is steeper than the unloading, and falls from there on.
-  const double steep = curve_.strain_where_steep(modulus_, std::numeric_limits<double>::infinity());
+  const double steep = curve_.strain_where_steep(modulus_, infinite);
   const double most = std::max(sprung_back(largest), sprung_back(std::clamp(steep, least, largest)));
   return std::max(largest - most, 0.0);
 }
@@ -84,7 +84,7 @@ double FoamStress::moment_of_slope_back(const Place& from, const Place& to, doub
     };
     return at(end) - at(begin) - rise * (end.base.work - begin.base.work);
   };
-  const double steep = curve_.strain_where_steep(modulus_, std::numeric_limits<double>::infinity());
+  const double steep = curve_.strain_where_steep(modulus_, infinite);
   if (to.strain.value <= steep) return constant(from.strain.value, to.strain.value);
   if (from.strain.value >= steep) return curved(from, to);
   return constant(from.strain.value, steep) + curved(at(dashpad::strain_of(steep)), to);

@@ -1,18 +1,162 @@
 #pragma once
 /// A layer of any admitted law, and its strain as a function of the stress (theory.md, Eq. 52).
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <variant>
 
+#include "dashpad/model/pad/elastic.hpp"
+#include "dashpad/model/pad/linear_viscoelastic.hpp"
 #include "dashpad/model/pad/strain.hpp"
-#include "model/increasing_root.hpp"
-#include "model/pad/layer/foam_layer.hpp"
+#include "model/pad/foam/foam_stress.hpp"
 #include "model/pad/layer/layer_law.hpp"
-#include "model/pad/layer/linear_layer.hpp"
+#include "model/root.hpp"
 
 namespace dashpad {
+
+/// What one layer of a pad remembers at one column, and the step that it is told to take.
+///
+/// Strains are engineering strains of the layer, compression positive; times in s.
+struct LayerState {
+  double strain = 0;   ///< now; below 0 where the nose does not reach the column
+  double largest = 0;  ///< so far, >= 0
+  double rate = 0;     ///< mean over the last step, 1/s
+  double memory = 0;   ///< of the law: foams: exp(-|g| / c) with the sign of g (theory.md, Eq. 34); law 2: Pa
+};
+
+struct LayerStep {
+  double time = 0;       ///< its length, > 0
+  double last_time = 0;  ///< of the step before; 0: there was none
+};
+
+/// A layer whose strain is held, or hardly changes (theory.md, Eq. 54).
+struct LayerTangent {
+  double relaxing = 0;   ///< change of the stress with time while the strain is held, Pa/s
+  double loading = 0;    ///< change of the stress with a sudden strain, Pa, > 0
+  double unloading = 0;  ///< the same backwards
+};
+
+/// A layer of foam or crushable foam (theory.md, Eqs. 32 to 38): its stress at the end of a step, by the
+/// strain there. The formulas are those of a pad of one foam; here each column has a slip of its own.
+///
+/// Stress in Pa, compression positive.
+class FoamLayer {
+ public:
+  static constexpr double memory_at_rest = 1;
+
+  /// Every stress is multiplied by `factor`.
+  template <SharesSlip Law>
+  FoamLayer(const Law& law, double factor) : stress_(law), factor_(factor) {}
+
+  /// Of a crushed foam that has come back free of stress, below zero: its line goes on, so that no stress has
+  /// two strains.
+  [[nodiscard]] double stress(Strain end, const LayerState& now, const LayerStep& step) const {
+    const double ahead = std::max(now.largest - end.value, 0.0);
+    const double stress = stress_.response(end, ahead, slip_rate(end, now, step)).stress;
+    if (stress > 0 || !stress_.stays_crushed()) return factor_ * stress;
+    const Strain largest{end.value + ahead, end.complement - ahead};
+    return factor_ * (stress_.curve().at(largest).stress - stress_.slope_back(largest) * ahead);
+  }
+  [[nodiscard]] LayerState after(Strain end, const LayerState& now, const LayerStep& step) const {
+    const SlipScale::State slip = slip_after(end, now, step);
+    return {.strain = end.value,
+            .largest = std::max(now.largest, end.value),
+            .rate = rate(end, now, step),
+            .memory = slip.side * slip.z};
+  }
+  [[nodiscard]] LayerTangent tangent(Strain at, const LayerState& state) const {
+    const SlipScale& slip = stress_.slip();
+    const double g = slip.strain_of(slip_of(state));
+    const auto response = [&](double further) {
+      const Strain strain{at.value + further, at.complement - further};
+      return stress_.response(strain, std::max(state.largest - strain.value, 0.0),
+                              slip.slip_rate(g + further));
+    };
+    // Small against the strain over which the slip follows, large against rounding.
+    const double change = 1e-5 * slip.strain;
+    const FoamStress::Ratio here = response(0);
+    return {factor_ * here.relaxing, factor_ * (response(change).stress - here.stress) / change,
+            factor_ * (here.stress - response(-change).stress) / change};
+  }
+  /// Of the slowest test, Pa.
+  [[nodiscard]] double slow_stress(Strain at) const { return factor_ * stress_.curve().at(at).stress; }
+  /// With which power of the gap that is left the stress grows at last.
+  [[nodiscard]] double closing_exponent() const { return stress_.curve().continuation_exponent(); }
+  /// A foam keeps its slip.
+  [[nodiscard]] static double memory_off_contact(double memory) { return memory; }
+
+ private:
+  static SlipScale::State slip_of(const LayerState& state) {
+    return {std::abs(state.memory), state.memory < 0 ? -1.0 : 1.0};
+  }
+  static double rate(Strain end, const LayerState& now, const LayerStep& step) {
+    return (end.value - now.strain) / step.time;
+  }
+  [[nodiscard]] SlipScale::State slip_after(Strain end, const LayerState& now, const LayerStep& step) const {
+    return stress_.slip().after_step(slip_of(now), rate(end, now, step), step.time, now.rate, step.last_time);
+  }
+  [[nodiscard]] double slip_rate(Strain end, const LayerState& now, const LayerStep& step) const {
+    return stress_.slip().slip_rate(slip_after(end, now, step));
+  }
+
+  FoamStress stress_;
+  double factor_ = 1;
+};
+
+/// A linear layer, elastic (law 1) or viscoelastic (law 2):
+///
+///   stress = E_inf e + q,   dq/dt = (E_0 - E_inf) de/dt - q / tau
+///
+/// which is Eqs. 8 and 11 of theory.md with q = stress - E_inf e, exact over a step of constant rate. An
+/// elastic layer has E_0 = E_inf.
+///
+/// Stress in Pa, compression positive.
+class LinearLayer {
+ public:
+  static constexpr double memory_at_rest = 0;
+
+  LinearLayer(const Elastic& law, double factor) : lasting_(factor * law.modulus) {}
+  LinearLayer(const LinearViscoelastic& law, double factor)
+      : lasting_(factor * law.asymptotic_modulus),
+        relaxing_(factor * (law.initial_modulus - law.asymptotic_modulus)),
+        time_(law.relaxation_time) {}
+
+  [[nodiscard]] double stress(Strain end, const LayerState& now, const LayerStep& step) const {
+    return lasting_ * end.value + branch_after(end, now, step);
+  }
+  [[nodiscard]] LayerState after(Strain end, const LayerState& now, const LayerStep& step) const {
+    return {.strain = end.value,
+            .largest = std::max(now.largest, end.value),
+            .rate = (end.value - now.strain) / step.time,
+            .memory = branch_after(end, now, step)};
+  }
+  [[nodiscard]] LayerTangent tangent(Strain, const LayerState& state) const {
+    return {-state.memory / time_, lasting_ + relaxing_, lasting_ + relaxing_};
+  }
+  [[nodiscard]] double slow_stress(Strain at) const { return lasting_ * at.value; }
+  /// It closes under a finite stress.
+  [[nodiscard]] static double closing_exponent() { return 0; }
+  /// A column that the nose has left starts afresh.
+  [[nodiscard]] static double memory_off_contact(double) { return memory_at_rest; }
+
+ private:
+  /// q at the end of a step. The column may be met within it: its strain begins below 0 then.
+  [[nodiscard]] double branch_after(Strain end, const LayerState& now, const LayerStep& step) const {
+    if (relaxing_ == 0) return 0;
+    const double from = std::max(now.strain, 0.0);
+    const double whole = end.value - now.strain;
+    const double time = now.strain < 0 && whole > 0 ? step.time * (end.value - from) / whole : step.time;
+    const double fall = -std::expm1(-time / time_);
+    const double rate = whole / step.time;
+    return now.memory * (1 - fall) + relaxing_ * rate * time_ * fall;
+  }
+
+  double lasting_ = 0;   ///< E_inf
+  double relaxing_ = 0;  ///< E_0 - E_inf
+  double time_ = 1;      ///< tau, s
+};
 
 using Layer = std::variant<FoamLayer, LinearLayer>;
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <type_traits>
 
+#include "dashpad/quantities/constants.hpp"
 #include "model/pad/foam/foam_curve.hpp"
 #include "model/pad/foam/foam_rules.hpp"
 #include "model/pad/foam/foam_stress.hpp"
@@ -76,16 +76,15 @@ std::optional<LayerLaw> layer_law(const PadLaw& law) {
 }
 
 std::vector<Violation> violations_as_layer(const PadLaw& law) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   if (std::holds_alternative<RigidFoam>(law))
-    return {
-        {"law", none, must + "rigid-foam is rigid on the way back, and a stress does not tell its strain"}};
+    return {{"law", no_value,
+             must + "rigid-foam is rigid on the way back, and a stress does not tell its strain"}};
   if (std::holds_alternative<NineParameter>(law) || std::holds_alternative<TwentyOneParameter>(law))
-    return {
-        {"law", none, must + "that of " + name_of(law) + " jumps and falls where the rate changes its sign"}};
+    return {{"law", no_value,
+             must + "that of " + name_of(law) + " jumps and falls where the rate changes its sign"}};
   if (!layer_law(law))
     return {
-        {"law", none,
+        {"law", no_value,
          name_of(law) +
              " is not available in layers; these are elastic, linear-viscoelastic, foam and crushable-foam"}};
   if (const auto* crushable = std::get_if<CrushableFoam>(&law)) return of_curves(crushable->curves);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/increasing_root.hpp"
+#include "model/root.hpp"
 
 namespace dashpad {
 LayerSeries::LayerSeries(const std::vector<Part>& parts) {

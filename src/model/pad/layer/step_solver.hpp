@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "model/pad/layer/layer.hpp"
-#include "model/pad/layer/layer_state.hpp"
 
 namespace dashpad {
 

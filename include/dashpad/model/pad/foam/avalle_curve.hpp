@@ -35,13 +35,12 @@ struct AvalleCurve {
 inline constexpr std::array<Parameter<AvalleCurve>, 6> AvalleCurve::parameters{{
     {"plateau_stress", "A", "Pa", &AvalleCurve::plateau_stress, positive, "stress of the plateau"},
     {"modulus", "E", "Pa", &AvalleCurve::modulus, positive, "initial modulus"},
-    {"plateau_exponent", "m", "1", &AvalleCurve::plateau_exponent,
-     Bounds{.lowest = 0, .highest = 20, .lowest_admitted = true, .highest_admitted = true},
+    {"plateau_exponent", "m", "1", &AvalleCurve::plateau_exponent, from_to(0, 20),
      "how the plateau gives way"},
     {"densification_stress", "B", "Pa", &AvalleCurve::densification_stress, not_negative,
      "stress of the densification at half compression"},
-    {"densification_exponent", "n", "1", &AvalleCurve::densification_exponent,
-     Bounds{.lowest = 0.5, .highest = 20, .lowest_admitted = true, .highest_admitted = true}, "its exponent"},
+    {"densification_exponent", "n", "1", &AvalleCurve::densification_exponent, from_to(0.5, 20),
+     "its exponent"},
     {"highest_strain", "e_h", "1", &AvalleCurve::highest_strain, Bounds{.lowest = 0, .highest = 1},
      "strain up to which the curve was fitted"},
 }};

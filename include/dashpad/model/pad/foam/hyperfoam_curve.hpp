@@ -33,8 +33,7 @@ struct HyperfoamCurve {
   friend bool operator==(const HyperfoamCurve&, const HyperfoamCurve&) = default;
 };
 
-inline constexpr Bounds hyperfoam_exponents{
-    .lowest = -50, .highest = 50, .lowest_admitted = true, .highest_admitted = true};
+inline constexpr Bounds hyperfoam_exponents = from_to(-50, 50);
 inline constexpr std::array<Parameter<HyperfoamCurve>, 5> HyperfoamCurve::parameters{{
     {"first_modulus", "mu_1", "Pa", &HyperfoamCurve::first_modulus, positive, "modulus of the first term"},
     {"first_exponent", "a_1", "1", &HyperfoamCurve::first_exponent, hyperfoam_exponents, "its exponent"},

@@ -62,11 +62,8 @@ using RateEffect = std::variant<NoRateEffect, PowerRateEffect, FactorRateEffect,
 inline constexpr std::size_t most_rates = 50;
 
 inline constexpr std::array<Parameter<PowerRateEffect>, 3> PowerRateEffect::parameters{{
-    {"exponent", "a", "1", &PowerRateEffect::exponent,
-     Bounds{.lowest = 0, .highest = 1, .lowest_admitted = true, .highest_admitted = true},
-     "exponent of the rate at strain zero"},
-    {"exponent_slope", "b", "1", &PowerRateEffect::exponent_slope,
-     Bounds{.lowest = -5, .highest = 5, .lowest_admitted = true, .highest_admitted = true},
+    {"exponent", "a", "1", &PowerRateEffect::exponent, from_to(0, 1), "exponent of the rate at strain zero"},
+    {"exponent_slope", "b", "1", &PowerRateEffect::exponent_slope, from_to(-5, 5),
      "how it changes with the strain"},
     {"highest_rate", "r_h", "1/s", &PowerRateEffect::highest_rate, positive, "highest tested rate"},
 }};

@@ -1,9 +1,11 @@
 #pragma once
-/// The magnitude |a| of a pulse as a line with corners, and the stretches of time that it spends above a
-/// level.
+/// A pulse that is linear between its samples: its magnitude |a| as a line with corners, the stretches of
+/// time that it spends above a level, and sums over its samples.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "dashpad/impact/pulse.hpp"
@@ -60,5 +62,42 @@ void for_each_stretch(const Magnitude& line, double level, Bound bound, Visit&& 
   }
   if (inside) visit(begin, line.back().time);
 }
+
+/// The sample with the largest magnitude, the first that has it.
+inline std::size_t peak_sample(const Pulse& pulse) {
+  std::size_t top = 0;
+  for (std::size_t i = 1; i < pulse.time.size(); ++i)
+    if (std::abs(pulse.acceleration[i]) > std::abs(pulse.acceleration[top])) top = i;
+  return top;
+}
+
+/// The mean time between two samples, s.
+inline double interval_of(const Pulse& pulse) {
+  return (pulse.time.back() - pulse.time.front()) / static_cast<double>(pulse.time.size() - 1);
+}
+
+/// The duration less the rounding of the times: a plateau from 3.5 to 6.5 ms lasts 3 ms, although the
+/// difference of the two doubles is less than the double 0.003.
+inline double attainable(const Pulse& pulse, double duration) {
+  const double latest = std::max(std::abs(pulse.time.front()), std::abs(pulse.time.back()));
+  return std::max(0.0, duration - 8 * std::numeric_limits<double>::epsilon() * latest);
+}
+
+/// A sum of doubles that keeps what rounding takes from it.
+class AccurateSum {
+ public:
+  void add(double x) {
+    const double sum = high_ + x;
+    const double kept = sum - high_;
+    low_ += (high_ - (sum - kept)) + (x - kept);
+    high_ = sum;
+  }
+  [[nodiscard]] double high() const { return high_; }
+  [[nodiscard]] double low() const { return low_; }
+  [[nodiscard]] double value() const { return high_ + low_; }
+
+ private:
+  double high_ = 0, low_ = 0;
+};
 
 }  // namespace dashpad::injury
