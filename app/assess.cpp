@@ -14,7 +14,6 @@
 #include "dashpad/output/assessment.hpp"
 #include "documents.hpp"
 #include "output.hpp"
-#include "streams.hpp"
 
 namespace dashpad::app {
 
@@ -95,21 +94,12 @@ struct AssessedCase {
 };
 
 std::vector<Target> targets(const AssessRequest& request) {
-  std::vector<Target> wanted;
-  if (request.json) wanted.push_back({"--json", *request.json});
-  add_targets(request.documents, wanted);
-  return wanted;
+  return targets_of({{"--json", request.json},
+                     {"--report", request.documents.page},
+                     {"--markdown", request.documents.markdown}});
 }
 
 using Complaints = std::vector<std::string>;
-
-std::optional<double> read_option(const char* option, const std::optional<std::string>& text,
-                                  const std::string& si_unit, Complaints& wrong) {
-  const std::optional<double> value = quantity_of(option, text, si_unit, wrong);
-  if (!value || *value > 0) return value;
-  wrong.push_back(fmt::format("{} {}: must be more than 0", option, *text));
-  return std::nullopt;
-}
 
 injury::UserValues read_user_values(const AssessRequest& request, Complaints& wrong) {
   if (request.speed && request.drop_height)
@@ -119,10 +109,10 @@ injury::UserValues read_user_values(const AssessRequest& request, Complaints& wr
   if (request.kept.speed && (request.speed || request.drop_height))
     wrong.push_back(fmt::format("--keep-speed: give --keep-speed or {}, not both",
                                 request.speed ? "--speed" : "--drop-height"));
-  return {.mass = read_option("--mass", request.mass, "kg", wrong),
-          .radius = read_option("--radius", request.radius, "m", wrong),
-          .speed = read_option("--speed", request.speed, "m/s", wrong),
-          .drop_height = read_option("--drop-height", request.drop_height, "m", wrong)};
+  return {.mass = positive_quantity_of("--mass", request.mass, "kg", wrong),
+          .radius = positive_quantity_of("--radius", request.radius, "m", wrong),
+          .speed = positive_quantity_of("--speed", request.speed, "m/s", wrong),
+          .drop_height = positive_quantity_of("--drop-height", request.drop_height, "m", wrong)};
 }
 
 /// Runs a reader; what it finds wrong is noted and the others go on.
@@ -261,8 +251,7 @@ void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
       ->disable_flag_override();
   sub->add_flag("--keep-speed", request->kept.speed, "The speed of the case, whatever the standard has")
       ->disable_flag_override();
-  sub->add_option("--json", request->json, "Write the assessment as JSON, SI and g (- for standard output)")
-      ->type_name("FILE");
+  add_file(*sub, "--json", request->json, "Write the assessment as JSON, SI and g (- for standard output)");
   add_documents(*sub, request->documents);
   add_units(*sub, request->units);
   add_all(*sub, request->detail);
@@ -272,11 +261,9 @@ void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
   add_standard_folder(*sub, request->standard_folder);
   add_material_folder(*sub, request->materials);
   sub->footer(assess_footer);
-  sub->callback([request, &action, executable] {
-    action = [request, executable] {
-      return run_assessment(*request, {chosen_folder(request->materials, executable),
-                                       chosen_standards(request->standard_folder, executable)});
-    };
+  when_named(*sub, action, [request, executable] {
+    return run_assessment(*request, {chosen_folder(request->materials, executable),
+                                     chosen_standards(request->standard_folder, executable)});
   });
 }
 

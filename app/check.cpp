@@ -7,7 +7,7 @@
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/output/text/case.hpp"
-#include "streams.hpp"
+#include "output.hpp"
 
 namespace dashpad::app {
 
@@ -46,8 +46,8 @@ void add_check(CLI::App& app, Action& action, const std::filesystem::path& execu
   add_units(*sub, request->units);
   add_material_folder(*sub, request->materials);
   sub->footer(check_footer);
-  sub->callback([request, &action, executable] {
-    action = [request, executable] { return check(*request, chosen_folder(request->materials, executable)); };
+  when_named(*sub, action, [request, executable] {
+    return check(*request, chosen_folder(request->materials, executable));
   });
 }
 

@@ -1,8 +1,10 @@
 // What several subcommands share.
 
 #include <charconv>
+#include <system_error>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "command.hpp"
 #include "dashpad/impact/solve.hpp"
@@ -10,12 +12,16 @@
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "dashpad/uncertainty/intervals.hpp"
-#include "material_folder.hpp"
+#include "dashpad/version.hpp"
+#include "output.hpp"
 #include "progress_line.hpp"
 #include "quantities/magnitude_bounds.hpp"
-#include "streams.hpp"
 
 namespace dashpad::app {
+
+void when_named(CLI::App& sub, Action& action, Action what) {
+  sub.callback([&action, what = std::move(what)] { action = what; });
+}
 
 void add_units(CLI::App& app, std::string& units) {
   std::vector<std::string> names;
@@ -50,6 +56,10 @@ std::optional<double> tolerance_of(const std::optional<std::string>& text, std::
   return std::nullopt;
 }
 
+void add_file(CLI::App& app, const char* option, std::optional<std::string>& file, const char* help) {
+  app.add_option(option, file, help)->type_name("FILE");
+}
+
 void add_force(CLI::App& app, bool& force) {
   app.add_flag("--force", force, "Overwrite existing files")->disable_flag_override();
 }
@@ -75,15 +85,19 @@ void judge_picture(const std::optional<std::string>& file, std::vector<std::stri
 std::optional<double> quantity_of(const char* option, const std::optional<std::string>& text,
                                   const std::string& si_unit, std::vector<std::string>& wrong) {
   if (!text) return std::nullopt;
-  try {
-    const double value = to_si(*text, si_unit);
-    const std::string rule = rule_of(measured_magnitudes(si_unit), value, si_unit);
-    if (!rule.empty()) throw UnitError(rule);
-    return value;
-  } catch (const UnitError& error) {
-    wrong.push_back(fmt::format("{} {}: {}", option, *text, error.what()));
-    return std::nullopt;
-  }
+  auto [value, rule] = read_si(*text, si_unit);
+  if (rule.empty()) rule = rule_of(measured_magnitudes(si_unit), value, si_unit);
+  if (rule.empty()) return value;
+  wrong.push_back(fmt::format("{} {}: {}", option, *text, rule));
+  return std::nullopt;
+}
+
+std::optional<double> positive_quantity_of(const char* option, const std::optional<std::string>& text,
+                                           const std::string& si_unit, std::vector<std::string>& wrong) {
+  const std::optional<double> value = quantity_of(option, text, si_unit, wrong);
+  if (!value || *value > 0) return value;
+  wrong.push_back(fmt::format("{} {}: must be more than 0", option, *text));
+  return std::nullopt;
 }
 
 void add_material_folder(CLI::App& app, std::string& folder) {
@@ -92,17 +106,9 @@ void add_material_folder(CLI::App& app, std::string& folder) {
       ->type_name("DIR");
 }
 
-std::filesystem::path chosen_folder(const std::string& folder, const std::filesystem::path& executable) {
-  return folder.empty() ? material_folder(executable) : std::filesystem::path{folder};
-}
-
 void add_standard_folder(CLI::App& app, std::string& folder) {
   app.add_option("--standards", folder, "Folder of presets (default: $DASHPAD_STANDARDS or dashpad's own)")
       ->type_name("DIR");
-}
-
-std::filesystem::path chosen_standards(const std::string& folder, const std::filesystem::path& executable) {
-  return folder.empty() ? standard_folder(executable) : std::filesystem::path{folder};
 }
 
 void add_settings(CLI::App& app, std::vector<std::string>& settings) {
@@ -160,20 +166,24 @@ void add_intervals_with_progress(const ImpactCase& impact, const Options& option
   uncertainty::add_intervals(impact, options, solution, dwell_levels);
 }
 
-int list_cards(std::string heading, const std::vector<std::filesystem::path>& cards,
-               const std::function<std::string(const std::filesystem::path&)>& line_of) {
-  std::string text = std::move(heading);
-  std::vector<std::string> faults;
-  for (const std::filesystem::path& card : cards) {
-    try {
-      text += line_of(card);
-    } catch (const input::InputError& error) {
-      add_lines(error.faults(), faults);
-    }
-  }
-  write_output(text);
-  if (!faults.empty()) throw Refused(std::move(faults));
-  return exit_done;
+std::string version_text() {
+  const BuildFacts& facts = build_facts();
+  std::error_code ignored;
+  const bool has_mpi =
+      std::filesystem::exists(running_executable("").replace_filename("dashpad-mpi"), ignored);
+  return fmt::format(
+      "dashpad {}\n"
+      "  commit      {}\n"
+      "  compiler    {}\n"
+      "  flags       {}\n"
+      "  build type  {}\n"
+      "  system      {}\n"
+      "  libraries   CLI11 {}, fmt {}.{}.{}, nlohmann-json {}.{}.{}\n"
+      "  ranks       {}",
+      facts.version, facts.git_commit, facts.compiler, facts.compiler_flags, facts.build_type, facts.system,
+      CLI11_VERSION, FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100,
+      NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH,
+      has_mpi ? "with MPI" : "none: built without MPI");
 }
 
 std::vector<std::string> lines(const std::vector<input::Fault>& faults) {

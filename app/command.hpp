@@ -37,6 +37,9 @@ ExitCode exit_code(injury::Verdict verdict, const Summary& summary);
 /// What a subcommand does once the command line is read; returns the exit code.
 using Action = std::function<int()>;
 
+/// Lets `what` be done where the command line names the subcommand.
+void when_named(CLI::App& sub, Action& action, Action what);
+
 void add_run(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_check(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_materials(CLI::App& app, Action& action, const std::filesystem::path& executable);
@@ -53,6 +56,15 @@ void add_validate(CLI::App& app, Action& action, const std::filesystem::path& ex
 void add_fit(CLI::App& app, Action& action, const std::filesystem::path& executable);
 void add_study(CLI::App& app, Action& action, const std::filesystem::path& executable);
 
+/// The subcommands of `dashpad material`.
+void add_material_import(CLI::App& material, Action& action);
+void add_material_export(CLI::App& material, Action& action, const std::filesystem::path& executable);
+
+/// Adds --units, a system of units for decks.
+void add_deck_units(CLI::App& app, std::string& units);
+/// The system of that name; absent where it is none, of which `wrong` is told.
+std::optional<UnitSystem> deck_units_of(const std::string& name, std::vector<std::string>& wrong);
+
 /// Adds --units; the help names the systems on offer.
 void add_units(CLI::App& app, std::string& units);
 /// Adds --all: every figure, to five digits and with its error.
@@ -61,6 +73,8 @@ void add_all(CLI::App& app, output::Detail& detail);
 void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance);
 /// The tolerance of --tolerance; absent where there is none, or where it is none and `wrong` is told so.
 std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& wrong);
+/// Adds the option of a file to be written.
+void add_file(CLI::App& app, const char* option, std::optional<std::string>& file, const char* help);
 /// Adds --force.
 void add_force(CLI::App& app, bool& force);
 /// Tells `wrong` of a picture whose name has the ending of no format.
@@ -69,16 +83,31 @@ void judge_picture(const std::optional<std::string>& file, std::vector<std::stri
 /// so.
 std::optional<double> quantity_of(const char* option, const std::optional<std::string>& text,
                                   const std::string& si_unit, std::vector<std::string>& wrong);
+/// The same of a quantity that must be more than 0.
+std::optional<double> positive_quantity_of(const char* option, const std::optional<std::string>& text,
+                                           const std::string& si_unit, std::vector<std::string>& wrong);
 /// Adds --materials; the folder stays empty where the cards that came with the command are meant.
 void add_material_folder(CLI::App& app, std::string& folder);
-/// The folder that was chosen, or the one that came with the command.
+/// The folder that was chosen, or the first of:
+///   1. $DASHPAD_MATERIALS, if set and not empty, whether or not it exists: a wrong path is to be noticed;
+///   2. share/dashpad/materials of the installation that `executable` belongs to, if it exists;
+///   3. materials/ of the source tree that the command was built from, if it exists.
+/// If there is none, the second, so that a message can name the place where the cards were expected.
 std::filesystem::path chosen_folder(const std::string& folder, const std::filesystem::path& executable);
-/// The same two for --standards.
+/// The same two for --standards: $DASHPAD_STANDARDS, share/dashpad/standards, standards/.
 void add_standard_folder(CLI::App& app, std::string& folder);
 std::filesystem::path chosen_standards(const std::string& folder, const std::filesystem::path& executable);
+/// The same for the measured tests of the validation: $DASHPAD_VALIDATION_DATA,
+/// share/dashpad/data/validation, data/validation/.
+std::filesystem::path validation_data_folder(const std::filesystem::path& executable);
+/// The file of the running program; `argument_zero` where the system does not tell.
+std::filesystem::path running_executable(const char* argument_zero);
 
 /// The card of that name in a folder; a name that ends in .toml is a file. Refused names the cards there are.
 std::filesystem::path find_card(const std::string& name, const std::filesystem::path& folder);
+/// The same; absent where there is none, of which `wrong` is told.
+std::optional<std::filesystem::path> find_card(const std::string& name, const std::filesystem::path& folder,
+                                               std::vector<std::string>& wrong);
 
 /// A case file, and what is set in place of its values.
 struct GivenCase {
@@ -114,11 +143,6 @@ void add_no_intervals(CLI::App& app, bool& no_intervals);
 /// uncertainty::add_intervals(), likewise.
 void add_intervals_with_progress(const ImpactCase& impact, const Options& options, Solution& solution,
                                  std::span<const double> dwell_levels = {});
-
-/// Lists cards, a line each below the heading. One with faults does not hide the others; Refused with all of
-/// them.
-int list_cards(std::string heading, const std::vector<std::filesystem::path>& cards,
-               const std::function<std::string(const std::filesystem::path&)>& line_of);
 
 /// One line for each fault.
 std::vector<std::string> lines(const std::vector<input::Fault>& faults);

@@ -13,7 +13,6 @@
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/output/deck/exports.hpp"
 #include "output.hpp"
-#include "streams.hpp"
 
 namespace dashpad::app {
 
@@ -188,10 +187,8 @@ void add_export(CLI::App& app, Action& action, const std::filesystem::path& exec
   CLI::App* sub = app.add_subcommand("export", "Write the curves of one case for other programs' decks");
   const auto request = std::make_shared<ExportRequest>();
   add_options(*sub, *request);
-  sub->callback([request, &action, executable] {
-    action = [request, executable] {
-      return export_curves(*request, chosen_folder(request->materials, executable));
-    };
+  when_named(*sub, action, [request, executable] {
+    return export_curves(*request, chosen_folder(request->materials, executable));
   });
 }
 

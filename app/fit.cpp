@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/fit/fit_file.hpp"
+#include "dashpad/fit/fit.hpp"
 #include "dashpad/fit/report.hpp"
 #include "dashpad/output/card_toml.hpp"
 #include "dashpad/output/fit.hpp"
@@ -16,7 +16,6 @@
 #include "output.hpp"
 #include "progress_line.hpp"
 #include "quantities/text.hpp"
-#include "study/stop_signal.hpp"
 
 namespace dashpad::app {
 
@@ -234,29 +233,22 @@ void add_fit(CLI::App& app, Action& action, const std::filesystem::path& executa
   CLI::App* sub = app.add_subcommand("fit", "A material card from measurements, with its uncertainty");
   const auto request = std::make_shared<FitRequest>();
   sub->add_option("FIT", request->file, "Fit file (TOML)")->required()->type_name("");
-  sub->add_option("-o,--output", request->card, "Write the material card (- for standard output)")
-      ->type_name("FILE");
-  sub->add_option(
-         "--case", request->fitted_case,
-         "Write the case with what was found of it, as a support, and the foam (- for standard output)")
-      ->type_name("FILE");
-  sub->add_option("--json", request->json, "Write everything as JSON, SI (- for standard output)")
-      ->type_name("FILE");
+  add_file(*sub, "-o,--output", request->card, "Write the material card (- for standard output)");
+  add_file(*sub, "--case", request->fitted_case,
+           "Write the case with what was found of it, as a support, and the foam (- for standard output)");
+  add_file(*sub, "--json", request->json, "Write everything as JSON, SI (- for standard output)");
   sub->add_option("--posterior", request->posterior, "Write N draws of the unknowns as CSV")
       ->expected(2)
       ->type_name("N FILE");
   add_documents(*sub, request->documents);
-  sub->add_option("--state", request->state,
-                  "Keep finished searches and intervals there, and go on from them")
-      ->type_name("FILE");
+  add_file(*sub, "--state", request->state,
+           "Keep finished searches and intervals there, and go on from them");
   add_units(*sub, request->units);
   add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);
   sub->footer(fit_footer);
-  sub->callback([request, &action, executable] {
-    action = [request, executable] {
-      return fit_material(*request, chosen_folder(request->materials, executable));
-    };
+  when_named(*sub, action, [request, executable] {
+    return fit_material(*request, chosen_folder(request->materials, executable));
   });
 }
 

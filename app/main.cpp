@@ -1,7 +1,6 @@
 // The command dashpad: reads the command line and hands over to a subcommand.
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <filesystem>
 #include <iterator>
@@ -17,12 +16,10 @@
 #include "command.hpp"
 #include "dashpad/input/fault.hpp"
 #include "dashpad/study/store.hpp"
-#include "input/given_stream.hpp"
+#include "input/disk.hpp"
 #include "input/spelling.hpp"
-#include "material_folder.hpp"
 #include "output.hpp"
 #include "quantities/text.hpp"
-#include "streams.hpp"
 
 namespace dashpad::app {
 
@@ -59,19 +56,20 @@ struct Command {
   std::string_view group;  ///< of the help
   std::string_view name;
   void (*add)(CLI::App&, Action&, const std::filesystem::path&);
+  bool only_looks = false;  ///< runs no impact
 };
 
 /// As the help lists them: what is wanted every day first.
 constexpr Command commands[]{{"Every day", "run", add_run},
-                             {"Every day", "check", add_check},
+                             {"Every day", "check", add_check, true},
                              {"Every day", "assess", add_assess},
-                             {"Every day", "standards", add_standards},
+                             {"Every day", "standards", add_standards, true},
                              {"Every day", "pulse", add_pulse},
                              {"Every day", "export", add_export},
                              {"Every day", "post-impact", add_post_impact},
                              {"Every day", "compare", add_compare},
-                             {"Foams", "materials", add_materials},
-                             {"Foams", "material", add_material},
+                             {"Foams", "materials", add_materials, true},
+                             {"Foams", "material", add_material, true},
                              {"Foams", "material-test", add_material_test},
                              {"Foams", "fit", add_fit},
                              {"Many impacts", "study", add_study},
@@ -97,9 +95,9 @@ int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
   for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) text += shown(lines[i]) + "\n";
   if (lines.size() > most_lines) text += "...\n";
   text += std::to_string(count) + (count == 1 ? " fault" : " faults");
-  constexpr std::array only_look{"check", "materials", "material", "standards"};
-  const bool would_run = std::ranges::none_of(app.get_subcommands(), [&](const CLI::App* sub) {
-    return std::ranges::find(only_look, sub->get_name()) != only_look.end();
+  const bool would_run = std::ranges::none_of(app.get_subcommands(), [](const CLI::App* sub) {
+    const auto* const named = std::ranges::find(commands, sub->get_name(), &Command::name);
+    return named != std::end(commands) && named->only_looks;
   });
   write_error(text + (would_run ? "; nothing was run\n" : "\n"));
   return exit_refused;
@@ -145,8 +143,7 @@ std::string advice_on(const std::vector<std::string>& words, const CLI::App& app
   if (word.ends_with(".toml")) return word + ": which command? To solve a case: dashpad run " + word;
   if (word.starts_with('-'))
     return word + ": no such option before a command; there are " + input::listing(names);
-  const std::string meant = input::did_you_mean(word, names);
-  return word + ": no such command" + (meant.empty() ? "; there are " + input::listing(names) : meant);
+  return word + ": no such command" + input::meant_or_listed(word, names);
 }
 
 /// Help and version end in exit code 0, a command line that is not understood in 2.
@@ -188,7 +185,7 @@ int command(int argument_count, char** arguments) {
   // than many an impact to solve.
   const std::string_view first = argument_count > 1 ? arguments[1] : "";
   const bool is_named = std::ranges::find(commands, first, &Command::name) != std::end(commands);
-  for (const auto& [group, name, add] : commands) {
+  for (const auto& [group, name, add, only_looks] : commands) {
     if (is_named && name != first) continue;
     add(app, action, executable);
     app.get_subcommands({}).back()->group(std::string(group));

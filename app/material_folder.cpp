@@ -1,4 +1,6 @@
-#include "material_folder.hpp"
+// Where the command finds the material cards, the standards and the measured tests that came with it.
+
+#include "command.hpp"
 
 #include <cstdlib>
 #include <system_error>
@@ -31,12 +33,14 @@ fs::path find(const DataFolder& folder, const fs::path& executable) {
 
 }  // namespace
 
-fs::path material_folder(const fs::path& executable) {
+fs::path chosen_folder(const std::string& folder, const fs::path& executable) {
+  if (!folder.empty()) return folder;
   return find({"DASHPAD_MATERIALS", DASHPAD_INSTALLED_DATA "/materials", DASHPAD_SOURCE_DATA "/materials"},
               executable);
 }
 
-fs::path standard_folder(const fs::path& executable) {
+fs::path chosen_standards(const std::string& folder, const fs::path& executable) {
+  if (!folder.empty()) return folder;
   return find({"DASHPAD_STANDARDS", DASHPAD_INSTALLED_DATA "/standards", DASHPAD_SOURCE_DATA "/standards"},
               executable);
 }

@@ -11,9 +11,9 @@
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/output/materials.hpp"
 #include "documents.hpp"
-#include "input/given_stream.hpp"
+#include "input/disk.hpp"
+#include "input/spelling.hpp"
 #include "output.hpp"
-#include "streams.hpp"
 
 namespace dashpad::app {
 
@@ -45,17 +45,10 @@ struct MaterialsRequest {
   bool force = false;
 };
 
-std::string names_of(const std::vector<fs::path>& cards) {
-  std::string names;
-  for (const fs::path& card : cards) names += (names.empty() ? "" : ", ") + card.stem().string();
-  return names.empty() ? "none" : names;
-}
-
 std::vector<Target> targets(const MaterialsRequest& request) {
-  std::vector<Target> wanted;
-  if (request.picture) wanted.push_back({"--picture", *request.picture});
-  add_targets(request.documents, wanted);
-  return wanted;
+  return targets_of({{"--picture", request.picture},
+                     {"--report", request.documents.page},
+                     {"--markdown", request.documents.markdown}});
 }
 
 /// Throws Refused where the picture cannot be written, before anything is read.
@@ -118,17 +111,26 @@ fs::path find_card(const std::string& name, const fs::path& folder) {
   const std::vector<fs::path> cards = input::list_materials(folder).value();
   const auto card = std::ranges::find(cards, name, [](const fs::path& path) { return path.stem().string(); });
   if (card == cards.end())
-    throw Refused(
-        {fmt::format("{}: no such material in {}; there are: {}", name, folder.string(), names_of(cards))});
+    throw Refused({fmt::format("{}: no such material in {}; there are: {}", name, folder.string(),
+                               cards.empty() ? "none" : input::listing(input::names_of(cards)))});
   return *card;
+}
+
+std::optional<fs::path> find_card(const std::string& name, const fs::path& folder,
+                                  std::vector<std::string>& wrong) {
+  try {
+    return find_card(name, folder);
+  } catch (const Refused& refused) {
+    wrong.insert(wrong.end(), refused.complaints().begin(), refused.complaints().end());
+  }
+  return std::nullopt;
 }
 
 void add_materials(CLI::App& app, Action& action, const fs::path& executable) {
   CLI::App* sub = app.add_subcommand("materials", "List the material cards, or show one");
   const auto request = std::make_shared<MaterialsRequest>();
   CLI::Option* name = sub->add_option("NAME", request->name, "Card to show in full")->type_name("");
-  sub->add_option("--picture", request->picture, "Draw the loading curves (.svg, .png, .pdf)")
-      ->type_name("FILE");
+  add_file(*sub, "--picture", request->picture, "Draw the loading curves (.svg, .png, .pdf)");
   add_documents(*sub, request->documents);
   add_units(*sub, request->units);
   add_force(*sub, request->force);

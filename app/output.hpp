@@ -1,16 +1,36 @@
 #pragma once
-/// Result files: complete or not there at all, and never in the place of another file unasked.
+/// Result files, complete or not there at all, and never in the place of another file unasked; standard
+/// output and standard error, with every failure noticed.
 
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "dashpad/input/input_file.hpp"
-#include "streams.hpp"
+#include "dashpad/input/reading.hpp"
 
 namespace dashpad::app {
+
+/// Call first. A reader that goes away or a limit on file sizes becomes an error code instead of a signal,
+/// and no file that is opened later can take the place of a standard stream that is closed.
+void prepare_streams();
+
+/// Writes all of `text` to a file descriptor. Returns 0, or the error number of the system.
+int write_all(int descriptor, std::string_view text);
+
+/// What is for people, to standard output, without control characters. A reader that has gone away has seen
+/// enough: no error. Throws std::runtime_error where the text cannot be written, on a full disk for example.
+void write_output(std::string_view text);
+
+/// What is for programs, to standard output, as it is; a terminal gets it as write_output() would give it.
+void write_result(std::string_view text);
+
+/// What is for people, to standard error, where possible.
+void write_error(std::string_view text);
 
 /// A file that the user wants written, as given: "--json" and its FILE.
 struct Target {
@@ -18,6 +38,10 @@ struct Target {
   std::string file;
   [[nodiscard]] bool is_standard_output() const { return file == "-"; }
 };
+
+/// The files that are wanted, by their options.
+std::vector<Target> targets_of(
+    std::initializer_list<std::pair<const char*, const std::optional<std::string>&>> files);
 
 /// Tells `wrong` what forbids writing to the targets, seen before the run, a line each: a file that exists
 /// (without force), a folder that is missing or closed to us, two targets that are one, standard output or

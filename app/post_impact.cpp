@@ -11,7 +11,6 @@
 #include "dashpad/output/impact.hpp"
 #include "documents.hpp"
 #include "output.hpp"
-#include "streams.hpp"
 
 namespace dashpad::app {
 
@@ -39,10 +38,9 @@ struct PostImpactRequest {
 };
 
 std::vector<Target> targets(const PostImpactRequest& request) {
-  std::vector<Target> wanted;
-  if (request.json) wanted.push_back({"--json", *request.json});
-  add_targets(request.documents, wanted);
-  return wanted;
+  return targets_of({{"--json", request.json},
+                     {"--report", request.documents.page},
+                     {"--markdown", request.documents.markdown}});
 }
 
 struct PostImpactInput {
@@ -54,10 +52,8 @@ PostImpactInput read_and_check(const PostImpactRequest& request, const std::file
   std::vector<std::string> wrong;
   PostImpactInput input;
   constexpr double held = std::numeric_limits<double>::infinity();
-  input.second.mass = quantity_of("--other-mass", request.other_mass, "kg", wrong).value_or(held);
+  input.second.mass = positive_quantity_of("--other-mass", request.other_mass, "kg", wrong).value_or(held);
   input.second.velocity = quantity_of("--other-velocity", request.other_velocity, "m/s", wrong).value_or(0);
-  if (!(input.second.mass > 0))
-    wrong.push_back(fmt::format("--other-mass {}: must be more than 0", *request.other_mass));
   std::optional<input::CaseFile> file = read_case(request.given, materials, wrong);
   judge_targets(targets(request), files_of(request.given.file, file), request.force, wrong);
   if (file) {
@@ -119,16 +115,14 @@ void add_post_impact(CLI::App& app, Action& action, const std::filesystem::path&
       ->type_name("MASS");
   sub->add_option("--other-velocity", request->other_velocity, "Its velocity before (default: 0)")
       ->type_name("SPEED");
-  sub->add_option("--json", request->json, "Write the result as JSON, SI (- for standard output)")
-      ->type_name("FILE");
+  add_file(*sub, "--json", request->json, "Write the result as JSON, SI (- for standard output)");
   add_documents(*sub, request->documents);
   add_units(*sub, request->units);
   add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);
   sub->footer(post_impact_footer);
-  sub->callback([request, &action, executable] {
-    action = [request, executable] { return run(*request, chosen_folder(request->materials, executable)); };
-  });
+  when_named(*sub, action,
+             [request, executable] { return run(*request, chosen_folder(request->materials, executable)); });
 }
 
 }  // namespace dashpad::app

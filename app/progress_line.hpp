@@ -1,17 +1,42 @@
 #pragma once
-/// What a person hears of a computation that takes a while, on standard error.
+/// What a person hears of a computation that takes a while, on standard error, and the wish to stop it.
 
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <stop_token>
 #include <string>
 #include <thread>
 
-#include "terminal_line.hpp"
+#include "dashpad/study/run_study.hpp"
 
 namespace dashpad::app {
+
+class TerminalLine {
+ public:
+  TerminalLine();
+  /// Wipes the line.
+  ~TerminalLine();
+  TerminalLine(const TerminalLine&) = delete;
+  TerminalLine& operator=(const TerminalLine&) = delete;
+
+  /// Whether standard error is a terminal; draw() is only for one.
+  [[nodiscard]] bool is_terminal() const { return terminal_; }
+  /// In the place of what was drawn before.
+  void draw(const std::string& line);
+  /// Leaves an empty line, for other text.
+  void wipe();
+
+ private:
+  bool terminal_ = false;
+  std::string drawn_;
+  std::size_t width_ = 0;  ///< of the longest line so far
+};
+
+/// `done` of `all` in thirty characters: "######........................"; full if there is nothing to do.
+std::string progress_bar(std::uint64_t done, std::uint64_t all);
 
 /// A line with the time since it was made and, if the computation tells, how much is done; from its second
 /// second on, where standard error is a terminal. Wiped at the end. What will take more than a minute says so
@@ -52,6 +77,38 @@ class ProgressLine {
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::jthread clock_;
+};
+
+class StudyProgress {
+ public:
+  explicit StudyProgress(bool quiet);
+
+  void show(const study::Progress& progress);
+
+ private:
+  bool quiet_ = false;
+  TerminalLine line_;
+  double next_ = 0;  ///< s, when something is shown again
+};
+
+/// "1:02:03", "2:03" or "12 s".
+std::string clock_text(double seconds);
+/// "812 rows/s", "12.3 thousand rows/s".
+std::string rate_text(double rows, double seconds);
+
+/// While this lives, the first SIGINT, SIGTERM or SIGHUP sets wanted(); the second one ends the program at
+/// once, as it does elsewhere. A signal that is ignored at the beginning (nohup) stays ignored. One at a
+/// time.
+class StopSignal {
+ public:
+  StopSignal();
+  ~StopSignal();
+  StopSignal(const StopSignal&) = delete;
+  StopSignal& operator=(const StopSignal&) = delete;
+
+  [[nodiscard]] static const std::atomic<bool>& wanted();
+  /// 128 and the number of the signal, as a shell reports it.
+  [[nodiscard]] static int exit_code();
 };
 
 }  // namespace dashpad::app

@@ -11,28 +11,24 @@ namespace dashpad::app {
 namespace {
 
 std::vector<Target> targets(const ResultFiles& files) {
-  std::vector<Target> wanted;
-  if (files.json) wanted.push_back({"--json", *files.json});
-  if (files.csv) wanted.push_back({"--csv", *files.csv});
-  add_targets(files.documents, wanted);
-  if (files.png) wanted.push_back({"--png", *files.png});
-  if (files.drawing) wanted.push_back({"--drawing", *files.drawing});
-  return wanted;
+  return targets_of({{"--json", files.json},
+                     {"--csv", files.csv},
+                     {"--report", files.documents.page},
+                     {"--markdown", files.documents.markdown},
+                     {"--png", files.png},
+                     {"--drawing", files.drawing}});
 }
 
 }  // namespace
 
 void add_result_files(CLI::App& app, ResultFiles& files) {
-  app.add_option("--json", files.json, "Write the summary as JSON (- for standard output)")
-      ->type_name("FILE");
-  app.add_option("--csv", files.csv, "Write the history, of the last blow, as CSV (- for standard output)")
-      ->type_name("FILE");
+  add_file(app, "--json", files.json, "Write the summary as JSON (- for standard output)");
+  add_file(app, "--csv", files.csv, "Write the history, of the last blow, as CSV (- for standard output)");
   add_documents(app, files.documents);
-  app.add_option("--png", files.png, "Draw acceleration and hysteresis as a still")->type_name("FILE");
-  app.add_option("--drawing", files.drawing,
-                 "Draw nose, pad and support to scale, at first contact and at greatest penetration (.svg, "
-                 ".png, .pdf)")
-      ->type_name("FILE");
+  add_file(app, "--png", files.png, "Draw acceleration and hysteresis as a still");
+  add_file(app, "--drawing", files.drawing,
+           "Draw nose, pad and support to scale, at first contact and at greatest penetration (.svg, "
+           ".png, .pdf)");
   add_units(app, files.units);
   add_all(app, files.detail);
 }

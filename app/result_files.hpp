@@ -11,7 +11,7 @@
 #include "command.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/input/input_file.hpp"
+#include "dashpad/input/reading.hpp"
 #include "documents.hpp"
 
 namespace dashpad::app {

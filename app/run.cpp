@@ -75,9 +75,8 @@ void add_run(CLI::App& app, Action& action, const std::filesystem::path& executa
   add_force(*sub, request->files.force);
   add_material_folder(*sub, request->materials);
   sub->footer(run_footer);
-  sub->callback([request, &action, executable] {
-    action = [request, executable] { return run(*request, chosen_folder(request->materials, executable)); };
-  });
+  when_named(*sub, action,
+             [request, executable] { return run(*request, chosen_folder(request->materials, executable)); });
 }
 
 }  // namespace dashpad::app

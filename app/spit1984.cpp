@@ -16,7 +16,6 @@
 #include "dashpad/spit1984/run_files.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
-#include "streams.hpp"
 
 namespace dashpad::app {
 

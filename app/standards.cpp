@@ -59,10 +59,16 @@ int show(const StandardsRequest& request, const fs::path& folder) {
   return exit_done;
 }
 
+/// One with faults does not hide the others.
 int list_all_standards(const fs::path& folder) {
-  return list_cards(
-      fmt::format("Standards in {}:\n", folder.string()), input::list_standards(folder).value(),
-      [](const fs::path& file) { return output::standard_line(input::read_standard(file).value()); });
+  std::string text = fmt::format("Standards in {}:\n", folder.string());
+  std::vector<std::string> faults;
+  for (const fs::path& file : input::list_standards(folder).value())
+    if (const auto standard = taken(input::read_standard(file), faults))
+      text += output::standard_line(*standard);
+  write_output(text);
+  if (!faults.empty()) throw Refused(std::move(faults));
+  return exit_done;
 }
 
 }  // namespace
@@ -76,14 +82,12 @@ void add_standards(CLI::App& app, Action& action, const fs::path& executable) {
   add_units(*sub, request->units);
   add_standard_folder(*sub, request->folder);
   sub->footer(standards_footer);
-  sub->callback([request, &action, executable] {
-    action = [request, executable] {
-      const fs::path folder = chosen_standards(request->folder, executable);
-      if (!request->name.empty()) return show(*request, folder);
-      if (request->documents.page || request->documents.markdown)
-        throw Refused({"--report, --markdown: are of one preset; give its NAME"});
-      return list_all_standards(folder);
-    };
+  when_named(*sub, action, [request, executable] {
+    const fs::path folder = chosen_standards(request->folder, executable);
+    if (!request->name.empty()) return show(*request, folder);
+    if (request->documents.page || request->documents.markdown)
+      throw Refused({"--report, --markdown: are of one preset; give its NAME"});
+    return list_all_standards(folder);
   });
 }
 

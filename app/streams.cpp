@@ -1,4 +1,4 @@
-#include "streams.hpp"
+#include "output.hpp"
 
 #include <cerrno>
 #include <csignal>

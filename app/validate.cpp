@@ -14,7 +14,6 @@
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/report1986/validation_report.hpp"
 #include "documents.hpp"
-#include "material_folder.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
 

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "command.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/output/deck/exports.hpp"
 #include "dashpad/output/material_deck.hpp"
 #include "dashpad/quantities/quantity.hpp"
-#include "material/material.hpp"
 #include "output.hpp"
 
 namespace dashpad::app {
@@ -51,29 +51,15 @@ struct ExportMaterialRequest {
   bool force = false;
 };
 
-std::optional<Material> material_to_export(const ExportMaterialRequest& request,
-                                           const std::filesystem::path& folder,
-                                           std::vector<input::InputFile>& files,
-                                           std::vector<std::string>& wrong) {
-  try {
-    const std::filesystem::path card = find_card(request.card, folder);
-    files.push_back({"the material card", card});
-    return taken(input::read_material(card), wrong);
-  } catch (const Refused& refused) {
-    wrong.insert(wrong.end(), refused.complaints().begin(), refused.complaints().end());
-  }
-  return std::nullopt;
-}
-
 int export_material(const ExportMaterialRequest& request, const std::filesystem::path& folder) {
   std::vector<std::string> wrong;
   std::vector<input::InputFile> files;
-  std::optional<Material> material = material_to_export(request, folder, files, wrong);
+  const std::optional<std::filesystem::path> card = find_card(request.card, folder, wrong);
+  if (card) files.push_back({"the material card", *card});
+  std::optional<Material> material = card ? taken(input::read_material(*card), wrong) : std::nullopt;
   output::MaterialDeckOptions options{request.format, consistent_systems().front(), request.first_id};
   if (const auto units = deck_units_of(request.units, wrong)) options.units = *units;
-  const auto density = quantity_of("--density", request.density, "kg/m3", wrong);
-  if (density && !(*density > 0))
-    wrong.push_back(fmt::format("--density {}: must be more than 0", *request.density));
+  const auto density = positive_quantity_of("--density", request.density, "kg/m3", wrong);
   if (material && density) material->density = density;
   if (material) {
     const std::string why = output::why_no_material_deck(*material, options);
@@ -118,10 +104,8 @@ void add_material_export(CLI::App& material, Action& action, const std::filesyst
   add_force(*sub, request->force);
   add_material_folder(*sub, request->folder);
   sub->footer(export_material_footer);
-  sub->callback([request, &action, executable] {
-    action = [request, executable] {
-      return export_material(*request, chosen_folder(request->folder, executable));
-    };
+  when_named(*sub, action, [request, executable] {
+    return export_material(*request, chosen_folder(request->folder, executable));
   });
 }
 

@@ -1,23 +1,30 @@
-// dashpad material import: foams out of decks and tables, as material cards.
+// dashpad material, and dashpad material import: foams out of decks and tables, as material cards.
 
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "command.hpp"
 #include "dashpad/input/material_deck.hpp"
-#include "dashpad/input/stress_table.hpp"
 #include "dashpad/output/card_toml.hpp"
-#include "material/material.hpp"
+#include "input/measurement/measurement_text.hpp"
 #include "output.hpp"
-#include "streams.hpp"
 
 namespace dashpad::app {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr const char* material_footer = R"(Examples:
+  dashpad material import foam.k --units t-mm-s -o my-foam.toml
+  dashpad material import tests.csv --rate "0.01 1/s" -o my-foam.toml
+  dashpad material export my-foam.toml --format ls-dyna-083 --units t-mm-s -o foam.k
+
+dashpad material import --help and dashpad material export --help say more. To list or show cards: dashpad materials.)";
 
 constexpr const char* import_footer = R"(Examples:
   dashpad material import foam.k --units t-mm-s                   the card on the screen
@@ -53,17 +60,13 @@ using Wrong = std::vector<std::string>;
 using Found = std::vector<input::DeckMaterial>;
 
 bool is_table(const std::string& file) {
-  std::string ending = fs::path(file).extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return ending == ".csv";
+  return input::lower_case(fs::path(file).extension().string()) == ".csv";
 }
 
 /// What the options say and the kind of file has no use for.
 std::optional<UnitSystem> judge_import(const ImportRequest& request, std::optional<double>& rate,
                                        Wrong& wrong) {
-  rate = quantity_of("--rate", request.rate, "1/s", wrong);
-  if (rate && !(*rate > 0)) wrong.push_back(fmt::format("--rate {}: must be more than 0", *request.rate));
+  rate = positive_quantity_of("--rate", request.rate, "1/s", wrong);
   if (is_table(request.file)) {
     if (!request.units.empty()) wrong.emplace_back("--units: a table says its units in its header");
     return std::nullopt;
@@ -172,6 +175,31 @@ int import_material(const ImportRequest& request) {
 
 }  // namespace
 
+void add_deck_units(CLI::App& app, std::string& units) {
+  app.add_option(
+         "--units", units,
+         "Units of the deck: kg-mm-ms (kN, GPa), kg-m-s (N, Pa), t-mm-s (N, MPa), lbf-s2/in-in-s (lbf, psi)")
+      ->type_name("SYSTEM");
+}
+
+std::optional<UnitSystem> deck_units_of(const std::string& name, std::vector<std::string>& wrong) {
+  try {
+    return input::deck_system(name);
+  } catch (const std::invalid_argument& error) {
+    wrong.push_back(std::string("--units ") + name + ": " + error.what());
+    return std::nullopt;
+  }
+}
+
+void add_material(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+  CLI::App* sub =
+      app.add_subcommand("material", "Material cards from other programs' files, and decks from cards");
+  sub->require_subcommand(1);
+  sub->footer(material_footer);
+  add_material_import(*sub, action);
+  add_material_export(*sub, action, executable);
+}
+
 void add_material_import(CLI::App& material, Action& action) {
   CLI::App* sub = material.add_subcommand("import", "A card from a solver's deck or a table of tests");
   const auto request = std::make_shared<ImportRequest>();
@@ -188,7 +216,7 @@ void add_material_import(CLI::App& material, Action& action) {
       ->type_name("FILE");
   add_force(*sub, request->force);
   sub->footer(import_footer);
-  sub->callback([request, &action] { action = [request] { return import_material(*request); }; });
+  when_named(*sub, action, [request] { return import_material(*request); });
 }
 
 }  // namespace dashpad::app

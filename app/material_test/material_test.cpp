@@ -52,29 +52,17 @@ struct MaterialTestCommand {
 };
 
 std::vector<Target> targets(const MaterialTestCommand& request) {
-  std::vector<Target> wanted;
-  if (request.json) wanted.push_back({"--json", *request.json});
-  if (request.csv) wanted.push_back({"--csv", *request.csv});
-  add_targets(request.documents, wanted);
-  if (request.picture) wanted.push_back({"--picture", *request.picture});
-  return wanted;
-}
-
-using Wrong = std::vector<std::string>;
-
-std::optional<fs::path> card_file(const std::string& name, const fs::path& folder, Wrong& wrong) {
-  try {
-    return find_card(name, folder);
-  } catch (const Refused& refused) {
-    wrong.insert(wrong.end(), refused.complaints().begin(), refused.complaints().end());
-  }
-  return std::nullopt;
+  return targets_of({{"--json", request.json},
+                     {"--csv", request.csv},
+                     {"--report", request.documents.page},
+                     {"--markdown", request.documents.markdown},
+                     {"--picture", request.picture}});
 }
 
 /// Throws Refused with all that is wrong.
 laboratory::MaterialTestReport run_test(const MaterialTestCommand& request, const fs::path& folder) {
-  Wrong wrong;
-  const std::optional<fs::path> card = card_file(request.test.material, folder, wrong);
+  std::vector<std::string> wrong;
+  const std::optional<fs::path> card = find_card(request.test.material, folder, wrong);
   std::vector<input::InputFile> files;
   if (card) files.push_back({"the material card", *card});
   if (request.test.history) files.push_back({"the strain history", *request.test.history});
@@ -115,20 +103,16 @@ void add_material_test(CLI::App& app, Action& action, const std::filesystem::pat
   const auto request = std::make_shared<MaterialTestCommand>();
   sub->add_option("MATERIAL", request->test.material, "Card: its name, or a file")->required()->type_name("");
   add_test_options(*sub, request->test);
-  sub->add_option("--json", request->json, "Write everything as JSON, SI (- for standard output)")
-      ->type_name("FILE");
-  sub->add_option("--csv", request->csv, "Write the stresses as CSV (- for standard output)")
-      ->type_name("FILE");
+  add_file(*sub, "--json", request->json, "Write everything as JSON, SI (- for standard output)");
+  add_file(*sub, "--csv", request->csv, "Write the stresses as CSV (- for standard output)");
   add_documents(*sub, request->documents);
-  sub->add_option("--picture", request->picture, "Draw stress and efficiency (.svg, .png, .pdf)")
-      ->type_name("FILE");
+  add_file(*sub, "--picture", request->picture, "Draw stress and efficiency (.svg, .png, .pdf)");
   add_units(*sub, request->units);
   add_force(*sub, request->force);
   add_material_folder(*sub, request->materials);
   sub->footer(material_test_footer);
-  sub->callback([request, &action, executable] {
-    action = [request, executable] { return show(*request, chosen_folder(request->materials, executable)); };
-  });
+  when_named(*sub, action,
+             [request, executable] { return show(*request, chosen_folder(request->materials, executable)); });
 }
 
 }  // namespace dashpad::app

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/input/measurement/strain_csv.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 #include "dashpad/quantities/quantity.hpp"
 
 namespace dashpad::app {

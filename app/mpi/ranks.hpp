@@ -1,5 +1,6 @@
 #pragma once
-/// The ranks of an MPI job, and what they say to each other. Only built where there is an MPI.
+/// The ranks of an MPI job, and what they say to each other: the rows of a batch as numbers, bit for bit.
+/// Only built where there is an MPI.
 
 #include <cstdint>
 #include <functional>
@@ -7,9 +8,22 @@
 #include <string>
 #include <vector>
 
-#include "mpi/rank_messages.hpp"
+#include "dashpad/study/store.hpp"
 
 namespace dashpad::app {
+
+using Message = std::vector<std::uint64_t>;
+
+/// A batch and its rows.
+struct BatchReport {
+  std::uint64_t batch = 0;
+  bool stop_wanted = false;  ///< this rank was told to stop
+  std::vector<study::StoredRow> rows;
+};
+
+Message packed(const BatchReport& report);
+/// Throws std::runtime_error for numbers that are no report.
+BatchReport unpacked(const Message& message);
 
 /// What a rank says to rank 0, and what that answers.
 enum class Tag { ready = 1, result, failure, batch, stop };

@@ -1,7 +1,7 @@
 // Zip and tar: a part that is loaded when it is used.
 
 #include "dashpad/output/deck/iso_mme_test.hpp"
-#include "input/iso_mme/members.hpp"
+#include "input/iso_mme/test_files.hpp"
 #include "parts/parts.hpp"
 
 extern "C" const dashpad::app::ArchivePart* dashpad_part() {

@@ -1,6 +1,6 @@
 // HDF5 of a store, through the C interface: a part that is loaded when it is used.
 
-#include "study/hdf5.hpp"
+#include "parts/parts.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -11,8 +11,7 @@
 
 #include <hdf5.h>
 
-#include "dashpad/study/export_csv.hpp"
-#include "parts/parts.hpp"
+#include "dashpad/study/store.hpp"
 
 namespace dashpad::app {
 
@@ -113,21 +112,16 @@ class Columns {
     const hsize_t rows = store.rows_done();
     const Handle about = group(file, "rows"), factors = group(file, "factors"),
                  responses = group(file, "responses");
-    columns_.emplace_back(about, study::StoredColumn{"row", "", "number of the row"}, H5T_STD_I64LE, rows);
-    columns_.emplace_back(about, study::StoredColumn{"status", "", "outcome; its names are in status_names"},
-                          H5T_STD_U8LE, rows);
-    columns_.emplace_back(about,
-                          study::StoredColumn{"extrapolated", "", "beyond the range of the fit: 0 or 1"},
-                          H5T_STD_U8LE, rows);
-    columns_.emplace_back(about,
-                          study::StoredColumn{"extrapolated_strain", "", "by its strain, a guess: 0 or 1"},
-                          H5T_STD_U8LE, rows);
-    columns_.emplace_back(about, study::StoredColumn{"extrapolated_rate", "", "by its rate, a law: 0 or 1"},
-                          H5T_STD_U8LE, rows);
-    columns_.emplace_back(about, study::StoredColumn{"bottomed", "", "pad fully compressed: 0 or 1"},
-                          H5T_STD_U8LE, rows);
-    columns_.emplace_back(about, study::StoredColumn{"error", "", "largest relative error estimate"},
-                          H5T_IEEE_F64LE, rows);
+    const auto add = [&](const char* name, const char* meaning, hid_t type) {
+      columns_.emplace_back(about, study::StoredColumn{name, "", meaning}, type, rows);
+    };
+    add("row", "number of the row", H5T_STD_I64LE);
+    add("status", "outcome; its names are in status_names", H5T_STD_U8LE);
+    add("extrapolated", "beyond the range of the fit: 0 or 1", H5T_STD_U8LE);
+    add("extrapolated_strain", "by its strain, a guess: 0 or 1", H5T_STD_U8LE);
+    add("extrapolated_rate", "by its rate, a law: 0 or 1", H5T_STD_U8LE);
+    add("bottomed", "pad fully compressed: 0 or 1", H5T_STD_U8LE);
+    add("error", "largest relative error estimate", H5T_IEEE_F64LE);
     for (const auto& column : store.factors()) columns_.emplace_back(factors, column, H5T_IEEE_F64LE, rows);
     for (const auto& column : store.responses())
       columns_.emplace_back(responses, column, H5T_IEEE_F64LE, rows);
@@ -154,8 +148,7 @@ class Columns {
 
 std::string status_names() {
   std::string names;
-  for (const Status status : {Status::not_run, Status::released, Status::bottomed_out, Status::time_limit,
-                              Status::tolerance_not_met, Status::at_rest})
+  for (const Status status : study::all_statuses)
     names += (names.empty() ? "" : ", ") + std::to_string(static_cast<int>(status)) + " " + to_string(status);
   return names;
 }

@@ -8,11 +8,10 @@
 
 #include <dlfcn.h>
 
+#include "command.hpp"
 #include "dashpad/output/deck/iso_mme_test.hpp"
-#include "material_folder.hpp"
 #include "output/svg/svg.hpp"
 #include "parts/parts.hpp"
-#include "study/hdf5.hpp"
 
 namespace dashpad {
 

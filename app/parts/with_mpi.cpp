@@ -11,8 +11,7 @@
 #include <unistd.h>
 
 #include "command.hpp"
-#include "material_folder.hpp"
-#include "mpi/study_ranks.hpp"
+#include "study/study.hpp"
 
 namespace dashpad::app {
 

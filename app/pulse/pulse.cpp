@@ -12,14 +12,12 @@
 
 #include "command.hpp"
 #include "dashpad/input/iso_mme/iso_mme.hpp"
-#include "dashpad/input/measurement/pulse_csv.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 #include "dashpad/input/standard_file.hpp"
 #include "dashpad/output/pulse.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
-#include "pulse/report.hpp"
 #include "pulse/request.hpp"
-#include "streams.hpp"
 
 namespace dashpad::app {
 
@@ -72,12 +70,11 @@ Exit codes: 0 done, 1 a result could not be written, 2 input or command line ref
 --standard 4 where a limit is exceeded, else 3 where one lies within the uncertainty of the measurement.)";
 
 std::vector<Target> targets(const PulseRequest& request) {
-  std::vector<Target> wanted;
-  if (request.json) wanted.push_back({"--json", *request.json});
-  if (request.csv) wanted.push_back({"--csv", *request.csv});
-  if (request.picture) wanted.push_back({"--picture", *request.picture});
-  add_targets(request.documents, wanted);
-  return wanted;
+  return targets_of({{"--json", request.json},
+                     {"--csv", request.csv},
+                     {"--picture", request.picture},
+                     {"--report", request.documents.page},
+                     {"--markdown", request.documents.markdown}});
 }
 
 /// What was asked for of all files alike.
@@ -230,12 +227,10 @@ void add_pulse(CLI::App& app, Action& action, const std::filesystem::path& execu
   add_all(*sub, each.detail);
   add_force(*sub, each.force);
   sub->footer(pulse_footer);
-  sub->callback([request, &action, executable] {
-    action = [request, executable] {
-      return request->each.list
-                 ? show_list(*request)
-                 : show_figures(*request, chosen_standards(request->standard_folder, executable));
-    };
+  when_named(*sub, action, [request, executable] {
+    return request->each.list
+               ? show_list(*request)
+               : show_figures(*request, chosen_standards(request->standard_folder, executable));
   });
 }
 

@@ -1,6 +1,6 @@
 // A measured pulse, read and processed as the options ask, with its figures.
 
-#include "pulse/report.hpp"
+#include "pulse/request.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -14,7 +14,7 @@
 #include "command.hpp"
 #include "dashpad/injury/metrics.hpp"
 #include "dashpad/input/iso_mme/iso_mme.hpp"
-#include "dashpad/input/measurement/pulse_csv.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 #include "progress_line.hpp"
 
 namespace dashpad::app {
@@ -101,21 +101,11 @@ injury::PulseReport pulse_report(
   const bool is_test = input::is_iso_mme(request.file);
   for (std::string& line : out_of_place(request, is_test)) wrong.push_back(std::move(line));
   const PulseSettings settings = settings_of(request, wrong);
-  injury::PulseReport report{.file = request.file,
-                             .about = {},
-                             .measured = {},
-                             .resampled_to = settings.interval,
-                             .filter = filter_of(request),
-                             .offset = {},
-                             .pulse = {},
-                             .contact = {},
-                             .figures = {},
-                             .impact = settings.impact,
-                             .windows = {},
-                             .dwells = {},
-                             .flags = {},
-                             .uncertainty = {},
-                             .limits = {}};
+  injury::PulseReport report;
+  report.file = request.file;
+  report.resampled_to = settings.interval;
+  report.filter = filter_of(request);
+  report.impact = settings.impact;
   for (const auto& [what, words] :
        {std::pair{"Position", &request.position}, {"Date", &request.date}, {"Note", &request.note}})
     if (!words->empty()) report.about.emplace_back(what, *words);

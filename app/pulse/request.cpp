@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/input/measurement/sensitivity.hpp"
+#include "dashpad/input/pulse_file.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
@@ -47,16 +47,11 @@ std::optional<std::pair<double, double>> interval_of(const std::string& text,
 /// What --speed, --drop-height or a case tells.
 std::optional<injury::MeasuredImpact> impact_of(const PulseRequest& request,
                                                 std::vector<std::string>& wrong) {
-  const auto positive = [&](const char* option, const std::optional<std::string>& text, const char* unit) {
-    const std::optional<double> value = quantity_of(option, text, unit, wrong);
-    if (value && !(*value > 0)) wrong.push_back(fmt::format("{} {}: must be more than 0", option, *text));
-    return value;
-  };
-  const std::optional<double> speed = positive("--speed", request.speed, "m/s");
-  const std::optional<double> height = positive("--drop-height", request.drop_height, "m");
+  const std::optional<double> speed = positive_quantity_of("--speed", request.speed, "m/s", wrong);
+  const std::optional<double> height = positive_quantity_of("--drop-height", request.drop_height, "m", wrong);
   if (request.speed && request.drop_height)
     wrong.emplace_back("--drop-height: is for a speed that is not known; give --speed or --drop-height");
-  if (height && *height > 0) return injury::after_fall(*height);
+  if (height) return injury::after_fall(*height);
   if (!request.speed && !request.drop_height && request.case_impact) return request.case_impact;
   return speed ? std::optional{injury::MeasuredImpact{.speed = *speed}} : std::nullopt;
 }
@@ -83,9 +78,7 @@ std::optional<injury::PulseFilter> filter_of(const PulseRequest& request) {
 
 PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>& wrong) {
   PulseSettings settings;
-  settings.interval = quantity_of("--resample", request.resample, "s", wrong);
-  if (settings.interval && !(*settings.interval > 0))
-    wrong.push_back(fmt::format("--resample {}: must be more than 0", *request.resample));
+  settings.interval = positive_quantity_of("--resample", request.resample, "s", wrong);
   settings.interval_of_samples = quantity_of("--interval", request.interval, "s", wrong);
   if (settings.interval_of_samples && !(*settings.interval_of_samples > 0))
     wrong.push_back(fmt::format("--interval {}: must be more than 0", *request.interval));

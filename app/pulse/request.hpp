@@ -1,6 +1,8 @@
 #pragma once
-/// What `dashpad pulse` was asked for.
+/// What `dashpad pulse` was asked for, and what it and `dashpad compare --pulse` do with a measured pulse
+/// before they show it.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,7 +12,8 @@
 
 #include "dashpad/injury/pulse_report.hpp"
 #include "dashpad/injury/standard.hpp"
-#include "dashpad/input/measurement/pulse_csv.hpp"
+#include "dashpad/input/measurement/tables.hpp"
+#include "dashpad/input/reading.hpp"
 #include "dashpad/output/document.hpp"
 #include "documents.hpp"
 
@@ -76,5 +79,12 @@ void add_source_options(CLI::App& sub, PulseRequest& request);
 void add_processing_options(CLI::App& sub, PulseRequest& request);
 /// Options for further figures.
 void add_figure_options(CLI::App& sub, PulseRequest& request);
+
+/// The pulse of the request, read, zeroed, resampled and filtered as asked for, with its figures and flags.
+/// `judge` sees the files that it was read from, and may add to `wrong`. Throws Refused with all that is
+/// wrong then.
+injury::PulseReport pulse_report(
+    const PulseRequest& request, std::vector<std::string> wrong,
+    const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge);
 
 }  // namespace dashpad::app

@@ -11,10 +11,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "dashpad/study/export_csv.hpp"
+#include "dashpad/study/store.hpp"
 #include "output.hpp"
-#include "streams.hpp"
-#include "study/hdf5.hpp"
+#include "parts/parts.hpp"
 #include "study/study.hpp"
 
 namespace dashpad::app {
@@ -45,10 +44,7 @@ struct StudyExportRequest {
 };
 
 std::vector<Target> targets(const StudyExportRequest& request) {
-  std::vector<Target> wanted;
-  if (request.csv) wanted.push_back({"--csv", *request.csv});
-  if (request.hdf5) wanted.push_back({"--hdf5", *request.hdf5});
-  return wanted;
+  return targets_of({{"--csv", request.csv}, {"--hdf5", request.hdf5}});
 }
 
 void write_csv(const study::Store& store, const fs::path& file, const std::string& shown) {
@@ -118,11 +114,11 @@ void add_study_export(CLI::App& study, Action& action) {
   CLI::App* sub = study.add_subcommand("export", "Write the rows as CSV or HDF5");
   const auto request = std::make_shared<StudyExportRequest>();
   sub->add_option("FILE", request->store_file, "The store of a study")->required()->type_name("");
-  sub->add_option("--csv", request->csv, "Write a CSV file (- for standard output)")->type_name("FILE");
-  sub->add_option("--hdf5", request->hdf5, "Write an HDF5 file")->type_name("FILE");
+  add_file(*sub, "--csv", request->csv, "Write a CSV file (- for standard output)");
+  add_file(*sub, "--hdf5", request->hdf5, "Write an HDF5 file");
   add_force(*sub, request->force);
   sub->footer(study_export_footer);
-  sub->callback([request, &action] { action = [request] { return run_export(*request); }; });
+  when_named(*sub, action, [request] { return run_export(*request); });
 }
 
 }  // namespace dashpad::app

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/study.hpp"
-#include "dashpad/study/batch.hpp"
-#include "dashpad/study/stored_study.hpp"
+#include "dashpad/study/run_study.hpp"
+#include "dashpad/study/study_file.hpp"
 #include "result_files.hpp"
 #include "study/study.hpp"
 
@@ -62,12 +62,8 @@ study::StoredRow stored_row(const study::Store& store, const StudyReplayRequest&
 }
 
 Replay replay(const study::Store& store, const StudyReplayRequest& request) {
-  Replay result{.stored = stored_row(store, request),
-                .factors = {},
-                .again = {},
-                .impact = {},
-                .options = {},
-                .solution = {}};
+  Replay result;
+  result.stored = stored_row(store, request);
   const study::Study study = study::stored_study(store);
   const study::Design design{study};
   result.factors.resize(result.stored.factors.size());
@@ -146,7 +142,7 @@ void add_study_replay(CLI::App& study, Action& action) {
   add_result_files(*sub, request->files);
   add_force(*sub, request->files.force);
   sub->footer(study_replay_footer);
-  sub->callback([request, &action] { action = [request] { return run_replay(*request); }; });
+  when_named(*sub, action, [request] { return run_replay(*request); });
 }
 
 }  // namespace dashpad::app

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,5 +38,9 @@ std::vector<input::InputFile> files_of_store(const std::string& file);
 /// Says what a run came to, in a line: rows, rate, doubtful rows; or how to go on. Returns the exit code.
 int finish_study(const study::Store& store, const StudyRequest& request, std::uint64_t rows_before,
                  double seconds, bool complete);
+
+/// As dashpad study on one machine; only rank 0 prints. Returns the exit code. The command itself goes over
+/// to dashpad-mpi, which holds all this; it throws Refused where that is not there.
+int run_on_ranks(const StudyRequest& request, const std::filesystem::path& materials);
 
 }  // namespace dashpad::app

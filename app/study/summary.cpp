@@ -8,16 +8,33 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/impact/solution.hpp"
 #include "dashpad/output/study.hpp"
+#include "dashpad/quantities/quantity.hpp"
 #include "dashpad/study/responses.hpp"
 #include "documents.hpp"
+#include "input/measurement/measurement_text.hpp"
 #include "output.hpp"
-#include "study/limit.hpp"
+#include "quantities/magnitude_bounds.hpp"
 #include "study/study.hpp"
 
 namespace dashpad::app {
 
 namespace {
+
+/// With a g of acceleration, which elsewhere is a gram.
+double value_in_si(const std::string& text, const std::string& si_unit) {
+  if (si_unit == "m/s2" && text.size() > 1 && text.ends_with("g"))
+    return standard_gravity *
+           stated_si(std::string(input::without_blanks(text.substr(0, text.size() - 1))), "1");
+  return stated_si(text, si_unit);
+}
+
+std::string unit_of(const std::string& name, const study::Store& store) {
+  for (const study::StoredColumn& response : store.responses())
+    if (response.name == name) return response.unit;
+  return "1";
+}
 
 constexpr const char* study_summary_footer = R"(Examples:
   dashpad study examples/studies/cushion-curves.toml --out cushions.db
@@ -44,11 +61,40 @@ struct StudySummaryRequest {
 };
 
 std::vector<Target> targets(const StudySummaryRequest& request) {
-  std::vector<Target> wanted;
-  if (request.json) wanted.push_back({"--json", *request.json});
-  add_targets(request.documents, wanted);
-  if (request.picture) wanted.push_back({"--picture", *request.picture});
-  return wanted;
+  return targets_of({{"--json", request.json},
+                     {"--report", request.documents.page},
+                     {"--markdown", request.documents.markdown},
+                     {"--picture", request.picture}});
+}
+
+/// Why the store has no such response; empty if it has.
+std::string response_rule(const std::string& name, const study::Store& store) {
+  std::string names;
+  for (const study::StoredColumn& response : store.responses()) {
+    if (response.name == name) return "";
+    names += (names.empty() ? "" : ", ") + response.name;
+  }
+  return "is no response of this study; it keeps " + names;
+}
+
+/// "hic15 > 1000", "peak_force = 5 kN". Absent after a complaint.
+std::optional<study::StudyLimit> limit_of(const std::string& text, const study::Store& store,
+                                          std::vector<std::string>& wrong) {
+  const auto refuse = [&](const std::string& rule) {
+    wrong.push_back(fmt::format("--limit \"{}\": {}", text, rule));
+    return std::nullopt;
+  };
+  const std::size_t sign = text.find_first_of(">=");
+  if (sign == std::string::npos) return refuse("must be a response, > and a value, such as \"hic15 > 1000\"");
+  const std::string name = std::string(input::without_blanks(text.substr(0, sign)));
+  if (const std::string rule = response_rule(name, store); !rule.empty()) return refuse(name + " " + rule);
+  const std::string value = text.substr(sign + 1);
+  try {
+    return study::StudyLimit{name,
+                             value_in_si(std::string(input::without_blanks(value)), unit_of(name, store))};
+  } catch (const UnitError& error) {
+    return refuse(error.what());
+  }
 }
 
 study::StudyQuestions questions_of(const StudySummaryRequest& request, const study::Store& store,
@@ -119,14 +165,12 @@ void add_study_summary(CLI::App& study, Action& action) {
       ->allow_extra_args(false)
       ->type_name("LIMIT");
   add_documents(*sub, request->documents);
-  sub->add_option("--json", request->json, "Write all answers as JSON, SI and g (- for standard output)")
-      ->type_name("FILE");
-  sub->add_option("--picture", request->picture, "Draw the most telling figure (.svg, .png, .pdf)")
-      ->type_name("FILE");
+  add_file(*sub, "--json", request->json, "Write all answers as JSON, SI and g (- for standard output)");
+  add_file(*sub, "--picture", request->picture, "Draw the most telling figure (.svg, .png, .pdf)");
   add_units(*sub, request->units);
   add_force(*sub, request->force);
   sub->footer(study_summary_footer);
-  sub->callback([request, &action] { action = [request] { return summarise(*request); }; });
+  when_named(*sub, action, [request] { return summarise(*request); });
 }
 
 }  // namespace dashpad::app

@@ -8,12 +8,8 @@
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/impact/solve.hpp"
-#include "fit/card_uncertainty.hpp"
-#include "fit/discrepancy.hpp"
-#include "fit/impact_residuals.hpp"
+#include "fit/met.hpp"
 #include "fit/problem.hpp"
-#include "fit/reservations.hpp"
-#include "fit/test_residuals.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::fit {
@@ -164,8 +160,7 @@ PadLaw rounded(const PadLaw& exact) {
 
 /// Whether what neighbouring columns do in impacts is in the numbers of the law.
 bool rests_on_strikes(const Fit& fit) {
-  return rests_on_impacts_alone(fit) &&
-         std::ranges::none_of(fit.unknowns, [](const Unknown& of) { return of.key == "pad.neighbours"; }) &&
+  return rests_on_impacts_alone(fit) && !seeks(fit, "pad.neighbours") &&
          std::ranges::all_of(fit.impacts,
                              [](const ImpactMeasurement& of) { return of.impact.pad.neighbours == 0; });
 }
@@ -191,8 +186,7 @@ std::vector<double> written_values(const Fit& fit, std::span<const double> value
 Material card_of(const Fit& fit, std::span<const double> values, const FitReport& report) {
   const std::vector<double> written = written_values(fit, values);
   Material material = material_with(fit, written);
-  const bool is_scaled = std::ranges::count(fit.unknowns, "pad.scale", &Unknown::key) > 0;
-  if (is_scaled) material.law = rounded(law_with(fit, written));
+  if (seeks(fit, "pad.scale")) material.law = rounded(law_with(fit, written));
   material.source = origin_of(fit, report);
   material.reservations = reservations_of(fit, written, report);
   material.fitted = range_of_data(fit, written, material);
@@ -217,7 +211,7 @@ std::optional<FittedCase> fitted_case_of(const Fit& fit, std::span<const double>
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
     if (!is_of_card(fit.unknowns[i].key)) quantities.find(fit.unknowns[i].key)->set(found.impact, written[i]);
   found.impact.pad.material = {};
-  if (std::ranges::count(fit.unknowns, "pad.scale", &Unknown::key) > 0) found.impact.pad.condition.scale = 1;
+  if (seeks(fit, "pad.scale")) found.impact.pad.condition.scale = 1;
   return found;
 }
 

@@ -1,11 +1,17 @@
 #pragma once
-/// A fit as a material card, and as a case.
+/// What a fit found, for people and programs: a material card with what it leaves open, and a case.
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "dashpad/fit/fit.hpp"
 #include "dashpad/fit/report.hpp"
+#include "dashpad/input/reading.hpp"
+#include "fit/determine.hpp"
+#include "fit/problem.hpp"
+#include "input/toml_tree.hpp"
 
 namespace dashpad::fit {
 
@@ -25,5 +31,39 @@ bool is_stated(const Material& material);
 
 /// Largest strain rate of an impact with these values of the unknowns, 1/s.
 double rate_of(const Fit& fit, const ImpactMeasurement& impact, std::span<const double> values);
+
+/// Ranges of recoil and HU: intervals of the fit, to the ends of what the law admits where they are open or
+/// nothing tests them; none of HU where the fit knows it to both sides, since it is in the axes then. Axes:
+/// those of the covariance of what goes into the card, the others free; at most most_posterior_axes, those
+/// that move the fitted figures most. A scale of the pad moves all stresses of a formula; with a table, which
+/// has no numbers, its standard error counts as scatter from sample to sample. What the card that the fit
+/// started from says of the rest stays. `card` is that of the fit.
+dashpad::Uncertainty uncertainty_of(const Fit& fit, const Problem& problem, const Solved& solved,
+                                    const FitReport& report, const Material& card);
+
+/// The law with these values of the unknowns, and a fitted scale of the pad in its stresses.
+PadLaw law_with(const Fit& fit, std::span<const double> values);
+
+/// A sentence each; what the card said that the fit started from comes last, unless it is about an unknown.
+std::vector<std::string> reservations_of(const Fit& fit, std::span<const double> values,
+                                         const FitReport& report);
+
+// Recoil: how much of the stress that the rate adds resists the way back. It is 1 where nobody says so, which
+// loses nearly all energy of a fast impact. So it is sought where the data show it.
+
+/// Whether the file, the case that it names or the card of its pad gives the number, and no card calls it
+/// uncertain. `files` are those that the pad was read from.
+bool states_recoil(const input::TomlNode& fit_file, const std::vector<input::InputFile>& files);
+
+/// Whether the foam rests on a recoil that nobody stated and that is no unknown.
+bool assumes_recoil(const Fit& fit);
+
+/// Makes it an unknown from 0 to 1 where it is assumed and the fitted data show it: by pulses, rebound
+/// speeds, contact times or velocity changes of impacts, or by a test that unloads at a higher rate than that
+/// of the base curve; and where there are as many data as unknowns then.
+void seek_recoil(Fit& fit);
+
+/// What is said of the minimum, its uncertainty and the data, but for the time.
+void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitReport& report);
 
 }  // namespace dashpad::fit

@@ -1,4 +1,4 @@
-#include "fit/card_uncertainty.hpp"
+#include "fit/card.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,10 @@
 #include <string_view>
 
 #include "dashpad/case/case_quantity.hpp"
-#include "dashpad/study/application.hpp"
-#include "fit/card.hpp"
-#include "fit/impact_residuals.hpp"
+#include "dashpad/study/design.hpp"
 #include "fit/met.hpp"
-#include "fit/principal_axes.hpp"
-#include "fit/recoil.hpp"
+#include "fit/problem.hpp"
+#include "fit/uncertainty.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::fit {
@@ -27,8 +25,6 @@ struct Axis {
   std::vector<double> minus, plus;
   double effect = 0;  ///< on what was fitted, squared
 };
-
-bool is_scaled(const Fit& fit) { return std::ranges::count(fit.unknowns, scale_of_pad, &Unknown::key) > 0; }
 
 /// The coordinates that go into the card and are not at a bound.
 std::vector<std::size_t> card_coordinates(const Fit& fit, const Solved& solved) {
@@ -168,7 +164,7 @@ dashpad::Uncertainty uncertainty_of(const Fit& fit, const Problem& problem, cons
   // They were those of other numbers.
   of.misfit.reset();
   of.posterior = posterior_of(fit, problem, solved);
-  if (is_scaled(fit) && has_table(card.law)) {
+  if (seeks(fit, scale_of_pad) && has_table(card.law)) {
     const auto scale = std::ranges::find(report.unknowns, scale_of_pad, &FittedUnknown::key);
     if (scale->standard_error)
       of.scatter = std::min(

@@ -1,4 +1,4 @@
-#include "fit/discrepancy.hpp"
+#include "fit/met.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,9 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "fit/comparison.hpp"
-#include "fit/prediction.hpp"
-#include "fit/search.hpp"
+#include "fit/determine.hpp"
 #include "fit/solve.hpp"
+#include "fit/uncertainty.hpp"
 #include "uncertainty/student.hpp"
 
 namespace dashpad::fit {
@@ -24,28 +23,13 @@ constexpr double power_of_hic = 2.5;
 constexpr double worth_of_surest = 2;  ///< impacts
 constexpr double two_sided_95 = 1.959964;
 
-enum class Kind { acceleration, hic, rebound, penetration };
-
-std::optional<Kind> kind_of(ImpactFigure figure) {
-  switch (figure) {
-    case ImpactFigure::peak_force:
-    case ImpactFigure::peak_acceleration: return Kind::acceleration;
-    case ImpactFigure::hic15:
-    case ImpactFigure::hic36:
-    case ImpactFigure::hic_unlimited: return Kind::hic;
-    case ImpactFigure::rebound_speed: return Kind::rebound;
-    case ImpactFigure::peak_penetration: return Kind::penetration;
-    default: return std::nullopt;
-  }
-}
-
 /// Shares by which figures of a kind were missed, without what their measurement and the unknowns explain.
 struct Missed {
   double squares = 0;
   double count = 0;
 };
 
-Missed missed(std::span<const PredictedFigure> all, Kind kind) {
+Missed missed(std::span<const PredictedFigure> all, FigureKind kind) {
   Missed of;
   for (const PredictedFigure& each : all) {
     const std::optional<double> share = each.of.share();
@@ -82,6 +66,19 @@ Problem problem_without(const Fit& fit, const Problem& whole, std::span<const do
 }
 
 }  // namespace
+
+std::optional<FigureKind> kind_of(ImpactFigure figure) {
+  switch (figure) {
+    case ImpactFigure::peak_force:
+    case ImpactFigure::peak_acceleration: return FigureKind::acceleration;
+    case ImpactFigure::hic15:
+    case ImpactFigure::hic36:
+    case ImpactFigure::hic_unlimited: return FigureKind::hic;
+    case ImpactFigure::rebound_speed: return FigureKind::rebound;
+    case ImpactFigure::peak_penetration: return FigureKind::penetration;
+    default: return std::nullopt;
+  }
+}
 
 std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& problem, const Solved& solved,
                                                int runs, Session& session,
@@ -147,20 +144,21 @@ std::optional<Misfit> misfit_of(std::span<const PredictedFigure> predicted,
   if (!is_predicted)
     for (const ImpactComparison& each : fitted) of.push_back({each});
   double impacts = 0;
-  for (const Kind kind : {Kind::acceleration, Kind::hic, Kind::rebound, Kind::penetration})
+  for (const FigureKind kind :
+       {FigureKind::acceleration, FigureKind::hic, FigureKind::rebound, FigureKind::penetration})
     impacts = std::max(impacts, missed(of, kind).count);
   if (impacts == 0) return std::nullopt;
-  const auto deviation = [&](Kind kind, double surest) {
+  const auto deviation = [&](FigureKind kind, double surest) {
     return deviation_of(missed(of, kind), surest, is_predicted);
   };
-  Misfit misfit{.peak_acceleration = deviation(Kind::acceleration, surest_stress),
-                .hic = deviation(Kind::hic, power_of_hic * surest_stress),
-                .rebound_speed = deviation(Kind::rebound, surest_stress),
-                .penetration = deviation(Kind::penetration, surest_stress),
+  Misfit misfit{.peak_acceleration = deviation(FigureKind::acceleration, surest_stress),
+                .hic = deviation(FigureKind::hic, power_of_hic * surest_stress),
+                .rebound_speed = deviation(FigureKind::rebound, surest_stress),
+                .penetration = deviation(FigureKind::penetration, surest_stress),
                 .impacts = static_cast<int>(impacts),
                 .is_held_out = is_predicted};
   // The energy says what way goes with a force.
-  if (missed(of, Kind::penetration).count == 0) misfit.penetration = misfit.peak_acceleration;
+  if (missed(of, FigureKind::penetration).count == 0) misfit.penetration = misfit.peak_acceleration;
   return misfit;
 }
 

@@ -8,7 +8,7 @@
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/quantities/constants.hpp"
-#include "dashpad/study/application.hpp"
+#include "dashpad/study/design.hpp"
 #include "fit/met.hpp"
 #include "fit/problem.hpp"
 

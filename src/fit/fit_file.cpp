@@ -1,16 +1,19 @@
-#include "dashpad/fit/fit_file.hpp"
+// A fit file with its table [unknowns].
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <iterator>
 
 #include <fmt/format.h>
 
+#include "dashpad/case/case_quantity.hpp"
+#include "dashpad/fit/fit.hpp"
 #include "dashpad/input/case_file.hpp"
+#include "dashpad/quantities/constants.hpp"
+#include "dashpad/study/design.hpp"
+#include "fit/card.hpp"
 #include "fit/fit_tables.hpp"
-#include "fit/recoil.hpp"
-#include "input/pad_table.hpp"
+#include "input/case_tables.hpp"
 
 namespace dashpad::fit {
 
@@ -19,6 +22,66 @@ using input::TableReader;
 using input::TomlNode;
 
 namespace {
+
+struct UnknownEntry {
+  std::string key;
+  const TomlNode* node;
+};
+
+/// "pad.curve.modulus" in quotes or as tables within tables.
+void collect_unknowns(const TomlNode& table, const std::string& prefix, std::vector<UnknownEntry>& entries) {
+  for (const TomlNode& child : table.children) {
+    const std::string key = prefix + child.key;
+    const bool holds_tables =
+        child.kind == TomlNode::Kind::table && !child.children.empty() &&
+        std::ranges::all_of(child.children,
+                            [](const TomlNode& of) { return of.kind == TomlNode::Kind::table; }) &&
+        child.child("prior") == nullptr;
+    if (holds_tables)
+      collect_unknowns(child, key + ".", entries);
+    else
+      entries.push_back({key, &child});
+  }
+}
+
+/// "log" where both bounds are positive and more than a factor 10 apart, if nothing is said.
+bool read_is_logarithmic(TableReader& table, const Unknown& unknown) {
+  if (!table.has("scale")) return unknown.lowest > 0 && unknown.highest > 10 * unknown.lowest;
+  return table.choice("scale", {"log", "linear"}) == "log";
+}
+
+void read_bounds(TableReader& table, Unknown& unknown) {
+  unknown.lowest = unknown.highest = no_value;
+  const TomlNode* bounds = table.array("bounds");
+  if (!bounds) return;
+  if (bounds->children.size() != 2) {
+    table.fault("bounds", "must be two values, the lower one first, such as [\"1 kPa\", \"1 MPa\"]");
+    return;
+  }
+  const auto bound = [&](std::size_t i) {
+    return value_of(bounds->children[i], table.full_key("bounds") + bounds->children[i].key, unknown.unit,
+                    table.faults());
+  };
+  unknown.lowest = bound(0);
+  unknown.highest = bound(1);
+}
+
+Unknown read_unknown(TableReader& table, const CaseQuantity& quantity, const ImpactCase& base) {
+  Unknown unknown;
+  unknown.key = quantity.key;
+  unknown.unit = quantity.unit;
+  read_bounds(table, unknown);
+  unknown.start = table.has("start") ? value_in(table, "start", unknown.unit) : quantity.get(base);
+  if (auto prior = table.table("prior", Presence::optional)) {
+    unknown.prior.emplace();
+    unknown.prior->mean = value_in(*prior, "mean", unknown.unit);
+    unknown.prior->deviation = value_or_share(*prior, "deviation", unknown.unit, unknown.prior->mean);
+    prior->refuse_others();
+  }
+  unknown.is_logarithmic = read_is_logarithmic(table, unknown);
+  table.refuse_others();
+  return unknown;
+}
 
 /// An impact of which only the material matters.
 ImpactCase made_up_case() {
@@ -39,16 +102,12 @@ void read_each(TableReader& top, const std::string& key, Lines& lines,
     const std::string path = key + entry.key;
     lines[path] = entry.line;
     for (const TomlNode& child : entry.children) lines[path + "." + child.key] = child.line;
-    if (entry.kind != TomlNode::Kind::table) {
-      top.faults().add(entry, path, "must be a table: [[" + key + "]]");
-      continue;
-    }
-    TableReader reader(entry, path, top.faults());
-    read(reader);
   }
+  top.each_table(key, *list, read);
 }
+
 /// The pad in the file, or the case that it names. False after a fault.
-bool read_base(TableReader& top, const FitFolders& folders, FitFile& into) {
+bool read_base(TableReader& top, const input::Folders& folders, FitFile& into) {
   const std::size_t before = top.faults().size();
   const bool has_case = top.has("case");
   const bool has_pad = top.has("pad");
@@ -61,14 +120,14 @@ bool read_base(TableReader& top, const FitFolders& folders, FitFile& into) {
   if (has_case) {
     const std::string name = top.text("case");
     if (name.empty()) return false;
-    if (auto read = top.faults().take(input::read_case(folders.of_fit / name, folders.materials))) {
+    if (auto read = top.faults().take(input::read_case(folders.of_file / name, folders.materials))) {
       into.fit.base = std::move(read->impact);
       into.fit.options = read->options;
       into.fit.has_case = true;
       std::ranges::move(read->files, std::back_inserter(into.files));
     }
   } else if (auto table = top.table("pad")) {
-    input::PadMaterial of = input::read_pad_material(*table, folders.of_fit, folders.materials);
+    input::PadMaterial of = input::read_pad_material(*table, folders);
     table->refuse_others();
     if (of.card) into.files.push_back({"the material card", *of.card});
     if (of.material) {
@@ -84,16 +143,11 @@ bool read_base(TableReader& top, const FitFolders& folders, FitFile& into) {
 void read_search(TableReader& top, Fit& fit) {
   auto table = top.table("fit", Presence::optional);
   if (!table) return;
-  const auto whole = [&](const char* key, double lowest, double highest, double otherwise) {
-    if (!table->has(key)) return otherwise;
-    const double value = table->number(key);
-    if (value >= lowest && value <= highest && value == std::floor(value)) return value;
-    if (!std::isnan(value))
-      table->fault(key, fmt::format("must be a whole number from {:.0f} to {:.0f}", lowest, highest));
-    return otherwise;
-  };
-  fit.starts = static_cast<int>(whole("starts", 1, 1000, fit.starts));
-  fit.seed = static_cast<std::uint64_t>(whole("seed", 0, 9007199254740991.0, 1));
+  if (table->has("starts"))
+    fit.starts = static_cast<int>(table->whole_number("starts", 1, 1000).value_or(fit.starts));
+  if (table->has("seed"))
+    fit.seed =
+        static_cast<std::uint64_t>(table->whole_number("seed", 0, input::largest_whole_number).value_or(1));
   table->refuse_others();
 }
 
@@ -109,8 +163,7 @@ void add_broken_rules(const std::vector<Violation>& broken, const TomlNode& root
 /// Impacts alone tell the law and what neighbouring columns do as one: unless a case says otherwise, it is
 /// all in the law, and the card says so.
 void leave_neighbours_to_law(Fit& fit) {
-  const bool is_unknown = std::ranges::count(fit.unknowns, "pad.neighbours", &Unknown::key) > 0;
-  if (is_unknown || !rests_on_impacts_alone(fit)) return;
+  if (seeks(fit, "pad.neighbours") || !rests_on_impacts_alone(fit)) return;
   for (ImpactMeasurement& impact : fit.impacts)
     if (!impact.states_neighbours) impact.impact.pad.neighbours = 0;
   if (std::ranges::none_of(fit.impacts, &ImpactMeasurement::states_neighbours)) fit.base.pad.neighbours = 0;
@@ -118,13 +171,39 @@ void leave_neighbours_to_law(Fit& fit) {
 
 }  // namespace
 
+void read_unknowns(TableReader& top, bool has_base, Fit& fit, Lines& lines) {
+  const auto table = top.table("unknowns");
+  if (!table) return;
+  lines["unknowns"] = table->node().line;
+  std::vector<UnknownEntry> entries;
+  collect_unknowns(table->node(), "", entries);
+  const CaseQuantities quantities = quantities_of(fit.base);
+  for (const auto& [key, node] : entries) {
+    const std::string path = "unknowns." + key;
+    for (const char* part : {"", ".bounds", ".start", ".prior", ".scale"}) {
+      const TomlNode* own = *part ? node->child(part + 1) : node;
+      lines[path + part] = own ? own->line : node->line;
+    }
+    const CaseQuantity* const found = quantities.find(key);
+    if (found == nullptr) {
+      const bool on_trust = !has_base && (study::is_of_law(key) || key.starts_with("support."));
+      if (!on_trust) top.faults().add(*node, path, study::rule_for_unknown(key, fit.base));
+    } else if (node->kind != TomlNode::Kind::table) {
+      top.faults().add(*node, path, "must be a table: {bounds = [..., ...]}");
+    } else {
+      TableReader reader(*node, path, top.faults());
+      fit.unknowns.push_back(read_unknown(reader, *found, fit.base));
+    }
+  }
+}
+
 input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::filesystem::path& materials) {
   const input::Reading<input::TomlFile> toml = input::read_toml(file);
   if (!toml) return toml.faults();
   const TomlNode& root = toml->root;
   input::FaultList faults(*toml);
   TableReader top(root, "", faults);
-  const FitFolders folders{file.parent_path(), materials};
+  const input::Folders folders{file.parent_path(), materials};
   FitFile result;
   result.files.push_back({"the fit file", file});
   Fit& fit = result.fit;

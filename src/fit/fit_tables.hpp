@@ -8,15 +8,10 @@
 #include <vector>
 
 #include "dashpad/fit/fit.hpp"
-#include "dashpad/input/input_file.hpp"
+#include "dashpad/input/reading.hpp"
 #include "input/table_reader.hpp"
 
 namespace dashpad::fit {
-
-struct FitFolders {
-  std::filesystem::path of_fit;
-  std::filesystem::path materials;
-};
 
 /// Where what a broken rule is about stands, by its key.
 using Lines = std::map<std::string, int>;
@@ -24,25 +19,23 @@ using Lines = std::map<std::string, int>;
 /// [unknowns]. Without a sound base, names of the law are taken on trust.
 void read_unknowns(input::TableReader& top, bool has_base, Fit& fit, Lines& lines);
 /// The pulse of an impact: {file = ..., deviation = ...}. Nothing after a fault.
-std::optional<MeasuredDeceleration> read_pulse(input::TableReader& table, const FitFolders& folders,
+std::optional<MeasuredDeceleration> read_pulse(input::TableReader& table, const input::Folders& folders,
                                                std::vector<input::InputFile>& files);
 /// One of [[tests]] and [[impacts]]; the files that they name are added to `files`.
-MaterialMeasurement read_test(input::TableReader& table, const FitFolders& folders,
+MaterialMeasurement read_test(input::TableReader& table, const input::Folders& folders,
                               std::vector<input::InputFile>& files);
-ImpactMeasurement read_impact(input::TableReader& table, const FitFolders& folders,
+ImpactMeasurement read_impact(input::TableReader& table, const input::Folders& folders,
                               std::vector<input::InputFile>& files);
 
 // Values. SI; NaN after a fault.
 
-/// Of a node that the caller knows to be there. A pure number is written without quotes, an acceleration as
-/// "3 g" or "30 m/s2".
+/// A pure number is written without quotes, an acceleration as "3 g" or "30 m/s2": in files g is the gram,
+/// but of an acceleration it is standard gravity.
 double value_of(const input::TomlNode& node, const std::string& key, const std::string& unit,
                 input::FaultList& faults);
 double value_in(input::TableReader& table, const std::string& key, const std::string& unit);
 /// A quantity, or a share in % of `whole`.
 double value_or_share(input::TableReader& table, const std::string& key, const std::string& unit,
                       double whole);
-/// False where it is absent.
-bool flag_in(input::TableReader& table, const std::string& key);
 
 }  // namespace dashpad::fit

@@ -1,4 +1,4 @@
-#include "fit/impact_residuals.hpp"
+#include "fit/problem.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,6 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/injury/metrics.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
-#include "fit/problem.hpp"
 #include "fit/smooth_curve.hpp"
 
 namespace dashpad::fit {

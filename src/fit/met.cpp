@@ -1,8 +1,13 @@
 #include "fit/met.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <stdexcept>
 
+#include "dashpad/impact/solve.hpp"
+#include "dashpad/injury/metrics.hpp"
+#include "dashpad/injury/pulse_comparison.hpp"
 #include "fit/problem.hpp"
 
 namespace dashpad::fit {
@@ -67,6 +72,31 @@ std::vector<Loop> loops_of(const MetTest& test, double offset, const std::vector
     begin = end > top ? end : n;
   }
   return loops;
+}
+
+/// By the velocity change less the speed, and less what gravity adds while the sensor, in free fall at zero,
+/// feels the pad.
+std::optional<double> rebound_of(const MeasuredDeceleration& pulse, const Impactor& impactor) {
+  const double rebound = pulse.velocity_change - impactor.speed - impactor.gravity * pulse.time.back();
+  return rebound > 0 && rebound <= impactor.speed ? std::optional{rebound} : std::nullopt;
+}
+
+/// What the impact computes, filtered as the measured pulse was.
+struct Computed {
+  std::optional<double> peak, hic, rebound;
+};
+
+Computed computed_of(const Solution& solution, const MeasuredDeceleration& measured) {
+  Computed of;
+  of.peak = solution.summary.peak_acceleration;
+  of.rebound = solution.summary.rebound_speed;
+  std::optional<Pulse> pulse = smooth_pulse(solution);
+  if (pulse && measured.filter) {
+    pulse = injury::filtered_like(measured.filter, measured.interval, *pulse);
+    of.peak = injury::peak(*pulse).magnitude;
+  }
+  if (pulse) of.hic = injury::hic(*pulse, injury::unlimited_window).value;
+  return of;
 }
 
 }  // namespace
@@ -167,6 +197,31 @@ MetPulse met_pulse(const Fit& fit, const ImpactMeasurement& impact, std::span<co
   met.computed_peak = std::ranges::max(computed);
   met.computed = std::move(computed);
   return met;
+}
+
+std::vector<ImpactComparison> compared(const Fit& fit, const ImpactMeasurement& impact,
+                                       std::span<const double> values) {
+  std::vector<ImpactComparison> all;
+  const auto add = [&](ImpactFigure figure, double measured, std::optional<double> computed,
+                       std::optional<double> deviation) {
+    all.push_back({impact.file, figure, impact.is_held_out, !deviation, measured, computed, deviation});
+  };
+  if (const auto& pulse = impact.pulse) {
+    Computed of;
+    const ImpactCase with_values = impact_with(fit, impact, values);
+    if (violations(with_values).empty()) of = computed_of(solve(with_values, impact.options), *pulse);
+    add(ImpactFigure::peak_acceleration, pulse->peak, of.peak, {});
+    add(ImpactFigure::hic_unlimited, pulse->hic, of.hic, {});
+    if (const auto rebound = rebound_of(*pulse, with_values.impactor))
+      add(ImpactFigure::rebound_speed, *rebound, of.rebound, {});
+  }
+  const auto is_there = [&](ImpactFigure figure) {
+    return std::ranges::any_of(all, [&](const ImpactComparison& of) { return of.figure == figure; });
+  };
+  for (const MetFigure& met : met_figures(fit, impact, values))
+    if (met.measured > 0 && kind_of(met.figure) && !is_there(met.figure))
+      add(met.figure, met.measured, met.computed, met.deviation);
+  return all;
 }
 
 }  // namespace dashpad::fit

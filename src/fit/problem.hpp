@@ -17,6 +17,8 @@
 #include <vector>
 
 #include "dashpad/fit/fit.hpp"
+#include "dashpad/impact/pulse.hpp"
+#include "dashpad/laboratory/strain_history.hpp"
 
 namespace dashpad::fit {
 
@@ -112,5 +114,26 @@ bool is_natural_bound(const Fit& fit, const Unknown& unknown, double bound);
 
 /// The material with these values of the unknowns.
 Material material_with(const Fit& fit, std::span<const double> values);
+
+/// The impact of a measurement with the material of the fit and these values of the unknowns. Throws
+/// std::invalid_argument where it has no such quantity, or they make a support that cannot exist.
+ImpactCase impact_with(const Fit& fit, const ImpactMeasurement& measured, std::span<const double> values);
+
+/// The acceleration by a curve through the steps of the solver: a polyline through them would jump when their
+/// number changes. Nothing where the pulse was cut off or is not finite.
+std::optional<Pulse> smooth_pulse(const Solution& solution);
+
+struct TestPath {
+  laboratory::StrainHistory history;
+  /// For each point of the test how many pieces lead to it; 0: it is the start, at stress 0.
+  std::vector<std::size_t> pieces_to;
+};
+
+/// Straight through the points, strains below 0 as 0. A test whose first strain is above 0 is led there from
+/// 0 at the mean rate of the test.
+TestPath path_of(const MaterialMeasurement& test);
+
+/// Mean magnitude of the strain rate while the strain moves, 1/s.
+double mean_rate_of(const MaterialMeasurement& test);
 
 }  // namespace dashpad::fit

@@ -1,4 +1,4 @@
-#include "fit/profile.hpp"
+#include "fit/solve.hpp"
 
 #include <algorithm>
 #include <cmath>

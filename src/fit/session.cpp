@@ -1,4 +1,4 @@
-#include "fit/session.hpp"
+#include "fit/determine.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "fit/test_residuals.hpp"
+#include "fit/problem.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,7 @@
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/laboratory/column_test.hpp"
-#include "dashpad/study/application.hpp"
-#include "fit/problem.hpp"
+#include "dashpad/study/design.hpp"
 #include "model/pad/foam/foam_memo.hpp"
 
 namespace dashpad::fit {

@@ -1,15 +1,39 @@
-// [[tests]] of a fit file.
+// [[tests]] of a fit file, and the values in all its tables.
 
 #include <algorithm>
 #include <cmath>
 
-#include "dashpad/input/measurement/stress_strain_csv.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "fit/fit_tables.hpp"
 
 namespace dashpad::fit {
 
 using input::Presence;
+
+using input::TableReader;
+using input::TomlNode;
+
+double value_of(const TomlNode& node, const std::string& key, const std::string& unit,
+                input::FaultList& faults) {
+  const bool is_in_g = unit == "m/s2" && node.kind == TomlNode::Kind::text && node.text.ends_with(" g");
+  if (!is_in_g) return read_value(node, key, unit, faults);
+  TomlNode with_gravity = node;
+  with_gravity.text.replace(node.text.size() - 1, 1, "gravity");
+  return read_quantity(with_gravity, key, unit, faults);
+}
+
+double value_in(TableReader& table, const std::string& key, const std::string& unit) {
+  const TomlNode* const node = table.find(key);
+  return node ? value_of(*node, table.full_key(key), unit, table.faults()) : no_value;
+}
+
+double value_or_share(TableReader& table, const std::string& key, const std::string& unit, double whole) {
+  const TomlNode* const node = table.find(key, Presence::optional);
+  const bool is_share = node && node->kind == TomlNode::Kind::text && node->text.ends_with('%');
+  return is_share ? table.quantity(key, "1") * std::abs(whole) : value_in(table, key, unit);
+}
+
 using input::TableReader;
 using input::TomlNode;
 
@@ -56,7 +80,7 @@ std::vector<double> times_at(double rate, const std::vector<double>& strain) {
 }
 }  // namespace
 
-MaterialMeasurement read_test(TableReader& table, const FitFolders& folders,
+MaterialMeasurement read_test(TableReader& table, const input::Folders& folders,
                               std::vector<input::InputFile>& files) {
   MaterialMeasurement test;
   test.file = table.text("file");
@@ -72,12 +96,12 @@ MaterialMeasurement read_test(TableReader& table, const FitFolders& folders,
                 "is missing; say how fast the test was, such as \"0.01 1/s\", or name a column of "
                 "times: columns = {time = \"time\"}");
   read_range(table, test);
-  test.has_offset = flag_in(table, "offset");
-  test.is_held_out = flag_in(table, "hold_out");
+  test.has_offset = table.flag("offset");
+  test.is_held_out = table.flag("hold_out");
   if (test.has_offset && test.is_held_out)
     table.fault("offset", "cannot be found from a test that is held out");
   if (!test.file.empty()) {
-    const std::filesystem::path file = folders.of_fit / test.file;
+    const std::filesystem::path file = folders.of_file / test.file;
     files.push_back({"the measurements", file});
     if (auto read = table.faults().take(input::read_stress_strain_csv(file, columns))) {
       test.strain = std::move(read->strain);

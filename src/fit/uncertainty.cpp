@@ -5,8 +5,6 @@
 
 #include <Eigen/Core>
 
-#include "fit/principal_axes.hpp"
-
 namespace dashpad::fit {
 
 namespace {

@@ -9,14 +9,11 @@
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/quantities/constants.hpp"
+#include "input/case_tables.hpp"
 #include "input/disk.hpp"
 #include "input/law_table.hpp"
-#include "input/nose_table.hpp"
-#include "input/pad_table.hpp"
-#include "input/parameter_table.hpp"
-#include "input/settings.hpp"
 #include "input/spelling.hpp"
-#include "input/support_table.hpp"
+#include "input/table_reader.hpp"
 #include "model/pad/layer/layer_law.hpp"
 
 namespace dashpad::input {
@@ -72,42 +69,18 @@ bool is_card_name(std::string_view name) {
   });
 }
 
-std::vector<std::string> names_of(const std::vector<std::filesystem::path>& cards) {
-  std::vector<std::string> names;
-  for (const auto& card : cards) names.push_back(card.stem().string());
-  return names;
-}
-
-/// Where cards are looked for.
-struct Folders {
-  std::filesystem::path of_case;
-  std::filesystem::path materials;
-};
-
 std::optional<std::filesystem::path> find_card(TableReader& pad, const Folders& folders) {
   const std::string name = pad.text("material");
   if (name.empty()) return std::nullopt;
-  const bool is_path = name.ends_with(".toml");
-  if (is_path && std::ranges::any_of(name, [](char c) { return static_cast<unsigned char>(c) < ' '; })) {
-    pad.fault("material", "the path holds a control character");
-    return std::nullopt;
-  }
-  if (!is_path && !is_card_name(name)) {
+  if (name.ends_with(".toml")) return pad.file("material", folders.of_file);
+  if (!is_card_name(name)) {
     pad.fault("material", "must be the name of a card (letters, digits, . _ -) or a path that ends in .toml");
     return std::nullopt;
   }
-  const auto card = is_path ? folders.of_case / name : folders.materials / (name + ".toml");
+  const auto card = folders.materials / (name + ".toml");
   if (is_there(card)) return card;
-  if (is_path) {
-    pad.fault("material", "no such file: " + card.string());
-  } else {
-    const auto cards = pad.faults().take(list_materials(folders.materials));
-    if (!cards) return std::nullopt;
-    const std::vector<std::string> names = names_of(*cards);
-    pad.fault("material", "no such card in " + folders.materials.string() +
-                              (names.empty() ? ", which has none" : ", which has " + listing(names)) +
-                              did_you_mean(name, names));
-  }
+  if (const auto cards = pad.faults().take(list_materials(folders.materials)))
+    pad.fault("material", no_such("card", name, folders.materials, *cards));
   return std::nullopt;
 }
 
@@ -149,7 +122,7 @@ struct PadEntry {
 MaterialEntry read_material_entry(TableReader& table, const Folders& folders,
                                   std::vector<std::filesystem::path>& cards) {
   MaterialEntry entry;
-  PadMaterial of = read_pad_material(table, folders.of_case, folders.materials);
+  PadMaterial of = read_pad_material(table, folders);
   if (of.card && !std::ranges::count(cards, *of.card)) cards.push_back(*of.card);
   entry.to_check = of.is_in_line && of.material.has_value();
   entry.material = std::move(of.material).value_or(Material());
@@ -177,18 +150,12 @@ void read_layers(TableReader& table, const Folders& folders, PadEntry& into) {
     return;
   }
   std::vector<PadLayer> layers;
-  for (const TomlNode& node : nodes->children) {
-    const std::string key = table.full_key("layers") + node.key;
-    if (node.kind != TomlNode::Kind::table) {
-      table.faults().add(node, key, "must be a table: [[pad.layers]]");
-      continue;
-    }
-    TableReader layer(node, key, table.faults());
+  table.each_table("layers", *nodes, [&](TableReader& layer) {
     const double thickness = layer.quantity("thickness", "m");
     into.materials.push_back(read_material_entry(layer, folders, into.cards));
     layer.refuse_others();
     layers.push_back({thickness, into.materials.back().material, into.materials.back().condition});
-  }
+  });
   set_layers(into.pad, std::move(layers));
 }
 
@@ -222,10 +189,8 @@ PadEntry read_pad(TableReader& table, const Folders& folders) {
 }
 
 Blows read_blows(TableReader& table) {
-  const double count = table.number("count");
-  const bool is_whole = count >= 2 && count <= 100 && count == std::floor(count);
-  if (!is_whole && !std::isnan(count)) table.fault("count", "must be a whole number from 2 to 100");
-  const Blows blows{.count = is_whole ? static_cast<int>(count) : 2, .recovery = table.number("recovery")};
+  const double count = table.whole_number("count", 2, 100).value_or(2);
+  const Blows blows{.count = static_cast<int>(count), .recovery = table.number("recovery")};
   table.refuse_others();
   return blows;
 }
@@ -328,15 +293,14 @@ Reading<CaseFile> case_in(TomlFile& toml, const std::filesystem::path& file,
 
 }  // namespace
 
-PadMaterial read_pad_material(TableReader& pad, const std::filesystem::path& folder,
-                              const std::filesystem::path& materials) {
+PadMaterial read_pad_material(TableReader& pad, const Folders& folders) {
   PadMaterial of;
   const bool named = pad.has("material");
   of.is_in_line = pad.has("law") || pad.has("parameters") || pad.has("curve");
   if (named && of.is_in_line) pad.fault("material", "give a material or a law with parameters, not both");
   if (!named && !of.is_in_line)
     pad.fault("material", "is missing; give the name of a card, or a law with parameters");
-  if (named && !of.is_in_line) of.material = read_named_material(pad, {folder, materials}, of.card);
+  if (named && !of.is_in_line) of.material = read_named_material(pad, folders, of.card);
   if (of.is_in_line && !named) of.material = read_material_in_line(pad);
   return of;
 }

@@ -1,9 +1,10 @@
 #pragma once
-/// Pad laws, their fitted range and what is not known of them in TOML. Cards have them at their top, cases in
-/// [pad].
+/// Pad laws with the curves of foams, their fitted range and what is not known of them in TOML. Cards have
+/// them at their top, cases in [pad].
 
 #include <optional>
 
+#include "dashpad/model/pad/law.hpp"
 #include "dashpad/model/pad/material.hpp"
 #include "input/table_reader.hpp"
 

@@ -1,4 +1,4 @@
-#include "input/profile_csv.hpp"
+#include "input/case_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -8,21 +8,13 @@
 #include <vector>
 
 #include "dashpad/quantities/quantity.hpp"
+#include "input/disk.hpp"
 #include "input/measurement/column_units.hpp"
-#include "input/measurement/csv_columns.hpp"
-#include "input/measurement/csv_rows.hpp"
-#include "input/text_file.hpp"
+#include "input/measurement/csv_table.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
 namespace {
-
-/// A column of which one quantity is read, and 1 of it in SI.
-struct ProfileColumn {
-  std::string header;
-  std::size_t place = 0;
-  double factor = 1;
-};
 
 /// "depth [mm]", "depth (mm)" and "depth_mm" are a depth in mm.
 HeaderText name_and_unit(const injury::MeasuredColumn& column) {
@@ -35,10 +27,10 @@ HeaderText name_and_unit(const injury::MeasuredColumn& column) {
 
 /// The only column of a name; nothing if there is none, and a fault if there are several or if its unit is
 /// not that of the quantity.
-std::optional<ProfileColumn> find_column(const CsvColumns& columns, const std::string& name,
-                                         const std::string& si_unit, std::size_t line,
-                                         MeasurementFaults& faults) {
-  std::optional<ProfileColumn> found;
+std::optional<injury::MeasuredColumn> find_column(const CsvColumns& columns, const std::string& name,
+                                                  const std::string& si_unit, std::size_t line,
+                                                  MeasurementFaults& faults) {
+  std::optional<injury::MeasuredColumn> found;
   for (const injury::MeasuredColumn& column : columns.all) {
     const HeaderText header = name_and_unit(column);
     if (header.name != name) continue;
@@ -46,7 +38,7 @@ std::optional<ProfileColumn> find_column(const CsvColumns& columns, const std::s
       faults.add(line, column.name, "", fmt::format("a second column called {}", name));
       return std::nullopt;
     }
-    found = ProfileColumn{column.name, static_cast<std::size_t>(column.number - 1)};
+    found = column;
     const auto [factor, rule] = header.unit.empty()
                                     ? SiValue{0, fmt::format("the {} needs a unit in the header", name)}
                                     : read_si("1 " + header.unit, si_unit);
@@ -57,16 +49,13 @@ std::optional<ProfileColumn> find_column(const CsvColumns& columns, const std::s
 }
 
 struct ProfileColumns {
-  ProfileColumn depth, size;
+  injury::MeasuredColumn depth, size;
   Profile::Of of = Profile::Of::radius;
 };
 
 ProfileColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
   constexpr const char* example = ", such as depth_mm,radius_mm";
-  const CsvColumns named = name_columns(header);
-  if (named.names == nullptr)
-    faults.refuse(header.first_line, "", "",
-                  fmt::format("needs a line above the numbers that names the columns{}", example));
+  const CsvColumns named = named_columns(header, example, faults);
   const std::size_t line = named.names->line;
   const auto depth = find_column(named, "depth", "m", line, faults);
   const auto radius = find_column(named, "radius", "m", line, faults);
@@ -80,45 +69,33 @@ ProfileColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
 }
 
 /// NaN after a fault.
-double read_field(const CsvRow& row, const ProfileColumn& column, const std::string& si_unit, char separator,
-                  MeasurementFaults& faults) {
-  const std::string_view field =
-      column.place < row.fields.size() ? without_blanks(row.fields[column.place]) : std::string_view();
-  const ReadNumber read = read_csv_number(field, separator);
-  const bool is_number = read.kind == NumberKind::number;
-  const double value = read.value * column.factor;
-  const std::string rule = is_number ? rule_of(stated_magnitudes, value, si_unit) : rule_for(read.kind);
-  if (rule.empty()) return value;
-  faults.add(row.line, column.header, field, rule);
+double read_field(const CsvRow& row, const injury::MeasuredColumn& column, const std::string& si_unit,
+                  char separator, MeasurementFaults& faults) {
+  const auto value = number_in(row, column, separator, faults);
+  const std::string rule = value ? rule_of(stated_magnitudes, *value, si_unit) : "";
+  if (value && rule.empty()) return *value;
+  if (value) faults.add(row.line, column.name, field_in(row, column), rule);
   return std::numeric_limits<double>::quiet_NaN();
 }
 
 Profile profile_in(const std::filesystem::path& file) {
   const std::string content = read_text_file(file).value();
   MeasurementFaults faults(file.string());
-  const std::string_view text = text_in(content, faults);
-  if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
-  const char separator = find_separator(text);
-  const CsvHeader header = read_csv_header(text, separator);
-  if (header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers");
-  const ProfileColumns columns = choose(header, faults);
+  const CsvTable table = csv_table_in(content, faults);
+  const ProfileColumns columns = choose(table.header, faults);
 
   Profile profile{.of = columns.of};
   std::vector<std::size_t> lines;
-  CsvRows rows(text, separator);
-  for (CsvRow row; rows.next(row);) {
-    if (row.line < header.first_line) continue;
+  each_row(table, faults, [&](const CsvRow& row) {
     if (profile.points.size() == Profile::most_points)
       faults.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", Profile::most_points));
-    if (!row.fault.empty()) {
-      faults.add(row.line, "", "", std::string(row.fault));
-      continue;
-    }
+    const auto read = [&](const injury::MeasuredColumn& column, const char* unit) {
+      return read_field(row, column, unit, table.separator, faults);
+    };
     profile.points.push_back(
-        {read_field(row, columns.depth, "m", separator, faults),
-         read_field(row, columns.size, columns.of == Profile::Of::radius ? "m" : "m2", separator, faults)});
+        {read(columns.depth, "m"), read(columns.size, columns.of == Profile::Of::radius ? "m" : "m2")});
     lines.push_back(row.line);
-  }
+  });
   faults.throw_if_any();
   for (const Profile::Fault& fault : profile.faults()) {
     const bool is_row = profile.points.size() > 1;

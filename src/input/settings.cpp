@@ -1,4 +1,4 @@
-#include "input/settings.hpp"
+#include "input/case_tables.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,21 +35,10 @@ void make_room(TomlNode& table, std::string_view path, std::string_view name) {
     }
 }
 
-/// "pad.layers[2].thickness" as pad, layers, [2], thickness.
 std::vector<std::string> parts_of(std::string_view key) {
   std::vector<std::string> parts;
-  while (!key.empty()) {
-    const auto end = std::min(key.find_first_of(".[", 1), key.size());
-    parts.emplace_back(key.substr(0, end));
-    key.remove_prefix(end);
-    if (key.starts_with('.')) key.remove_prefix(1);
-  }
+  while (!key.empty()) parts.emplace_back(take_key_part(key));
   return parts;
-}
-
-TomlNode* entry(TomlNode& of, std::string_view name) {
-  const auto found = std::ranges::find(of.children, name, &TomlNode::key);
-  return found != of.children.end() ? &*found : nullptr;
 }
 
 /// Whether the table above the last two parts of a key names a card, which then holds the number.
@@ -68,7 +57,7 @@ Put put(TomlNode& root, const std::vector<std::string>& path, TomlNode value, st
   TomlNode* at = &root;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if (i + 2 == path.size() && is_of_card(*at, path[i])) return Put::waits_for_case;
-    TomlNode* next = entry(*at, path[i]);
+    TomlNode* next = at->child(path[i]);
     if (next == nullptr && at->kind == TomlNode::Kind::array)
       return refuse(fmt::format("there are {} of them", at->children.size()));
     if (next == nullptr) {
@@ -81,7 +70,7 @@ Put put(TomlNode& root, const std::vector<std::string>& path, TomlNode value, st
   }
   make_room(*at, path.front(), path.back());
   value.key = path.back();
-  if (TomlNode* there = entry(*at, path.back()))
+  if (TomlNode* there = at->child(path.back()))
     *there = std::move(value);
   else if (at->kind == TomlNode::Kind::array)
     return refuse(fmt::format("there are {} of them", at->children.size()));

@@ -67,4 +67,28 @@ std::string listing(std::span<const std::string> words) {
   return list;
 }
 
+std::string short_listing(const std::vector<std::string>& words) {
+  constexpr std::size_t most = 20;
+  if (words.size() <= most) return listing(words);
+  return listing(std::span(words).first(most)) + ", ...";
+}
+
+std::string meant_or_listed(std::string_view word, std::span<const std::string> words) {
+  const std::string meant = did_you_mean(word, words);
+  return meant.empty() ? "; there are " + listing(words) : meant;
+}
+
+std::vector<std::string> names_of(const std::vector<std::filesystem::path>& files) {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& file : files) names.push_back(file.stem().string());
+  return names;
+}
+
+std::string no_such(const std::string& kind, const std::string& name, const std::filesystem::path& folder,
+                    const std::vector<std::filesystem::path>& files) {
+  const std::vector<std::string> names = names_of(files);
+  return "no such " + kind + " in " + folder.string() + ", which has " +
+         (names.empty() ? "none" : listing(names)) + did_you_mean(name, names);
+}
+
 }  // namespace dashpad::input

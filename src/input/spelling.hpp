@@ -1,9 +1,11 @@
 #pragma once
 /// What a user may have meant.
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace dashpad::input {
 
@@ -13,5 +15,19 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> wor
 
 /// The words, comma separated.
 std::string listing(std::span<const std::string> words);
+
+/// The same of many words: the first twenty.
+std::string short_listing(const std::vector<std::string>& words);
+
+/// did_you_mean(), or else "; there are radius, mass".
+std::string meant_or_listed(std::string_view word, std::span<const std::string> words);
+
+/// The names of files without their endings.
+std::vector<std::string> names_of(const std::vector<std::filesystem::path>& files);
+
+/// What is said of a name that none of the files of a folder has: "no such card in materials, which has
+/// vn600".
+std::string no_such(const std::string& kind, const std::string& name, const std::filesystem::path& folder,
+                    const std::vector<std::filesystem::path>& files);
 
 }  // namespace dashpad::input

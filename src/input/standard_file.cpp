@@ -54,7 +54,7 @@ std::optional<double> read_number(TableReader& table, const std::string& si_unit
   const bool is_speed = si_unit == "m/s";
   const bool has_value = table.has("value");
   const bool has_height = is_speed && table.has("drop_height");
-  const bool from_case = table.has("from_case") && table.yes_or_no("from_case");
+  const bool from_case = table.flag("from_case");
   if (has_value + has_height + from_case != 1)
     table.fault("value", is_speed ? "give one of value, drop_height and from_case = true"
                                   : "give one of value and from_case = true");
@@ -99,7 +99,7 @@ double read_limit(TableReader& table, const ResultQuantity& of) {
   return positive(table, "limit", unit == "1" ? table.number("limit") : table.quantity("limit", unit));
 }
 
-injury::Criterion read_criterion(TableReader table) {
+injury::Criterion read_criterion(TableReader& table) {
   injury::Criterion criterion;
   if (const auto metric = read_metric(table)) {
     criterion.metric = *metric;
@@ -108,7 +108,7 @@ injury::Criterion read_criterion(TableReader table) {
   } else {
     for (const char* key : {"limit", "limit_g", "level_g"}) table.has(key);  // right or wrong: who knows
   }
-  criterion.strict = table.has("strict") && table.yes_or_no("strict");
+  criterion.strict = table.flag("strict");
   criterion.description = table.text("description");
   criterion.origin = read_origin(table);
   table.refuse_others();
@@ -120,13 +120,8 @@ std::vector<injury::Criterion> read_criteria(TableReader& top) {
   const TomlNode* array = top.array("criteria");
   if (!array) return criteria;
   if (array->children.empty()) top.fault("criteria", "must hold one criterion at least");
-  for (const TomlNode& entry : array->children) {
-    const std::string key = "criteria" + entry.key;
-    if (entry.kind == TomlNode::Kind::table)
-      criteria.push_back(read_criterion(TableReader(entry, key, top.faults())));
-    else
-      top.faults().add(entry, key, "must be a table: [[criteria]]");
-  }
+  top.each_table("criteria", *array,
+                 [&](TableReader& criterion) { criteria.push_back(read_criterion(criterion)); });
   return criteria;
 }
 
@@ -162,12 +157,6 @@ std::vector<injury::StandardVariant> read_variants(TableReader& top) {
       variants.push_back(read_variant(*variant, entry.key));
   }
   return variants;
-}
-
-std::vector<std::string> names_of(const std::vector<fs::path>& files) {
-  std::vector<std::string> names;
-  for (const fs::path& file : files) names.push_back(file.stem().string());
-  return names;
 }
 
 }  // namespace
@@ -221,9 +210,7 @@ Reading<fs::path> find_standard(const std::string& name, const fs::path& folder)
   if (found != names.end()) return (*files)[static_cast<std::size_t>(found - names.begin())];
   if (name.find('/') != std::string::npos)
     return fault_of_file(name, "no such standard: a path must end in .toml");
-  return fault_of_file(name, "no such standard in " + folder.string() +
-                                 (names.empty() ? ", which has none" : ", which has " + listing(names)) +
-                                 did_you_mean(name, names));
+  return fault_of_file(name, no_such("standard", name, folder, *files));
 }
 
 }  // namespace dashpad::input

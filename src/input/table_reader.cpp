@@ -2,38 +2,57 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "dashpad/quantities/constants.hpp"
 #include "dashpad/quantities/quantity.hpp"
+#include "input/disk.hpp"
+#include "input/measurement/measurement_text.hpp"
 #include "input/spelling.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
+
 namespace {
 
 using Kind = TomlNode::Kind;
 constexpr std::size_t longest_text = 2000;  // bytes; a title, a source or a note of a page is no text of use
-constexpr double missing_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether one would ask by it for an oblique blow, which the model does not have: of the impactor, or of the
 /// pad or the anvil that is set at an angle.
-bool asks_for_oblique_blow(std::string key) {
+bool asks_for_oblique_blow(const std::string& key) {
   constexpr std::string_view keys[] = {
       "angle",       "angle_deg",          "angle_rad",      "angle_of_impact",      "angle_of_incidence",
       "incidence",   "incidence_angle",    "impact_angle",   "anvil_angle",          "pad_angle",
       "inclination", "inclination_angle",  "oblique",        "oblique_angle",        "obliquity",
       "tilt",        "tilt_angle",         "velocity_angle", "friction_coefficient", "tangential_speed",
       "slope_angle", "tangential_velocity"};
-  std::ranges::transform(key, key.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return std::ranges::count(keys, key) > 0;
+  return std::ranges::count(keys, lower_case(key)) > 0;
 }
 
 constexpr const char* no_oblique_blow =
     "blows are along the normal of the pad: there is no oblique blow; with the normal part of the speed "
     "alone, friction on the pad, the turning of the head that it brings about, and the larger contact of a "
     "nose that slides are left out";
+
+constexpr std::size_t most_numbers = 2000;
+
+/// Each by `read`.
+template <class Read>
+std::optional<std::vector<double>> read_list(TableReader& table, const std::string& key, std::size_t most,
+                                             Read&& read) {
+  const TomlNode* list = table.array(key);
+  if (!list) return std::nullopt;
+  if (list->children.size() > most) {
+    table.fault(key, fmt::format("has {} entries; {} are the most", list->children.size(), most));
+    return std::nullopt;
+  }
+  std::vector<double> values;
+  for (const TomlNode& entry : list->children) values.push_back(read(entry, table.full_key(key) + entry.key));
+  return values;
+}
 
 }  // namespace
 
@@ -47,7 +66,26 @@ double read_quantity(const TomlNode& node, const std::string& key, const std::st
     faults.add(node, key, "must be text in quotes");
   else
     return value;
-  return missing_number;
+  return no_value;
+}
+
+double read_value(const TomlNode& node, const std::string& key, const std::string& unit, FaultList& faults) {
+  if (unit != "1") return read_quantity(node, key, unit, faults);
+  if (node.kind == Kind::number && std::isfinite(node.number)) return node.number;
+  faults.add(node, key,
+             node.kind == Kind::number ? "must be a finite number"
+                                       : "must be a plain number, without quotes and unit");
+  return no_value;
+}
+
+std::optional<std::array<double, 2>> read_pair(const TomlNode& node, const std::string& key,
+                                               const std::array<const char*, 2>& units, const char* rule,
+                                               FaultList& faults) {
+  if (node.kind == Kind::array && node.children.size() == 2)
+    return std::array{read_quantity(node.children[0], key, units[0], faults),
+                      read_quantity(node.children[1], key, units[1], faults)};
+  faults.add(node, key, rule);
+  return std::nullopt;
 }
 
 TableReader::TableReader(const TomlNode& table, std::string path, FaultList& faults)
@@ -61,17 +99,23 @@ const TomlNode* TableReader::find(const std::string& key, Presence presence) {
 }
 
 double TableReader::quantity(const std::string& key, const std::string& si_unit) {
-  const TomlNode* node = find(key, Presence::required);
-  return node ? read_quantity(*node, full_key(key), si_unit, *faults_) : missing_number;
+  const TomlNode* node = find(key);
+  return node ? read_quantity(*node, full_key(key), si_unit, *faults_) : no_value;
 }
 
-double TableReader::number(const std::string& key) {
-  const TomlNode* node = find(key, Presence::required);
-  if (!node) return missing_number;
-  if (node->kind == Kind::number && std::isfinite(node->number)) return node->number;
-  fault(key, node->kind == Kind::number ? "must be a finite number"
-                                        : "must be a plain number, without quotes and unit");
-  return missing_number;
+double TableReader::number(const std::string& key) { return value(key, "1"); }
+
+double TableReader::value(const std::string& key, const std::string& unit) {
+  const TomlNode* node = find(key);
+  return node ? read_value(*node, full_key(key), unit, *faults_) : no_value;
+}
+
+std::optional<double> TableReader::whole_number(const std::string& key, double lowest, double highest) {
+  const double value = number(key);
+  if (value >= lowest && value <= highest && value == std::floor(value)) return value;
+  if (!std::isnan(value))
+    fault(key, fmt::format("must be a whole number from {:.0f} to {:.0f}", lowest, highest));
+  return std::nullopt;
 }
 
 std::string TableReader::text(const std::string& key, Presence presence) {
@@ -102,6 +146,20 @@ bool TableReader::yes_or_no(const std::string& key) {
   return is_other && node.text == "true";
 }
 
+std::optional<std::filesystem::path> TableReader::file(const std::string& key,
+                                                       const std::filesystem::path& folder) {
+  const std::string name = text(key);
+  if (name.empty()) return std::nullopt;
+  if (std::ranges::any_of(name, [](char c) { return static_cast<unsigned char>(c) < ' '; })) {
+    fault(key, "the path holds a control character");
+    return std::nullopt;
+  }
+  std::filesystem::path named = folder / name;
+  if (is_there(named)) return named;
+  fault(key, "no such file: " + named.string());
+  return std::nullopt;
+}
+
 std::optional<TableReader> TableReader::table(const std::string& key, Presence presence) {
   const TomlNode* node = find(key, presence);
   if (!node) return std::nullopt;
@@ -111,7 +169,7 @@ std::optional<TableReader> TableReader::table(const std::string& key, Presence p
 }
 
 const TomlNode* TableReader::array(const std::string& key) {
-  const TomlNode* node = find(key, Presence::required);
+  const TomlNode* node = find(key);
   if (!node || node->kind == Kind::array) return node;
   fault(key, "must be an array in square brackets");
   return nullptr;
@@ -136,6 +194,23 @@ void TableReader::refuse_others() {
                          ? no_oblique_blow
                          : "unknown key" + (meant.empty() ? "; known here are " + listing(known_) : meant));
   }
+}
+
+std::optional<std::vector<double>> read_numbers(TableReader& table, const std::string& key, double scale) {
+  return read_list(table, key, most_numbers, [&](const TomlNode& entry, const std::string& full) {
+    const bool is_number = entry.kind == TomlNode::Kind::number;
+    const std::string rule = is_number ? rule_of(stated_magnitudes, entry.number, "1") : "must be a number";
+    if (rule.empty()) return scale * entry.number;
+    table.faults().add(entry, full, rule);
+    return no_value;
+  });
+}
+
+std::optional<std::vector<double>> read_quantities(TableReader& table, const std::string& key,
+                                                   const std::string& si_unit, std::size_t most) {
+  return read_list(table, key, most, [&](const TomlNode& entry, const std::string& full) {
+    return read_quantity(entry, full, si_unit, table.faults());
+  });
 }
 
 }  // namespace dashpad::input

@@ -1,14 +1,19 @@
 #pragma once
 /// Reads the entries of a TOML table and collects every fault instead of stopping at the first.
 
+#include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "dashpad/input/fault.hpp"
 #include "dashpad/model/pad/law.hpp"
+#include "dashpad/model/parameter.hpp"
 #include "input/toml_tree.hpp"
+#include "model/parameter_values.hpp"
 
 namespace dashpad::input {
 
@@ -51,6 +56,12 @@ class FaultList {
   std::vector<Fault> faults_;
 };
 
+/// Where the files that a file names are looked for: beside it, and materials by their names.
+struct Folders {
+  std::filesystem::path of_file;
+  std::filesystem::path materials;
+};
+
 enum class Presence { required, optional };
 
 class TableReader {
@@ -62,14 +73,37 @@ class TableReader {
   double quantity(const std::string& key, const std::string& si_unit);
   /// A plain number. NaN if absent or at fault.
   double number(const std::string& key);
+  /// A plain number where `unit` is "1", else a quantity. NaN if absent or at fault.
+  double value(const std::string& key, const std::string& unit);
+  /// A whole number between two others. Nothing if absent or at fault.
+  std::optional<double> whole_number(const std::string& key, double lowest, double highest);
   /// Empty if absent or at fault; present text is never empty.
   std::string text(const std::string& key, Presence presence = Presence::required);
   /// One of the choices; empty if absent or at fault.
   std::string choice(const std::string& key, const std::vector<std::string>& choices);
   /// true or false; false after a fault.
   bool yes_or_no(const std::string& key);
+  /// The same of an entry that may be left out; false if absent.
+  bool flag(const std::string& key) { return has(key) && yes_or_no(key); }
+  /// A file that is there, as named from `folder`. Nothing if absent or at fault.
+  std::optional<std::filesystem::path> file(const std::string& key, const std::filesystem::path& folder);
   std::optional<TableReader> table(const std::string& key, Presence presence = Presence::required);
   const TomlNode* array(const std::string& key);
+  /// Gives each table of the array at `key` to `read`. What is no table is at fault by `rule`, or "must be a
+  /// table: [[key]]".
+  template <class Read>
+  void each_table(const std::string& key, const TomlNode& array, Read&& read, const char* rule = nullptr) {
+    for (const TomlNode& node : array.children) {
+      TableReader reader(node, full_key(key) + node.key, *faults_);
+      if (node.kind == TomlNode::Kind::table)
+        read(reader);
+      else
+        faults_->add(node, reader.path_, rule ? rule : "must be a table: [[" + full_key(key) + "]]");
+    }
+  }
+
+  /// An entry of the table; null, and a fault, where it is required and absent.
+  const TomlNode* find(const std::string& key, Presence presence = Presence::required);
 
   /// Whether the entry is there; from now on it is known.
   bool has(const std::string& key);
@@ -84,16 +118,59 @@ class TableReader {
   }
 
  private:
-  const TomlNode* find(const std::string& key, Presence presence);
-
   const TomlNode* table_;
   std::string path_;
   FaultList* faults_;
   std::vector<std::string> known_;
 };
 
+/// The largest whole number that TOML is sure to give as it stands: it is read as binary64.
+inline constexpr double largest_whole_number = 9007199254740991;  // 2^53 - 1
+
 /// In SI; NaN after a fault. For the entries of arrays; TableReader::quantity serves those of tables.
 double read_quantity(const TomlNode& node, const std::string& key, const std::string& si_unit,
                      FaultList& faults);
+/// The same of a plain number where `unit` is "1".
+double read_value(const TomlNode& node, const std::string& key, const std::string& unit, FaultList& faults);
+/// A list of two, such as a point of a curve, with a unit each; nothing, and a fault by `rule`, for any
+/// other. NaN after a fault.
+std::optional<std::array<double, 2>> read_pair(const TomlNode& node, const std::string& key,
+                                               const std::array<const char*, 2>& units, const char* rule,
+                                               FaultList& faults);
+
+/// Plain numbers, each times `scale`, 2000 at most; those at fault are NaN. Nothing if there is no list.
+std::optional<std::vector<double>> read_numbers(TableReader& table, const std::string& key, double scale = 1);
+
+/// Quantities in SI, `most` of them at most; likewise.
+std::optional<std::vector<double>> read_quantities(TableReader& table, const std::string& key,
+                                                   const std::string& si_unit, std::size_t most);
+
+/// NaN after a fault.
+template <class Owner>
+void read_parameter(TableReader& table, const Parameter<Owner>& parameter, Owner& into) {
+  parameter.set(into, table.value(parameter.key, parameter.unit));
+}
+
+/// Numbers at fault are NaN.
+template <class Owner>
+Owner read_parameters(TableReader& table) {
+  Owner result;
+  for (const Parameter<Owner>& parameter : Owner::parameters)
+    if (!parameter.may_be_left_out() || table.has(parameter.key)) read_parameter(table, parameter, result);
+  return result;
+}
+
+/// The alternative that the text at `key` of `table` names, its numbers still to be read; nothing after a
+/// fault.
+template <class Variant>
+std::optional<Variant> read_alternative(TableReader& table, const std::string& key) {
+  return alternative_named<Variant>(table.choice(key, names_of_alternatives<Variant>()));
+}
+
+/// The numbers of an alternative that is known.
+template <class Variant>
+Variant with_parameters(const Variant& alternative, TableReader& table) {
+  return std::visit([&]<class Of>(const Of&) { return Variant(read_parameters<Of>(table)); }, alternative);
+}
 
 }  // namespace dashpad::input

@@ -1,12 +1,51 @@
-#include "input/text_file.hpp"
-
-#include <algorithm>
+// Small text files, and streams in the place of files.
 
 #include "input/disk.hpp"
-#include "input/given_stream.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <map>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "dashpad/input/fault.hpp"
 
 namespace dashpad::input {
+
 namespace {
+
+constexpr const char* standard_input = "-";
+
+std::map<std::filesystem::path, std::string>& taken() {
+  static std::map<std::filesystem::path, std::string> streams;
+  return streams;
+}
+
+bool is_pipe(const std::filesystem::path& file) {
+  struct stat status {};
+  return ::stat(file.c_str(), &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode));
+}
+
+std::string read_to_end(int descriptor, const std::filesystem::path& file) {
+  constexpr std::size_t step = 65536;
+  std::string content;
+  while (true) {
+    const std::size_t size = content.size();
+    content.resize(size + step);
+    const ssize_t count = ::read(descriptor, content.data() + size, step);
+    content.resize(size + (count > 0 ? static_cast<std::size_t>(count) : 0));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) refuse_file(file, std::string("cannot be read: ") + std::strerror(errno));
+    if (content.size() > largest_stream)
+      refuse_file(file, fmt::format("is larger than {} MiB, the most that is read from a pipe",
+                                    largest_stream >> 20));
+    if (count == 0) return content;
+  }
+}
 
 constexpr std::size_t largest_size = 1024 * 1024;  // bytes
 
@@ -21,6 +60,23 @@ Reading<std::string> text_of(const std::filesystem::path& file, std::string cont
 }
 
 }  // namespace
+
+void take_given_stream(const std::filesystem::path& file) {
+  if (file == standard_input) {
+    if (given_stream(file) != nullptr) refuse_file(file, "standard input can be read only once");
+    taken()[file] = read_to_end(STDIN_FILENO, file);
+  } else if (is_pipe(file) && given_stream(file) == nullptr) {
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) refuse_file(file, std::string("cannot be read: ") + std::strerror(errno));
+    taken()[file] = read_to_end(descriptor, file);
+    ::close(descriptor);
+  }
+}
+
+const std::string* given_stream(const std::filesystem::path& file) {
+  const auto found = taken().find(file);
+  return found == taken().end() ? nullptr : &found->second;
+}
 
 std::string_view without_mark(std::string_view text) {
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "dashpad/input/fault.hpp"
-#include "input/text_file.hpp"
+#include "input/disk.hpp"
 #include "input/toml_parser.hpp"
 #include "quantities/text.hpp"
 
@@ -16,9 +16,6 @@ namespace {
 
 /// toml++ nests a table for each dot in a key, without limit, and overflows the stack with some ten thousand.
 constexpr std::ptrdiff_t most_dots = 64;
-
-/// Bytes of a line above which it is not quoted.
-constexpr std::size_t longest_excerpt = 10'000;
 
 /// Where the string that begins at `begin` ends; the end of the line or text where it is not closed.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
@@ -113,12 +110,16 @@ const TomlNode* TomlNode::child(std::string_view name) const {
   return found != children.end() ? &*found : nullptr;
 }
 
+std::string_view take_key_part(std::string_view& key) {
+  const std::string_view part = key.substr(0, key.find_first_of(".[", 1));
+  key.remove_prefix(part.size());
+  if (key.starts_with('.')) key.remove_prefix(1);
+  return part;
+}
+
 const TomlNode& TomlNode::nearest(std::string_view dotted_key) const {
-  const auto end = std::min(dotted_key.find_first_of(".[", 1), dotted_key.size());
-  const TomlNode* next = child(dotted_key.substr(0, end));
+  const TomlNode* next = child(take_key_part(dotted_key));
   if (!next) return *this;
-  dotted_key.remove_prefix(end);
-  if (dotted_key.starts_with('.')) dotted_key.remove_prefix(1);
   return dotted_key.empty() ? *next : next->nearest(dotted_key);
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "dashpad/input/reading.hpp"
@@ -32,11 +33,17 @@ struct TomlNode {
 
   /// The entry of a table, or null.
   [[nodiscard]] const TomlNode* child(std::string_view name) const;
+  [[nodiscard]] TomlNode* child(std::string_view name) {
+    return const_cast<TomlNode*>(std::as_const(*this).child(name));
+  }
   /// The entry with a dotted key, such as "pad.thickness" or "support.points[3]", or the last one on the way.
   [[nodiscard]] const TomlNode& nearest(std::string_view dotted_key) const;
   /// The value as in the file, shortened to a line; "" for tables and arrays.
   [[nodiscard]] std::string written() const;
 };
+
+/// Takes the first part off a dotted key: of "pad.layers[2].thickness" pad, then layers, [2], thickness.
+std::string_view take_key_part(std::string_view& key);
 
 struct TomlFile {
   std::string name;  ///< as faults call it

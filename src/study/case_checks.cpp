@@ -1,4 +1,4 @@
-#include "study/case_checks.hpp"
+#include "study/distribution.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -6,8 +6,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/case/case_quantity.hpp"
-#include "dashpad/study/application.hpp"
-#include "study/distribution.hpp"
+#include "dashpad/study/design.hpp"
 
 namespace dashpad::study {
 namespace {

@@ -1,4 +1,4 @@
-#include "dashpad/study/export_csv.hpp"
+#include "dashpad/study/store.hpp"
 
 #include <cmath>
 #include <iterator>

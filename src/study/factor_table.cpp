@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/input/case_file.hpp"
-#include "dashpad/study/application.hpp"
+#include "dashpad/study/design.hpp"
 #include "input/spelling.hpp"
 
 namespace dashpad::study {
@@ -39,28 +39,23 @@ void collect(const input::TomlNode& table, const std::string& prefix, const std:
 
 /// Absent after a fault.
 std::optional<Material> read_named(const input::TomlNode& entry, const std::string& key,
-                                   const FactorFolders& folders, input::FaultList& faults) {
+                                   const input::Folders& folders, input::FaultList& faults) {
   const std::string& name = entry.text;
   if (entry.kind != input::TomlNode::Kind::text || name.empty()) {
     faults.add(entry, key, "must be the name of a card or a .toml file in quotes");
     return std::nullopt;
   }
-  if (name.ends_with(".toml")) return faults.take(input::read_material(folders.of_study / name));
+  if (name.ends_with(".toml")) return faults.take(input::read_material(folders.of_file / name));
   const auto cards = faults.take(input::list_materials(folders.materials));
   if (!cards) return std::nullopt;
-  std::vector<std::string> names;
-  for (const auto& card : *cards) {
-    names.push_back(card.stem().string());
-    if (names.back() == name) return faults.take(input::read_material(card));
-  }
-  faults.add(entry, key,
-             "no such card in " + folders.materials.string() + ", which has " + input::listing(names) +
-                 input::did_you_mean(name, names));
+  for (const auto& card : *cards)
+    if (card.stem() == name) return faults.take(input::read_material(card));
+  faults.add(entry, key, input::no_such("card", name, folders.materials, *cards));
   return std::nullopt;
 }
 
 /// A material that cannot be read keeps its place as the base case's.
-Levels read_materials(input::TableReader& table, const FactorFolders& folders, Study& study) {
+Levels read_materials(input::TableReader& table, const input::Folders& folders, Study& study) {
   Levels levels;
   const input::TomlNode* list = table.array("values");
   if (!list) return levels;
@@ -77,21 +72,15 @@ Levels read_materials(input::TableReader& table, const FactorFolders& folders, S
   return levels;
 }
 
-std::optional<double> read_cut_off(input::TableReader& table, const std::string& key,
-                                   const std::string& unit) {
-  if (!table.has(key)) return std::nullopt;
-  return read_value(table, key, unit);
-}
-
-Factor read_factor(const FactorKey& key, input::TableReader& table, const FactorFolders& folders,
+Factor read_factor(const FactorKey& key, input::TableReader& table, const input::Folders& folders,
                    Study& study) {
   Factor factor{.key = key.key, .unit = key.unit, .spread = Levels{}, .lowest = {}, .highest = {}};
   if (key.key == "pad.material") {
     factor.spread = read_materials(table, folders, study);
   } else {
     factor.spread = read_spread(table, key.unit, folders);
-    factor.lowest = read_cut_off(table, "lowest", key.unit);
-    factor.highest = read_cut_off(table, "highest", key.unit);
+    if (table.has("lowest")) factor.lowest = table.value("lowest", key.unit);
+    if (table.has("highest")) factor.highest = table.value("highest", key.unit);
   }
   return factor;
 }
@@ -103,8 +92,8 @@ struct Known {
 };
 
 /// False if the factor cannot be judged further.
-bool read_entry(const Entry& entry, const std::string& path, const Known& known, const FactorFolders& folders,
-                input::FaultList& faults, Study& study) {
+bool read_entry(const Entry& entry, const std::string& path, const Known& known,
+                const input::Folders& folders, input::FaultList& faults, Study& study) {
   const auto& [key, node] = entry;
   const auto found = std::ranges::find(known.keys, key, &FactorKey::key);
   if (found == known.keys.end()) {
@@ -126,7 +115,8 @@ bool read_entry(const Entry& entry, const std::string& path, const Known& known,
 
 }  // namespace
 
-FactorLines read_factors(input::TableReader& top, bool has_base, const FactorFolders& folders, Study& study) {
+FactorLines read_factors(input::TableReader& top, bool has_base, const input::Folders& folders,
+                         Study& study) {
   FactorLines lines;
   const auto table = top.table("factors");
   if (!table) {

@@ -13,12 +13,6 @@ namespace dashpad::study {
 
 inline constexpr double default_tolerance = 1e-3;
 
-/// Where the files that a study names are looked for.
-struct FactorFolders {
-  std::filesystem::path of_study;
-  std::filesystem::path materials;
-};
-
 /// Where each factor stands in the file.
 struct FactorLines {
   std::map<std::string, int> lines;
@@ -27,17 +21,14 @@ struct FactorLines {
 
 /// Adds the factors, and the materials that "pad.material" names, to a study. A factor at fault is added as
 /// far as it can be read. Without a base case a parameter or a support is taken on trust.
-FactorLines read_factors(input::TableReader& top, bool has_base, const FactorFolders& folders, Study& study);
+FactorLines read_factors(input::TableReader& top, bool has_base, const input::Folders& folders, Study& study);
 
 /// Adds broken rules of the study with their lines, but not those of factors at fault.
 void add_violations(const std::vector<Violation>& broken, const input::TomlNode& root,
                     const FactorLines& lines, input::FaultList& faults);
 
 /// The spread of a factor: values, a range or a distribution. `unit` is SI, "1" for a pure number.
-Spread read_spread(input::TableReader& table, const std::string& unit, const FactorFolders& folders);
-
-/// A value with its unit, or a plain number where `unit` is "1". NaN after a fault.
-double read_value(input::TableReader& table, const std::string& key, const std::string& unit);
+Spread read_spread(input::TableReader& table, const std::string& unit, const input::Folders& folders);
 
 /// Sorted values of a column in SI.
 input::Reading<std::vector<double>> read_empirical(const std::filesystem::path& file,

@@ -1,4 +1,4 @@
-#include "dashpad/study/resolved_study.hpp"
+#include "dashpad/study/study_file.hpp"
 
 #include "json/curves_json.hpp"
 #include "model/parameter_values.hpp"

@@ -1,4 +1,4 @@
-#include "study/store_layout.hpp"
+#include "study/store_file.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/study/design.hpp"
-#include "dashpad/study/resolved_study.hpp"
+#include "dashpad/study/study_file.hpp"
 #include "dashpad/version.hpp"
 #include "json/json_values.hpp"
 #include "quantities/text.hpp"
@@ -63,18 +63,15 @@ void write_facts(const Database& database, const StoreHeading& heading, const St
   fact.bind(0, std::string_view{"batch_size"}).bind(1, static_cast<std::int64_t>(heading.batch_size)).run();
 }
 
-using ReadText = std::string (Statement::*)(int) const;
-
-std::string text_fact(const Database& database, const std::string& key, ReadText read = &Statement::text) {
-  Statement fact{database, "SELECT value FROM study WHERE key = ?"};
-  if (!fact.bind(0, std::string_view{key}).next()) database.damaged("no " + key);
-  return (fact.*read)(0);
+/// The row of a fact; its value is in column 0.
+Statement fact(const Database& database, const std::string& key) {
+  Statement row{database, "SELECT value FROM study WHERE key = ?"};
+  if (!row.bind(0, std::string_view{key}).next()) database.damaged("no " + key);
+  return row;
 }
 
 std::uint64_t count_fact(const Database& database, const std::string& key) {
-  Statement fact{database, "SELECT value FROM study WHERE key = ?"};
-  if (!fact.bind(0, std::string_view{key}).next()) database.damaged("no " + key);
-  return fact.count(0, std::numeric_limits<std::int64_t>::max());
+  return fact(database, key).count(0, std::numeric_limits<std::int64_t>::max());
 }
 
 std::vector<StoredColumn> read_columns(const Database& database, const char* select) {
@@ -187,9 +184,9 @@ StoreHeading read_heading(const Database& database) {
                     "made it",
                     database.name(), found, layout));
   check_tables(database);
-  StoreHeading heading{.program = text_fact(database, "program", &Statement::name),
-                       .text = text_fact(database, "text"),
-                       .resolved = text_fact(database, "resolved"),
+  StoreHeading heading{.program = fact(database, "program").name(0),
+                       .text = fact(database, "text").text(0),
+                       .resolved = fact(database, "resolved").text(0),
                        .rows = count_fact(database, "rows"),
                        .batch_size = count_fact(database, "batch_size"),
                        .factors = {},

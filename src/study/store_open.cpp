@@ -1,16 +1,20 @@
 // Opening a store: new, to go on, to read.
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include "dashpad/study/resolved_study.hpp"
+#include "dashpad/study/study_file.hpp"
 #include "study/store_file.hpp"
 
 namespace dashpad::study {
@@ -18,6 +22,16 @@ namespace dashpad::study {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr off_t place_of_lock = off_t{1} << 62;
+
+[[noreturn]] void refuse(const std::filesystem::path& file, int error) {
+  std::string why = std::string{"it cannot be opened ("} + std::strerror(error) + ")";
+  if (error == EACCES || error == EPERM || error == EROFS)
+    why = "it cannot be written to: its file or its folder is read-only";
+  if (error == EAGAIN) why = "another run is writing it: wait for its end, or stop it, and try again";
+  throw std::runtime_error(file.string() + ": " + why);
+}
 
 constexpr std::uint64_t log_bytes = 16 << 20;  ///< the write-ahead log is written back at this size
 
@@ -150,6 +164,27 @@ void remove_new_file(const fs::path& file) {
 }
 
 }  // namespace
+
+WriterLock::WriterLock(const std::filesystem::path& file)
+    : descriptor_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+  if (descriptor_ < 0) refuse(file, errno);
+  // Of the open file, not of the process (F_SETLK): SQLite opens and closes the same file on its own.
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  lock.l_start = place_of_lock;
+  lock.l_len = 1;
+  if (::fcntl(descriptor_, F_OFD_SETLK, &lock) == 0) return;
+  const int error = errno == EACCES ? EAGAIN : errno;
+  ::close(descriptor_);
+  refuse(file, error);
+}
+
+WriterLock::~WriterLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+WriterLock::WriterLock(WriterLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
 
 std::uint64_t count_rows(const Database& database, const StoreHeading& heading) {
   Statement noted{database,

@@ -1,11 +1,9 @@
-#include "dashpad/study/stored_study.hpp"
+#include "dashpad/study/study_file.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "dashpad/study/application.hpp"
 #include "dashpad/study/design.hpp"
-#include "dashpad/study/resolved_study.hpp"
 #include "json/curves_json.hpp"
 #include "model/parameter_values.hpp"
 

@@ -7,13 +7,11 @@
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/quantities/constants.hpp"
-#include "dashpad/study/application.hpp"
+#include "dashpad/study/design.hpp"
 #include "dashpad/study/responses.hpp"
 #include "input/spelling.hpp"
-#include "study/case_checks.hpp"
-#include "study/cholesky.hpp"
 #include "study/distribution.hpp"
-#include "study/sobol.hpp"
+#include "study/sampling.hpp"
 
 namespace dashpad::study {
 namespace {
@@ -128,12 +126,8 @@ void check_responses(const Study& study, std::vector<Violation>& broken) {
   }
   for (std::size_t i = 0; i < study.responses.size(); ++i) {
     const std::string key = fmt::format("responses[{}]", i + 1), &name = study.responses[i];
-    if (!std::ranges::count(known, name)) {
-      const std::string meant = input::did_you_mean(name, known);
-      broken.push_back(
-          {key, no_value,
-           name + " is no response" + (meant.empty() ? "; there are " + input::listing(known) : meant)});
-    }
+    if (!std::ranges::count(known, name))
+      broken.push_back({key, no_value, name + " is no response" + input::meant_or_listed(name, known)});
     if (std::find(study.responses.begin(), study.responses.begin() + static_cast<std::ptrdiff_t>(i), name) !=
         study.responses.begin() + static_cast<std::ptrdiff_t>(i))
       broken.push_back({key, no_value, name + " is given twice"});

@@ -7,32 +7,16 @@
 
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/study/responses.hpp"
+#include "input/disk.hpp"
 #include "input/spelling.hpp"
 #include "input/table_reader.hpp"
-#include "input/text_file.hpp"
 #include "study/factor_table.hpp"
 
 namespace dashpad::study {
 namespace {
 
-/// TOML numbers are read as binary64; a larger whole number may have become another one.
-constexpr double largest_whole_number = 9007199254740991;  // 2^53 - 1
-
-std::uint64_t read_whole_number(input::TableReader& table, const std::string& key, double lowest,
-                                double highest) {
-  const double value = table.number(key);
-  if (value >= lowest && value <= highest && value == std::floor(value))
-    return static_cast<std::uint64_t>(value);
-  if (!std::isnan(value))
-    table.fault(key, fmt::format("must be a whole number from {:.0f} to {:.0f}", lowest, highest));
-  return static_cast<std::uint64_t>(lowest);
-}
-
-bool read_flag(input::TableReader& table, const std::string& key) {
-  if (!table.has(key)) return false;
-  const std::string written = table.node().child(key)->written();
-  if (written != "true" && written != "false") table.fault(key, "must be true or false");
-  return written == "true";
+std::uint64_t read_count(input::TableReader& table, const std::string& key, double lowest, double highest) {
+  return static_cast<std::uint64_t>(table.whole_number(key, lowest, highest).value_or(lowest));
 }
 
 Sampling read_sampling(input::TableReader& table) {
@@ -58,24 +42,24 @@ std::vector<std::string> read_responses(input::TableReader& table) {
 }
 
 /// Absent after a fault.
-std::optional<input::CaseFile> read_base(input::TableReader& table, const FactorFolders& folders) {
+std::optional<input::CaseFile> read_base(input::TableReader& table, const input::Folders& folders) {
   const std::string name = table.text("case");
   if (name.empty()) return std::nullopt;
-  return table.faults().take(input::read_case(folders.of_study / name, folders.materials));
+  return table.faults().take(input::read_case(folders.of_file / name, folders.materials));
 }
 
-std::size_t number_of(const Study& study, const std::string& key) {
+std::size_t number_of_factor(const Study& study, const std::string& key) {
   return static_cast<std::size_t>(std::ranges::find(study.factors, key, &Factor::key) -
                                   study.factors.begin());
 }
 
-void read_correlation(input::TableReader table, const FactorLines& lines, Study& study) {
+void read_correlation(input::TableReader& table, const FactorLines& lines, Study& study) {
   std::vector<std::size_t> factors;
   if (const input::TomlNode* between = table.array("between")) {
     std::vector<std::string> keys;
     for (const Factor& factor : study.factors) keys.push_back(factor.key);
     for (const input::TomlNode& name : between->children) {
-      factors.push_back(number_of(study, name.text));
+      factors.push_back(number_of_factor(study, name.text));
       if (factors.back() == study.factors.size() &&
           !std::ranges::count(lines.at_fault, "factors." + name.text))
         table.faults().add(name, table.full_key("between") + name.key,
@@ -92,23 +76,17 @@ void read_correlation(input::TableReader table, const FactorLines& lines, Study&
 
 void read_correlations(input::TableReader& table, const FactorLines& lines, Study& study) {
   if (!table.has("correlations")) return;
-  const input::TomlNode* list = table.array("correlations");
-  if (!list) return;
-  for (const input::TomlNode& entry : list->children) {
-    const std::string path = table.full_key("correlations") + entry.key;
-    if (entry.kind == input::TomlNode::Kind::table)
-      read_correlation(input::TableReader(entry, path, table.faults()), lines, study);
-    else
-      table.faults().add(entry, path, "must be a table: [[correlations]]");
-  }
+  if (const input::TomlNode* list = table.array("correlations"))
+    table.each_table("correlations", *list,
+                     [&](input::TableReader& entry) { read_correlation(entry, lines, study); });
 }
 
 void read_sampling_plan(input::TableReader& table, Study& study) {
   const bool sampled = std::ranges::any_of(study.factors, &Factor::is_sampled);
-  if (sampled || table.has("samples")) study.samples = read_whole_number(table, "samples", 1, most_rows);
+  if (sampled || table.has("samples")) study.samples = read_count(table, "samples", 1, most_rows);
   study.sampling = read_sampling(table);
-  if (table.has("seed")) study.seed = read_whole_number(table, "seed", 0, largest_whole_number);
-  study.indices = read_flag(table, "indices");
+  if (table.has("seed")) study.seed = read_count(table, "seed", 0, input::largest_whole_number);
+  study.indices = table.flag("indices");
 }
 
 }  // namespace
@@ -118,7 +96,7 @@ input::Reading<Study> read_study(const std::filesystem::path& file, const std::f
   if (!toml) return toml.faults();
   input::FaultList faults(*toml);
   input::TableReader top(toml->root, "", faults);
-  const FactorFolders folders{file.parent_path(), materials};
+  const input::Folders folders{file.parent_path(), materials};
   Study study;
   study.text = toml->text;
   study.title = top.text("title", input::Presence::optional);

@@ -6,7 +6,7 @@
 
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/metrics.hpp"
-#include "study/random.hpp"
+#include "study/sampling.hpp"
 
 namespace dashpad::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "dashpad/fit/fit_file.hpp"
+#include "dashpad/fit/fit.hpp"
 #include "reading.hpp"
 
 namespace fs = std::filesystem;

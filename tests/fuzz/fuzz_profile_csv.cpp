@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "input/profile_csv.hpp"
+#include "input/case_tables.hpp"
 #include "reading.hpp"
 
 using namespace dashpad;

@@ -9,7 +9,7 @@
 
 #include "dashpad/injury/cfc_filter.hpp"
 #include "dashpad/injury/measured_pulse.hpp"
-#include "dashpad/input/measurement/pulse_csv.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 #include "reading.hpp"
 
 namespace fs = std::filesystem;

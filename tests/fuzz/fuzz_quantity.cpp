@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/input/measurement/sensitivity.hpp"
+#include "dashpad/input/pulse_file.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "reading.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/input/measurement/strain_csv.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 #include "reading.hpp"
 
 using namespace dashpad;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "dashpad/input/measurement/stress_strain_csv.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 #include "reading.hpp"
 
 using namespace dashpad;

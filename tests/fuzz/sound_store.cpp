@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "dashpad/study/design.hpp"
-#include "dashpad/study/stored_study.hpp"
+#include "dashpad/study/study_file.hpp"
 #include "reading.hpp"
 #include "unit/small_study.hpp"
 

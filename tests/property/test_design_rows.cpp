@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dashpad/study/application.hpp"
 #include "dashpad/study/design.hpp"
 
 namespace dashpad::study {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dashpad/fit/fit_file.hpp"
+#include "dashpad/fit/fit.hpp"
 #include "dashpad/fit/report.hpp"
 
 namespace dashpad::fit {

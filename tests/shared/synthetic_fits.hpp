@@ -14,7 +14,7 @@
 #include "dashpad/fit/report.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/laboratory/column_test.hpp"
-#include "study/random.hpp"
+#include "study/sampling.hpp"
 
 namespace dashpad::test {
 

@@ -6,7 +6,7 @@
 
 #include "dashpad/fit/report.hpp"
 #include "dashpad/injury/pulse_report.hpp"
-#include "dashpad/study/questions.hpp"
+#include "dashpad/study/answers.hpp"
 
 namespace dashpad::test {
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/output/deck/curves.hpp"
+#include "dashpad/output/deck/exports.hpp"
 #include "example_result.hpp"
 
 namespace dashpad {

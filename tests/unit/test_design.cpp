@@ -11,14 +11,11 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/random/sobol.hpp>
 
-#include "dashpad/study/application.hpp"
-#include "dashpad/study/batch.hpp"
 #include "dashpad/study/design.hpp"
+#include "dashpad/study/run_study.hpp"
 #include "sample_case.hpp"
 #include "study/distribution.hpp"
-#include "study/latin_hypercube.hpp"
-#include "study/random.hpp"
-#include "study/sobol.hpp"
+#include "study/sampling.hpp"
 
 namespace dashpad::study {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "dashpad/fit/fit_file.hpp"
+#include "dashpad/fit/fit.hpp"
 #include "dashpad/fit/report.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/input/case_file.hpp"
@@ -16,8 +16,6 @@
 #include "dashpad/laboratory/column_test.hpp"
 #include "dashpad/output/card_toml.hpp"
 #include "dashpad/output/fit.hpp"
-#include "fit/posterior.hpp"
-#include "fit/profile.hpp"
 #include "fit/solve.hpp"
 #include "fit/uncertainty.hpp"
 #include "shared/temporary_folder.hpp"

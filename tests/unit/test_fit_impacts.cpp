@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/fit/fit_file.hpp"
+#include "dashpad/fit/fit.hpp"
 #include "dashpad/fit/report.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/figures.hpp"

@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/fit/fit_file.hpp"
+#include "dashpad/fit/fit.hpp"
 #include "dashpad/injury/metrics.hpp"
 #include "dashpad/input/fault.hpp"
-#include "fit/reservations.hpp"
+#include "fit/card.hpp"
 #include "shared/temporary_folder.hpp"
 #include "unit/sample_case.hpp"
 

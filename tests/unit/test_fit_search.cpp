@@ -7,10 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "fit/discrepancy.hpp"
+#include "fit/card.hpp"
+#include "fit/determine.hpp"
 #include "fit/met.hpp"
-#include "fit/reservations.hpp"
-#include "fit/search.hpp"
 #include "fit/solve.hpp"
 #include "shared/synthetic_fits.hpp"
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "input/iso_mme/members.hpp"
+#include "input/iso_mme/test_files.hpp"
 #include "sample_mme.hpp"
 
 namespace dashpad {

@@ -17,7 +17,7 @@
 #include "dashpad/output/text/case.hpp"
 #include "dashpad/spit1984/deck.hpp"
 #include "dashpad/study/store.hpp"
-#include "dashpad/study/stored_study.hpp"
+#include "dashpad/study/study_file.hpp"
 #include "impact_text.hpp"
 #include "output/text/case_toml.hpp"
 #include "sample_case.hpp"

@@ -10,7 +10,7 @@
 
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/input/fault.hpp"
-#include "input/profile_csv.hpp"
+#include "input/case_tables.hpp"
 #include "sample_case.hpp"
 #include "shared/temporary_folder.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "dashpad/input/fault.hpp"
-#include "dashpad/input/measurement/pulse_csv.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "shared/temporary_folder.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include "input/profile_csv.hpp"
+#include "input/case_tables.hpp"
 #include "quantities/text.hpp"
 
 #include "dashpad/output/text/case.hpp"

@@ -9,9 +9,7 @@
 
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/output/study.hpp"
-#include "dashpad/study/batch.hpp"
 #include "dashpad/study/run_study.hpp"
-#include "dashpad/study/stored_study.hpp"
 #include "dashpad/study/study_file.hpp"
 #include "shared/temporary_folder.hpp"
 #include "small_study.hpp"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/input/fault.hpp"
-#include "dashpad/input/measurement/strain_csv.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "dashpad/study/export_csv.hpp"
+#include "dashpad/study/store.hpp"
 #include "shared/temporary_folder.hpp"
 #include "small_study.hpp"
 

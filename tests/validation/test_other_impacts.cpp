@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/fit/fit_file.hpp"
+#include "dashpad/fit/fit.hpp"
 #include "dashpad/fit/report.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/figures.hpp"

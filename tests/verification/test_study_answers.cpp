@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/study/answers.hpp"
-#include "dashpad/study/cushion_curves.hpp"
 
 namespace dashpad::study {
 namespace {

@@ -1,9 +1,11 @@
 #pragma once
 /// What a fit is asked for: which numbers of a material are unknown, and the measurements that they have to
-/// meet. SI throughout; stress and strain are engineering values, compression positive.
+/// meet. SI throughout; stress and strain are engineering values, compression positive. docs/fits.md has the
+/// keys of its file.
 
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/pulse_report.hpp"
+#include "dashpad/input/reading.hpp"
 
 namespace dashpad::fit {
 
@@ -20,7 +23,7 @@ struct Prior {
   double deviation = 0;  ///< > 0
 };
 
-/// A quantity of the case (dashpad/impact/case_quantity.hpp) that the fit has to find.
+/// A quantity of the case (dashpad/case/case_quantity.hpp) that the fit has to find.
 struct Unknown {
   std::string key;              ///< "pad.curve.modulus"
   std::string unit;             ///< SI; "1" for a pure number
@@ -137,6 +140,11 @@ bool is_of_card(const std::string& key);
 /// Whether an unknown is none of those, as the stiffness of a support: a case holds it.
 bool finds_more_than_a_card(const Fit& fit);
 
+/// Whether a number is among the unknowns.
+inline bool seeks(const Fit& fit, std::string_view key) {
+  return std::ranges::count(fit.unknowns, key, &Unknown::key) > 0;
+}
+
 /// Whether some test or impact is fitted to, and not all of them are held out.
 template <class Measurement>
 bool has_fitted(const std::vector<Measurement>& of) {
@@ -155,5 +163,14 @@ inline bool counts(const MaterialMeasurement& test, std::size_t i) {
 /// Every rule that a fit breaks, over all its parts. Keys are those of fit files:
 /// "unknowns.pad.curve.modulus", "tests[1].file".
 std::vector<Violation> violations(const Fit& fit);
+
+struct FitFile {
+  Fit fit;
+  std::vector<input::InputFile> files;  ///< that it was read from
+};
+
+/// `materials` is the folder in which material names are looked up; other files are looked for beside the fit
+/// file. All faults of it and of the files that it names.
+input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::filesystem::path& materials);
 
 }  // namespace dashpad::fit

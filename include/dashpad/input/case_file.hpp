@@ -7,7 +7,6 @@
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/input/input_file.hpp"
 #include "dashpad/input/reading.hpp"
 #include "dashpad/model/pad/material.hpp"
 

@@ -1,8 +1,9 @@
 #pragma once
-/// Foams out of the decks of other solvers: LS-DYNA keywords and Radioss starter blocks in, materials out.
-/// docs/material-decks.md says what is read and what becomes of it.
+/// Foams out of the decks of other solvers, LS-DYNA keywords and Radioss starter blocks, and out of tables of
+/// compression tests. docs/material-decks.md says what is read and what becomes of it.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,5 +33,12 @@ Reading<std::vector<DeckMaterial>> read_material_deck(const std::filesystem::pat
 /// The consistent system of that name, or of its units in another order: "mm-t-s" is "t-mm-s". Throws
 /// std::invalid_argument that names the systems on offer.
 const UnitSystem& deck_system(std::string_view name);
+
+/// A column called strain, a pure number or in % ("strain", "strain [%]", "strain_percent"), and columns of
+/// stress with their units ("stress_kPa", "stress [MPa]"). With several of them each header says its rate
+/// behind an @: "stress_kPa @ 10 1/s". `rate`, 1/s, is that of a single column that does not say it.
+/// Separators, quotes, comments and decimal commas as in measurement/tables.hpp; a stress may be left out
+/// where its curve has ended. Gives all faults, or the first 200.
+Reading<DeckMaterial> read_stress_table(const std::filesystem::path& file, std::optional<double> rate);
 
 }  // namespace dashpad::input

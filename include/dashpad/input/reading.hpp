@@ -2,6 +2,8 @@
 /// What reading gives: a value, or every fault that stands in its way. Nothing is thrown for what a user
 /// wrote.
 
+#include <filesystem>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -9,6 +11,12 @@
 #include "dashpad/input/fault.hpp"
 
 namespace dashpad::input {
+
+/// A file that a result was computed from, so that it is not overwritten by that.
+struct InputFile {
+  std::string kind;  ///< with its article: "the case file", "the material card"
+  std::filesystem::path file;
+};
 
 template <class T>
 class [[nodiscard]] Reading {

@@ -4,6 +4,7 @@
 /// All intervals are for 95 %. They hold for independent draws; with Sobol or Latin hypercube sampling, which
 /// spread the draws more evenly, they are too wide rather than too narrow.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -145,5 +146,72 @@ struct RowCounts {
   std::uint64_t struck_through = 0;  ///< as Records::struck_through
 };
 RowCounts row_counts(const Store& store);
+
+/// Cushion curves in the manner of ASTM D1596: peak deceleration over static stress, for drop heights and
+/// thicknesses.
+///
+/// The standard drops a flat platen, wider than the cushion. The loaded area of a sphere grows during the
+/// impact; that of a flat disc does not, but the pad is wider than the disc. Static stress here is the weight
+/// over the area of the contact, projected along the direction of impact, at the largest penetration d,
+///
+///   static stress = M g / a(d)                                                         (theory.md, Eq. 3);
+///
+/// drop height is v^2 / 2 g. Curves of a sphere lie elsewhere than those of a platen and must not be mixed
+/// with them.
+struct CushionCurve {
+  double thickness = 0;                   ///< m
+  std::vector<double> static_stress;      ///< Pa, in the order of the masses
+  std::vector<double> peak_deceleration;  ///< m/s2; NaN where the impact has none
+};
+
+/// Where on the curve the peak is least. None without a finite one.
+std::optional<std::size_t> least_peak(const CushionCurve& curve);
+
+struct CushionCurves {
+  struct Drop {
+    double height = 0;  ///< m
+    double speed = 0;   ///< m/s
+    std::vector<CushionCurve> curves;
+  };
+  std::vector<Drop> drops;     ///< the highest last
+  bool whole_cushion = false;  ///< the nose is flat and covers all of the pad, as in ASTM D1596
+};
+
+/// Absent unless the study is a grid of impactor.mass (or impactor.weight) and at most speed and thickness
+/// besides, and keeps peak_acceleration and peak_penetration.
+std::optional<CushionCurves> cushion_curves(const Study& study, const Records& records);
+
+/// The probability of more than this is asked for.
+struct StudyLimit {
+  std::string response;
+  double value = 0;  ///< SI
+};
+
+struct StudyQuestions {
+  std::vector<std::string> responses = {};  ///< names; empty: all that the study keeps
+  std::vector<StudyLimit> limits = {};
+};
+
+struct StudyAnswers {
+  Study study;
+  std::string program;     ///< that computed the rows
+  std::uint64_t rows = 0;  ///< of the whole study
+  Records records;
+  std::vector<std::size_t> responses;  ///< asked for: numbers in Study::responses
+  std::vector<StudyLimit> limits;
+
+  /// Of one combination of levels.
+  struct OfGroup {
+    Group group;
+    std::vector<Distribution> distributions;                ///< of each response asked for
+    std::vector<Exceedance> exceedances;                    ///< of each limit
+    std::vector<std::optional<Sensitivity>> sensitivities;  ///< of each response asked for
+  };
+  std::vector<OfGroup> groups;
+  std::optional<CushionCurves> cushion_curves;
+};
+
+/// Throws std::invalid_argument for names that the study does not keep.
+StudyAnswers study_answers(const Store& store, const StudyQuestions& questions);
 
 }  // namespace dashpad::study

@@ -1,14 +1,46 @@
 #pragma once
-/// Runs what is missing of a study, on all cores of this machine, or on all ranks of an MPI job.
+/// Computes the rows of a study: those of one batch, as a thread or a rank does, or all that is missing, on
+/// all cores of this machine or on all ranks of an MPI job.
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
+#include "dashpad/impact/solve.hpp"
+#include "dashpad/study/design.hpp"
 #include "dashpad/study/store.hpp"
 #include "dashpad/study/study.hpp"
 
 namespace dashpad::study {
+
+/// One worker's memory: a solver and a case, used again for every row. One each for several threads. Study
+/// and design must outlive it.
+class Worker {
+ public:
+  Worker(const Study& study, const Design& design);
+  /// Rows batch * size to (batch + 1) * size - 1, as far as the design has them. A row whose factors make no
+  /// valid case has the status not_run and the value NaN everywhere; it does not stop the others.
+  std::vector<StoredRow> compute(std::uint64_t batch, std::uint64_t size);
+  /// The same into rows that were used before, whose memory is used again.
+  void compute(std::uint64_t batch, std::uint64_t size, std::vector<StoredRow>& rows);
+  /// One row with its history. Throws std::invalid_argument where its factors make no valid case, and
+  /// std::out_of_range for a row that the design has not.
+  Solution replay(std::uint64_t row);
+  /// The case of a row. Throws as replay().
+  const ImpactCase& case_of(std::uint64_t row);
+
+ private:
+  void compute_row(std::uint64_t row, StoredRow& result);
+
+  const Study& study_;
+  const Design& design_;
+  Application application_;
+  ResponseReader responses_;
+  Solver solver_;
+  ImpactCase impact_;
+  std::vector<double> factors_;
+};
 
 struct Progress {
   std::uint64_t rows_done = 0, rows = 0;

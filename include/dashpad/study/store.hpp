@@ -5,6 +5,7 @@
 /// Rows are written in batches, each in one transaction with the note that it is done: after a kill or a full
 /// disk a batch is there whole or not at all.
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -13,6 +14,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dashpad/study/responses.hpp"
@@ -25,6 +27,10 @@ struct StoredRow {
   std::vector<double> factors;
   Outcome outcome;
 };
+
+/// In the order of Status: their words stand in the file.
+inline constexpr std::array all_statuses{Status::not_run,    Status::released,          Status::bottomed_out,
+                                         Status::time_limit, Status::tolerance_not_met, Status::at_rest};
 
 /// A factor or a response as the file describes it.
 struct StoredColumn {
@@ -94,5 +100,20 @@ class Store {
   std::unique_ptr<File> file_;
   explicit Store(std::unique_ptr<File> file);
 };
+
+/// A column as files have it: SI, but accelerations in g.
+struct ExportedColumn {
+  std::string name;  ///< with the unit: "peak_force_N", "impactor.speed_m_per_s"
+  std::string unit;  ///< "" for a material
+  double scale = 1;  ///< what the values of the store are multiplied with
+};
+ExportedColumn exported(const StoredColumn& column);
+
+/// Passes the CSV on in pieces, so that memory does not grow with the rows: a heading, then one line a row
+/// done, by row number. Columns: row, status, extrapolated, extrapolated_strain, extrapolated_rate and
+/// bottomed (0 or 1), error, factors, responses; the heading names units: "impactor.speed_m_per_s". Numbers
+/// read back as the same, but for accelerations, which the store has in m/s2; a value that a row does not
+/// have is empty. What `write` throws passes through.
+void export_csv(const Store& store, const std::function<void(std::string_view)>& write);
 
 }  // namespace dashpad::study

@@ -1,4 +1,5 @@
-#include "input/iso_mme/choice.hpp"
+#include "input/iso_mme/test_files.hpp"
+#include "input/spelling.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -15,23 +16,15 @@ using Channels = std::vector<IsoMmeChannel>;
 
 constexpr std::size_t code_length = 16;
 constexpr std::size_t place_of_dimension = 12, place_of_direction = 14;
-constexpr std::size_t most_listed = 20;
 
 std::string listing(const Channels& channels) {
-  std::string text;
-  for (std::size_t i = 0; i < channels.size() && i < most_listed; ++i)
-    text += fmt::format("{}{} ({})", i == 0 ? "" : ", ", channels[i].code, channels[i].number);
-  return text + (channels.size() > most_listed ? ", ..." : "");
+  std::vector<std::string> all;
+  for (const IsoMmeChannel& of : channels) all.push_back(fmt::format("{} ({})", of.code, of.number));
+  return short_listing(all);
 }
 
 bool is_acceleration(const IsoMmeChannel& channel) {
   return channel.code.size() == code_length && channel.code.compare(place_of_dimension, 2, "AC") == 0;
-}
-
-std::string capitals(std::string text) {
-  for (char& c : text)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return text;
 }
 
 bool matches(const std::string& code, const std::string& pattern) {
@@ -42,7 +35,7 @@ bool matches(const std::string& code, const std::string& pattern) {
 Channels candidates(const std::filesystem::path& file, const Channels& all, const std::string& wanted) {
   Channels found;
   const auto number = channel_number(wanted);
-  const std::string pattern = capitals(wanted);
+  const std::string pattern = upper_case(wanted);
   if (!wanted.empty() && !number && pattern.size() != code_length)
     refuse_file(
         file, fmt::format("--channel {}: a channel is a number or a code of {} characters; ? stands for any "
@@ -51,7 +44,7 @@ Channels candidates(const std::filesystem::path& file, const Channels& all, cons
   for (const IsoMmeChannel& channel : all) {
     const bool fits = wanted.empty() ? is_acceleration(channel)
                       : number       ? channel.number == *number
-                                     : matches(capitals(channel.code), pattern);
+                                     : matches(upper_case(channel.code), pattern);
     if (fits) found.push_back(channel);
   }
   if (found.empty())

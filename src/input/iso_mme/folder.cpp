@@ -14,7 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "input/iso_mme/members.hpp"
+#include "input/iso_mme/test_files.hpp"
 #include "input/measurement/measurement_text.hpp"
 
 namespace dashpad::input {

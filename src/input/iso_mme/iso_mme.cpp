@@ -7,12 +7,9 @@
 #include <fmt/format.h>
 
 #include "dashpad/input/fault.hpp"
-#include "input/iso_mme/choice.hpp"
 #include "input/iso_mme/test_files.hpp"
-#include "input/iso_mme/text.hpp"
 #include "input/measurement/column_units.hpp"
-#include "input/measurement/exact_time.hpp"
-#include "input/measurement/pulse_bounds.hpp"
+#include "input/measurement/pulse_samples.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {

@@ -1,15 +1,41 @@
 #pragma once
-/// Which files of a folder or archive make up an ISO-MME test.
+/// The files of an ISO-MME test in a folder or archive, of which nothing outside can be reached by any name:
+/// which of them make up the test, their text, and which channels the user means.
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "dashpad/input/input_file.hpp"
-#include "input/iso_mme/members.hpp"
+#include "dashpad/input/iso_mme/iso_mme.hpp"
+#include "dashpad/input/reading.hpp"
+#include "input/measurement/measurement_text.hpp"
 
 namespace dashpad::input {
+
+/// Names are relative to the folder or archive, with / between folder and file.
+using MmeMembers = std::map<std::string, std::string>;
+
+/// A zip, a tar or a gzipped tar, by its first bytes.
+bool is_archive(const std::filesystem::path& file);
+
+/// The regular files in `folder` and in its folder Channel. Throws InputError.
+std::vector<std::string> names_in_folder(const std::filesystem::path& folder);
+/// Those of `names`, at most `most` bytes of each. A file that has more is a fault unless `cut`. Links are
+/// not followed. Throws InputError.
+MmeMembers read_from_folder(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                            std::size_t most, bool cut);
+
+/// The regular files in an archive. Throws InputError, also for an archive with a name that leads out of it,
+/// with the same name twice, or with more than 10,000 names.
+std::vector<std::string> names_in_archive(const std::filesystem::path& archive);
+/// As read_from_folder(). The sizes that the archive claims are not relied on: at most largest_measurement is
+/// unpacked in all.
+MmeMembers read_from_archive(const std::filesystem::path& archive, const std::vector<std::string>& names,
+                             std::size_t most, bool cut);
 
 struct MmeTestFiles {
   std::filesystem::path source;  ///< folder or archive
@@ -30,5 +56,44 @@ struct MmeTestFiles {
 
 /// `file` is a folder, a .mme file, or an archive with one test in it. Throws InputError.
 MmeTestFiles find_mme_test(const std::filesystem::path& file);
+
+struct MmeLabel {
+  std::string name;
+  std::string value;  ///< UTF-8; empty for NOVALUE
+  std::size_t line = 0;
+};
+
+class MmeLabels {
+ public:
+  void add(MmeLabel label) { labels_.push_back(std::move(label)); }
+  /// The first of that name, in small or capital letters; null if there is none.
+  [[nodiscard]] const MmeLabel* find(std::string_view name) const;
+  /// Its value; "" if there is none.
+  [[nodiscard]] std::string value(std::string_view name) const;
+  [[nodiscard]] const std::vector<MmeLabel>& all() const { return labels_; }
+
+ private:
+  std::vector<MmeLabel> labels_;
+};
+
+/// The labels up to the first line that is none. In .mme and .chn files that is the end.
+MmeLabels read_mme_labels(std::string_view text);
+
+struct MmeChannelText {
+  MmeLabels labels;
+  std::vector<double> values;
+};
+
+/// A whole channel file. Its number of samples must be the one that it claims.
+MmeChannelText read_mme_channel(std::string_view text, MeasurementFaults& faults);
+
+/// "3" and "003" are 3; a code is no number, even one of digits only.
+std::optional<int> channel_number(const std::string& text);
+
+/// One of `all`, or the two or three of a resultant in the order X, Y, Z. Throws InputError that names those
+/// that could be meant. `file` is for messages.
+std::vector<IsoMmeChannel> chosen_channels(const std::filesystem::path& file,
+                                           const std::vector<IsoMmeChannel>& all,
+                                           const IsoMmeOptions& options);
 
 }  // namespace dashpad::input

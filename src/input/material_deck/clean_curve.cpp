@@ -1,4 +1,4 @@
-#include "input/material_deck/clean_curve.hpp"
+#include "input/material_deck/deck_foam.hpp"
 
 #include <string>
 #include <tuple>
@@ -102,9 +102,7 @@ std::optional<CleanCurve> clean_curve(const DeckCurve& curve, CurveRole role, Me
   }
   if (!sound) return std::nullopt;
   if (clean.table.strain.size() > TableCurve::most_points) {
-    faults.add(
-        curve.line, curve.name, "",
-        fmt::format("has {} points; {} are the most", clean.table.strain.size(), TableCurve::most_points));
+    faults.add(curve.line, curve.name, "", too_many_points(clean.table.strain.size()));
     return std::nullopt;
   }
   tell_of_cuts(curve, tension, slack, clean, differences);

@@ -1,10 +1,12 @@
-#include "input/material_deck/deck_fields.hpp"
+#include "input/material_deck/deck_foam.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
+
+#include "input/spelling.hpp"
 
 namespace dashpad::input {
 
@@ -20,12 +22,9 @@ std::string rule_for_deck_number(NumberKind kind) {
 
 }  // namespace
 
-std::vector<std::size_t> equal_widths(std::size_t count, bool long_format) {
-  return std::vector<std::size_t>(count, long_format ? 20 : 10);
-}
+Widths equal_widths(std::size_t count, bool long_format) { return Widths(count, long_format ? 20 : 10); }
 
-DeckFields::DeckFields(const DeckLine& line, const std::vector<std::size_t>& widths, bool free,
-                       MeasurementFaults& faults)
+DeckFields::DeckFields(const DeckLine& line, const Widths& widths, bool free, MeasurementFaults& faults)
     : line_(line), faults_(faults) {
   std::string_view rest = line.text;
   if (free && rest.find(',') != std::string_view::npos) {
@@ -80,6 +79,54 @@ std::optional<long> DeckFields::whole(std::size_t field, const std::string& key)
     return std::nullopt;
   }
   return static_cast<long>(value);
+}
+
+void NumberedBlocks::add(long id, DeckBlock block, MeasurementFaults& faults) {
+  const auto found = blocks_.find(id);
+  if (found != blocks_.end()) {
+    faults.add(block.head.number, fmt::format("{} {}", kind_, id), "",
+               fmt::format("stands twice; first in line {}", found->second.head.number));
+    return;
+  }
+  places_.emplace(block.place, id);
+  blocks_.emplace(id, std::move(block));
+}
+
+const DeckBlock* NumberedBlocks::find(long id) const {
+  const auto found = blocks_.find(id);
+  return found == blocks_.end() ? nullptr : &found->second;
+}
+
+const DeckBlock* NumberedBlocks::at_place(std::size_t place) const {
+  const auto found = places_.find(place);
+  return found == places_.end() ? nullptr : find(found->second);
+}
+
+void tell_if_set(double value, const DeckField& field, DeckFoam& foam) {
+  constexpr double no_cut_off = 1e19;  // a tension cut-off of that size is none
+  if (value == value && value != 0 && std::abs(value) < no_cut_off)
+    foam.differences.push_back(fmt::format("{} = {:g}: {}.", field.name, value, field.lost));
+}
+
+double or_one(double given, const std::string& solver_takes, DeckFoam& foam) {
+  if (given != 0) return given;
+  foam.assumptions.push_back(solver_takes);
+  return 1;
+}
+
+void tell_of_exponent(double exponent, const char* name, DeckFoam& foam) {
+  if (exponent == exponent && exponent != 0 && exponent != 1)
+    foam.differences.push_back(fmt::format(
+        "{} = {:g}: the unloading here has the exponent 1, so the foam loses another part of its work.", name,
+        exponent));
+}
+
+std::string others_listed(const std::vector<std::string>& other_materials) {
+  return other_materials.empty() ? "" : "; there are " + listing(other_materials);
+}
+
+std::string too_many_points(std::size_t count) {
+  return fmt::format("has {} points; {} are the most", count, TableCurve::most_points);
 }
 
 }  // namespace dashpad::input

@@ -1,18 +1,82 @@
 #pragma once
-/// A foam as a deck or a table describes it, in SI, before it is one of ours.
+/// Decks as keywords with their lines, the fields in them, and the foams that they describe.
 
 #include <cstddef>
-#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dashpad/input/material_deck.hpp"
+#include "dashpad/model/pad/foam/table_curve.hpp"
 #include "dashpad/model/pad/viscoelastic_foam.hpp"
+#include "input/material_deck/deck_cards.hpp"
 #include "input/material_deck/deck_unit.hpp"
 #include "input/measurement/measurement_text.hpp"
 
 namespace dashpad::input {
+
+struct DeckLine {
+  std::size_t number = 0;
+  std::string_view text;
+};
+
+/// The columns of the fields of a line.
+using Widths = std::vector<std::size_t>;
+/// `count` fields of 10 columns each, of 20 in long format.
+Widths equal_widths(std::size_t count, bool long_format);
+
+/// A keyword with the lines that belong to it, without comments.
+struct DeckBlock {
+  std::string keyword;  ///< in capitals
+  DeckLine head;
+  std::size_t place = 0;     ///< among the keywords of the file
+  bool long_format = false;  ///< fields of 20 columns where they are of 10
+  std::vector<DeckLine> lines;
+};
+
+/// The fields of one line: of fixed widths or, where `free` and the line holds a comma, between commas.
+class DeckFields {
+ public:
+  DeckFields(const DeckLine& line, const Widths& widths, bool free, MeasurementFaults& faults);
+
+  [[nodiscard]] bool is_blank(std::size_t field) const;
+  /// A blank field is 0; NaN after a fault.
+  double number(std::size_t field, const std::string& key, const DeckUnit& unit = {});
+  /// A whole number, positive or negative; a blank field is 0; absent after a fault.
+  std::optional<long> whole(std::size_t field, const std::string& key);
+  /// The field as it stands, for faults.
+  [[nodiscard]] std::string_view text(std::size_t field) const;
+  [[nodiscard]] std::size_t line() const { return line_.number; }
+
+ private:
+  [[nodiscard]] std::string place_of(std::size_t field) const;
+
+  DeckLine line_;
+  std::vector<std::string_view> fields_;
+  Widths widths_;  ///< empty where commas separate
+  MeasurementFaults& faults_;
+};
+
+/// Limits on what a file may ask for.
+inline constexpr std::size_t most_foams_of_deck = 500;
+inline constexpr std::size_t most_lines_of_curve = 10'000;
+
+/// The blocks with a number, by it. A number that stands twice is a fault.
+class NumberedBlocks {
+ public:
+  explicit NumberedBlocks(std::string kind) : kind_(std::move(kind)) {}
+
+  void add(long id, DeckBlock block, MeasurementFaults& faults);
+  [[nodiscard]] const DeckBlock* find(long id) const;
+  [[nodiscard]] const DeckBlock* at_place(std::size_t place) const;
+
+ private:
+  std::string kind_;  ///< "curve", "function"
+  std::map<long, DeckBlock> blocks_;
+  std::map<std::size_t, long> places_;
+};
 
 /// The points as they stand, with the line of each.
 struct DeckCurve {
@@ -64,5 +128,42 @@ std::optional<DeckMaterial> material_of(const DeckFoam& given, MeasurementFaults
 
 /// A name for a file: letters, digits and hyphens of the title, else the number.
 std::string name_for_card(const std::string& title, long id);
+
+/// Says what a field that is set, and has no counterpart here, means.
+void tell_if_set(double value, const DeckField& field, DeckFoam& foam);
+
+/// What a blank or 0 leaves to the solver, which takes it for 1: that is an assumption.
+double or_one(double given, const std::string& solver_takes, DeckFoam& foam);
+
+/// An exponent of the unloading that is not 1.
+void tell_of_exponent(double exponent, const char* name, DeckFoam& foam);
+
+/// "; there are *MAT_001, *MAT_002": materials that are not read.
+std::string others_listed(const std::vector<std::string>& other_materials);
+
+/// What is said of a curve with too many lines.
+std::string too_many_points(std::size_t count);
+
+/// What a curve is for: the base curve must rise, a way back may carry nothing at first.
+enum class CurveRole { base, rate, unloading };
+
+struct CleanCurve {
+  TableCurve table;
+  std::vector<std::size_t> lines;        ///< of each point
+  std::optional<double> stress_at_zero;  ///< where the deck has a point there that is not 0
+};
+
+/// Without what lies at strain 0 and below it; adds to `differences` what was left out. Faults: strains that
+/// do not increase or reach 1, stresses that are not positive or do not rise. Absent after one.
+std::optional<CleanCurve> clean_curve(const DeckCurve& curve, CurveRole role, MeasurementFaults& faults,
+                                      std::vector<std::string>& differences);
+
+/// The stress of a crushed foam that cannot rise faster than along its modulus: points above that line give
+/// way to it. Tells `differences`. False after a fault.
+bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& of, MeasurementFaults& faults,
+                           std::vector<std::string>& differences);
+
+/// Adds the air to each point. False after a fault.
+bool add_air(CleanCurve& curve, const DeckAir& air, const DeckCurve& of, MeasurementFaults& faults);
 
 }  // namespace dashpad::input

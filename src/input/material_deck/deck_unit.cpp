@@ -138,6 +138,18 @@ DeckUnits::DeckUnits(const UnitSystem& system)
       rate(deck_unit("1/" + system.time, "1/s")),
       time(deck_unit(system.time, "s")) {}
 
+const DeckUnit& DeckUnits::of(Content content) const {
+  switch (content) {
+    case Content::stress: return stress;
+    case Content::density: return density;
+    case Content::rate: return rate;
+    case Content::time: return time;
+    case Content::number:
+    case Content::whole: break;
+  }
+  return none;
+}
+
 ReadNumber read_deck_number(std::string_view text, const DeckUnit& unit) {
   text = without_blanks(text);
   if (text.empty()) return {};

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "dashpad/quantities/unit_system.hpp"
+#include "input/material_deck/deck_cards.hpp"
 #include "input/measurement/measurement_text.hpp"
 
 namespace dashpad::input {
@@ -23,6 +24,8 @@ DeckUnit deck_unit(const std::string& unit, const std::string& si_unit);
 
 struct DeckUnits {
   explicit DeckUnits(const UnitSystem& system);
+  [[nodiscard]] const DeckUnit& of(Content content) const;
+
   DeckUnit none;
   DeckUnit stress;   ///< Pa
   DeckUnit density;  ///< kg/m3

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "input/material_deck/clean_curve.hpp"
+#include "input/material_deck/deck_foam.hpp"
 #include "model/pad/foam/foam_curve.hpp"
 #include "quantities/text.hpp"
 

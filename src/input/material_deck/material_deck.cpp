@@ -1,12 +1,9 @@
 #include "dashpad/input/material_deck.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <map>
 #include <stdexcept>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include "input/material_deck/deck_foam.hpp"
@@ -16,13 +13,6 @@ namespace dashpad::input {
 namespace {
 
 constexpr std::size_t largest_deck = std::size_t{64} << 20;  // bytes
-
-std::string read_deck(const std::filesystem::path& file) {
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-  if (descriptor < 0 && errno == ENOENT) refuse_file(file, "no such file");
-  if (descriptor < 0) refuse_file(file, std::string("cannot be read: ") + std::strerror(errno));
-  return read_descriptor(descriptor, file.string(), largest_deck);
-}
 
 enum class Solver { ls_dyna, radioss, unknown };
 
@@ -73,7 +63,7 @@ Reading<std::vector<DeckMaterial>> read_material_deck(const std::filesystem::pat
                                                       const UnitSystem& units) {
   return reading_of([&]() -> std::vector<DeckMaterial> {
     MeasurementFaults faults(file.string());
-    const std::string content = read_deck(file);
+    const std::string content = read_measurement(file, largest_deck);
     const std::string_view text = text_in(content, faults);
     if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
     const Solver solver = solver_of(text);

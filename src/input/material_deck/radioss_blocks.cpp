@@ -1,26 +1,21 @@
 // A Radioss starter deck as blocks: "/" in the first column begins a block, "#" a comment.
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "input/material_deck/deck_blocks.hpp"
+#include "input/material_deck/radioss.hpp"
 
 namespace dashpad::input {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> names_of_laws{"LAW33", "FOAM_PLAS", "LAW62", "VISC_HYP",
-                                                        "LAW70", "FOAM_TAB",  "LAW90"};
 constexpr std::size_t most_laws_listed = 10;
 
 std::string keyword_in_capitals(std::string_view line) {
-  std::string keyword(without_blanks(line.substr(1, line.find_first_of(" \t") - 1)));
-  for (char& c : keyword)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return keyword;
+  return upper_case(without_blanks(line.substr(1, line.find_first_of(" \t") - 1)));
 }
 
 /// Sorts a block in.
@@ -28,7 +23,7 @@ void take(DeckBlock block, RadiossBlocks& deck, MeasurementFaults& faults) {
   const std::vector<std::string> parts = parts_of(block.keyword);
   while (!block.lines.empty() && without_blanks(block.lines.back().text).empty()) block.lines.pop_back();
   const bool material = parts.size() > 2 && parts[0] == "MAT";
-  if (material && std::ranges::find(names_of_laws, parts[1]) != names_of_laws.end()) {
+  if (material && radioss_law(parts[1]) != nullptr) {
     if (deck.foams.size() == most_foams_of_deck)
       faults.refuse(block.head.number, "", "", fmt::format("more than {} foams", most_foams_of_deck));
     deck.foams.push_back(std::move(block));
@@ -45,6 +40,12 @@ void take(DeckBlock block, RadiossBlocks& deck, MeasurementFaults& faults) {
 }
 
 }  // namespace
+
+const RadiossLaw* radioss_law(std::string_view name) {
+  const auto* const found = std::ranges::find_if(
+      radioss_laws, [&](const RadiossLaw& each) { return name == each.number || name == each.words; });
+  return found == std::end(radioss_laws) ? nullptr : found;
+}
 
 std::vector<std::string> parts_of(const std::string& keyword) {
   std::vector<std::string> parts{""};

@@ -1,6 +1,6 @@
 // Compression tests as columns of stress over one column of strain.
 
-#include "dashpad/input/stress_table.hpp"
+#include "dashpad/input/material_deck.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -9,8 +9,8 @@
 
 #include "dashpad/quantities/quantity.hpp"
 #include "input/material_deck/deck_foam.hpp"
-#include "input/measurement/csv_columns.hpp"
-#include "input/measurement/csv_rows.hpp"
+#include "input/measurement/column_units.hpp"
+#include "input/measurement/csv_table.hpp"
 
 namespace dashpad::input {
 
@@ -41,25 +41,16 @@ StressHeader taken_apart_at(const std::string& header) {
 }
 
 struct StressColumn {
-  int number = 0;
-  double factor = 1;  ///< one unit in Pa
-  double rate = 0;    ///< 1/s; 0: not stated
-  std::string name;
+  injury::MeasuredColumn of;
+  double rate = 0;  ///< 1/s; 0: not stated
 };
 
 struct StressColumns {
-  int strain = 0;
+  injury::MeasuredColumn strain;
   double strains_in_one = 1;  ///< 100 where it is in %
   std::size_t line = 0;       ///< of the header
   std::vector<StressColumn> stresses;
 };
-
-/// How many of that unit a strain of 1 is.
-std::optional<double> units_in_strain_one(const std::string& unit) {
-  if (unit.empty() || unit == "1" || unit == "-") return 1;
-  if (unit == "%" || lower_case(unit) == "percent") return 100;
-  return std::nullopt;
-}
 
 /// "10 1/s", "10/s" and "10" are rates per second.
 std::optional<double> rate_in(std::string text) {
@@ -67,27 +58,21 @@ std::optional<double> rate_in(std::string text) {
   if (end == std::string::npos) text += " 1/s";
   const bool is_alone = text.find(' ') >= end;
   if (end != std::string::npos && text[end] == '/' && is_alone) text.insert(end, " 1");
-  try {
-    const double rate = to_si(text, "1/s");
-    return rate > 0 ? std::optional(rate) : std::nullopt;
-  } catch (const UnitError&) {
-    return std::nullopt;
-  }
+  const auto [rate, rule] = read_si(text, "1/s");
+  return rule.empty() && rate > 0 ? std::optional(rate) : std::nullopt;
 }
 
 void add_stress(const injury::MeasuredColumn& column, StressHeader header, std::size_t line,
                 StressColumns& columns, MeasurementFaults& faults) {
-  StressColumn stress{.number = column.number, .factor = 1, .rate = 0, .name = column.name};
+  StressColumn stress{column};
   if (header.unit.empty()) header.unit = column.unit;
   if (header.unit.empty()) {
     faults.add(line, column.name, "",
                "a stress needs its unit in the header, such as stress_kPa or \"stress [MPa]\"");
   } else {
-    try {
-      stress.factor = to_si("1 " + header.unit, "Pa");
-    } catch (const UnitError& error) {
-      faults.add(line, column.name, "", error.what());
-    }
+    const auto [factor, rule] = read_si("1 " + header.unit, "Pa");
+    if (!rule.empty()) faults.add(line, column.name, "", rule);
+    stress.of.factor = rule.empty() ? factor : 1;
   }
   if (!header.rate.empty()) {
     const auto rate = rate_in(header.rate);
@@ -99,19 +84,16 @@ void add_stress(const injury::MeasuredColumn& column, StressHeader header, std::
 
 /// Faults where the header does not tell which is which, or in which unit.
 StressColumns choose_stresses(const CsvHeader& header, MeasurementFaults& faults) {
-  const CsvColumns named = name_columns(header);
+  const CsvColumns named = named_columns(header, " and their units: strain,stress_kPa", faults);
   StressColumns columns;
-  columns.line = named.names != nullptr ? named.names->line : header.first_line;
-  if (named.names == nullptr)
-    faults.refuse(columns.line, "", "",
-                  "needs a line above the numbers that names the columns and their units: strain,stress_kPa");
+  columns.line = named.names->line;
   int strains = 0;
   for (const injury::MeasuredColumn& column : named.all) {
     const StressHeader parts = taken_apart_at(column.name);
     const std::string name = lower_case(parts.name);
     if (name == "strain") {
       ++strains;
-      columns.strain = column.number;
+      columns.strain = column;
       const auto factor = units_in_strain_one(parts.unit.empty() ? column.unit : parts.unit);
       if (!factor) faults.add(columns.line, column.name, "", "a strain is a pure number, or in %");
       columns.strains_in_one = factor.value_or(1);
@@ -135,7 +117,7 @@ void settle_rates_of(StressColumns& columns, std::optional<double> rate, Measure
   if (columns.stresses.size() == 1) {
     StressColumn& only = columns.stresses.front();
     if (rate && only.rate > 0 && *rate != only.rate)
-      faults.add(columns.line, only.name, "",
+      faults.add(columns.line, only.of.name, "",
                  fmt::format("the header says {:g} 1/s, and --rate {:g} 1/s", only.rate, *rate));
     if (only.rate == 0) only.rate = rate.value_or(0);
     return;
@@ -146,33 +128,24 @@ void settle_rates_of(StressColumns& columns, std::optional<double> rate, Measure
   for (const StressColumn& column : columns.stresses)
     if (column.rate == 0)
       faults.add(
-          columns.line, column.name, "",
+          columns.line, column.of.name, "",
           "of several columns of stress each says its rate behind an @, such as \"stress_kPa @ 10 1/s\"");
   std::ranges::sort(columns.stresses, {}, &StressColumn::rate);
-}
-
-std::string_view field_in(const CsvRow& row, int number) {
-  const auto at = static_cast<std::size_t>(number - 1);
-  return at < row.fields.size() ? without_blanks(row.fields[at]) : std::string_view{};
 }
 
 /// Takes a row into each curve that has a stress there.
 void take_row(const CsvRow& row, const StressColumns& columns, char separator, std::vector<DeckCurve>& curves,
               MeasurementFaults& faults) {
-  if (!row.fault.empty()) return faults.add(row.line, "", "", std::string(row.fault));
   const ReadNumber strain = read_csv_number(field_in(row, columns.strain), separator);
   if (strain.kind != NumberKind::number)
     return faults.add(row.line, "strain", to_utf8(field_in(row, columns.strain)), rule_for(strain.kind));
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    const std::string_view field = field_in(row, columns.stresses[i].number);
-    const ReadNumber stress = read_csv_number(field, separator);
-    if (stress.kind == NumberKind::empty && curves.size() > 1) continue;
-    if (stress.kind != NumberKind::number) {
-      faults.add(row.line, columns.stresses[i].name, to_utf8(field), rule_for(stress.kind));
-      continue;
-    }
+    const injury::MeasuredColumn& column = columns.stresses[i].of;
+    if (field_in(row, column).empty() && curves.size() > 1) continue;
+    const auto stress = number_in(row, column, separator, faults);
+    if (!stress) continue;
     curves[i].strain.push_back(strain.value / columns.strains_in_one);
-    curves[i].stress.push_back(stress.value * columns.stresses[i].factor);
+    curves[i].stress.push_back(*stress);
     curves[i].lines.push_back(row.line);
   }
 }
@@ -183,22 +156,20 @@ Reading<DeckMaterial> read_stress_table(const std::filesystem::path& file, std::
   return reading_of([&]() -> DeckMaterial {
     MeasurementFaults faults(file.string());
     const std::string content = read_measurement(file);
-    const auto [text, separator, header] = csv_table_in(content, faults);
-    StressColumns columns = choose_stresses(header, faults);
+    const CsvTable csv = csv_table_in(content, faults);
+    StressColumns columns = choose_stresses(csv.header, faults);
     settle_rates_of(columns, rate, faults);
     faults.throw_if_any();
 
     std::vector<DeckCurve> curves;
     for (const StressColumn& column : columns.stresses)
-      curves.push_back({column.name, columns.line, {}, {}, {}});
-    CsvRows rows(text, separator);
+      curves.push_back({column.of.name, columns.line, {}, {}, {}});
     std::size_t count = 0;
-    for (CsvRow row; rows.next(row);) {
-      if (row.line < header.first_line) continue;
+    each_row(csv, faults, [&](const CsvRow& row) {
       if (count++ == most_rows_of_stresses)
         faults.refuse(row.line, "", "", fmt::format("more than {} rows", most_rows_of_stresses));
-      take_row(row, columns, separator, curves, faults);
-    }
+      take_row(row, columns, csv.separator, curves, faults);
+    });
     faults.throw_if_any();
 
     DeckFoam foam;

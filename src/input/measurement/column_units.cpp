@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/input/pulse_file.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "quantities/unit.hpp"
@@ -142,6 +143,12 @@ HeaderText split_header(std::string_view header) {
   return {text, ""};
 }
 
+std::optional<double> units_in_strain_one(const std::string& unit) {
+  if (unit.empty() || unit == "1" || unit == "-") return 1;
+  if (unit == "%" || lower_case(unit) == "percent") return 100;
+  return std::nullopt;
+}
+
 bool looks_like(ColumnKind kind, const injury::MeasuredColumn& column) {
   const bool has_time_unit = is_pulse_unit(ColumnKind::time, column.unit);
   const bool has_acceleration_unit = is_pulse_unit(ColumnKind::acceleration, column.unit);
@@ -203,6 +210,19 @@ std::optional<std::string> overruled_unit(const injury::MeasuredColumn& column,
   if (column.unit_origin != "given" || unit_of_file.empty() || unit_of_file == column.unit)
     return std::nullopt;
   return fmt::format("{}: the file says {}; {} was given and used", column.name, unit_of_file, column.unit);
+}
+
+Sensitivity sensitivity_of(const std::string& text) {
+  const auto slash = text.find('/');
+  if (slash == std::string::npos)
+    throw UnitError("must be a voltage per acceleration, such as \"10 mV/g\" or \"1.02 mV/(m/s2)\"");
+  std::string_view unit = without_blanks(std::string_view(text).substr(slash + 1));
+  if (unit.starts_with('(') && unit.ends_with(')')) unit = unit.substr(1, unit.size() - 2);
+  const double volts = to_si(std::string_view(text).substr(0, slash), "V");
+  const double acceleration = pulse_unit_factor(ColumnKind::acceleration, std::string(unit));
+  const double sensitivity = volts / acceleration;
+  if (!(sensitivity > 0)) throw UnitError("must be more than 0");
+  return {text, sensitivity};
 }
 
 }  // namespace dashpad::input

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dashpad/injury/measured_pulse.hpp"
-#include "dashpad/input/measurement/sensitivity.hpp"
+#include "dashpad/input/pulse_file.hpp"
 
 namespace dashpad::input {
 
@@ -28,6 +28,10 @@ struct HeaderText {
   std::string unit;
 };
 HeaderText split_header(std::string_view header);
+
+/// How many of that unit a strain of 1 is: 1 without a unit, 100 in %. Nothing for a unit that is none of a
+/// strain.
+std::optional<double> units_in_strain_one(const std::string& unit);
 
 /// Whether a column is of this kind: by its unit where it has one of time or acceleration, else by its name.
 bool looks_like(ColumnKind kind, const injury::MeasuredColumn& column);

@@ -1,4 +1,4 @@
-#include "input/measurement/csv_columns.hpp"
+#include "input/measurement/csv_table.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "input/measurement/column_units.hpp"
-#include "input/measurement/csv_rows.hpp"
+#include "input/spelling.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::input {
@@ -15,7 +15,6 @@ namespace dashpad::input {
 namespace {
 
 constexpr std::size_t most_header_rows = 1000;
-constexpr std::size_t most_listed = 20;
 constexpr std::size_t most_namesakes = 5;
 constexpr std::size_t longest_name = 100;  // of a column, in messages and results
 
@@ -69,10 +68,9 @@ const CsvHeader::Row* row_of_names(const CsvHeader& header) {
 }
 
 std::string listing(const Columns& columns) {
-  std::string text;
-  for (std::size_t i = 0; i < columns.size() && i < most_listed; ++i)
-    text += fmt::format("{}{} ({})", i == 0 ? "" : ", ", columns[i].name, columns[i].number);
-  return text + (columns.size() > most_listed ? ", ..." : "");
+  std::vector<std::string> all;
+  for (const injury::MeasuredColumn& of : columns) all.push_back(fmt::format("{} ({})", of.name, of.number));
+  return short_listing(all);
 }
 
 std::optional<std::size_t> column_number(const std::string& text) {
@@ -227,13 +225,49 @@ CsvHeader read_csv_header(std::string_view text, char separator, int fewest) {
   return header;
 }
 
-CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults) {
+CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults, bool may_have_one_column) {
   CsvTable table{.text = text_in(content, faults), .header = {}};
   if (without_blanks(table.text).empty()) faults.refuse(0, "", "", "is empty");
-  table.separator = find_separator(table.text);
-  table.header = read_csv_header(table.text, table.separator);
+  table.has_one_column = may_have_one_column && is_one_column(table.text);
+  table.separator = table.has_one_column ? ';' : find_separator(table.text);
+  table.header = read_csv_header(table.text, table.separator, table.has_one_column ? 1 : 2);
   if (table.header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
   return table;
+}
+
+std::string_view field_in(const CsvRow& row, const injury::MeasuredColumn& column) {
+  const auto place = static_cast<std::size_t>(column.number - 1);
+  return place < row.fields.size() ? without_blanks(row.fields[place]) : std::string_view();
+}
+
+std::optional<double> number_in(const CsvRow& row, const injury::MeasuredColumn& column, char separator,
+                                MeasurementFaults& faults) {
+  const std::string_view field = field_in(row, column);
+  const ReadNumber read = read_csv_number(field, separator);
+  if (read.kind == NumberKind::number) return read.value * column.factor;
+  faults.add(row.line, column.name, field, rule_for(read.kind));
+  return std::nullopt;
+}
+
+void require_no_numbers(const CsvHeader& header, const CsvHeader::Row* names,
+                        const std::vector<injury::MeasuredColumn>& chosen, char separator,
+                        MeasurementFaults& faults, std::size_t first) {
+  for (const CsvHeader::Row& row : header.rows) {
+    if (names != nullptr && row.line <= names->line) continue;
+    const auto field_of = [&](const injury::MeasuredColumn& column) {
+      const auto at = static_cast<std::size_t>(column.number - 1);
+      return at < row.fields.size() ? std::string_view(row.fields[at]) : std::string_view();
+    };
+    const auto kind_of = [&](const injury::MeasuredColumn& column) {
+      return read_csv_number(field_of(column), separator).kind;
+    };
+    const auto holds_number = [&](const auto& column) { return kind_of(column) == NumberKind::number; };
+    if (std::none_of(chosen.begin() + static_cast<std::ptrdiff_t>(first), chosen.end(), holds_number))
+      continue;
+    for (const injury::MeasuredColumn& column : chosen)
+      if (!holds_number(column))
+        faults.add(row.line, column.name, field_of(column), rule_for(kind_of(column)));
+  }
 }
 
 CsvColumns name_columns(const CsvHeader& header) {
@@ -253,6 +287,13 @@ CsvColumns name_columns(const CsvHeader& header) {
       if (column.unit.empty() && i < row->fields.size()) column.unit = lone_unit(row->fields[i]).value_or("");
     columns.all.push_back(std::move(column));
   }
+  return columns;
+}
+
+CsvColumns named_columns(const CsvHeader& header, const std::string& what, MeasurementFaults& faults) {
+  CsvColumns columns = name_columns(header);
+  if (columns.names == nullptr)
+    faults.refuse(header.first_line, "", "", "needs a line above the numbers that names the columns" + what);
   return columns;
 }
 

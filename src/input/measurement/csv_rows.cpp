@@ -1,4 +1,4 @@
-#include "input/measurement/csv_rows.hpp"
+#include "input/measurement/csv_table.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -11,8 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "input/given_stream.hpp"
-#include "input/text_file.hpp"
+#include "input/disk.hpp"
 #include "quantities/from_chars.hpp"
 #include "quantities/text.hpp"
 
@@ -21,7 +20,6 @@ namespace dashpad::input {
 namespace {
 
 constexpr std::size_t longest_number = 100;
-constexpr std::size_t longest_excerpt = 10'000;  // bytes of a line that is quoted
 
 /// Closes a file at the end of its scope.
 class Descriptor {
@@ -186,6 +184,13 @@ std::string lower_case(std::string_view text) {
   for (char& c : lower)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return lower;
+}
+
+std::string upper_case(std::string_view text) {
+  std::string upper(text);
+  for (char& c : upper)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return upper;
 }
 
 ReadNumber read_number(std::string_view text, char decimal) {

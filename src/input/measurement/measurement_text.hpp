@@ -68,8 +68,9 @@ std::string_view without_blanks(std::string_view text);
 bool is_utf8(std::string_view text);
 /// Text that is not UTF-8 is taken for Latin-1.
 std::string to_utf8(std::string_view text);
-/// a to z for A to Z.
+/// a to z for A to Z, and the other way round.
 std::string lower_case(std::string_view text);
+std::string upper_case(std::string_view text);
 
 enum class NumberKind { number, not_finite, out_of_range, text, empty };
 struct ReadNumber {

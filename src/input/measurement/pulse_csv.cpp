@@ -1,4 +1,4 @@
-#include "dashpad/input/measurement/pulse_csv.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,11 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "input/measurement/csv_columns.hpp"
-#include "input/measurement/csv_rows.hpp"
-#include "input/measurement/exact_time.hpp"
-#include "input/measurement/pulse_bounds.hpp"
-#include "input/measurement/pulse_gaps.hpp"
+#include "input/measurement/csv_table.hpp"
+#include "input/measurement/pulse_samples.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
@@ -32,14 +29,23 @@ std::string plural(std::size_t count, const std::string& word) {
   return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
+/// The columns whose numbers are read, the time first.
+std::vector<injury::MeasuredColumn> read_columns_of(const CsvColumns& columns) {
+  std::vector<injury::MeasuredColumn> all = columns.acceleration;
+  if (columns.time.number > 0) all.insert(all.begin(), columns.time);
+  return all;
+}
+
 /// Reads the rows of numbers of a table.
 class NumberReader {
  public:
   NumberReader(const CsvColumns& columns, std::optional<double> interval, char separator,
                MeasurementFaults& faults)
-      : separator_(separator), interval_(interval), width_(columns.all.size()), faults_(faults) {
-    if (!interval_) columns_.push_back(columns.time);
-    columns_.insert(columns_.end(), columns.acceleration.begin(), columns.acceleration.end());
+      : separator_(separator),
+        interval_(interval),
+        width_(columns.all.size()),
+        faults_(faults),
+        columns_(read_columns_of(columns)) {
     if (columns.acceleration.size() > 1) components.resize(columns.acceleration.size());
   }
 
@@ -189,52 +195,6 @@ class NumberReader {
   std::vector<double> since_first_;  ///< s, of all samples, where the second is near to the first; else empty
 };
 
-/// A number in a chosen column, in a row below the names: a sample that would be lost.
-void require_no_numbers(const CsvHeader& header, const CsvColumns& columns, char separator,
-                        MeasurementFaults& faults) {
-  for (const CsvHeader::Row& row : header.rows) {
-    if (&row <= columns.names && columns.names != nullptr) continue;
-    std::vector<injury::MeasuredColumn> chosen = columns.acceleration;
-    if (columns.time.number > 0) chosen.insert(chosen.begin(), columns.time);
-    const auto field_of = [&](const injury::MeasuredColumn& column) {
-      const auto at = static_cast<std::size_t>(column.number - 1);
-      return at < row.fields.size() ? std::string_view(row.fields[at]) : std::string_view();
-    };
-    const auto holds_number = [&](const injury::MeasuredColumn& column) {
-      return read_csv_number(field_of(column), separator).kind == NumberKind::number;
-    };
-    if (std::ranges::none_of(chosen, holds_number)) continue;
-    for (const injury::MeasuredColumn& column : chosen)
-      if (!holds_number(column))
-        faults.add(row.line, column.name, field_of(column),
-                   rule_for(read_csv_number(field_of(column), separator).kind));
-  }
-}
-
-struct Table {
-  std::string content;
-  std::string_view text;  ///< without byte order mark
-  bool has_mark = false;
-  bool has_one_column = false;
-  char separator = ',';
-  CsvHeader header;
-  CsvColumns columns;
-};
-
-void read_table(const std::filesystem::path& file, const PulseCsvOptions& options, MeasurementFaults& faults,
-                Table& table) {
-  table.content = read_measurement(file);
-  table.text = text_in(table.content, faults);
-  table.has_mark = table.text.size() < table.content.size();
-  if (without_blanks(table.text).empty()) faults.refuse(0, "", "", "is empty");
-  const bool two_are_named = !options.time.empty() || (!options.interval && !options.acceleration.empty());
-  table.has_one_column = !two_are_named && is_one_column(table.text);
-  table.separator = table.has_one_column ? ';' : find_separator(table.text);
-  table.header = read_csv_header(table.text, table.separator, table.has_one_column ? 1 : 2);
-  if (table.header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
-  table.columns = name_columns(table.header);
-}
-
 std::vector<std::string> remarks_on(const Findings& findings, const CsvRows& rows, bool has_mark) {
   std::vector<std::string> remarks;
   if (has_mark) remarks.emplace_back("a byte order mark at the beginning was left out");
@@ -285,19 +245,21 @@ void judge_gaps(const NumberReader& numbers, const injury::MeasuredColumn& time,
 Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const PulseCsvOptions& options) {
   return reading_of([&]() -> PulseFile {
     MeasurementFaults faults(file.string());
-    Table table;
-    read_table(file, options, faults, table);
+    const std::string content = read_measurement(file);
+    const bool two_are_named = !options.time.empty() || (!options.interval && !options.acceleration.empty());
+    const CsvTable table = csv_table_in(content, faults, !two_are_named);
+    CsvColumns columns = name_columns(table.header);
     if (table.has_one_column && !options.interval)
       faults.refuse(
           table.header.first_line, "", "",
           "has one column of numbers, and no times; if that is the acceleration, --interval \"0.1 ms\" "
           "tells the time between two samples");
     injury::MeasuredPulse result{.format = "CSV", .resultant = options.resultant};
-    choose_columns(table.columns, table.header, options, faults, result.remarks);
+    choose_columns(columns, table.header, options, faults, result.remarks);
     faults.throw_if_any();
-    require_no_numbers(table.header, table.columns, table.separator, faults);
+    require_no_numbers(table.header, columns.names, read_columns_of(columns), table.separator, faults);
 
-    NumberReader numbers(table.columns, options.interval, table.separator, faults);
+    NumberReader numbers(columns, options.interval, table.separator, faults);
     CsvRows rows(table.text, table.separator);
     CsvRow row;
     std::size_t blank_lines = 0;
@@ -316,17 +278,17 @@ Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const Pulse
     judge_pulse(numbers.pulse, table.header.first_line, faults);
     faults.throw_if_any();
     std::vector<std::string> bridged;
-    if (!options.interval) judge_gaps(numbers, table.columns.time, options.bridge_gaps, faults, bridged);
+    if (!options.interval) judge_gaps(numbers, columns.time, options.bridge_gaps, faults, bridged);
     faults.throw_if_any();
 
-    for (std::string& remark : remarks_on(numbers.findings, rows, table.has_mark))
+    for (std::string& remark : remarks_on(numbers.findings, rows, table.text.size() < content.size()))
       result.remarks.push_back(std::move(remark));
     if (!result.counts_from.empty()) result.remarks.push_back(remark_on_clock(result.counts_from));
     for (std::string& remark : bridged) result.remarks.push_back(std::move(remark));
     result.pulse = std::move(numbers.pulse);
     result.components = std::move(numbers.components);
-    result.time = table.columns.time;
-    result.acceleration = table.columns.acceleration;
+    result.time = columns.time;
+    result.acceleration = columns.acceleration;
     return {std::move(result), {{"the measurement", file}}};
   });
 }
@@ -334,9 +296,8 @@ Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const Pulse
 Reading<std::vector<injury::MeasuredColumn>> pulse_csv_columns(const std::filesystem::path& file) {
   return reading_of([&]() -> std::vector<injury::MeasuredColumn> {
     MeasurementFaults faults(file.string());
-    Table table;
-    read_table(file, {}, faults, table);
-    return table.columns.all;
+    const std::string content = read_measurement(file);
+    return name_columns(csv_table_in(content, faults, true).header).all;
   });
 }
 

@@ -1,4 +1,4 @@
-#include "dashpad/input/measurement/strain_csv.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,7 @@
 #include <fmt/format.h>
 
 #include "input/measurement/column_units.hpp"
-#include "input/measurement/csv_columns.hpp"
-#include "input/measurement/csv_rows.hpp"
+#include "input/measurement/csv_table.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
@@ -17,13 +16,6 @@ namespace {
 
 constexpr std::size_t most_rows = 10'000;
 constexpr double least_strain = 1e-12;  // the largest of a history; below it, rounding is not small
-
-/// One strain of that unit as a pure number; absent for a unit that is none of a strain.
-std::optional<double> strain_factor(const std::string& unit) {
-  if (unit.empty() || unit == "1" || unit == "-") return 1;
-  if (unit == "%" || lower_case(unit) == "percent") return 0.01;
-  return std::nullopt;
-}
 
 /// A column called strain, with its unit also where no bracket sets it apart: "strain %", "strain_percent".
 std::optional<injury::MeasuredColumn> as_strain(injury::MeasuredColumn column) {
@@ -43,11 +35,8 @@ struct StrainColumns {
 
 /// Faults where the header does not tell which is which, or in which unit.
 StrainColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
-  const CsvColumns named = name_columns(header);
-  const std::size_t line = named.names != nullptr ? named.names->line : header.first_line;
-  if (named.names == nullptr)
-    faults.refuse(line, "", "",
-                  "needs a line above the numbers that names the columns and their units: time_s,strain");
+  const CsvColumns named = named_columns(header, " and their units: time_s,strain", faults);
+  const std::size_t line = named.names->line;
   std::vector<injury::MeasuredColumn> times, strains;
   for (const injury::MeasuredColumn& column : named.all) {
     if (const auto strain = as_strain(column))
@@ -74,26 +63,12 @@ StrainColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
   }
   if (strains.size() == 1) {
     chosen.strain = strains.front();
-    const auto factor = strain_factor(chosen.strain.unit);
-    if (!factor) faults.add(line, chosen.strain.name, "", "a strain is a pure number, or in %");
-    chosen.strain.factor = factor.value_or(1);
+    const auto in_one = units_in_strain_one(chosen.strain.unit);
+    if (!in_one) faults.add(line, chosen.strain.name, "", "a strain is a pure number, or in %");
+    chosen.strain.factor = 1 / in_one.value_or(1);
   }
   faults.throw_if_any();
   return chosen;
-}
-
-/// A strain in a row above the numbers, but below the names: a row that would be lost.
-void require_no_numbers(const CsvHeader& header, const StrainColumns& columns, char separator,
-                        MeasurementFaults& faults) {
-  const std::size_t names = name_columns(header).names->line;
-  const auto field = [](const CsvHeader::Row& row, const injury::MeasuredColumn& column) {
-    const auto at = static_cast<std::size_t>(column.number - 1);
-    return at < row.fields.size() ? std::string_view(row.fields[at]) : std::string_view();
-  };
-  for (const CsvHeader::Row& row : header.rows)
-    if (row.line > names && read_csv_number(field(row, columns.strain), separator).kind == NumberKind::number)
-      faults.add(row.line, columns.time.name, field(row, columns.time),
-                 rule_for(read_csv_number(field(row, columns.time), separator).kind));
 }
 
 /// Reads the rows and judges each as it comes.
@@ -103,8 +78,8 @@ class StrainReader {
       : columns_(std::move(columns)), separator_(separator), faults_(faults) {}
 
   void add(const CsvRow& row) {
-    if (!row.fault.empty()) return faults_.add(row.line, "", "", std::string(row.fault));
-    const auto time = value(row, columns_.time), strain = value(row, columns_.strain);
+    const auto time = number_in(row, columns_.time, separator_, faults_);
+    const auto strain = number_in(row, columns_.strain, separator_, faults_);
     if (!time || !strain) return;
     if (rows_++ == most_rows) faults_.refuse(row.line, "", "", fmt::format("more than {} rows", most_rows));
     if (!table.time.empty() && *time == table.time.back() && *strain == table.strain.back()) {
@@ -114,18 +89,18 @@ class StrainReader {
     // The first time is taken off all others: what counts is what rounding leaves of them.
     const double begin = table.time.empty() ? *time : table.time.front();
     if (!std::isfinite(*time - begin))
-      faults_.add(row.line, columns_.time.name, field(row, columns_.time),
+      faults_.add(row.line, columns_.time.name, field_in(row, columns_.time),
                   rule_for(NumberKind::out_of_range));
     else if (last_time_ && !(*time - begin > *last_time_ - begin))
-      faults_.add(row.line, columns_.time.name, field(row, columns_.time),
+      faults_.add(row.line, columns_.time.name, field_in(row, columns_.time),
                   *time > *last_time_ ? "is too near the time before, so long after the first"
                                       : "must be later than the time before");
     last_time_ = time;
     if (!(*strain >= 0 && *strain < 1))
-      faults_.add(row.line, columns_.strain.name, field(row, columns_.strain),
+      faults_.add(row.line, columns_.strain.name, field_in(row, columns_.strain),
                   "a strain is at least 0 and below 1 (100 %), positive in compression");
     else if (rows_ == 1 && *strain != 0)
-      faults_.add(row.line, columns_.strain.name, field(row, columns_.strain),
+      faults_.add(row.line, columns_.strain.name, field_in(row, columns_.strain),
                   "the history begins at first contact, with strain 0");
     table.time.push_back(*time);
     table.strain.push_back(*strain);
@@ -152,18 +127,6 @@ class StrainReader {
   StrainTable table;
 
  private:
-  static std::string_view field(const CsvRow& row, const injury::MeasuredColumn& column) {
-    const auto at = static_cast<std::size_t>(column.number - 1);
-    return at < row.fields.size() ? without_blanks(row.fields[at]) : std::string_view{};
-  }
-
-  std::optional<double> value(const CsvRow& row, const injury::MeasuredColumn& column) {
-    const ReadNumber read = read_csv_number(field(row, column), separator_);
-    if (read.kind == NumberKind::number) return read.value * column.factor;
-    faults_.add(row.line, column.name, field(row, column), rule_for(read.kind));
-    return std::nullopt;
-  }
-
   StrainColumns columns_;
   char separator_;
   MeasurementFaults& faults_;
@@ -177,14 +140,12 @@ Reading<StrainTable> read_strain_csv(const std::filesystem::path& file) {
   return reading_of([&]() -> StrainTable {
     MeasurementFaults faults(file.string());
     const std::string content = read_measurement(file);
-    const auto [text, separator, header] = csv_table_in(content, faults);
-
-    const StrainColumns columns = choose(header, faults);
-    require_no_numbers(header, columns, separator, faults);
-    StrainReader reader(columns, separator, faults);
-    CsvRows rows(text, separator);
-    for (CsvRow row; rows.next(row);)
-      if (row.line >= header.first_line) reader.add(row);
+    const CsvTable csv = csv_table_in(content, faults);
+    const StrainColumns columns = choose(csv.header, faults);
+    require_no_numbers(csv.header, name_columns(csv.header).names, {columns.time, columns.strain},
+                       csv.separator, faults, 1);
+    StrainReader reader(columns, csv.separator, faults);
+    each_row(csv, faults, [&](const CsvRow& row) { reader.add(row); });
     reader.finish();
     faults.throw_if_any();
     if (const double begin = reader.table.time.front(); begin != 0) {

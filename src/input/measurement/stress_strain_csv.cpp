@@ -1,4 +1,4 @@
-#include "dashpad/input/measurement/stress_strain_csv.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,7 @@
 
 #include "dashpad/quantities/quantity.hpp"
 #include "input/measurement/column_units.hpp"
-#include "input/measurement/csv_columns.hpp"
-#include "input/measurement/csv_rows.hpp"
+#include "input/measurement/csv_table.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
@@ -20,11 +19,7 @@ constexpr std::size_t most_rows_of_a_test = 10'000;
 constexpr double least_strain_of_a_test = 1e-9;
 
 /// "stress_kPa", "stress [kPa]" and "stress (kPa)" are "stress" in "kPa".
-struct TestHeader {
-  std::string name, unit;
-};
-
-TestHeader without_unit(const injury::MeasuredColumn& column) {
+HeaderText without_unit(const injury::MeasuredColumn& column) {
   const std::string& text = column.name;
   for (const auto& [open, close] : {std::pair('[', ']'), std::pair('(', ')')})
     if (const auto begin = text.find(open); begin != std::string::npos && text.ends_with(close))
@@ -36,35 +31,25 @@ TestHeader without_unit(const injury::MeasuredColumn& column) {
   return {text.substr(0, mark), text.substr(mark + 1)};
 }
 
-/// What the columns of one test are, and 1 of each in SI.
-struct TestColumn {
-  std::string name;
-  std::size_t place = 0;
-  double factor = 1;
-};
 struct TestColumns {
-  TestColumn strain, stress;
-  std::optional<TestColumn> time;
+  injury::MeasuredColumn strain, stress;
+  std::optional<injury::MeasuredColumn> time;
 };
 
-struct FoundColumn {
-  injury::MeasuredColumn column;
-  std::string unit;
-};
-
-/// By its whole header, else by its name without the unit.
-std::optional<FoundColumn> find_column(const std::vector<injury::MeasuredColumn>& all,
-                                       const std::string& wanted, const char* kind, std::size_t line,
-                                       MeasurementFaults& faults) {
+/// By its whole header, else by its name without the unit. Its unit is that of the header.
+std::optional<injury::MeasuredColumn> find_column(const std::vector<injury::MeasuredColumn>& all,
+                                                  const std::string& wanted, const char* kind,
+                                                  std::size_t line, MeasurementFaults& faults) {
   std::string names;
-  std::vector<FoundColumn> found;
+  std::vector<injury::MeasuredColumn> found;
   for (const injury::MeasuredColumn& column : all) {
-    const TestHeader header = without_unit(column);
+    const HeaderText header = without_unit(column);
     names += (names.empty() ? "" : ", ") + column.name;
     const std::string whole = lower_case(wanted);
     const bool exact = lower_case(column.name) == whole;
     if (exact || lower_case(header.name) == whole) {
-      found.push_back({column, header.unit});
+      found.push_back(column);
+      found.back().unit = header.unit;
       if (exact) return found.back();
     }
   }
@@ -75,56 +60,44 @@ std::optional<FoundColumn> find_column(const std::vector<injury::MeasuredColumn>
   return std::nullopt;
 }
 
-std::optional<double> factor_of_strain(const std::string& unit) {
-  const std::string word = lower_case(unit);
-  if (word == "fraction" || word == "1" || word == "-") return 1;
-  if (word == "percent" || word == "%") return 0.01;
-  return std::nullopt;
-}
-
-std::optional<double> factor_of(const std::string& unit, const std::string& si_unit) {
-  try {
-    return to_si("1 " + unit, si_unit);
-  } catch (const UnitError&) {
-    return std::nullopt;
-  }
-}
-
-TestColumn settle_strain(const FoundColumn& found, const StressStrainColumns& wanted, std::size_t line,
-                         MeasurementFaults& faults) {
-  const auto factor = factor_of_strain(wanted.strain_unit.empty() ? found.unit : wanted.strain_unit);
-  if (!factor)
-    faults.add(line, found.column.name, "",
+void settle_strain(injury::MeasuredColumn& column, const std::string& given, std::size_t line,
+                   MeasurementFaults& faults) {
+  const std::string unit = lower_case(given.empty() ? column.unit : given);
+  const auto in_one = unit == "fraction" ? 1 : unit.empty() ? std::nullopt : units_in_strain_one(unit);
+  if (!in_one)
+    faults.add(line, column.name, "",
                "its unit is not stated: say strain_unit = \"fraction\" or strain_unit = \"percent\"");
-  return {found.column.name, static_cast<std::size_t>(found.column.number - 1), factor.value_or(1)};
+  column.factor = 1 / in_one.value_or(1);
 }
 
-TestColumn settle_quantity(const FoundColumn& found, const std::string& given, const std::string& si_unit,
-                           const char* key, std::size_t line, MeasurementFaults& faults) {
-  const std::string unit = given.empty() ? found.unit : given;
-  const auto factor = unit.empty() ? std::nullopt : factor_of(unit, si_unit);
-  if (!factor)
+void settle_quantity(injury::MeasuredColumn& column, const std::string& given, const std::string& si_unit,
+                     const char* key, std::size_t line, MeasurementFaults& faults) {
+  const std::string unit = given.empty() ? column.unit : given;
+  const auto [factor, rule] = read_si("1 " + unit, si_unit);
+  const bool is_stated = !unit.empty() && rule.empty();
+  if (!is_stated)
     faults.add(
-        line, found.column.name, unit,
+        line, column.name, unit,
         fmt::format("its unit is not stated: put it into the header, such as {0}, or say {1} = \"{2}\"",
                     si_unit == "Pa" ? "stress_kPa" : "time_s", key, si_unit == "Pa" ? "kPa" : "s"));
-  return {found.column.name, static_cast<std::size_t>(found.column.number - 1), factor.value_or(1)};
+  column.factor = is_stated ? factor : 1;
 }
 
 TestColumns columns_of_test(const CsvHeader& header, const StressStrainColumns& wanted,
                             MeasurementFaults& faults) {
-  const CsvColumns named = name_columns(header);
-  const std::size_t line = named.names != nullptr ? named.names->line : header.first_line;
-  if (named.names == nullptr)
-    faults.refuse(line, "", "", "needs a line above the numbers that names the columns: strain,stress_kPa");
+  const CsvColumns named = named_columns(header, ": strain,stress_kPa", faults);
+  const std::size_t line = named.names->line;
   TestColumns columns;
-  if (const auto strain = find_column(named.all, wanted.strain, "strain", line, faults))
-    columns.strain = settle_strain(*strain, wanted, line, faults);
-  if (const auto stress = find_column(named.all, wanted.stress, "stress", line, faults))
-    columns.stress = settle_quantity(*stress, wanted.stress_unit, "Pa", "stress_unit", line, faults);
-  if (!wanted.time.empty())
-    if (const auto time = find_column(named.all, wanted.time, "time", line, faults))
-      columns.time = settle_quantity(*time, wanted.time_unit, "s", "time_unit", line, faults);
+  if (const auto strain = find_column(named.all, wanted.strain, "strain", line, faults)) {
+    columns.strain = *strain;
+    settle_strain(columns.strain, wanted.strain_unit, line, faults);
+  }
+  if (const auto stress = find_column(named.all, wanted.stress, "stress", line, faults)) {
+    columns.stress = *stress;
+    settle_quantity(columns.stress, wanted.stress_unit, "Pa", "stress_unit", line, faults);
+  }
+  if (!wanted.time.empty()) columns.time = find_column(named.all, wanted.time, "time", line, faults);
+  if (columns.time) settle_quantity(*columns.time, wanted.time_unit, "s", "time_unit", line, faults);
   faults.throw_if_any();
   return columns;
 }
@@ -135,7 +108,6 @@ class TestReader {
       : columns_(columns), separator_(separator), faults_(faults) {}
 
   void add(const CsvRow& row) {
-    if (!row.fault.empty()) return faults_.add(row.line, "", "", std::string(row.fault));
     if (table.strain.size() == most_rows_of_a_test)
       faults_.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", most_rows_of_a_test));
     const auto strain = value(row, columns_.strain, "1");
@@ -146,7 +118,7 @@ class TestReader {
       if (!read) return;
       time = *read;
       if (rows_with_time_++ > 0 && !(time > last_time_)) {
-        faults_.add(row.line, columns_.time->name, field(row, *columns_.time),
+        faults_.add(row.line, columns_.time->name, field_in(row, *columns_.time),
                     "must be later than the time before");
         return;
       }
@@ -154,7 +126,7 @@ class TestReader {
     }
     if (!strain || !stress) return;
     if (*strain >= 1) {
-      faults_.add(row.line, columns_.strain.name, field(row, columns_.strain),
+      faults_.add(row.line, columns_.strain.name, field_in(row, columns_.strain),
                   columns_.strain.factor == 1
                       ? "a strain is below 1: is it in per cent? Then say strain_unit = \"percent\""
                       : "a strain is below 100 %");
@@ -186,17 +158,12 @@ class TestReader {
   StressStrainTable table;
 
  private:
-  static std::string_view field(const CsvRow& row, const TestColumn& column) {
-    return column.place < row.fields.size() ? without_blanks(row.fields[column.place]) : std::string_view{};
-  }
-  std::optional<double> value(const CsvRow& row, const TestColumn& column, const char* si_unit) {
-    const ReadNumber read = read_csv_number(field(row, column), separator_);
-    const double value = read.value * column.factor, most = measured_magnitudes(si_unit).most;
-    if (read.kind == NumberKind::number && std::abs(value) <= most) return value;
-    faults_.add(row.line, column.name, field(row, column),
-                read.kind == NumberKind::number
-                    ? fmt::format("must be within {:g} {}: no test of a foam gives more", most, si_unit)
-                    : rule_for(read.kind));
+  std::optional<double> value(const CsvRow& row, const injury::MeasuredColumn& column, const char* si_unit) {
+    const auto value = number_in(row, column, separator_, faults_);
+    const double most = measured_magnitudes(si_unit).most;
+    if (!value || std::abs(*value) <= most) return value;
+    faults_.add(row.line, column.name, field_in(row, column),
+                fmt::format("must be within {:g} {}: no test of a foam gives more", most, si_unit));
     return std::nullopt;
   }
 
@@ -214,12 +181,10 @@ Reading<StressStrainTable> read_stress_strain_csv(const std::filesystem::path& f
   return reading_of([&]() -> StressStrainTable {
     MeasurementFaults faults(file.string());
     const std::string content = read_measurement(file);
-    const auto [text, separator, header] = csv_table_in(content, faults);
-    const TestColumns columns = columns_of_test(header, wanted, faults);
-    TestReader reader(columns, separator, faults);
-    CsvRows rows(text, separator);
-    for (CsvRow row; rows.next(row);)
-      if (row.line >= header.first_line) reader.add(row);
+    const CsvTable csv = csv_table_in(content, faults);
+    const TestColumns columns = columns_of_test(csv.header, wanted, faults);
+    TestReader reader(columns, csv.separator, faults);
+    each_row(csv, faults, [&](const CsvRow& row) { reader.add(row); });
     reader.finish();
     return std::move(reader.table);
   });

@@ -1,4 +1,4 @@
-#include "dashpad/output/deck/curves.hpp"
+#include "dashpad/output/deck/exports.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +82,23 @@ std::size_t deepest(const History& history) {
   return static_cast<std::size_t>(std::max_element(y.begin(), y.end()) - y.begin());
 }
 
+/// The points between two that are kept, and the one that is furthest off the line between these.
+struct Stretch {
+  std::size_t first, last, furthest;
+  double error;
+  bool operator<(const Stretch& other) const { return error < other.error; }
+};
+
+Stretch stretch(const Curve& curve, std::size_t first, std::size_t last) {
+  Stretch of{first, last, first, 0};
+  const double slope = (curve.y[last] - curve.y[first]) / (curve.x[last] - curve.x[first]);
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const double error = std::abs(curve.y[first] + slope * (curve.x[i] - curve.x[first]) - curve.y[i]);
+    if (error > of.error) of.furthest = i, of.error = error;
+  }
+  return of;
+}
+
 }  // namespace
 
 const std::vector<std::string>& curve_names() {
@@ -128,27 +145,6 @@ Curve unloading_branch(const Solution& solution) {
   builder.add_last(largest, history.force_of_pad()[first]);
   return builder.take();
 }
-
-namespace {
-
-/// The points between two that are kept, and the one that is furthest off the line between these.
-struct Stretch {
-  std::size_t first, last, furthest;
-  double error;
-  bool operator<(const Stretch& other) const { return error < other.error; }
-};
-
-Stretch stretch(const Curve& curve, std::size_t first, std::size_t last) {
-  Stretch of{first, last, first, 0};
-  const double slope = (curve.y[last] - curve.y[first]) / (curve.x[last] - curve.x[first]);
-  for (std::size_t i = first + 1; i < last; ++i) {
-    const double error = std::abs(curve.y[first] + slope * (curve.x[i] - curve.x[first]) - curve.y[i]);
-    if (error > of.error) of.furthest = i, of.error = error;
-  }
-  return of;
-}
-
-}  // namespace
 
 ThinnedCurve thinned(const Curve& curve, std::size_t most_points) {
   if (most_points < 2) throw std::invalid_argument("a curve needs 2 points");

@@ -9,7 +9,6 @@
 #include "dashpad/output/deck/exports.hpp"
 #include "dashpad/version.hpp"
 #include "output/deck/deck_text.hpp"
-#include "output/deck/material_points.hpp"
 
 namespace dashpad::output {
 

@@ -1,8 +1,10 @@
 // Foams as *MAT keywords of LS-DYNA.
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
-#include "output/deck/material_points.hpp"
+#include "output/deck/deck_text.hpp"
 
 namespace dashpad::output {
 
@@ -10,76 +12,11 @@ namespace {
 
 constexpr std::size_t columns = 80;
 
-/// A line of a material's card: names of its fields, and numbers in fields of `width` columns.
-class CardLine {
- public:
-  CardLine(DeckNumbers& numbers, std::size_t width) : numbers_(numbers), width_(width) {}
-
-  CardLine& id(const char* name, int value) { return add(name, fmt::format("{:>{}}", value, width_)); }
-  CardLine& plain(const char* name, double value) { return add(name, numbers_.plain(value, width_)); }
-  CardLine& stress(const char* name, double value) { return add(name, numbers_.stress(value, width_)); }
-  CardLine& density(const char* name, double value) { return add(name, numbers_.density(value, width_)); }
-  [[nodiscard]] std::string text() const { return "$" + names_ + "\n" + values_ + "\n"; }
-
- private:
-  CardLine& add(const char* name, const std::string& field) {
-    names_ += fmt::format("{:>{}}", name, names_.empty() ? width_ - 1 : width_);
-    values_ += field;
-    return *this;
-  }
-
-  DeckNumbers& numbers_;
-  std::size_t width_;
-  std::string names_, values_;
-};
-
-std::string low_density_cards(const Material& material, const Foam& foam, double modulus, int id,
-                              DeckNumbers& numbers, std::size_t width) {
-  CardLine first(numbers, width), second(numbers, width);
-  first.id("MID", id).density("RO", *material.density).stress("E", modulus).id("LCID", id).plain("TC", 0);
-  first.plain("HU", written_unloading_factor(foam)).plain("BETA", 0).plain("DAMP", 0);
-  second.plain("SHAPE", foam.unloading_shape).plain("FAIL", 0).plain("BVFLAG", 0).plain("ED", 0);
-  second.plain("BETA1", 0).plain("KCON", 0).plain("REF", 0);
-  return first.text() + second.text();
-}
-
-std::string fu_chang_cards(const Material& material, const Foam& foam, double modulus, int id,
-                           DeckNumbers& numbers, std::size_t width) {
-  CardLine first(numbers, width), second(numbers, width), third(numbers, width), fourth(numbers, width),
-      fifth(numbers, width);
-  first.id("MID", id).density("RO", *material.density).stress("E", modulus).plain("KCON", 0).plain("TC", 0);
-  first.plain("FAIL", 0).plain("DAMP", 0).id("TBID", id);
-  // SFLAG 1: the rates are those of the nominal strain.
-  second.plain("BVFLAG", 0).plain("SFLAG", 1).plain("RFLAG", 0).plain("TFLAG", 0).id("PVID", 0);
-  second.plain("SRAF", 0).plain("REF", 0).plain("HU", written_unloading_factor(foam));
-  for (const char* const name : {"D0", "N0", "N1", "N2", "N3", "C0", "C1", "C2"}) third.plain(name, 0);
-  for (const char* const name : {"C3", "C4", "C5", "AIJ", "SIJ", "MINR", "MAXR"}) fourth.plain(name, 0);
-  fourth.plain("SHAPE", foam.unloading_shape);
-  fifth.plain("EXPON", 1).plain("RIULD", 0);
-  return first.text() + second.text() + third.text() + fourth.text() + fifth.text();
-}
-
-std::string crushable_cards(const Material& material, const CrushableFoam& foam, bool modified, int id,
-                            DeckNumbers& numbers, std::size_t width) {
-  CardLine first(numbers, width), second(numbers, width);
-  first.id("MID", id).density("RO", *material.density).stress("E", foam.unloading_modulus).plain("PR", 0);
-  first.id(modified ? "TID" : "LCID", id).plain("TSC", 0).plain("DAMP", 0);
-  if (!modified) return first.id("MODEL", 0).text();
-  first.plain("NCYCLE", 0);
-  second.plain("SRCLMT", 0).id("SFLAG", 1);
-  return first.text() + second.text();
-}
-
 std::string curve_text(const TableCurve& curve, int id, const std::string& title, DeckNumbers& numbers) {
-  std::string text = fmt::format(
-      "*DEFINE_CURVE_TITLE\n{}\n"
-      "$     LCID      SIDR       SFA       SFO      OFFA      OFFO    DATTYP\n"
-      "{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n"
-      "$           STRAIN A1           STRESS O1\n{:>20}{:>20}\n",
-      title, id, 0, "1.0", "1.0", "0.0", "0.0", 0, "0.0", "0.0");
+  std::string points = numbers.point(0, 0);
   for (std::size_t i = 0; i < curve.strain.size(); ++i)
-    text += numbers.plain(curve.strain[i], 20) + numbers.stress(curve.stress[i], 20) + "\n";
-  return text;
+    points += numbers.point(curve.strain[i], curve.stress[i]);
+  return define_curve(title, id, "$           STRAIN A1           STRESS O1", points);
 }
 
 /// The classic kind of table: its curves follow at once.
@@ -88,7 +25,7 @@ std::string table_text(const MaterialPoints& points, int id, DeckNumbers& number
       "*DEFINE_TABLE_TITLE\nCurves by strain rate\n$     TBID\n{:>10}\n"
       "$               RATE\n",
       id);
-  for (const PointsAtRate& at : points.loading) text += numbers.rate(at.rate, 20) + "\n";
+  for (const PointsAtRate& at : points.loading) text += numbers.field(input::Content::rate, at.rate) + "\n";
   for (std::size_t i = 0; i < points.loading.size(); ++i)
     text +=
         curve_text(points.loading[i].curve, id + 1 + static_cast<int>(i),
@@ -96,14 +33,33 @@ std::string table_text(const MaterialPoints& points, int id, DeckNumbers& number
   return text;
 }
 
+const input::LsDynaFoam& foam_of(const std::string& format) {
+  return *std::ranges::find_if(input::ls_dyna_foams,
+                               [&](const input::LsDynaFoam& each) { return format.ends_with(each.number); });
+}
+
+/// SFLAG 1: the rates are those of the nominal strain.
 std::string cards_of(const Material& material, const MaterialPoints& points, const std::string& format,
                      int id, DeckNumbers& numbers, std::size_t width) {
-  if (const auto* const crushable = std::get_if<CrushableFoam>(&material.law))
-    return crushable_cards(material, *crushable, format == "ls-dyna-163", id, numbers, width);
-  const Foam& foam = std::get<Foam>(material.law);
-  const double modulus = steepest_line(points);
-  return format == "ls-dyna-083" ? fu_chang_cards(material, foam, modulus, id, numbers, width)
-                                 : low_density_cards(material, foam, modulus, id, numbers, width);
+  CardValues values{{"MID", id},
+                    {"LCID", id},
+                    {"TBID", id},
+                    {"TID", id},
+                    {"SFLAG", 1},
+                    {"EXPON", 1},
+                    {"RO", *material.density}};
+  if (const auto* const crushable = std::get_if<CrushableFoam>(&material.law)) {
+    values["E"] = crushable->unloading_modulus;
+  } else {
+    const Foam& foam = std::get<Foam>(material.law);
+    values["E"] = steepest_line(points);
+    values["HU"] = written_unloading_factor(foam);
+    values["SHAPE"] = foam.unloading_shape;
+  }
+  std::string text;
+  for (const input::DeckCard card : foam_of(format).cards)
+    text += card_text('$', card, values, numbers, width);
+  return text;
 }
 
 const char* keyword_for(const std::string& format) {

@@ -1,4 +1,4 @@
-#include "output/deck/material_points.hpp"
+#include "output/deck/deck_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "output/deck/deck_text.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -125,10 +124,38 @@ double steepest_line(const MaterialPoints& points) {
   return rounded_to(std::ceil(steepest / unit) * unit, 3);
 }
 
-std::string DeckNumbers::field(double value, const input::DeckUnit& unit, std::size_t width) {
+std::string DeckNumbers::field(input::Content content, double value, std::size_t width) {
+  if (content == input::Content::whole) return fmt::format("{:>{}}", static_cast<long>(value), width);
+  const input::DeckUnit& unit = units_.of(content);
   const std::string text = input::deck_number(value, unit, width);
   if (input::read_deck_number(text, unit).value != value) ++rounded_;
   return fmt::format("{:>{}}", text, width);
+}
+
+std::string DeckNumbers::point(double strain, double stress) {
+  return field(input::Content::number, strain) + field(input::Content::stress, stress) + "\n";
+}
+
+std::string card_text(char mark, input::DeckCard card, const CardValues& values, DeckNumbers& numbers,
+                      std::size_t width) {
+  std::string names;
+  for (const input::DeckField& field : card) {
+    const std::size_t room = width > 0 ? width : field.width;
+    names += names.empty() ? mark + fmt::format("{:>{}}", field.name, room - 1)
+                           : fmt::format("{:>{}}", field.name, room);
+  }
+  return names + "\n" + card_line(card, values, numbers, width);
+}
+
+std::string card_line(input::DeckCard card, const CardValues& values, DeckNumbers& numbers,
+                      std::size_t width) {
+  std::string line;
+  for (const input::DeckField& field : card) {
+    const auto value = values.find(field.name);
+    line += numbers.field(field.content, value == values.end() ? 0 : value->second,
+                          width > 0 ? width : field.width);
+  }
+  return line + "\n";
 }
 
 double written_unloading_factor(const Foam& foam) {

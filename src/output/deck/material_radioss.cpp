@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "output/deck/material_points.hpp"
+#include "output/deck/deck_text.hpp"
 
 namespace dashpad::output {
+
+namespace deck = input::deck;
+using input::Content;
 
 namespace {
 
@@ -15,10 +18,9 @@ constexpr std::size_t columns_of_title = 100;
 std::string function_text(const TableCurve& curve, int id, const std::string& title, bool mirrored,
                           DeckNumbers& numbers) {
   std::string text = fmt::format("/FUNCT/{}\n{}\n#                  X                   Y\n", id, title);
-  const std::string origin = fmt::format("{:>20}{:>20}\n", "0.0", "0.0");
+  const std::string origin = numbers.point(0, 0);
   const auto point = [&](std::size_t i) {
-    const double strain = mirrored ? -curve.strain[i] : curve.strain[i];
-    return numbers.plain(strain, 20) + numbers.stress(curve.stress[i], 20) + "\n";
+    return numbers.point(mirrored ? -curve.strain[i] : curve.strain[i], curve.stress[i]);
   };
   const std::size_t count = curve.strain.size();
   if (!mirrored) text += origin;
@@ -29,14 +31,16 @@ std::string function_text(const TableCurve& curve, int id, const std::string& ti
 std::string rows_text(const MaterialPoints& points, int first_id, DeckNumbers& numbers) {
   std::string text = "#  fct_IDL             Eps_dot              Fscale\n";
   for (std::size_t i = 0; i < points.loading.size(); ++i)
-    text += fmt::format("{:>10}{}{:>20}\n", first_id + static_cast<int>(i),
-                        numbers.rate(points.loading[i].rate, 20), "1.0");
+    text += card_line(
+        deck::function_row,
+        {{"fct_ID", first_id + static_cast<int>(i)}, {"Eps_dot", points.loading[i].rate}, {"Fscale", 1}},
+        numbers);
   return text;
 }
 
 std::string head_text(const Material& material, const char* law, int id, DeckNumbers& numbers) {
-  return fmt::format("/MAT/{}/{}\n{}\n#              RHO_I\n{}\n", law, id,
-                     deck_title(material, columns_of_title), numbers.density(*material.density, 20));
+  return fmt::format("/MAT/{}/{}\n{}\n", law, id, deck_title(material, columns_of_title)) +
+         card_text('#', deck::density_line, {{"RHO_I", *material.density}}, numbers);
 }
 
 std::string loading_functions(const MaterialPoints& points, int first_id, DeckNumbers& numbers) {
@@ -51,35 +55,35 @@ std::string loading_functions(const MaterialPoints& points, int first_id, DeckNu
 std::string law_90(const Material& material, const Foam& foam, const MaterialPoints& points, int id,
                    DeckNumbers& numbers) {
   std::string text = head_text(material, "LAW90", id, numbers);
-  text += fmt::format("#                 E0                  nu\n{}{:>20}\n",
-                      numbers.stress(steepest_line(points), 20), "0.0");
-  text += fmt::format(
-      "#       NL   Ismooth                Fcut               Shape                 Hys               Alpha\n"
-      "{:>10}{:>10}{:>20}{}{}{:>20}\n",
-      points.loading.size(), 0, "0.0", numbers.plain(foam.unloading_shape, 20),
-      numbers.plain(written_unloading_factor(foam), 20), "1.0");
+  text += card_text('#', deck::law_90_elastic, {{"E0", steepest_line(points)}}, numbers);
+  text += card_text('#', deck::law_90_flags,
+                    {{"NL", points.loading.size()},
+                     {"Shape", foam.unloading_shape},
+                     {"Hys", written_unloading_factor(foam)},
+                     {"Alpha", 1}},
+                    numbers);
   return text + rows_text(points, id, numbers) + loading_functions(points, id, numbers);
 }
 
 std::string law_70(const Material& material, const Foam& foam, const MaterialPoints& points, int id,
                    DeckNumbers& numbers) {
   std::string text = head_text(material, "LAW70", id, numbers);
-  const std::string modulus = numbers.stress(steepest_line(points), 20);
+  const double modulus = steepest_line(points);
   const int id_back = id + static_cast<int>(points.loading.size());
-  text += fmt::format(
-      "#                 E0                  nu               E_max             EPS_max     Itens\n"
-      "{}{:>20}{}{:>20}{:>10}\n",
-      modulus, "0.0", modulus, "1.0", 0);
+  text +=
+      card_text('#', deck::law_70_elastic, {{"E0", modulus}, {"E_max", modulus}, {"EPS_max", 1}}, numbers);
   // Iflag 0: by the unloading function; 4: the whole stress by Shape and Hys.
-  text += fmt::format(
-      "#               Fcut   Fsmooth        NL       NuL     Iflag               Shape                 Hys\n"
-      "{:>20}{:>10}{:>10}{:>10}{:>10}{}{}\n",
-      "0.0", 0, points.loading.size(), points.unloading ? 1 : 0, points.unloading ? 0 : 4,
-      numbers.plain(foam.unloading_shape, 20), numbers.plain(written_unloading_factor(foam), 20));
+  text += card_text('#', deck::law_70_flags,
+                    {{"NL", points.loading.size()},
+                     {"NuL", points.unloading ? 1 : 0},
+                     {"Iflag", points.unloading ? 0 : 4},
+                     {"Shape", foam.unloading_shape},
+                     {"Hys", written_unloading_factor(foam)}},
+                    numbers);
   text += rows_text(points, id, numbers);
   if (points.unloading)
-    text += fmt::format("# fct_IDuL             Eps_dot              Fscale\n{:>10}{:>20}{:>20}\n", id_back,
-                        "0.0", "1.0");
+    text += "# fct_IDuL             Eps_dot              Fscale\n" +
+            card_line(deck::function_row, {{"fct_ID", id_back}, {"Fscale", 1}}, numbers);
   text += loading_functions(points, id, numbers);
   if (points.unloading)
     text += function_text(*points.unloading, id_back, "Way back from the last strain", false, numbers);
@@ -89,12 +93,10 @@ std::string law_70(const Material& material, const Foam& foam, const MaterialPoi
 std::string law_33(const Material& material, const CrushableFoam& foam, const MaterialPoints& points, int id,
                    DeckNumbers& numbers) {
   std::string text = head_text(material, "LAW33", id, numbers);
-  text += fmt::format("#                  E        Ka   fct_IDf              Fscale\n{}{:>10}{:>10}{:>20}\n",
-                      numbers.stress(foam.unloading_modulus, 20), 0, id, "1.0");
-  text += fmt::format("#                 P0                 Phi             Gamma_0\n{0:>20}{0:>20}{0:>20}\n",
-                      "0.0");
-  text += fmt::format("#                  A                   B                   C\n{0:>20}{0:>20}{0:>20}\n",
-                      "0.0");
+  text += card_text('#', deck::law_33_elastic,
+                    {{"E", foam.unloading_modulus}, {"fct_IDf", id}, {"Fscale", 1}}, numbers);
+  text += card_text('#', deck::law_33_gas, {}, numbers);
+  text += card_text('#', input::DeckCard(deck::law_33_yield).first(3), {}, numbers);
   return text + function_text(points.loading.front().curve, id,
                               "Yield stress over volumetric strain V/V0 - 1, negative in compression", true,
                               numbers);
@@ -114,22 +116,20 @@ std::string law_62(const Material& material, const ViscoelasticFoam& foam, int i
     if (share > 0) branches.emplace_back(share / sudden, time);
 
   std::string text = head_text(material, "LAW62", id, numbers);
-  text += fmt::format(
-      "#                 Nu         N         M              mu_max Flag_Visc Flag_Rigi\n"
-      "{:>20}{:>10}{:>10}{:>20}{:>10}{:>10}\n",
-      "0.0", terms.size(), branches.size(), "0.0", 1, 0);
+  text += card_text('#', deck::law_62_flags, {{"N", terms.size()}, {"M", branches.size()}, {"Flag_Visc", 1}},
+                    numbers);
   text += "#               mu_i\n";
-  for (const auto& [modulus, exponent] : terms) text += numbers.stress(modulus, 20);
+  for (const auto& [modulus, exponent] : terms) text += numbers.field(Content::stress, modulus);
   text += "\n#            alpha_i\n";
-  for (const auto& [modulus, exponent] : terms) text += numbers.plain(exponent, 20);
+  for (const auto& [modulus, exponent] : terms) text += numbers.field(Content::number, exponent);
   if (!branches.empty()) {
     text += "\n#            gamma_i\n";
-    for (const auto& [ratio, time] : branches) text += numbers.plain(ratio, 20);
+    for (const auto& [ratio, time] : branches) text += numbers.field(Content::number, ratio);
     text += "\n#              tau_i\n";
-    for (const auto& [ratio, time] : branches) text += numbers.time(time, 20);
+    for (const auto& [ratio, time] : branches) text += numbers.field(Content::time, time);
   }
   text += "\n#               nu_i\n";
-  for (std::size_t i = 0; i < terms.size(); ++i) text += fmt::format("{:>20}", "0.0");
+  for (std::size_t i = 0; i < terms.size(); ++i) text += numbers.field(Content::number, 0);
   return text + "\n";
 }
 

@@ -5,7 +5,7 @@
 
 #include "dashpad/output/document.hpp"
 #include "dashpad/quantities/unit_system.hpp"
-#include "dashpad/study/questions.hpp"
+#include "dashpad/study/answers.hpp"
 
 namespace dashpad::output {
 

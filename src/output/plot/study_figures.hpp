@@ -8,7 +8,7 @@
 
 #include "dashpad/output/plot/plot.hpp"
 #include "dashpad/quantities/unit_system.hpp"
-#include "dashpad/study/questions.hpp"
+#include "dashpad/study/answers.hpp"
 
 namespace dashpad::output {
 

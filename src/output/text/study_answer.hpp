@@ -6,7 +6,7 @@
 #include <string>
 
 #include "dashpad/quantities/unit_system.hpp"
-#include "dashpad/study/questions.hpp"
+#include "dashpad/study/answers.hpp"
 
 namespace dashpad::output {
 

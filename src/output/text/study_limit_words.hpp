@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "dashpad/study/questions.hpp"
+#include "dashpad/study/answers.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "dashpad/output/text/table.hpp"
-#include "dashpad/study/questions.hpp"
+#include "dashpad/study/answers.hpp"
 
 namespace dashpad::output {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/study/questions.hpp"
+#include "dashpad/study/answers.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "dashpad/quantities/constants.hpp"
-#include "input/measurement/csv_rows.hpp"
+#include "input/disk.hpp"
+#include "input/measurement/csv_table.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "input/spelling.hpp"
-#include "input/text_file.hpp"
 
 namespace dashpad::report1986 {
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/input/measurement/sensitivity.hpp"
 #include "dashpad/input/pulse_file.hpp"
 #include "dashpad/input/reading.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "dashpad/input/fault.hpp"
-#include "dashpad/input/input_file.hpp"
+#include "dashpad/input/reading.hpp"
 
 namespace dashpad::report1986 {
 

@@ -1,0 +1,208 @@
+// dashpad compare: the accurate solver beside the program of 1984, or beside a measured pulse.
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "command.hpp"
+#include "dashpad/injury/pulse_comparison.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/output/pulse.hpp"
+#include "dashpad/report1986/comparison.hpp"
+#include "dashpad/spit1984/deck.hpp"
+#include "documents.hpp"
+#include "output.hpp"
+#include "progress_line.hpp"
+#include "pulse/request.hpp"
+
+namespace dashpad::app {
+
+namespace {
+
+constexpr const char* compare_footer = R"(Examples:
+  dashpad compare examples/dashboard-20mph.toml --units us
+  dashpad compare examples/dashboard-20mph.toml --picture comparison.svg
+  dashpad compare examples/dashboard-20mph.toml --time-step 0.05 --json -
+  dashpad compare examples/helmet-pad-10fps.toml --pulse examples/pulses/synthetic-helmet-pad.csv
+  dashpad compare examples/helmet-pad-10fps.toml --pulse my-drop.csv --zero auto --filter CFC1000
+  dashpad compare examples/helmet-pad-10fps.toml --pulse my-drop.csv --report comparison.html
+
+Without --pulse, rows: the accurate solver (exact units, and with the constants of 1984), the program of 1984 in
+the arithmetic of its machine, in single and in double precision, and with its defects mended. docs/spit1984.md
+explains what to believe. --picture draws force and penetration over time; the ending of FILE says what it
+becomes: .svg, .png or .pdf.
+
+With --pulse FILE, a measured pulse is laid over the computed deceleration, and the differences are named: peak,
+time to peak, width (all time above half the peak), velocity change over contact, HIC15, restitution. FILE is
+what dashpad pulse reads, with its options. --align says what coincides: the onset (default: where each pulse
+first reaches 5 % of its own peak), the peak, or none. With --filter the computed pulse is filtered alike. The
+restitution of the measured pulse is of the case's speed, unless --speed or --drop-height says otherwise. A
+pulse without acceleration is refused, and so is one without an onset: above 5 % of its peak from its first
+sample on. docs/pulses.md has the rules, and what the flags of a pulse mean.
+
+Exit codes: 0 done (whatever became of the runs of 1984), 1 a result could not be written, 2 refused and
+nothing was run, 3 the accurate solver missed the tolerance.)";
+
+struct CompareRequest {
+  GivenCase given;
+  std::optional<std::string> picture;
+  std::optional<std::string> json;
+  DocumentFiles documents;
+  std::string units;
+  double time_step_ms = 0.1;
+  PulseRequest pulse;
+  std::string align = injury::to_string(injury::Alignment::onset);
+  std::string materials;
+  bool force = false;
+};
+
+std::vector<Target> targets(const CompareRequest& request) {
+  return targets_of({{"--picture", request.picture},
+                     {"--json", request.json},
+                     {"--report", request.documents.page},
+                     {"--markdown", request.documents.markdown}});
+}
+
+input::CaseFile read_and_check(const CompareRequest& request, const std::filesystem::path& materials) {
+  std::vector<std::string> wrong;
+  judge_picture(request.picture, wrong);
+  if (std::isnan(request.time_step_ms)) wrong.emplace_back("--time-step nan: must be a number");
+  std::optional<input::CaseFile> input = read_case(request.given, materials, wrong);
+  judge_targets(targets(request), files_of(request.given.file, input), request.force, wrong);
+  if (input)
+    for (const Violation& violation : spit1984::what_a_deck_cannot_say(input->impact))
+      wrong.push_back(fmt::format("{}: {}: {}", request.given.file, violation.key, violation.rule));
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  return *std::move(input);
+}
+
+int run_comparison(const CompareRequest& request, const std::filesystem::path& materials) {
+  const input::CaseFile input = read_and_check(request, materials);
+  const UnitSystem& units = unit_system(request.units);
+  const report1986::Comparison comparison = [&] {
+    ProgressLine line{"Running the program of 1984"};
+    return report1986::compare(input.impact, input.options, 1e-3 * request.time_step_ms,
+                               [&](std::size_t done, std::size_t all) { line.show(done, all); });
+  }();
+
+  const auto text_of = [&](const Target& target) {
+    return target.option == "--json"
+               ? report1986::comparison_json(comparison)
+               : output::picture(report1986::comparison_plot(comparison, input.impact, units),
+                                 *output::picture_format(target.file));
+  };
+  publish(targets(request), request.force, text_of,
+          report1986::comparison_text(comparison, input.impact, units));
+  return comparison.runs.front().trustworthy && comparison.runs[report1986::Comparison::reference].trustworthy
+             ? exit_done
+             : exit_not_trusted;
+}
+
+injury::Alignment alignment_of(const std::string& name) {
+  for (const injury::Alignment alignment : injury::all_alignments)
+    if (name == injury::to_string(alignment)) return alignment;
+  return injury::Alignment::onset;
+}
+
+/// Refuses a pulse that cannot be aligned, before anything is solved.
+void judge_pulse(const injury::PulseReport& pulse, injury::Alignment alignment) {
+  try {
+    injury::check_alignment(injury::pulse_shape(pulse.pulse, std::nullopt), alignment);
+  } catch (const std::invalid_argument& error) {
+    throw Refused({fmt::format("--pulse {}: {}", pulse.file, error.what())});
+  }
+}
+
+/// The case beside the pulse of the request; returns the exit code.
+int compare_with_pulse(const CompareRequest& request, const std::filesystem::path& materials) {
+  std::vector<std::string> wrong;
+  judge_picture(request.picture, wrong);
+  const std::optional<input::CaseFile> input = read_case(request.given, materials, wrong);
+  PulseRequest asked = request.pulse;
+  injury::MeasuredImpact impact;
+  if (input) {
+    impact = {.speed = input->impact.impactor.speed, .gravity = input->impact.impactor.gravity};
+    asked.case_impact = impact;
+  }
+  const injury::PulseReport pulse = pulse_report(asked, std::move(wrong), [&](auto files, auto& faults) {
+    std::ranges::move(files_of(request.given.file, input), std::back_inserter(files));
+    judge_targets(targets(request), files, request.force, faults);
+  });
+  const injury::Alignment alignment = alignment_of(request.align);
+  judge_pulse(pulse, alignment);
+  Solution solution = solve_with_progress(input->impact, input->options);
+  add_intervals_with_progress(input->impact, input->options, solution);
+  const injury::PulseComparison comparison = injury::compare_pulses(pulse, solution, impact, alignment);
+  const output::PulseComparisonReport report{request.given.file, input->impact, solution, pulse, comparison};
+  const UnitSystem& units = unit_system(request.units);
+  const auto text_of = [&](const Target& target) {
+    if (target.option == "--json") return output::pulse_comparison_json(report);
+    if (is_document(target))
+      return document_text(target, [&](output::Pictures pictures) {
+        return output::pulse_comparison_document(report, units, pictures);
+      });
+    return output::picture(output::pulse_comparison_plot(report, units),
+                           *output::picture_format(target.file));
+  };
+  publish(targets(request), request.force, text_of,
+          output::to_terminal(output::pulse_comparison_document(report, units), output::Detail::main));
+  return exit_code(solution.summary);
+}
+
+/// Adds --pulse and what goes with it, a group of its own in the help.
+void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time_step) {
+  CLI::Option* pulse =
+      sub.add_option("--pulse", request.pulse.file,
+                     "A measured pulse to lay over the computed one: a table, or a test in ISO-MME")
+          ->excludes(time_step)
+          ->type_name("FILE");
+  const std::vector<CLI::Option*> before = sub.get_options();
+  std::vector<std::string> names;
+  for (const injury::Alignment alignment : injury::all_alignments)
+    names.emplace_back(injury::to_string(alignment));
+  sub.add_option("--align", request.align, "In time: onset (default), peak or none")
+      ->check(CLI::IsMember(names))
+      ->type_name("NAME");
+  add_documents(sub, request.documents);
+  add_source_options(sub, request.pulse);
+  add_processing_options(sub, request.pulse);
+  for (CLI::Option* option : sub.get_options())
+    if (std::ranges::find(before, option) == before.end()) option->needs(pulse)->group("With --pulse");
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+  CLI::App* sub =
+      app.add_subcommand("compare", "A case beside a measured pulse, or beside the program of 1984");
+  const auto request = std::make_shared<CompareRequest>();
+  add_case(*sub, request->given);
+  add_file(*sub, "--picture", request->picture, "Draw the curves over time (.svg, .png, .pdf)");
+  add_file(*sub, "--json", request->json, "Write the table as JSON, SI (- for standard output)");
+  add_units(*sub, request->units);
+  CLI::Option* time_step =
+      sub->add_option("--time-step", request->time_step_ms, "Of the 1984 program, ms (default 0.1)")
+          ->check(CLI::Range(1e-6, 1e3))
+          ->type_name("MS");
+  add_force(*sub, request->force);
+  add_material_folder(*sub, request->materials);
+  add_pulse_options(*sub, *request, time_step);
+  sub->footer(compare_footer);
+  when_named(*sub, action, [request, sub, executable] {
+    const std::filesystem::path materials = chosen_folder(request->materials, executable);
+    return sub->count("--pulse") == 0 ? run_comparison(*request, materials)
+                                      : compare_with_pulse(*request, materials);
+  });
+}
+
+}  // namespace dashpad::app

@@ -1,0 +1,164 @@
+#pragma once
+/// The foams of LS-DYNA and Radioss by the fields of their cards, which are read and written from here.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace dashpad::input {
+
+/// What stands in a field: a pure number, a number with a unit, a whole number.
+enum class Content : std::uint8_t { number, stress, density, rate, time, whole };
+
+struct DeckField {
+  const char* name;
+  Content content = Content::number;
+  /// Of a field that has no counterpart here, what it means: said where it is set. "": not said.
+  const char* lost = nullptr;
+  std::size_t width = 10;  ///< columns; of LS-DYNA 20 in long format
+
+  [[nodiscard]] bool is_read() const { return lost == nullptr; }
+  [[nodiscard]] bool matters() const { return is_read() || *lost != '\0'; }
+};
+/// The fields of a line, from its first column on.
+using DeckCard = std::span<const DeckField>;
+
+namespace deck {
+
+using enum Content;
+
+inline constexpr const char* unread = "";
+inline constexpr const char* no_tension = "a pad carries no tension";
+inline constexpr const char* no_damping = "the viscous damping of the element is left out";
+inline constexpr const char* no_bulk_viscosity = "there is no bulk viscosity";
+inline constexpr const char* no_contact_stiffness = "the contact does not need a stiffness";
+inline constexpr const char* no_geometry = "there is no reference geometry";
+inline constexpr const char* no_widening = "the pad does not widen";
+inline constexpr const char* zero_is_taken = "the pad does not widen; 0 is taken";
+inline constexpr const char* no_viscoelasticity = "the viscoelastic part is left out";
+inline constexpr const char* no_averaging = "the rate is not averaged over time steps; see lag_strain";
+inline constexpr const char* no_filter = "the rate is not filtered; see lag_strain";
+
+// --- LS-DYNA ---
+inline constexpr DeckField low_density_1[]{
+    {"MID", whole},
+    {"RO", density},
+    {"E", stress},
+    {"LCID", whole},
+    {"TC", number, no_tension},
+    {"HU"},
+    {"BETA", number, "the loss of the unloading does not fade with time here"},
+    {"DAMP", number, no_damping}};
+inline constexpr DeckField low_density_2[]{{"SHAPE"},
+                                           {"FAIL", number, no_tension},
+                                           {"BVFLAG", number, no_bulk_viscosity},
+                                           {"ED", number, no_viscoelasticity},
+                                           {"BETA1", number, no_viscoelasticity},
+                                           {"KCON", number, no_contact_stiffness},
+                                           {"REF", number, no_geometry}};
+inline constexpr DeckField fu_chang_1[]{{"MID", whole},
+                                        {"RO", density},
+                                        {"E", stress},
+                                        {"KCON", number, no_contact_stiffness},
+                                        {"TC", number, no_tension},
+                                        {"FAIL", number, no_tension},
+                                        {"DAMP", number, no_damping},
+                                        {"TBID", whole}};
+inline constexpr DeckField fu_chang_2[]{{"BVFLAG", number, no_bulk_viscosity},
+                                        {"SFLAG"},
+                                        {"RFLAG", number, "the rate is that of the compression"},
+                                        {"TFLAG", number, no_tension},
+                                        {"PVID", whole, "the curve of the pressure is left out"},
+                                        {"SRAF", number, no_averaging},
+                                        {"REF", number, no_geometry},
+                                        {"HU"}};
+inline constexpr DeckField fu_chang_3[]{
+    {"D0", number, unread}, {"N0", number, unread}, {"N1", number, unread}, {"N2", number, unread},
+    {"N3", number, unread}, {"C0", number, unread}, {"C1", number, unread}, {"C2", number, unread}};
+inline constexpr DeckField fu_chang_4[]{
+    {"C3", number, unread},  {"C4", number, unread},   {"C5", number, unread},   {"AIJ", number, unread},
+    {"SIJ", number, unread}, {"MINR", number, unread}, {"MAXR", number, unread}, {"SHAPE"}};
+inline constexpr DeckField fu_chang_5[]{{"EXPON"}, {"RIULD", number, "the unloading is as recoil says"}};
+inline constexpr DeckField crushable_1[]{{"MID", whole},
+                                         {"RO", density},
+                                         {"E", stress},
+                                         {"PR", number, no_widening},
+                                         {"LCID", whole},
+                                         {"TSC", number, no_tension},
+                                         {"DAMP", number, no_damping},
+                                         {"MODEL", whole}};
+inline constexpr DeckField modified_crushable_1[]{{"MID", whole},
+                                                  {"RO", density},
+                                                  {"E", stress},
+                                                  {"PR", number, no_widening},
+                                                  {"TID", whole},
+                                                  {"TSC", number, no_tension},
+                                                  {"DAMP", number, no_damping},
+                                                  {"NCYCLE", number, no_averaging}};
+inline constexpr DeckField modified_crushable_2[]{
+    {"SRCLMT", number, "the change of the rate has no limit; see lag_strain"}, {"SFLAG", whole}};
+
+inline constexpr DeckCard low_density[]{low_density_1, low_density_2};
+inline constexpr DeckCard fu_chang[]{fu_chang_1, fu_chang_2, fu_chang_3, fu_chang_4, fu_chang_5};
+inline constexpr DeckCard crushable[]{crushable_1};
+inline constexpr DeckCard modified_crushable[]{modified_crushable_1, modified_crushable_2};
+
+// --- Radioss ---
+inline constexpr DeckField density_line[]{{"RHO_I", density, nullptr, 20}};
+/// A function with its rate and scale; the name of the first field differs by law.
+inline constexpr DeckField function_row[]{
+    {"fct_ID", whole}, {"Eps_dot", rate, nullptr, 20}, {"Fscale", number, nullptr, 20}};
+inline constexpr DeckField law_33_elastic[]{{"E", stress, nullptr, 20},
+                                            {"Ka", whole, "the viscous part of the skeleton is left out"},
+                                            {"fct_IDf", whole},
+                                            {"Fscale", number, nullptr, 20}};
+inline constexpr DeckField law_33_gas[]{
+    {"P0", stress, nullptr, 20}, {"Phi", number, nullptr, 20}, {"Gamma_0", number, nullptr, 20}};
+inline constexpr DeckField law_33_yield[]{{"A", stress, nullptr, 20},
+                                          {"B", stress, nullptr, 20},
+                                          {"C", number, nullptr, 20},
+                                          {"SIG_COFF", number, no_tension, 20}};
+inline constexpr DeckField law_62_flags[]{{"Nu", number, zero_is_taken, 20},
+                                          {"N", whole},
+                                          {"M", whole},
+                                          {"mu_max", number, "the viscosity has no limit", 20},
+                                          {"Flag_Visc", whole},
+                                          {"Flag_Rigi", whole}};
+inline constexpr DeckField law_70_elastic[]{
+    {"E0", stress, nullptr, 20},
+    {"nu", number, no_widening, 20},
+    {"E_max", stress, "the stress follows its curves at once, by no modulus", 20},
+    {"EPS_max", number, unread, 20},
+    {"Itens", whole, no_tension}};
+inline constexpr DeckField law_70_flags[]{{"Fcut", number, no_filter, 20},
+                                          {"Fsmooth", whole, unread},
+                                          {"NL", whole},
+                                          {"NuL", whole},
+                                          {"Iflag", whole},
+                                          {"Shape", number, nullptr, 20},
+                                          {"Hys", number, nullptr, 20}};
+inline constexpr DeckField law_90_elastic[]{{"E0", stress, nullptr, 20}, {"nu", number, no_widening, 20}};
+inline constexpr DeckField law_90_flags[]{{"NL", whole},
+                                          {"Ismooth", whole, no_filter},
+                                          {"Fcut", number, unread, 20},
+                                          {"Shape", number, nullptr, 20},
+                                          {"Hys", number, nullptr, 20},
+                                          {"Alpha", number, nullptr, 20}};
+
+}  // namespace deck
+
+/// A foam of LS-DYNA: its keyword in words and as a number, its cards, and how many of them it has at least.
+struct LsDynaFoam {
+  std::string_view words, number;
+  bool crushable;
+  std::span<const DeckCard> cards;
+  std::size_t fewest;
+};
+inline constexpr LsDynaFoam ls_dyna_foams[]{
+    {"LOW_DENSITY_FOAM", "057", false, deck::low_density, 2},
+    {"CRUSHABLE_FOAM", "063", true, deck::crushable, 1},
+    {"FU_CHANG_FOAM", "083", false, deck::fu_chang, 4},
+    {"MODIFIED_CRUSHABLE_FOAM", "163", true, deck::modified_crushable, 2}};
+
+}  // namespace dashpad::input

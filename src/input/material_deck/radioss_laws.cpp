@@ -1,0 +1,228 @@
+// Radioss LAW33 (FOAM_PLAS), LAW62 (VISC_HYP), LAW70 (FOAM_TAB) and LAW90: what becomes of their numbers.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "input/material_deck/radioss.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::input {
+
+namespace {
+
+/// Terms of the curve, and branches, that a card has.
+constexpr std::size_t most_terms = 2;
+using Terms = std::array<double, most_terms>;
+
+/// A line of one number for each term; its number in the deck, absent after a fault.
+std::optional<std::size_t> read_terms(long count, const char* name, const DeckUnit& unit, LawLines& lines,
+                                      Terms& terms) {
+  auto line = lines.next(Widths(most_terms, 20));
+  if (!line) return std::nullopt;
+  bool sound = true;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    terms[i] = line->number(i, lines.key(fmt::format("{}_{}", name, i + 1)), unit);
+    sound = sound && terms[i] == terms[i];
+  }
+  return sound ? std::optional(line->line()) : std::nullopt;
+}
+
+/// The share of a sudden stress that lasts; absent where the solver takes no such ratios.
+std::optional<double> lasting_share(const Terms& ratios, std::size_t line, const LawLines& of,
+                                    MeasurementFaults& faults) {
+  const auto [lowest, highest] = std::ranges::minmax(ratios);
+  const double lasting = 1 - ratios[0] - ratios[1];
+  if (lowest >= 0 && highest <= 1 && lasting > 0) return lasting;
+  faults.add(line, of.key("gamma_i"), fmt::format("{:g}, {:g}", ratios[0], ratios[1]),
+             "must each be in [0, 1], and their sum be less than 1");
+  return std::nullopt;
+}
+
+void tell_of_law_62(long branches, long whole_stress, DeckFoam& foam) {
+  if (branches == 0) {
+    foam.assumptions.emplace_back("M = 0: there are no branches, so the foam loses no energy.");
+    return;
+  }
+  if (whole_stress != 1)
+    foam.differences.push_back(fmt::format(
+        "Flag_Visc = {}: only the deviatoric stress relaxes in the solver; here the whole stress.",
+        whole_stress));
+  foam.differences.emplace_back(
+      "The nominal stress relaxes here, in the solver the second Piola-Kirchhoff stress: the same for a "
+      "sudden strain and after long times, not for a strain that changes in between.");
+}
+
+/// |A + B (1 + C gamma)| at gamma = -strain, as points up to nearly no volume of air.
+DeckCurve yield_formula(double a, double b, double c, double phi, std::size_t line) {
+  constexpr int count = 40;
+  DeckCurve curve{"the yield stress A + B (1 + C gamma)", line, {}, {}, {}};
+  for (int i = 0; i <= count; ++i) {
+    const double e = 0.95 * (1 - phi) * i / count;
+    curve.strain.push_back(e);
+    curve.stress.push_back(std::abs(a + b * (1 - c * e)));
+    curve.lines.push_back(line);
+  }
+  return curve;
+}
+
+/// From gamma = V/V0 - 1, negative in compression, to a strain.
+void mirror(DeckCurve& curve) {
+  for (double& strain : curve.strain) strain = strain == 0 ? 0 : -strain;
+  std::ranges::reverse(curve.strain);
+  std::ranges::reverse(curve.stress);
+  std::ranges::reverse(curve.lines);
+}
+
+/// What Iflag makes of the unloading.
+void settle_unloading_70(long flag, double shape, double factor, std::vector<DeckRateCurve> ways_back,
+                         DeckFoam& foam) {
+  if (flag >= 3) {
+    foam.unloading_shape = or_one(shape, "Shape is blank or 0, which the solver takes for 1.", foam);
+    foam.unloading_factor = or_one(factor, "Hys is blank or 0, which the solver takes for 1: no loss.", foam);
+    if (flag == 3)
+      foam.differences.emplace_back("Iflag = 3 lessens shear stresses only; here the whole stress.");
+  } else if (ways_back.empty()) {
+    foam.assumptions.emplace_back(
+        "There is no unloading function, so the foam unloads along its slowest curve.");
+  } else {
+    foam.unloading = std::move(ways_back.front().curve);
+    if (ways_back.size() > 1)
+      foam.differences.emplace_back("Of the unloading functions only the first, the slowest, was taken.");
+    foam.differences.emplace_back(
+        "The unloading function is that of the way back from the last strain; from smaller strains it is "
+        "scaled "
+        "with the work done, where the solver drops to one and the same curve.");
+  }
+}
+
+}  // namespace
+
+bool read_law_62(LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
+  // Shares and lasting moduli are quotients of the deck's numbers, which are rounded. To so many digits those
+  // of an exported card come back as they were, whatever its shares.
+  constexpr int digits_of_quotients = 12;
+  constexpr long given_as_lasting = 2;   // Flag_Rigi
+  constexpr double longest_time = 1e15;  // s, that a card may have
+  const auto flags = lines.next(deck::law_62_flags);
+  if (!flags) return false;
+  const auto terms = lines.count(*flags, "N", 1, most_terms),
+             branches = lines.count(*flags, "M", 0, most_terms);
+  if (!terms || !branches || !flags->are_sound()) return false;
+
+  Terms mu{}, alpha{1, 1}, gamma{}, tau{1, 1};
+  if (!read_terms(*terms, "mu", from.units.stress, lines, mu) ||
+      !read_terms(*terms, "alpha", {}, lines, alpha))
+    return false;
+  for (double& exponent : alpha)
+    exponent = or_one(exponent, "An alpha_i is blank or 0, which the solver takes for 1.", foam);
+  double lasting = 1;
+  if (*branches > 0) {
+    const auto line = read_terms(*branches, "gamma", {}, lines, gamma);
+    if (!line || !read_terms(*branches, "tau", from.units.time, lines, tau)) return false;
+    const auto share = lasting_share(gamma, *line, lines, from.faults);
+    if (!share) return false;
+    lasting = *share;
+  }
+  for (double& time : tau)
+    if (time == 0) {
+      time = longest_time;
+      foam.assumptions.emplace_back("A tau_i is blank or 0: this branch does not relax, as in the solver.");
+    }
+  if (!lines.at_end()) {  // absent before the format of 2022
+    constexpr DeckField ratios[]{{"nu_1", Content::number, deck::zero_is_taken, 20},
+                                 {"nu_2", Content::number, deck::zero_is_taken, 20}};
+    lines.next(DeckCard(ratios).first(static_cast<std::size_t>(*terms)));
+  }
+
+  const auto quotient = [&](double value) {
+    return lasting == 1 ? value : rounded_to(value, digits_of_quotients);
+  };
+  if (flags->whole("Flag_Rigi") != given_as_lasting)
+    for (double& modulus : mu) modulus = quotient(modulus * lasting);
+  foam.viscoelastic = ViscoelasticFoam{.first_modulus = mu[0],
+                                       .first_exponent = alpha[0],
+                                       .second_modulus = mu[1],
+                                       .second_exponent = alpha[1],
+                                       .first_share = quotient(gamma[0] / lasting),
+                                       .first_time = tau[0],
+                                       .second_share = quotient(gamma[1] / lasting),
+                                       .second_time = tau[1]};
+  tell_of_law_62(*branches, flags->whole("Flag_Visc"), foam);
+  return true;
+}
+
+bool read_law_33(LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
+  const auto elastic = lines.next(deck::law_33_elastic), gas = lines.next(deck::law_33_gas),
+             yield = lines.next(deck::law_33_yield);
+  if (!elastic || !gas || !yield) return false;
+  foam.modulus = (*elastic)("E");
+  const double gamma_0 = (*gas)("Gamma_0");
+  foam.air = {(*gas)("P0"), (*gas)("Phi")};
+  if (std::isnan((*elastic)("fct_IDf")) || std::isnan((*elastic)("Fscale")) || std::isnan(gamma_0) ||
+      !yield->are_sound())
+    return false;
+  if (gamma_0 != 0) {
+    from.faults.add(gas->line, lines.key("Gamma_0"), fmt::format("{:g}", gamma_0),
+                    "must be 0: foam that is compressed from the start is not read");
+    return false;
+  }
+  if (!(foam.air.pressure >= 0 && foam.air.relative_density >= 0 && foam.air.relative_density < 1)) {
+    from.faults.add(gas->line, lines.key("P0"), "",
+                    "the pressure must not be negative, and Phi be in [0, 1)");
+    return false;
+  }
+  if (foam.air.pressure > 0)
+    foam.differences.emplace_back(
+        "The pressure of the air is part of the crush curve; it does not push the crushed foam back here.");
+  const long function = elastic->whole("fct_IDf");
+  if (function == 0) {
+    DeckCurve curve =
+        yield_formula((*yield)("A"), (*yield)("B"), (*yield)("C"), foam.air.relative_density, yield->line);
+    foam.assumptions.push_back(
+        fmt::format("The yield stress |A + B (1 + C gamma)| is given as points up to a strain of {:.3g}.",
+                    curve.strain.back()));
+    foam.loading.push_back({0, yield->line, std::move(curve)});
+    return true;
+  }
+  auto curve = lines.function(function, (*elastic)("Fscale"), "fct_IDf", elastic->line);
+  if (!curve) return false;
+  mirror(*curve);
+  foam.loading.push_back({0, curve->line, *std::move(curve)});
+  return true;
+}
+
+bool read_law_70(LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
+  const auto elastic = lines.next(deck::law_70_elastic), flags = lines.next(deck::law_70_flags);
+  if (!elastic || !flags) return false;
+  foam.modulus = (*elastic)("E0");
+  const auto count = lines.count(*flags, "NL", 1), count_back = lines.count(*flags, "NuL", 0);
+  if (!count || !count_back || std::isnan((*flags)("Iflag"))) return false;
+  const long flag = flags->whole("Iflag");
+  if (flag < 0 || flag > 4) {
+    from.faults.add(flags->line, lines.key("Iflag"), fmt::format("{}", flag), "must be between 0 and 4");
+    return false;
+  }
+  std::vector<DeckRateCurve> ways_back;
+  if (!lines.rows(*count, foam.loading) || !lines.rows(*count_back, ways_back)) return false;
+  settle_unloading_70(flag, (*flags)("Shape"), (*flags)("Hys"), std::move(ways_back), foam);
+  return true;
+}
+
+bool read_law_90(LawLines& lines, const RadiossSource&, DeckFoam& foam) {
+  const auto elastic = lines.next(deck::law_90_elastic), flags = lines.next(deck::law_90_flags);
+  if (!elastic || !flags) return false;
+  foam.modulus = (*elastic)("E0");
+  foam.unloading_shape =
+      or_one((*flags)("Shape"), "Shape is blank or 0, which the solver takes for 1.", foam);
+  foam.unloading_factor =
+      or_one((*flags)("Hys"), "Hys is blank or 0, which the solver takes for 1: no loss.", foam);
+  tell_of_exponent((*flags)("Alpha"), "Alpha", foam);
+  const auto count = lines.count(*flags, "NL", 1);
+  return count && lines.rows(*count, foam.loading);
+}
+
+}  // namespace dashpad::input
