@@ -8,7 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "dashpad/impact/flags.hpp"
 #include "dashpad/version.hpp"
 
 namespace dashpad {
@@ -65,18 +64,5 @@ inline Json result_with_format(const Json& result) {
   return whole;
 }
 inline std::string result_json_text(const Json& result) { return json_text(result_with_format(result)); }
-
-inline Json flags_json(const std::vector<Flag>& flags) {
-  Json all = Json::array();
-  for (const Flag& flag : flags) {
-    Json figures = Json::object();
-    for (const FlagFigure& figure : flag.figures) figures[figure.key] = number(figure.value);
-    all.push_back({{"name", flag.name},
-                   {"severity", to_string(severity_of(flag.name))},
-                   {"text", flag.text},
-                   {"figures", figures}});
-  }
-  return all;
-}
 
 }  // namespace dashpad

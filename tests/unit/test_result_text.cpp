@@ -284,7 +284,7 @@ TEST(MaterialText, ShowsParametersSourceAndRange) {
   EXPECT_THAT(
       output::to_terminal(output::material_document(test::example_case().pad.material, unit_system("us")),
                           output::Detail::main),
-      AllOf(HasSubstr("made up for a test"), ContainsRegex("initial_modulus +E_0 +29.008 psi"),
+      AllOf(HasSubstr("made up for a test"), ContainsRegex("initial_modulus +E_0 +29.008 +psi"),
             HasSubstr("up to a strain of 0.9 and at strain rates from 1 to 100 1/s")));
 }
 

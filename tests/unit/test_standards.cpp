@@ -97,7 +97,7 @@ TEST(standards, sources_are_told_apart) {
   EXPECT_THAT(text_of(preset("fmvss-201-instrument-panel")),
               AllOf(ContainsRegex("\nOwn text +49 CFR 571.201 S5.1\n"),
                     ContainsRegex("\nRead +secondary: 15 NYCRR 55.2 "),
-                    ContainsRegex("\nMass +[0-9.]+ kg +secondary: 15 NYCRR 55.2\n")));
+                    ContainsRegex("\nSpeed +[0-9.]+ m/s +secondary: 15 NYCRR 55.2\n")));
 }
 
 /// A guess must never pass for something that was read.
