@@ -147,8 +147,6 @@ std::vector<AssessedCase> read_and_check(const AssessRequest& request, const Ass
   const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
   std::vector<input::InputFile> files;
   const std::vector<injury::Standard> standards = read_standards(request, folders.standards, files, wrong);
-  if (std::ranges::count(request.cases, "-") > 1)
-    wrong.emplace_back("CASE -: standard input is one case; give it once");
   std::vector<AssessedCase> cases;
   for (const std::string& file : request.cases) {
     std::optional<input::CaseFile> given = read_case({file, request.settings}, folders.materials, wrong);

@@ -110,8 +110,6 @@ std::vector<injury::PulseReport> reports_of(const PulsesRequest& request,
   const std::optional<double> calibration = calibration_of(each, wrong);
   each.standard = standard_of(request, standards, wrong);
   if (request.files.size() > 1 && each.csv) wrong.emplace_back("--csv: is of one pulse; give one FILE");
-  if (std::ranges::count(request.files, "-") > 1)
-    wrong.emplace_back("FILE -: standard input is one pulse; give it once");
   std::vector<injury::PulseReport> reports;
   for (const std::string& file : request.files) {
     each.file = file;

@@ -19,7 +19,7 @@ namespace dashpad {
 namespace {
 
 /// Relative spacing of the stations, finer than that of most runs.
-constexpr double resolution = 0.02;
+constexpr double start_resolution = 0.02;
 /// Points of a snapshot: more than a picture shows.
 constexpr int most_points = 160;
 /// But none is left out over which the stress changes by more than this share, as on the axis of a pad that
@@ -119,7 +119,7 @@ std::vector<ContactSnapshot> from_columns(const Law& law, const ImpactCase& impa
   const double thickness = impact.pad.thickness;
   const Sections nose = sections_of(impact);
   ColumnField<Law> field(law, thickness, nose, ColumnMath::plain);
-  field.start(resolution, deepest(history));
+  field.start(start_resolution, deepest(history));
   return replayed(impact, history, field, field.lock_penetration(),
                   [&](double penetration, ContactSnapshot& snapshot) {
                     look_at(field, penetration, nose, thickness, snapshot);
@@ -131,7 +131,7 @@ std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const Impact
   const double thickness = impact.pad.thickness;
   const Sections nose = sections_of(impact);
   FoamContact contact(law, thickness, nose, 1, ColumnMath::vector, impact.pad.earlier_penetration);
-  contact.start(resolution, thickness);
+  contact.start(start_resolution, thickness);
   const auto look = [&](double, ContactSnapshot& snapshot) {
     const double edge = contact.contact_radius();
     for (int k = 0; k <= most_points && edge > 0; ++k) {
@@ -146,7 +146,7 @@ std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const Impact
 std::vector<ContactSnapshot> from_layers(const ImpactCase& impact, const History& history) {
   const Sections nose = sections_of(impact);
   LayeredContact contact(layers_of(impact.pad), nose);
-  contact.start(resolution, deepest(history));
+  contact.start(start_resolution, deepest(history));
   const auto look = [&](double penetration, ContactSnapshot& snapshot) {
     // Below a flat tip all is as on the axis.
     if (nose.tip > 0 && contact.column(0).stress > 0)

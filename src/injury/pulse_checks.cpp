@@ -21,7 +21,7 @@ constexpr double cut_in_noise = 4;           // of the scatter
 constexpr double most_quiet_scatter = 0.02;  // of the peak, of a part that is quiet
 constexpr double worth_a_remark = 1e-3;      // of HIC15
 constexpr double surely = 3;                 // standard errors of a mean that is not 0
-constexpr double rounding = 1e-9;            // of the peak
+constexpr double rounding_of_zero = 1e-9;    // of the peak
 constexpr double unlike = 0.01;              // of a speed or a height
 constexpr double samples_in_doubt = 4;       // at the beginning and at the end of a fall
 
@@ -122,7 +122,7 @@ std::string each_in_g(const std::vector<double>& accelerations, double peak) {
   std::string text;
   for (const double value : accelerations)
     text += fmt::format("{}{:.3g}", text.empty() ? "" : ", ",
-                        std::abs(value) < rounding * peak ? 0 : value / standard_gravity);
+                        std::abs(value) < rounding_of_zero * peak ? 0 : value / standard_gravity);
   return text + " g";
 }
 

@@ -73,7 +73,7 @@ void narrow(RootBracket& bracket, F&& f, Narrow&& is_narrow) {
 /// The bracket of the root between two places with these values, to so many bits.
 template <class F>
 RootBracket narrowed(RootBracket bracket, F&& f, int bits = root_numerics.usual_bits) {
-  narrow(bracket, f, boost::math::tools::eps_tolerance<double>(bits));
+  narrow(bracket, f, boost::math::tools::eps_tolerance<double>(static_cast<unsigned>(bits)));
   return bracket;
 }
 

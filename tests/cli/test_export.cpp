@@ -140,8 +140,8 @@ TEST_F(ExportTest, FlagsExtrapolation) {
 
 TEST_F(ExportTest, FlagsAMissedToleranceAndExitsWith3) {
   const Outcome outcome =
-      dashpad({"export", std::string{DASHPAD_SOURCE_DIR} + "/examples/helmet-pad-10fps.toml",
-               "--format", "radioss", "--out", file("pad.inc"), "--tolerance", "1e-8"});
+      dashpad({"export", std::string{DASHPAD_SOURCE_DIR} + "/examples/helmet-pad-10fps.toml", "--format",
+               "radioss", "--out", file("pad.inc"), "--tolerance", "1e-8"});
   EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("TOLERANCE NOT MET"));
   EXPECT_THAT(read_file(file("pad.inc")), HasSubstr("# FLAG: TOLERANCE NOT MET"));

@@ -226,7 +226,7 @@ TEST_F(NamesTest, OfAPulseAreThoseOfTheTable) {
                                  "--speed", "20 mph", "--window", "22", "--dwell", "80"});
   ASSERT_EQ(pulse.exit_code, 0) << pulse.err;
   const Found found = walk(json::parse(pulse.out), {"figures", "impact"},
-                           {"flags", "source", "offset", "processing", "program", "speed_m_per_s",
+                           {"flags", "source", "about", "offset", "processing", "program", "speed_m_per_s",
                             "drop_height_m", "gravity_m_per_s2", "check", "uncertainty"});
   expect_table_only(found, all_of_pulse, "JSON");
   const json uncertainties = json::parse(pulse.out).at("uncertainty").at("figures");

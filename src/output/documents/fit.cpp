@@ -175,7 +175,8 @@ Document fit_document(const fit::FitReport& report, const UnitSystem& units, Pic
   if (pictures == Pictures::drawn && violations(report.material).empty())
     document.sections.push_back({.heading = "The foam that was found",
                                  .seen = Seen::on_pages,
-                                 .figures = {{.plot = material_plot(report.material, units),
+                                 .figures = {{.name = "Stress in a first loading",
+                                              .plot = material_plot(report.material, units),
                                               .note = "By the card, at each rate that it was tested at."}}});
   document.sections.push_back(unknowns_section(report, units));
   document.sections.push_back(keys_section(report, units));

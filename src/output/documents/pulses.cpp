@@ -178,7 +178,8 @@ Document pulses_document(const std::vector<injury::PulseReport>& reports, const 
                     .rows = {{"", one.lead->figures}},
                     .paragraphs = {one.lead->answer + "."}};
     section.tables = {{.columns = {"", ""}, .rows = pulse_basis(report, units)}};
-    if (one.lead->curve) section.figures.push_back({.plot = *std::move(one.lead->curve)});
+    if (one.lead->curve)
+      section.figures.push_back({.name = "Acceleration", .plot = *std::move(one.lead->curve)});
     document.sections.push_back(std::move(section));
   }
   return document;

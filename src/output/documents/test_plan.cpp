@@ -133,7 +133,8 @@ Section section_of(const Combination& of, const UnitSystem& units, Pictures pict
       .heading = full_title(of), .seen = Seen::on_pages, .paragraphs = {of.document.lead->answer + "."}};
   for (const std::string& warning : of.document.warnings) section.paragraphs.push_back(warning);
   section.rows = {{"", of.document.lead->figures}};
-  if (pictures == Pictures::drawn) section.figures.push_back({.plot = deciding_curve(of.report, units)});
+  if (pictures == Pictures::drawn)
+    section.figures.push_back({.name = "Deceleration", .plot = deciding_curve(of.report, units)});
   return section;
 }
 
