@@ -210,6 +210,12 @@ TEST_F(AssessTest, SeveralCasesAndStandardsStandOnOnePage) {
               AllOf(HasSubstr("| Case | mild | harsh |"), HasSubstr("## " + file("thick.toml") + ", mild"),
                     HasSubstr("no certification")));
   EXPECT_THAT(read_file(file("plan.html")), AllOf(HasSubstr("2 of 4 pass, 2 fail"), HasSubstr("<svg")));
+  // What several have is said once, and counted once for each of them.
+  write_file(file("soft.toml"), with(elastic_case(), "\"300 kPa\"", "\"250 kPa\""));
+  const std::string doubted =
+      dashpad({"assess", file("soft.toml"), file("thick.toml"), "--standard", mild, "--standard", harsh}).out;
+  EXPECT_THAT(doubted, AllOf(ContainsRegex("UNKNOWN RANGE[^(]*\\(2 of\\s+4\\s+have"),
+                             Not(ContainsRegex("\\([5-9] of"))));
   // Titles name the cases where they tell them apart.
   write_file(file("thick.toml"), with(read_file(file("thick.toml")), "\"Elastic\"", "\"A thick pad\""));
   EXPECT_THAT(dashpad({"assess", case_file(), file("thick.toml"), "--standard", mild}).out,

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "output/document.hpp"
 #include "output/documents/assessment.hpp"
 #include "output/text/capitals.hpp"
 #include "output/text/standard_words.hpp"
@@ -110,9 +109,11 @@ Table plan_table(const std::vector<Combination>& all) {
 /// Each kind of reservation once, in the words of the first that has it, and how many have it.
 std::vector<std::string> reservations(const std::vector<Combination>& all) {
   std::vector<std::pair<std::string, std::size_t>> kinds;  // the first text, and how many
-  const auto kind_of = [](const std::string& text) { return text.substr(0, capitals_in_front(text)); };
-  for (const Combination& of : all)
+  const auto kind_of = [](const std::string& text) { return text.substr(0, text.find(':')); };
+  for (const Combination& of : all) {
+    std::set<std::string> counted;
     for (const std::string& text : of.document.warnings) {
+      if (!counted.insert(kind_of(text)).second) continue;
       const auto known =
           std::ranges::find_if(kinds, [&](const auto& kind) { return kind_of(kind.first) == kind_of(text); });
       if (known == kinds.end())
@@ -120,6 +121,7 @@ std::vector<std::string> reservations(const std::vector<Combination>& all) {
       else
         ++known->second;
     }
+  }
   std::vector<std::string> texts;
   for (const auto& [text, count] : kinds)
     texts.push_back(
