@@ -4,13 +4,11 @@
 #include <iterator>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
-#include "dashpad/input/standard_file.hpp"
 #include "dashpad/output/assessment.hpp"
 #include "documents.hpp"
 #include "output.hpp"
@@ -115,30 +113,14 @@ injury::UserValues read_user_values(const AssessRequest& request, Complaints& wr
           .drop_height = positive_quantity_of("--drop-height", request.drop_height, "m", wrong)};
 }
 
-/// Runs a reader; what it finds wrong is noted and the others go on.
-template <class Reader>
-void noting_faults(Complaints& wrong, Reader read) {
-  try {
-    read();
-  } catch (const input::InputError& error) {
-    add_lines(error.faults(), wrong);
-  } catch (const std::invalid_argument& error) {
-    wrong.push_back(fmt::format("--standard: {}", error.what()));
-  }
-}
-
 /// The standards as they are read, with what the user gives in their place.
 std::vector<injury::Standard> read_standards(const AssessRequest& request, const fs::path& folder,
                                              std::vector<input::InputFile>& files, Complaints& wrong) {
   const injury::UserValues values = read_user_values(request, wrong);
   std::vector<injury::Standard> standards;
   for (const std::string& name : request.standards)
-    noting_faults(wrong, [&] {
-      const input::StandardChoice choice = input::standard_choice(name);
-      files.push_back({"the standard", input::find_standard(choice.name, folder).value()});
-      const injury::Standard standard = input::read_standard(files.back().file).value();
-      standards.push_back(injury::with_user_values(injury::with_variants(standard, choice.variants), values));
-    });
+    if (const auto standard = standard_of(name, folder, files, wrong))
+      standards.push_back(injury::with_user_values(*standard, values));
   return standards;
 }
 

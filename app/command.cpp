@@ -1,6 +1,7 @@
 // What several subcommands share.
 
 #include <charconv>
+#include <stdexcept>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 
 #include "command.hpp"
 #include "dashpad/impact/solve.hpp"
+#include "dashpad/input/standard_file.hpp"
 #include "dashpad/output/plot/plot.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/quantities/unit_system.hpp"
@@ -68,13 +70,32 @@ ExitCode exit_code(const Summary& summary) {
   return summary.trustworthy() || bottomed_on_rigid_support(summary) ? exit_done : exit_not_trusted;
 }
 
-ExitCode exit_code(injury::Verdict verdict, const Summary& summary) {
+ExitCode exit_code(injury::Verdict verdict) {
   switch (verdict) {
     case injury::Verdict::fail: return exit_not_passed;
     case injury::Verdict::undecided: return exit_not_trusted;
     case injury::Verdict::pass: break;
   }
-  return exit_code(summary);
+  return exit_done;
+}
+
+ExitCode exit_code(injury::Verdict verdict, const Summary& summary) {
+  return verdict == injury::Verdict::pass ? exit_code(summary) : exit_code(verdict);
+}
+
+std::optional<injury::Standard> standard_of(const std::string& name, const std::filesystem::path& folder,
+                                            std::vector<input::InputFile>& files,
+                                            std::vector<std::string>& wrong) {
+  try {
+    const input::StandardChoice choice = input::standard_choice(name);
+    files.push_back({"the standard", input::find_standard(choice.name, folder).value()});
+    return injury::with_variants(input::read_standard(files.back().file).value(), choice.variants);
+  } catch (const input::InputError& error) {
+    add_lines(error.faults(), wrong);
+  } catch (const std::invalid_argument& error) {
+    wrong.push_back(fmt::format("--standard: {}", error.what()));
+  }
+  return std::nullopt;
 }
 
 void judge_picture(const std::optional<std::string>& file, std::vector<std::string>& wrong) {

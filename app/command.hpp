@@ -33,6 +33,8 @@ ExitCode exit_code(const Summary& summary);
 /// Of a verdict about it: a limit that is exceeded outweighs whatever is missed elsewhere. Of several
 /// verdicts the greatest counts.
 ExitCode exit_code(injury::Verdict verdict, const Summary& summary);
+/// Of a verdict about measured figures.
+ExitCode exit_code(injury::Verdict verdict);
 
 /// What a subcommand does once the command line is read; returns the exit code.
 using Action = std::function<int()>;
@@ -97,6 +99,11 @@ std::filesystem::path chosen_folder(const std::string& folder, const std::filesy
 /// The same two for --standards: $DASHPAD_STANDARDS, share/dashpad/standards, standards/.
 void add_standard_folder(CLI::App& app, std::string& folder);
 std::filesystem::path chosen_standards(const std::string& folder, const std::filesystem::path& executable);
+/// The preset of --standard, with its variants in force; its file joins `files`. Absent where it is refused,
+/// and `wrong` is told why.
+std::optional<injury::Standard> standard_of(const std::string& name, const std::filesystem::path& folder,
+                                            std::vector<input::InputFile>& files,
+                                            std::vector<std::string>& wrong);
 /// The same for the measured tests of the validation: $DASHPAD_VALIDATION_DATA,
 /// share/dashpad/data/validation, data/validation/.
 std::filesystem::path validation_data_folder(const std::filesystem::path& executable);

@@ -10,11 +10,6 @@ std::vector<CLI::Option*> add_documents(CLI::App& app, DocumentFiles& files) {
               ->type_name("FILE")};
 }
 
-void add_targets(const DocumentFiles& files, std::vector<Target>& targets) {
-  if (files.page) targets.push_back({"--report", *files.page});
-  if (files.markdown) targets.push_back({"--markdown", *files.markdown});
-}
-
 bool is_document(const Target& target) {
   return target.option == "--report" || target.option == "--markdown";
 }

@@ -21,9 +21,6 @@ struct DocumentFiles {
 /// Adds --report and --markdown, and returns them.
 std::vector<CLI::Option*> add_documents(CLI::App& app, DocumentFiles& files);
 
-/// Adds those that are wanted to the targets.
-void add_targets(const DocumentFiles& files, std::vector<Target>& targets);
-
 bool is_document(const Target& target);
 
 /// What goes into the target, of a document that is made with pictures or without.

@@ -102,11 +102,11 @@ std::size_t draws_of(const FitRequest& request, std::vector<std::string>& wrong)
 }
 
 std::vector<Target> fit_targets(const FitRequest& request) {
-  std::vector<Target> targets;
-  if (request.card) targets.push_back({"--output", *request.card});
-  if (request.fitted_case) targets.push_back({"--case", *request.fitted_case});
-  if (request.json) targets.push_back({"--json", *request.json});
-  add_targets(request.documents, targets);
+  std::vector<Target> targets = targets_of({{"--output", request.card},
+                                            {"--case", request.fitted_case},
+                                            {"--json", request.json},
+                                            {"--report", request.documents.page},
+                                            {"--markdown", request.documents.markdown}});
   if (request.posterior.size() == 2) targets.push_back({"--posterior", request.posterior.back()});
   return targets;
 }

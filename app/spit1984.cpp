@@ -67,11 +67,7 @@ struct Spit1984Request {
 };
 
 std::vector<Target> targets(const Spit1984Request& request) {
-  std::vector<Target> wanted;
-  if (request.listing) wanted.push_back({"--listing", *request.listing});
-  if (request.json) wanted.push_back({"--json", *request.json});
-  if (request.csv) wanted.push_back({"--csv", *request.csv});
-  return wanted;
+  return targets_of({{"--listing", request.listing}, {"--json", request.json}, {"--csv", request.csv}});
 }
 
 Settings settings_of(const Spit1984Request& request) {

@@ -40,8 +40,8 @@ struct StandardsRequest {
 int show(const StandardsRequest& request, const fs::path& folder) {
   const input::StandardChoice choice = input::standard_choice(request.name);
   const fs::path file = input::find_standard(choice.name, folder).value();
-  std::vector<Target> targets;
-  add_targets(request.documents, targets);
+  const std::vector<Target> targets =
+      targets_of({{"--report", request.documents.page}, {"--markdown", request.documents.markdown}});
   std::vector<std::string> wrong;
   judge_targets(targets, {{"the standard", file}}, request.force, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));

@@ -63,10 +63,9 @@ struct ValidateInput {
 };
 
 std::vector<Target> files(const ValidateRequest& request) {
-  std::vector<Target> wanted;
-  add_targets(request.documents, wanted);
-  if (request.json) wanted.push_back({"--json", *request.json});
-  return wanted;
+  return targets_of({{"--report", request.documents.page},
+                     {"--markdown", request.documents.markdown},
+                     {"--json", request.json}});
 }
 
 std::vector<Target> stills(const ValidateRequest& request) {
@@ -141,12 +140,12 @@ class InterruptsHeld {
 /// The texts of all files by file, before the first of them is written.
 std::map<std::string, std::string> texts_of(const ValidateRequest& request, const report1986::Study& study) {
   std::map<std::string, std::string> texts;
-  std::vector<Target> documents;
-  add_targets(request.documents, documents);
-  for (const Target& target : documents)
-    texts[target.file] = document_text(
-        target, [&](output::Pictures pictures) { return report1986::validation_document(study, pictures); });
-  if (request.json) texts[*request.json] = report1986::validation_json(study);
+  const auto document = [&](output::Pictures pictures) {
+    return report1986::validation_document(study, pictures);
+  };
+  for (const Target& target : files(request))
+    texts[target.file] =
+        is_document(target) ? document_text(target, document) : report1986::validation_json(study);
   if (!request.figures) return texts;
   const std::vector<Target> targets = stills(request);
   const std::vector<report1986::ValidationFigure> figures = report1986::validation_figures(study);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,7 +12,6 @@
 #include "command.hpp"
 #include "dashpad/input/iso_mme/iso_mme.hpp"
 #include "dashpad/input/measurement/tables.hpp"
-#include "dashpad/input/standard_file.hpp"
 #include "dashpad/output/pulse.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
@@ -85,36 +83,21 @@ struct PulsesRequest {
   std::string standard_folder;
 };
 
-/// The standard of --standard, with its variants in force; absent where there is none, or where it is refused
-/// and `wrong` is told why.
-std::optional<injury::Standard> standard_of(const PulsesRequest& request, const std::filesystem::path& folder,
-                                            std::vector<std::string>& wrong) {
-  if (request.standard.empty()) return std::nullopt;
-  try {
-    const input::StandardChoice choice = input::standard_choice(request.standard);
-    return injury::with_variants(
-        input::read_standard(input::find_standard(choice.name, folder).value()).value(), choice.variants);
-  } catch (const input::InputError& error) {
-    add_lines(error.faults(), wrong);
-  } catch (const std::invalid_argument& error) {
-    wrong.push_back(fmt::format("--standard: {}", error.what()));
-  }
-  return std::nullopt;
-}
-
 /// Of every file. Throws Refused with all that is wrong with any of them, each complaint once.
 std::vector<injury::PulseReport> reports_of(const PulsesRequest& request,
                                             const std::filesystem::path& standards) {
   PulseRequest each = request.each;
   std::vector<std::string> wrong;
   const std::optional<double> calibration = calibration_of(each, wrong);
-  each.standard = standard_of(request, standards, wrong);
+  std::vector<input::InputFile> standard;
+  if (!request.standard.empty()) each.standard = standard_of(request.standard, standards, standard, wrong);
   if (request.files.size() > 1 && each.csv) wrong.emplace_back("--csv: is of one pulse; give one FILE");
   std::vector<injury::PulseReport> reports;
   for (const std::string& file : request.files) {
     each.file = file;
     try {
-      reports.push_back(pulse_report(each, wrong, [&](const auto& files, auto& complaints) {
+      reports.push_back(pulse_report(each, wrong, [&](auto files, auto& complaints) {
+        files.insert(files.end(), standard.begin(), standard.end());
         judge_targets(targets(each), files, each.force, complaints);
       }));
     } catch (const Refused& refused) {
@@ -129,18 +112,6 @@ std::vector<injury::PulseReport> reports_of(const PulsesRequest& request,
     if (each.standard) report.limits = injury::within_limits(report, *each.standard);
   }
   return reports;
-}
-
-/// A verdict by limits counts as that of an assessment does.
-int exit_code_of(const std::vector<injury::PulseReport>& reports) {
-  int code = exit_done;
-  for (const injury::PulseReport& report : reports) {
-    if (!report.limits) continue;
-    const injury::Verdict verdict = injury::verdict_of(report.limits->results);
-    if (verdict == injury::Verdict::fail) return exit_not_passed;
-    if (verdict == injury::Verdict::undecided) code = exit_not_trusted;
-  }
-  return code;
 }
 
 int show_figures(const PulsesRequest& request, const std::filesystem::path& standards) {
@@ -164,7 +135,10 @@ int show_figures(const PulsesRequest& request, const std::filesystem::path& stan
   };
   publish(targets(request.each), request.each.force, text_of,
           output::to_terminal(document(output::Pictures::left_out), request.each.detail));
-  return exit_code_of(reports);
+  int code = exit_done;
+  for (const injury::PulseReport& each : reports)
+    if (each.limits) code = std::max<int>(code, exit_code(injury::verdict_of(each.limits->results)));
+  return code;
 }
 
 std::string list_of(const PulseRequest& request) {

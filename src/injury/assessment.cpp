@@ -38,13 +38,12 @@ void set_dwell(const Solution& solution, const InjuryFigures& figures, Criterion
 void set_value(const Solution& solution, const InjuryFigures& figures, CriterionResult& result) {
   const Metric metric = result.criterion.metric;
   if (metric == Metric::dwell_time) return set_dwell(solution, figures, result);
-  for (const InjuryValue& of : injury_values(figures))
-    if (of.quantity == &quantity_of(metric)) {
-      const std::optional<double> solved =
-          metric == Metric::peak_acceleration ? solution.summary.peak_acceleration : std::nullopt;
-      result.value = solved.value_or(of.value);
-      result.error = std::abs(*result.value) * of.error;
-    }
+  const std::optional<InjuryValue> of = injury_value(figures, quantity_of(metric));
+  if (!of) return;
+  const std::optional<double> solved =
+      metric == Metric::peak_acceleration ? solution.summary.peak_acceleration : std::nullopt;
+  result.value = solved.value_or(of->value);
+  result.error = std::abs(*result.value) * of->error;
 }
 
 /// The force has had its largest value: the impactor came to rest, or went on to leave the pad.
@@ -82,11 +81,7 @@ CriterionResult judge(const Criterion& criterion, const Solution& solution, cons
             quantity_of(criterion.metric).key, criterion.metric == Metric::dwell_time ? criterion.level : 0))
       result.interval = *of;
   result.lower_bound = is_lower_bound(criterion.metric, solution.summary);
-  result.verdict = verdict_of(result);
-  if (!result.lower_bound || result.verdict == Verdict::fail) {
-    result.margin = criterion.limit - *result.value;
-    result.relative_margin = *result.margin / criterion.limit;
-  }
+  decide(result);
   result.reason = reason_of(result, solution.summary);
   return result;
 }
@@ -170,15 +165,19 @@ std::vector<std::string> decisive_figures(const Standard& standard) {
 
 }  // namespace
 
-/// A comparison with a number that is not one is false: then nothing is decided.
-Verdict verdict_of(const CriterionResult& result) {
+void decide(CriterionResult& result) {
   const Criterion& of = result.criterion;
   const double lowest = (result.interval ? result.interval->low : *result.value) - result.error;
   const double highest = (result.interval ? result.interval->high : *result.value) + result.error;
-  if (of.strict ? lowest >= of.limit : lowest > of.limit) return Verdict::fail;
-  const bool within = of.strict ? highest < of.limit : highest <= of.limit;
-  if (within && !result.lower_bound) return Verdict::pass;
-  return Verdict::undecided;
+  // A comparison with a number that is not one is false: then nothing is decided.
+  const bool is_above = of.strict ? lowest >= of.limit : lowest > of.limit;
+  const bool is_within = of.strict ? highest < of.limit : highest <= of.limit;
+  result.verdict = is_above                           ? Verdict::fail
+                   : is_within && !result.lower_bound ? Verdict::pass
+                                                      : Verdict::undecided;
+  if (result.lower_bound && !is_above) return;  // what is left of the limit then is no margin
+  result.margin = of.limit - *result.value;
+  result.relative_margin = *result.margin / of.limit;
 }
 
 Verdict verdict_of(const std::vector<CriterionResult>& results) {

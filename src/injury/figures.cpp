@@ -55,6 +55,12 @@ std::array<InjuryValue, 9> injury_values(const InjuryFigures& of) {
            {&result_quantity("velocity_change"), of.velocity_change, errors.velocity_change, {}, {}, {}}}};
 }
 
+std::optional<InjuryValue> injury_value(const InjuryFigures& of, const ResultQuantity& quantity) {
+  for (const InjuryValue& value : injury_values(of))
+    if (value.quantity == &quantity) return value;
+  return std::nullopt;
+}
+
 Pulse pulse_of(const History& history) { return {history.time, history.acceleration}; }
 
 /// What the steps leave and, to the power that it has in the figure, the solver's own error of the force.

@@ -17,9 +17,8 @@ std::optional<double> figure(const PulseReport& report, const Criterion& criteri
     const auto dwell = std::ranges::find(report.dwells, criterion.level, &DwellTime::level);
     return dwell == report.dwells.end() ? std::nullopt : std::optional{dwell->cumulative};
   }
-  for (const InjuryValue& of : injury_values(report.figures))
-    if (of.quantity == &quantity_of(criterion.metric)) return of.value;
-  return std::nullopt;
+  const std::optional<InjuryValue> of = injury_value(report.figures, quantity_of(criterion.metric));
+  return of ? std::optional{of->value} : std::nullopt;
 }
 
 /// Absolute; absent where it is not known.
@@ -30,9 +29,8 @@ std::optional<double> uncertainty_of(const PulseReport& report, Metric metric) {
   const auto of = std::ranges::find(report.uncertainty.figures, &quantity, &FigureUncertainty::quantity);
   if (of == report.uncertainty.figures.end()) return std::nullopt;
   if (is_hic_d) return of->combined() * (report.figures.hic_d - hic_d(0));
-  for (const InjuryValue& value : injury_values(report.figures))
-    if (value.quantity == &quantity) return of->combined() * std::abs(value.value);
-  return std::nullopt;
+  const std::optional<InjuryValue> value = injury_value(report.figures, quantity);
+  return value ? std::optional{of->combined() * std::abs(value->value)} : std::nullopt;
 }
 
 }  // namespace
@@ -47,16 +45,13 @@ PulseLimits within_limits(const PulseReport& report, const Standard& standard) {
     result.lower_bound = std::ranges::find(report.flags, "PULSE CUT", &Flag::name) != report.flags.end();
     const std::optional<double> uncertainty = uncertainty_of(report, criterion.metric);
     result.error = uncertainty.value_or(0);
-    if (result.value) {
-      result.verdict = verdict_of(result);
-      result.margin = criterion.limit - *result.value;
-      result.relative_margin = *result.margin / criterion.limit;
-    }
-    if (!uncertainty)
+    if (result.value) decide(result);
+    if (result.verdict == Verdict::undecided && result.lower_bound)
+      result.reason = "PULSE CUT: the value can only grow";
+    else if (!uncertainty)
       result.reason = "by its value alone, whose uncertainty is not known";
     else if (result.verdict == Verdict::undecided)
-      result.reason = result.lower_bound ? "PULSE CUT: the value can only grow"
-                                         : "the limit lies within the uncertainty of the measurement";
+      result.reason = "the limit lies within the uncertainty of the measurement";
     limits.results.push_back(std::move(result));
   }
   return limits;

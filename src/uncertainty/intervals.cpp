@@ -63,9 +63,8 @@ std::vector<double> figures_of(const Solution& solution, std::span<const AskedFi
     if (!injury) return no_value;
     if (figure.quantity->role.doubt == Doubt::of_level)
       return injury::cumulative_dwell(injury::pulse_of(solution.history), figure.level);
-    for (const injury::InjuryValue& of : injury::injury_values(*injury))
-      if (figure.quantity == of.quantity) return of.value;
-    return no_value;
+    const auto of = injury::injury_value(*injury, *figure.quantity);
+    return of ? of->value : no_value;
   };
   std::vector<double> values;
   for (const AskedFigure& figure : asked) values.push_back(value_of(figure));

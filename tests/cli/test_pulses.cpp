@@ -104,6 +104,9 @@ TEST_F(PulsesTest, ACutPulseIsALowerBound) {
   const json judgement = judged("low.csv");
   EXPECT_EQ(judgement["verdict"], "undecided");
   EXPECT_EQ(judgement["criteria"][0]["lower_bound"], true);
+  EXPECT_TRUE(judgement["criteria"][0]["margin"].is_null());  // what is left of the limit is none
+  EXPECT_THAT(pulses({file("low.csv"), "--standard", file("limits.toml")}).out,
+              StartsWith("Undecided: the pulse is cut, and its figures can only grow\n"));
 }
 
 TEST_F(PulsesTest, SeveralStandOnOnePageWithMeanAndDeviation) {
@@ -136,6 +139,11 @@ TEST_F(PulsesTest, FaultsOfAllFilesAreToldAtOnce) {
                     HasSubstr("did you mean"), HasSubstr("--window -1")));
   EXPECT_EQ(outcome.err.find("--window -1"), outcome.err.rfind("--window -1"));
   EXPECT_FALSE(fs::exists(file("out.json")));
+  // The standard is a file of the user's, too.
+  const Outcome over =
+      pulses({file("low.csv"), "--standard", file("limits.toml"), "--json", file("limits.toml"), "--force"});
+  EXPECT_EQ(over.exit_code, 2);
+  EXPECT_EQ(read_file(file("limits.toml")), limits("100"));
   EXPECT_EQ(pulses({"-", "-"}).exit_code, 2);
   EXPECT_EQ(pulses({file("low.csv"), file("high.csv"), "--list"}).exit_code, 2);
 }

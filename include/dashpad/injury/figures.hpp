@@ -44,6 +44,8 @@ struct InjuryValue {
 };
 /// All of them, for text, page and JSON alike.
 std::array<InjuryValue, 9> injury_values(const InjuryFigures& of);
+/// One of them; absent where the quantity is none of them.
+std::optional<InjuryValue> injury_value(const InjuryFigures& of, const ResultQuantity& quantity);
 
 /// The acceleration of the impactor. Until its end the history of an impact on a rigid support that bottomed
 /// out is finite; it is no whole pulse.

@@ -134,9 +134,10 @@ struct CriterionResult {
   std::string reason;  ///< of a verdict that the numbers do not explain
 };
 
-/// Of a result with its value: fail where the value less its error, or its interval, is above the limit as a
-/// whole; pass where it is within as a whole and no lower bound; else undecided.
-Verdict verdict_of(const CriterionResult& result);
+/// Decides a result by its value, error, interval and whether it is a lower bound: fail where the value less
+/// its error, or its interval, is above the limit as a whole; pass where it is within as a whole and no lower
+/// bound; else undecided. With the margins.
+void decide(CriterionResult& result);
 
 /// One failure decides; one undecided criterion leaves a pass undecided.
 Verdict verdict_of(const std::vector<CriterionResult>& results);

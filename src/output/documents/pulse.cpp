@@ -128,7 +128,7 @@ std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty&
 std::string limits_answer(const injury::PulseLimits& limits, const UnitSystem& units) {
   const injury::Verdict verdict = injury::verdict_of(limits.results);
   const injury::CriterionResult* const next = closest(limits.results);
-  if (next == nullptr) return "Nothing of the limits can be judged";
+  if (next == nullptr) return "Undecided: the pulse is cut, and its figures can only grow";
   const std::string name = injury::title_of(next->criterion);
   const std::string margin =
       brief_quantity(std::abs(*next->margin), injury::quantity_of(next->criterion.metric).si_unit, units, 3);

@@ -1,13 +1,16 @@
 // What is said of several measured pulses together: a row each, one over the other, then each by itself.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "dashpad/injury/figures.hpp"
 #include "dashpad/output/pulse.hpp"
 #include "dashpad/result/result_quantity.hpp"
 #include "output/documents/assessment.hpp"
@@ -21,26 +24,16 @@ namespace {
 
 using Reports = std::vector<injury::PulseReport>;
 
-/// A figure of each pulse, as a column of the table.
-struct FigureColumn {
-  const ResultQuantity& quantity;
-  double (*of)(const injury::PulseReport& report);
-};
-const std::vector<FigureColumn>& figure_columns() {
-  static const std::vector<FigureColumn> columns{
-      {result_quantity("peak_acceleration"),
-       [](const injury::PulseReport& of) { return of.figures.peak.magnitude; }},
-      {result_quantity("hic15"), [](const injury::PulseReport& of) { return of.figures.hic15.value; }},
-      {result_quantity("hic36"), [](const injury::PulseReport& of) { return of.figures.hic36.value; }},
-      {result_quantity("hic_d"), [](const injury::PulseReport& of) { return of.figures.hic_d; }},
-      {result_quantity("velocity_change"),
-       [](const injury::PulseReport& of) { return of.figures.velocity_change; }}};
-  return columns;
+/// The columns of the table.
+constexpr std::array shown_figures{"peak_acceleration", "hic15", "hic36", "hic_d", "velocity_change"};
+
+double value_of(const injury::PulseReport& report, const char* key) {
+  return injury::injury_value(report.figures, result_quantity(key)).value().value;
 }
 
-std::vector<double> values_in_column(const FigureColumn& column, const Reports& reports) {
+std::vector<double> values_over(const Reports& reports, const char* key) {
   std::vector<double> values;
-  for (const injury::PulseReport& report : reports) values.push_back(column.of(report));
+  for (const injury::PulseReport& report : reports) values.push_back(value_of(report, key));
   return values;
 }
 
@@ -55,50 +48,40 @@ std::pair<double, double> mean_and_deviation(const std::vector<double>& values) 
 
 Table table_of(const Reports& reports, const UnitSystem& units) {
   Table table{.columns = {"Pulse"}};
-  const auto shown = [&](const FigureColumn& column, double value) {
-    return brief_quantity(value, column.quantity.si_unit, units);
-  };
-  for (const FigureColumn& column : figure_columns()) table.columns.emplace_back(column.quantity.title);
-  for (const injury::PulseReport& report : reports) {
-    table.rows.push_back({one_line(report.file)});
-    for (const FigureColumn& column : figure_columns())
-      table.rows.back().push_back(shown(column, column.of(report)));
-  }
+  for (const injury::PulseReport& report : reports) table.rows.push_back({one_line(report.file)});
   std::vector<std::string> means{"Mean"}, deviations{"Standard deviation"};
-  for (const FigureColumn& column : figure_columns()) {
-    const auto [mean, deviation] = mean_and_deviation(values_in_column(column, reports));
-    means.push_back(shown(column, mean));
-    deviations.push_back(brief_quantity(deviation, column.quantity.si_unit, units, 2));
+  for (const char* const key : shown_figures) {
+    const ResultQuantity& quantity = result_quantity(key);
+    const std::vector<double> values = values_over(reports, key);
+    table.columns.emplace_back(quantity.title);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      table.rows[i].push_back(brief_quantity(values[i], quantity.si_unit, units));
+    const auto [mean, deviation] = mean_and_deviation(values);
+    means.push_back(brief_quantity(mean, quantity.si_unit, units));
+    deviations.push_back(brief_quantity(deviation, quantity.si_unit, units, 2));
   }
   table.rows.push_back(std::move(means));
   table.rows.push_back(std::move(deviations));
   return table;
 }
 
-/// "peak 151 to 158 g".
-std::string range_of(const FigureColumn& column, const Reports& reports, const UnitSystem& units) {
-  const std::vector<double> values = values_in_column(column, reports);
-  const auto [least, most] = std::ranges::minmax(values);
-  const ScaledUnit unit = shown_as(column.quantity.si_unit, units);
+/// "151 to 158 g".
+std::string range_of(const Reports& reports, const char* key, const UnitSystem& units) {
+  const auto [least, most] = std::ranges::minmax(values_over(reports, key));
+  const ScaledUnit unit = shown_as(result_quantity(key).si_unit, units);
   return fmt::format("{} to {}{}{}", brief(unit.scale * least, 3), brief(unit.scale * most, 3),
                      unit.unit.empty() ? "" : " ", unit.unit);
 }
 
-/// How serious a tone is.
-int rank(Tone tone) { return tone == Tone::bad ? 2 : tone == Tone::doubtful ? 1 : 0; }
-
 std::string answer_of(const Reports& reports, const UnitSystem& units) {
-  std::string text = fmt::format("{} pulses: peak {}, HIC15 {}", reports.size(),
-                                 range_of(figure_columns()[0], reports, units),
-                                 range_of(figure_columns()[1], reports, units));
-  if (!reports.front().limits) return text;
+  const std::string figures = fmt::format("peak {}, HIC15 {}", range_of(reports, "peak_acceleration", units),
+                                          range_of(reports, "hic15", units));
+  if (!reports.front().limits) return fmt::format("{} pulses: {}", reports.size(), figures);
   const auto within = std::ranges::count_if(reports, [](const injury::PulseReport& report) {
     return injury::verdict_of(report.limits->results) == injury::Verdict::pass;
   });
-  return fmt::format("{} of {} within the limits: peak {}, HIC15 {}",
-                     within == 0 ? "None" : std::to_string(within), reports.size(),
-                     range_of(figure_columns()[0], reports, units),
-                     range_of(figure_columns()[1], reports, units));
+  return fmt::format("{} of {} within the limits: {}", within == 0 ? "None" : std::to_string(within),
+                     reports.size(), figures);
 }
 
 ValueRow row_of(const injury::PulseReport& report, const UnitSystem& units) {
@@ -136,10 +119,8 @@ Plot pulses_plot(const std::vector<injury::PulseReport>& reports, const UnitSyst
               .x = axis_of("time", units),
               .y = axis_of("acceleration", units)};
   const double time_factor = value_in(units, 1, "s");
-  double longest = 0;
   for (const injury::PulseReport& report : reports) {
     const double length = report.contact.end - report.contact.begin;
-    longest = std::max(longest, length);
     Series series{.label = one_line(report.file)};
     for (std::size_t i = 0; i < report.pulse.time.size(); ++i) {
       const double time = report.pulse.time[i] - report.contact.begin;
@@ -166,8 +147,7 @@ Document pulses_document(const std::vector<injury::PulseReport>& reports, const 
     lead.subject.push_back("Limits of " + one_line(reports.front().limits->standard));
   for (const injury::PulseReport& report : reports) {
     lead.figures.push_back(row_of(report, units));
-    if (rank(pulse_tone(report)) > rank(lead.tone) || lead.tone == Tone::plain)
-      lead.tone = pulse_tone(report);
+    lead.tone = std::max(lead.tone, pulse_tone(report));  // the more serious comes later
   }
   document.warnings = reservations_of(reports);
   if (pictures == Pictures::drawn) lead.curve = pulses_plot(reports, units);

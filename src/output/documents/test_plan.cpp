@@ -22,7 +22,7 @@ struct Combination {
   std::string name;  ///< of the case
   const AssessmentReport& report;
   Document document;  ///< without pictures
-  ValueRow next;      ///< the criterion next to its limit or farthest beyond it
+  ValueRow next;      ///< the criterion next to its limit or farthest beyond it; without margins the first
 };
 
 /// Titles, where they tell the cases apart; the names of their files, where they do not.
@@ -38,20 +38,14 @@ std::vector<std::string> names_of(const std::vector<AssessmentReport>& reports) 
   return names;
 }
 
-/// Figures of a lead begin with the criteria; those have a share of their limit, unless there is no value.
-ValueRow next_to_limit(const std::vector<ValueRow>& figures) {
-  const auto by_share = [](const ValueRow& row) { return row.share.value_or(-1); };
-  const auto next = std::ranges::max_element(figures, {}, by_share);
-  return next == figures.end() ? ValueRow{.label = "No criterion"} : *next;
-}
-
 std::vector<Combination> combinations(const std::vector<AssessmentReport>& reports, const UnitSystem& units) {
   const std::vector<std::string> names = names_of(reports);
   std::vector<Combination> all;
   for (std::size_t i = 0; i < reports.size(); ++i) {
-    Document document = assessment_document(reports[i], units);
-    ValueRow next = next_to_limit(document.lead->figures);
-    all.push_back({names[i], reports[i], std::move(document), std::move(next)});
+    const std::vector<injury::CriterionResult>& results = reports[i].assessment.results;
+    const injury::CriterionResult* const next = closest(results);
+    all.push_back({names[i], reports[i], assessment_document(reports[i], units),
+                   criterion_row(next == nullptr ? results.front() : *next, units, Detail::main)});
   }
   return all;
 }
