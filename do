@@ -359,13 +359,28 @@ TEXT
   node --no-warnings "$root/tests/wasm/run.mjs" "$folder/solve.wasm"
 }
 
-# Every step is taken, whatever the one before it said; the last lines say which of them failed.
+# Every step is taken, whatever the one before it said; the last lines say how each ended. What a step printed stays in
+# build/nightly, and of a commit without changes what has passed is not done again: a night that is cut off goes on.
 task_nightly() {
   need_packages run test bench format lint fuzz compilers
-  local tests="$root/build/release/tests" failed=() kind compiler
+  local tests="$root/build/release/tests" ended=() failed=0 kind compiler commit kept
+  commit="$(git -C "$root" describe --always --dirty --exclude='*' 2>/dev/null || echo dirty)"
+  kept="$root/build/nightly/$commit"
+  mkdir -p "$kept"
+  if [[ "$commit" == *dirty ]]; then rm -f "$kept"/*.passed; fi
   step() {
-    say "--- $*"
-    "$@" || failed+=("$*")
+    local name="${*##*/}" status=passed from=$SECONDS
+    local output="$kept/${name//[ \/]/_}"
+    say "--- $name"
+    if [[ -e "$output.passed" ]]; then
+      status="passed before, $(cat "$output.passed")"
+    elif "$@" 2>&1 | tee "$output.log"; then
+      echo "$((SECONDS - from)) s" >"$output.passed"
+    else
+      status=FAILED
+      failed=$((failed + 1))
+    fi
+    ended+=("$name: $status, now $((SECONDS - from)) s")
   }
   (
     say "Building ..."
@@ -383,9 +398,8 @@ task_nightly() {
   step "$root/do" test asan-ubsan
   step "$root/do" fuzz 60
   step "$root/do" lint
-  for kind in "${failed[@]}"; do say "failed: $kind"; done
-  say "nightly: ${#failed[@]} steps failed"
-  [[ ${#failed[@]} -eq 0 ]]
+  printf '%s\n' "${ended[@]}" "nightly of $commit: $failed of ${#ended[@]} steps failed" | tee "$kept/summary"
+  [[ $failed -eq 0 ]]
 }
 
 # Everything by another compiler, warnings are errors; nothing is run.

@@ -174,7 +174,7 @@ template <class Owner>
 void add_fields(const std::string& table, std::vector<CaseField>& into) {
   for (const Parameter<Owner>& parameter : Owner::parameters)
     into.push_back({table, parameter.key, parameter.unit, rule_of(parameter.bounds, parameter.unit),
-                    parameter.left_out, parameter.of(Owner()), parameter.meaning});
+                    parameter.left_out, parameter.of(Owner()), parameter.meaning, parameter.since});
 }
 
 }  // namespace

@@ -102,8 +102,9 @@ const std::vector<ResultQuantity>& result_quantities() {
       {"release", "Release", "", "s", "no column of the pad is left under pressure", "Eq. 27", Part::moment,
        ResultRole{.in_studies = true, .needs = Needs::release, .absent = "where that does not come"}},
       {"force_below_weight", "Force below weight", "", "s",
-       "the force falls below the impactor's weight on rebound: the end of the impact in the 1986 report", "",
-       Part::moment,
+       "the force first falls below the impactor's weight on rebound: the end of the impact in the 1986 "
+       "report",
+       "", Part::moment,
        ResultRole{.row = 16, .estimate = "of time and velocity, the larger", .absent = "where it does not"}},
       {"bottomed", "Bottomed", "", "s", "the pad is fully compressed on the axis for the first time",
        "Eq. 29", Part::moment,

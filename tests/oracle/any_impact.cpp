@@ -154,7 +154,7 @@ class Impact final : public AnyMotion {
       answer_.ending = AnyImpact::Ending::bottomed_out;
       return false;
     }
-    if (crossed[event_weight] < 0) answer_.force_below_weight = moment;
+    if (crossed[event_weight] < 0 && !answer_.force_below_weight) answer_.force_below_weight = moment;
     if (crossed[event_contact_end] < 0) answer_.contact_end = moment;
     if (crossed[event_turning] < 0 && pad_->holds() && footing_.is_rigid() && of_.body_mass == 0) {
       answer_.force_below_weight = Moment{moment.time, 0};

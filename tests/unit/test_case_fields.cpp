@@ -37,13 +37,13 @@ std::string words_if_left_out(const CaseField& field) {
 }
 
 std::string table_of_fields() {
-  std::string text = "| key | SI unit | meaning | rule | if left out |\n|---|---|---|---|---|\n";
+  std::string text = "| key | SI unit | meaning | rule | if left out | since |\n|---|---|---|---|---|---|\n";
   for (const CaseField& field : case_fields())
-    text += fmt::format("| `{}.{}` | {} | {} | {} | {} |\n", field.table, field.key, in_unit(field.unit),
-                        field.meaning, field.rule, words_if_left_out(field));
+    text += fmt::format("| `{}.{}` | {} | {} | {} | {} | {} |\n", field.table, field.key, in_unit(field.unit),
+                        field.meaning, field.rule, words_if_left_out(field), field.since);
   for (const OtherWay& way : other_ways())
-    text += fmt::format("| `{}` | {} | {} | in place of `{}` | |\n", way.key, in_unit(way.unit), way.meaning,
-                        way.instead_of);
+    text += fmt::format("| `{}` | {} | {} | in place of `{}` | | {} |\n", way.key, in_unit(way.unit),
+                        way.meaning, way.instead_of, way.since);
   return text;
 }
 

@@ -33,6 +33,7 @@ struct OtherWay {
   const char* what_follows;  ///< "the speed of the fall", of which rules are
   double (*get)(const ImpactCase&);
   void (*set)(ImpactCase&, double);
+  const char* since = "0.1.0";  ///< first version of the program that has it
 };
 
 /// The weight, which is the mass times standard gravity, and the drop height h of a fall, whose speed is
@@ -70,6 +71,7 @@ struct CaseField {
   LeftOut left_out = LeftOut::refused;
   double default_value = 0;  ///< SI, of LeftOut::as_default; NaN for one that is absent then
   std::string meaning;
+  std::string since;  ///< first version of the program that has it
 };
 
 /// In the order of case files.

@@ -101,6 +101,7 @@ struct Parameter {
   Bounds bounds;
   const char* meaning;
   LeftOut left_out = LeftOut::refused;
+  const char* since = "0.1.0";  ///< first version of the program that has it
 
   [[nodiscard]] double of(const Owner& owner) const { return member.of(owner); }
   void set(Owner& owner, double value) const { member.set(owner, value); }

@@ -191,6 +191,10 @@ std::string laid_out(const std::vector<ValueRow>& given) {
   std::string text;
   for (const ValueRow& row : rows) {
     std::string line = "  " + padded(one_line(row.label), label);
+    if (width_of(line) > label + gap) {  // a line of its own, so that the columns stay one below the other
+      text += with_blanks(without_end(std::move(line))) + "\n";
+      line = std::string(label + gap, ' ');
+    }
     line += std::string(value - std::min(value, width_of(row.value)), ' ') + row.value + " ";
     line += padded(row.unit, unit) + padded(row.interval, interval);
     line += padded(row.error ? "± " + shown_error(*row.error) : "", error) + padded(row.limit, limit);
