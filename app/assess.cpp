@@ -10,12 +10,9 @@
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/output/assessment.hpp"
-#include "documents.hpp"
-#include "output.hpp"
+#include "output_files.hpp"
 
 namespace dashpad::app {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -45,8 +42,7 @@ support, or the time limit) gives lower bounds: they fail above a limit and are 
 peak is judged in full, once the impactor has come to rest. A pass is "with reservations" where the result has a
 flag (EXTRAPOLATED STRAIN, BOTTOMED, PULSE CUT, ...), where something has NO INTERVAL, where the material has an
 UNKNOWN RANGE, where a value of the standard is UNVERIFIED or from a SECONDARY SOURCE, or where you REPLACED one. It is
-a computation with one rigid sphere on a flat pad:
-no test to the standard, no certification.
+a computation with one rigid nose on a flat pad: no test to the standard, no certification.
 
 Exit codes: 0 pass, also with reservations; 4 fail, also where the tolerance is missed;
 3 no verdict (undecided), or not reliable (the result misses the tolerance); 1 a result could not be written;
@@ -59,20 +55,11 @@ struct AssessRequest {
   std::vector<std::string> standards;
   std::optional<std::string> mass, radius, speed, drop_height;
   injury::Kept kept;
-  std::optional<std::string> json;
-  DocumentFiles documents;
-  std::string units;
-  output::Detail detail = output::Detail::main;
+  OutputFiles files;
   std::optional<std::string> tolerance;
   std::string standard_folder;
   std::string materials;
   bool no_intervals = false;
-  bool force = false;
-};
-
-struct AssessFolders {
-  fs::path materials;
-  fs::path standards;
 };
 
 /// One of the standards, with the case that has its impactor.
@@ -91,12 +78,6 @@ struct AssessedCase {
   std::vector<Assessed> standards;
 };
 
-std::vector<Target> targets(const AssessRequest& request) {
-  return targets_of({{"--json", request.json},
-                     {"--report", request.documents.page},
-                     {"--markdown", request.documents.markdown}});
-}
-
 using Complaints = std::vector<std::string>;
 
 injury::UserValues read_user_values(const AssessRequest& request, Complaints& wrong) {
@@ -114,8 +95,9 @@ injury::UserValues read_user_values(const AssessRequest& request, Complaints& wr
 }
 
 /// The standards as they are read, with what the user gives in their place.
-std::vector<injury::Standard> read_standards(const AssessRequest& request, const fs::path& folder,
+std::vector<injury::Standard> read_standards(const AssessRequest& request,
                                              std::vector<input::InputFile>& files, Complaints& wrong) {
+  const std::filesystem::path folder = chosen_standards(request.standard_folder);
   const injury::UserValues values = read_user_values(request, wrong);
   std::vector<injury::Standard> standards;
   for (const std::string& name : request.standards)
@@ -124,18 +106,18 @@ std::vector<injury::Standard> read_standards(const AssessRequest& request, const
   return standards;
 }
 
-std::vector<AssessedCase> read_and_check(const AssessRequest& request, const AssessFolders& folders) {
+std::vector<AssessedCase> read_and_check(const AssessRequest& request) {
   Complaints wrong;
   const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
   std::vector<input::InputFile> files;
-  const std::vector<injury::Standard> standards = read_standards(request, folders.standards, files, wrong);
+  const std::vector<injury::Standard> standards = read_standards(request, files, wrong);
   std::vector<AssessedCase> cases;
   for (const std::string& file : request.cases) {
-    std::optional<input::CaseFile> given = read_case({file, request.settings}, folders.materials, wrong);
+    std::optional<input::CaseFile> given = read_case({file, request.settings, request.materials}, wrong);
     std::ranges::move(files_of(file, given), std::back_inserter(files));
     if (given) cases.push_back({.file = file, .given = *std::move(given), .standards = {}});
   }
-  judge_targets(targets(request), files, request.force, wrong);
+  judge_files(request.files, files, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
 
   for (AssessedCase& each : cases) {
@@ -175,12 +157,12 @@ void judge(Assessed& of, const input::CaseFile& given, const AssessRequest& requ
                               });
   for (const injury::OtherChoice& choice : of.others)
     of.assessment.reservations.push_back(
-        output::other_choice(choice, of.own, given.impact, unit_system(request.units)));
+        output::other_choice(choice, of.own, given.impact, unit_system(request.files.units)));
 }
 
-int run_assessment(const AssessRequest& request, const AssessFolders& folders) {
-  std::vector<AssessedCase> cases = read_and_check(request, folders);
-  const UnitSystem& units = unit_system(request.units);
+int run_assessment(const AssessRequest& request) {
+  std::vector<AssessedCase> cases = read_and_check(request);
+  const UnitSystem& units = unit_system(request.files.units);
   int code = exit_done;
   std::vector<output::AssessmentReport> reports;
   for (AssessedCase& each : cases)
@@ -195,56 +177,46 @@ int run_assessment(const AssessRequest& request, const AssessFolders& folders) {
     return is_plan ? output::test_plan_document(reports, units, pictures)
                    : output::assessment_document(reports.front(), units, pictures);
   };
-  std::string text = output::to_terminal(document(output::Pictures::left_out), request.detail);
-  if (is_plan && request.detail == output::Detail::all)
+  const output::Detail detail = request.files.detail;
+  std::string text = output::to_terminal(document(output::Pictures::left_out), detail);
+  if (is_plan && detail == output::Detail::all)
     for (const output::AssessmentReport& report : reports)
-      text += "\n\n" + output::to_terminal(output::assessment_document(report, units), request.detail);
-  publish(
-      targets(request), request.force,
-      [&](const Target& target) {
-        if (is_document(target)) return document_text(target, document);
-        return is_plan ? output::assessments_json(reports) : output::assessment_json(reports.front());
-      },
-      text);
+      text += "\n\n" + output::to_terminal(output::assessment_document(report, units), detail);
+  const auto json = [&](const Target&) {
+    return is_plan ? output::assessments_json(reports) : output::assessment_json(reports.front());
+  };
+  publish(request.files, document, {{"--json", json}}, text);
   return code;
 }
 
 }  // namespace
 
-void add_assess(CLI::App& app, Action& action, const fs::path& executable) {
+void add_assess(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("assess", "Compare a case with the limits of a test standard");
   const auto request = std::make_shared<AssessRequest>();
-  sub->add_option("CASE", request->cases, "Case files (TOML)")->required()->type_name("");
+  add_option(*sub, "CASE", request->cases, "Case files (TOML)")->required();
   add_settings(*sub, request->settings);
-  sub->add_option("--standard", request->standards,
-                  "Preset, with variants if any (dashpad standards lists them); may be given again")
+  add_option(*sub, "--standard NAME[:VARIANT]", request->standards,
+             "Preset, with variants if any (dashpad standards lists them); may be given again")
       ->required()
-      ->take_all()
-      ->allow_extra_args(false)
-      ->type_name("NAME[:VARIANT]");
-  sub->add_option("--speed", request->speed, "Impact speed, such as \"15 mph\"")->type_name("V");
-  sub->add_option("--drop-height", request->drop_height, "Height of a free fall that gives the speed")
-      ->type_name("H");
-  sub->add_option("--mass", request->mass, "Mass of the impactor, such as \"6.8 kg\"")->type_name("M");
-  sub->add_option("--radius", request->radius, "Radius of the sphere, such as \"82.5 mm\"")->type_name("R");
-  sub->add_flag("--keep-nose", request->kept.nose, "The nose of the case, whatever the standard has")
-      ->disable_flag_override();
-  sub->add_flag("--keep-speed", request->kept.speed, "The speed of the case, whatever the standard has")
-      ->disable_flag_override();
-  add_file(*sub, "--json", request->json, "Write the assessment as JSON, SI and g (- for standard output)");
-  add_documents(*sub, request->documents);
-  add_units(*sub, request->units);
-  add_all(*sub, request->detail);
+      ->take_all();
+  add_option(*sub, "--speed V", request->speed, "Impact speed, such as \"15 mph\"");
+  add_option(*sub, "--drop-height H", request->drop_height, "Height of a free fall that gives the speed");
+  add_option(*sub, "--mass M", request->mass, "Mass of the impactor, such as \"6.8 kg\"");
+  add_option(*sub, "--radius R", request->radius, "Radius of the sphere, such as \"82.5 mm\"");
+  add_flag(*sub, "--keep-nose", request->kept.nose, "The nose of the case, whatever the standard has");
+  add_flag(*sub, "--keep-speed", request->kept.speed, "The speed of the case, whatever the standard has");
+  add_file(*sub, request->files, "--json", "Write the assessment as JSON, SI and g (- for standard output)");
+  add_documents(*sub, request->files);
+  add_units(*sub, request->files.units);
+  add_all(*sub, request->files.detail);
   add_tolerance(*sub, request->tolerance);
   add_no_intervals(*sub, request->no_intervals);
-  add_force(*sub, request->force);
+  add_force(*sub, request->files.force);
   add_standard_folder(*sub, request->standard_folder);
   add_material_folder(*sub, request->materials);
   sub->footer(assess_footer);
-  when_named(*sub, action, [request, executable] {
-    return run_assessment(*request, {chosen_folder(request->materials, executable),
-                                     chosen_standards(request->standard_folder, executable)});
-  });
+  when_named(*sub, action, [request] { return run_assessment(*request); });
 }
 
 }  // namespace dashpad::app

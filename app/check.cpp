@@ -25,13 +25,13 @@ Exit codes: 0 the case can be run, 2 it cannot.)";
 struct CheckRequest {
   GivenCase given;
   std::string units;
-  std::string materials;
 };
 
-int check(const CheckRequest& request, const std::filesystem::path& materials) {
+int check(const CheckRequest& request) {
+  const GivenCase& given = request.given;
   const input::CaseFile input =
-      input::read_case(request.given.file, materials, request.given.settings).value();
-  write_output(fmt::format("{}: OK\n\n{}\nIn SI:\n{}", request.given.file,
+      input::read_case(given.file, chosen_folder(given.materials), given.settings).value();
+  write_output(fmt::format("{}: OK\n\n{}\nIn SI:\n{}", given.file,
                            output::case_text(input.impact, unit_system(request.units)),
                            output::case_in_si(input.impact, input.options)));
   return exit_done;
@@ -39,16 +39,14 @@ int check(const CheckRequest& request, const std::filesystem::path& materials) {
 
 }  // namespace
 
-void add_check(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+void add_check(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("check", "Say how a case is understood, or what is wrong with it");
   const auto request = std::make_shared<CheckRequest>();
   add_case(*sub, request->given);
   add_units(*sub, request->units);
-  add_material_folder(*sub, request->materials);
+  add_material_folder(*sub, request->given.materials);
   sub->footer(check_footer);
-  when_named(*sub, action, [request, executable] {
-    return check(*request, chosen_folder(request->materials, executable));
-  });
+  when_named(*sub, action, [request] { return check(*request); });
 }
 
 }  // namespace dashpad::app

@@ -10,7 +10,6 @@
 #include "command.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/input/standard_file.hpp"
-#include "dashpad/output/plot/plot.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "dashpad/uncertainty/intervals.hpp"
@@ -29,9 +28,8 @@ void add_units(CLI::App& app, std::string& units) {
   std::vector<std::string> names;
   for (const UnitSystem& system : unit_systems()) names.push_back(system.name);
   units = names.front();
-  app.add_option("--units", units, "Units to show: si (default), us, or engineering-metric")
-      ->check(CLI::IsMember(names))
-      ->type_name("SYSTEM");
+  add_option(app, "--units SYSTEM", units, "Units to show: si (default), us, or engineering-metric")
+      ->check(CLI::IsMember(names));
 }
 
 void add_all(CLI::App& app, output::Detail& detail) {
@@ -40,10 +38,13 @@ void add_all(CLI::App& app, output::Detail& detail) {
       "Every figure, to five digits and with its error");
 }
 
+CLI::Option* add_flag(CLI::App& app, const std::string& name, bool& flag, const std::string& help) {
+  return app.add_flag(name, flag, help)->disable_flag_override();
+}
+
 void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance) {
-  app.add_option("--tolerance", tolerance,
-                 "Relative error to keep to, from 1e-8 to 1e-2 (default: the case's, else 1e-4)")
-      ->type_name("X");
+  add_option(app, "--tolerance X", tolerance,
+             "Relative error to keep to, from 1e-8 to 1e-2 (default: the case's, else 1e-4)");
 }
 
 std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& wrong) {
@@ -58,13 +59,7 @@ std::optional<double> tolerance_of(const std::optional<std::string>& text, std::
   return std::nullopt;
 }
 
-void add_file(CLI::App& app, const char* option, std::optional<std::string>& file, const char* help) {
-  app.add_option(option, file, help)->type_name("FILE");
-}
-
-void add_force(CLI::App& app, bool& force) {
-  app.add_flag("--force", force, "Overwrite existing files")->disable_flag_override();
-}
+void add_force(CLI::App& app, bool& force) { add_flag(app, "--force", force, "Overwrite existing files"); }
 
 ExitCode exit_code(const Summary& summary) {
   return summary.trustworthy() || bottomed_on_rigid_support(summary) ? exit_done : exit_not_trusted;
@@ -98,11 +93,6 @@ std::optional<injury::Standard> standard_of(const std::string& name, const std::
   return std::nullopt;
 }
 
-void judge_picture(const std::optional<std::string>& file, std::vector<std::string>& wrong) {
-  if (file && !output::picture_format(*file))
-    wrong.push_back(fmt::format("--picture {}: must end in .svg, .png or .pdf", *file));
-}
-
 std::optional<double> quantity_of(const char* option, const std::optional<std::string>& text,
                                   const std::string& si_unit, std::vector<std::string>& wrong) {
   if (!text) return std::nullopt;
@@ -122,39 +112,34 @@ std::optional<double> positive_quantity_of(const char* option, const std::option
 }
 
 void add_material_folder(CLI::App& app, std::string& folder) {
-  app.add_option("--materials", folder,
-                 "Folder of material cards (default: $DASHPAD_MATERIALS or dashpad's own)")
-      ->type_name("DIR");
+  add_option(app, "--materials DIR", folder,
+             "Folder of material cards (default: $DASHPAD_MATERIALS or dashpad's own)");
 }
 
 void add_standard_folder(CLI::App& app, std::string& folder) {
-  app.add_option("--standards", folder, "Folder of presets (default: $DASHPAD_STANDARDS or dashpad's own)")
-      ->type_name("DIR");
+  add_option(app, "--standards DIR", folder,
+             "Folder of presets (default: $DASHPAD_STANDARDS or dashpad's own)");
 }
 
 void add_settings(CLI::App& app, std::vector<std::string>& settings) {
-  app.add_option("--set", settings,
-                 "In place of what the case has, such as pad.thickness=\"30 mm\"; may be given again")
-      ->allow_extra_args(false)
-      ->type_name("KEY=VALUE");
+  add_option(app, "--set KEY=VALUE", settings,
+             "In place of what the case has, such as pad.thickness=\"30 mm\"; may be given again");
 }
 
 CLI::Option* add_case(CLI::App& app, GivenCase& given) {
   add_settings(app, given.settings);
-  return app.add_option("CASE", given.file, "Case file (TOML)")->required()->type_name("");
+  return add_option(app, "CASE", given.file, "Case file (TOML)")->required();
 }
 
-std::optional<input::CaseFile> read_case(const GivenCase& given, const std::filesystem::path& materials,
-                                         std::vector<std::string>& wrong) {
-  return taken(input::read_case(given.file, materials, given.settings), wrong);
+std::optional<input::CaseFile> read_case(const GivenCase& given, std::vector<std::string>& wrong) {
+  return taken(input::read_case(given.file, chosen_folder(given.materials), given.settings), wrong);
 }
 
 input::CaseFile case_to_solve(
-    const GivenCase& given, const std::filesystem::path& materials,
-    const std::optional<std::string>& tolerance, std::vector<std::string> wrong,
+    const GivenCase& given, const std::optional<std::string>& tolerance, std::vector<std::string> wrong,
     const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge) {
   const std::optional<double> chosen = tolerance_of(tolerance, wrong);
-  std::optional<input::CaseFile> input = read_case(given, materials, wrong);
+  std::optional<input::CaseFile> input = read_case(given, wrong);
   judge(files_of(given.file, input), wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
   if (chosen) input->options.tolerance = *chosen;
@@ -176,9 +161,8 @@ std::vector<Blow> solve_blows_with_progress(const ImpactCase& impact, const Opti
 }
 
 void add_no_intervals(CLI::App& app, bool& no_intervals) {
-  app.add_flag("--no-intervals", no_intervals,
-               "Leave out how sure the figures are, and the impacts that are solved for it")
-      ->disable_flag_override();
+  add_flag(app, "--no-intervals", no_intervals,
+           "Leave out how sure the figures are, and the impacts that are solved for it");
 }
 
 void add_intervals_with_progress(const ImpactCase& impact, const Options& options, Solution& solution,
@@ -190,8 +174,7 @@ void add_intervals_with_progress(const ImpactCase& impact, const Options& option
 std::string version_text() {
   const BuildFacts& facts = build_facts();
   std::error_code ignored;
-  const bool has_mpi =
-      std::filesystem::exists(running_executable("").replace_filename("dashpad-mpi"), ignored);
+  const bool has_mpi = std::filesystem::exists(running_executable().replace_filename("dashpad-mpi"), ignored);
   return fmt::format(
       "dashpad {}\n"
       "  commit      {}\n"

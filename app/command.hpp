@@ -1,6 +1,8 @@
 #pragma once
 /// The parts of the command: each subcommand adds itself to the command line and leaves what is to be done.
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -42,25 +44,37 @@ using Action = std::function<int()>;
 /// Lets `what` be done where the command line names the subcommand.
 void when_named(CLI::App& sub, Action& action, Action what);
 
-void add_run(CLI::App& app, Action& action, const std::filesystem::path& executable);
-void add_check(CLI::App& app, Action& action, const std::filesystem::path& executable);
-void add_materials(CLI::App& app, Action& action, const std::filesystem::path& executable);
-void add_material(CLI::App& app, Action& action, const std::filesystem::path& executable);
-void add_material_test(CLI::App& app, Action& action, const std::filesystem::path& executable);
-void add_spit1984(CLI::App& app, Action& action, const std::filesystem::path& executable);
-void add_compare(CLI::App& app, Action& action, const std::filesystem::path& executable);
-void add_assess(CLI::App& app, Action& action, const std::filesystem::path& executable);
-void add_standards(CLI::App& app, Action& action, const std::filesystem::path& executable);
-void add_pulse(CLI::App& app, Action& action, const std::filesystem::path& executable);
-void add_export(CLI::App& app, Action& action, const std::filesystem::path& executable);
-void add_post_impact(CLI::App& app, Action& action, const std::filesystem::path& executable);
-void add_validate(CLI::App& app, Action& action, const std::filesystem::path& executable);
-void add_fit(CLI::App& app, Action& action, const std::filesystem::path& executable);
-void add_study(CLI::App& app, Action& action, const std::filesystem::path& executable);
+void add_run(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
+void add_materials(CLI::App& app, Action& action);
+void add_material(CLI::App& app, Action& action);
+void add_material_test(CLI::App& app, Action& action);
+void add_spit1984(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
+void add_assess(CLI::App& app, Action& action);
+void add_standards(CLI::App& app, Action& action);
+void add_pulse(CLI::App& app, Action& action);
+void add_export(CLI::App& app, Action& action);
+void add_post_impact(CLI::App& app, Action& action);
+void add_validate(CLI::App& app, Action& action);
+void add_fit(CLI::App& app, Action& action);
+void add_study(CLI::App& app, Action& action);
 
 /// The subcommands of `dashpad material`.
 void add_material_import(CLI::App& material, Action& action);
-void add_material_export(CLI::App& material, Action& action, const std::filesystem::path& executable);
+void add_material_export(CLI::App& material, Action& action);
+
+/// Adds an option as the help shows it: "--mass M", or "CASE". Of one that may be given again each value
+/// needs the name before it: what follows may be CASE.
+template <class T>
+CLI::Option* add_option(CLI::App& app, const std::string& shown, T& value, const std::string& help) {
+  const std::size_t name = std::min(shown.find(' '), shown.size());
+  CLI::Option* option = app.add_option(shown.substr(0, name), value, help);
+  if (shown.starts_with('-')) option->allow_extra_args(false);
+  return option->type_name(shown.substr(std::min(name + 1, shown.size())));
+}
+/// Adds an option without a value.
+CLI::Option* add_flag(CLI::App& app, const std::string& name, bool& flag, const std::string& help);
 
 /// Adds --units, a system of units for decks.
 void add_deck_units(CLI::App& app, std::string& units);
@@ -75,12 +89,8 @@ void add_all(CLI::App& app, output::Detail& detail);
 void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance);
 /// The tolerance of --tolerance; absent where there is none, or where it is none and `wrong` is told so.
 std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& wrong);
-/// Adds the option of a file to be written.
-void add_file(CLI::App& app, const char* option, std::optional<std::string>& file, const char* help);
 /// Adds --force.
 void add_force(CLI::App& app, bool& force);
-/// Tells `wrong` of a picture whose name has the ending of no format.
-void judge_picture(const std::optional<std::string>& file, std::vector<std::string>& wrong);
 /// An option's value in SI; absent where there is none, or where it is no such quantity and `wrong` is told
 /// so.
 std::optional<double> quantity_of(const char* option, const std::optional<std::string>& text,
@@ -92,13 +102,13 @@ std::optional<double> positive_quantity_of(const char* option, const std::option
 void add_material_folder(CLI::App& app, std::string& folder);
 /// The folder that was chosen, or the first of:
 ///   1. $DASHPAD_MATERIALS, if set and not empty, whether or not it exists: a wrong path is to be noticed;
-///   2. share/dashpad/materials of the installation that `executable` belongs to, if it exists;
+///   2. share/dashpad/materials of the installation that the program belongs to, if it exists;
 ///   3. materials/ of the source tree that the command was built from, if it exists.
 /// If there is none, the second, so that a message can name the place where the cards were expected.
-std::filesystem::path chosen_folder(const std::string& folder, const std::filesystem::path& executable);
+std::filesystem::path chosen_folder(const std::string& folder);
 /// The same two for --standards: $DASHPAD_STANDARDS, share/dashpad/standards, standards/.
 void add_standard_folder(CLI::App& app, std::string& folder);
-std::filesystem::path chosen_standards(const std::string& folder, const std::filesystem::path& executable);
+std::filesystem::path chosen_standards(const std::string& folder);
 /// The preset of --standard, with its variants in force; its file joins `files`. Absent where it is refused,
 /// and `wrong` is told why.
 std::optional<injury::Standard> standard_of(const std::string& name, const std::filesystem::path& folder,
@@ -106,9 +116,9 @@ std::optional<injury::Standard> standard_of(const std::string& name, const std::
                                             std::vector<std::string>& wrong);
 /// The same for the measured tests of the validation: $DASHPAD_VALIDATION_DATA,
 /// share/dashpad/data/validation, data/validation/.
-std::filesystem::path validation_data_folder(const std::filesystem::path& executable);
-/// The file of the running program; `argument_zero` where the system does not tell.
-std::filesystem::path running_executable(const char* argument_zero);
+std::filesystem::path chosen_measured_tests(const std::string& folder);
+/// The file of the running program; the name that it was called by where the system does not tell.
+std::filesystem::path running_executable();
 
 /// The card of that name in a folder; a name that ends in .toml is a file. Refused names the cards there are.
 std::filesystem::path find_card(const std::string& name, const std::filesystem::path& folder);
@@ -116,10 +126,11 @@ std::filesystem::path find_card(const std::string& name, const std::filesystem::
 std::optional<std::filesystem::path> find_card(const std::string& name, const std::filesystem::path& folder,
                                                std::vector<std::string>& wrong);
 
-/// A case file, and what is set in place of its values.
+/// A case file, what is set in place of its values, and where its materials are.
 struct GivenCase {
-  std::string file;
-  std::vector<std::string> settings;  ///< "KEY=VALUE"
+  std::string file = {};
+  std::vector<std::string> settings = {};  ///< "KEY=VALUE"
+  std::string materials = {};              ///< of --materials
 };
 /// Adds --set.
 void add_settings(CLI::App& app, std::vector<std::string>& settings);
@@ -127,14 +138,12 @@ void add_settings(CLI::App& app, std::vector<std::string>& settings);
 CLI::Option* add_case(CLI::App& app, GivenCase& given);
 
 /// The case of that file; absent where it has faults, of which `wrong` is told.
-std::optional<input::CaseFile> read_case(const GivenCase& given, const std::filesystem::path& materials,
-                                         std::vector<std::string>& wrong);
+std::optional<input::CaseFile> read_case(const GivenCase& given, std::vector<std::string>& wrong);
 
 /// The case to solve, with the tolerance of --tolerance in place of its own. `judge` sees the files that it
 /// was read from, and may add to `wrong`. Throws Refused with all that is wrong then.
 input::CaseFile case_to_solve(
-    const GivenCase& given, const std::filesystem::path& materials,
-    const std::optional<std::string>& tolerance, std::vector<std::string> wrong,
+    const GivenCase& given, const std::optional<std::string>& tolerance, std::vector<std::string> wrong,
     const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge);
 
 /// The files that the case was read from; of a case with faults at least its own.

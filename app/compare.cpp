@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -20,8 +19,7 @@
 #include "dashpad/output/pulse.hpp"
 #include "dashpad/report1986/comparison.hpp"
 #include "dashpad/spit1984/deck.hpp"
-#include "documents.hpp"
-#include "output.hpp"
+#include "output_files.hpp"
 #include "progress_line.hpp"
 #include "pulse/request.hpp"
 
@@ -55,30 +53,18 @@ nothing was run, 3 the accurate solver missed the tolerance.)";
 
 struct CompareRequest {
   GivenCase given;
-  std::optional<std::string> picture;
-  std::optional<std::string> json;
-  DocumentFiles documents;
-  std::string units;
+  OutputFiles files;
   double time_step_ms = 0.1;
   PulseRequest pulse;
   std::string align = injury::to_string(injury::Alignment::onset);
-  std::string materials;
-  bool force = false;
 };
 
-std::vector<Target> targets(const CompareRequest& request) {
-  return targets_of({{"--picture", request.picture},
-                     {"--json", request.json},
-                     {"--report", request.documents.page},
-                     {"--markdown", request.documents.markdown}});
-}
-
-input::CaseFile read_and_check(const CompareRequest& request, const std::filesystem::path& materials) {
+input::CaseFile read_and_check(const CompareRequest& request) {
   std::vector<std::string> wrong;
-  judge_picture(request.picture, wrong);
+  judge_picture(request.files, wrong);
   if (std::isnan(request.time_step_ms)) wrong.emplace_back("--time-step nan: must be a number");
-  std::optional<input::CaseFile> input = read_case(request.given, materials, wrong);
-  judge_targets(targets(request), files_of(request.given.file, input), request.force, wrong);
+  std::optional<input::CaseFile> input = read_case(request.given, wrong);
+  judge_files(request.files, files_of(request.given.file, input), wrong);
   if (input)
     for (const Violation& violation : spit1984::what_a_deck_cannot_say(input->impact))
       wrong.push_back(fmt::format("{}: {}: {}", request.given.file, violation.key, violation.rule));
@@ -86,23 +72,23 @@ input::CaseFile read_and_check(const CompareRequest& request, const std::filesys
   return *std::move(input);
 }
 
-int run_comparison(const CompareRequest& request, const std::filesystem::path& materials) {
-  const input::CaseFile input = read_and_check(request, materials);
-  const UnitSystem& units = unit_system(request.units);
+int run_comparison(const CompareRequest& request) {
+  const input::CaseFile input = read_and_check(request);
+  const UnitSystem& units = unit_system(request.files.units);
   const report1986::Comparison comparison = [&] {
     ProgressLine line{"Running the program of 1984"};
     return report1986::compare(input.impact, input.options, 1e-3 * request.time_step_ms,
                                [&](std::size_t done, std::size_t all) { line.show(done, all); });
   }();
 
-  const auto text_of = [&](const Target& target) {
-    return target.option == "--json"
-               ? report1986::comparison_json(comparison)
-               : output::picture(report1986::comparison_plot(comparison, input.impact, units),
-                                 *output::picture_format(target.file));
-  };
-  publish(targets(request), request.force, text_of,
-          report1986::comparison_text(comparison, input.impact, units));
+  publish(request.files,
+          [&](output::Pictures pictures) {
+            return report1986::comparison_document(comparison, input.impact, units, pictures);
+          },
+          {{"--json", [&](const Target&) { return report1986::comparison_json(comparison); }},
+           {"--picture", [&](const Target& target) {
+              return picture_text(report1986::comparison_plot(comparison, input.impact, units), target);
+            }}});
   return comparison.runs.front().trustworthy && comparison.runs[report1986::Comparison::reference].trustworthy
              ? exit_done
              : exit_not_trusted;
@@ -124,10 +110,10 @@ void judge_pulse(const injury::PulseReport& pulse, injury::Alignment alignment) 
 }
 
 /// The case beside the pulse of the request; returns the exit code.
-int compare_with_pulse(const CompareRequest& request, const std::filesystem::path& materials) {
+int compare_with_pulse(const CompareRequest& request) {
   std::vector<std::string> wrong;
-  judge_picture(request.picture, wrong);
-  const std::optional<input::CaseFile> input = read_case(request.given, materials, wrong);
+  judge_picture(request.files, wrong);
+  const std::optional<input::CaseFile> input = read_case(request.given, wrong);
   PulseRequest asked = request.pulse;
   injury::MeasuredImpact impact;
   if (input) {
@@ -136,7 +122,7 @@ int compare_with_pulse(const CompareRequest& request, const std::filesystem::pat
   }
   const injury::PulseReport pulse = pulse_report(asked, std::move(wrong), [&](auto files, auto& faults) {
     std::ranges::move(files_of(request.given.file, input), std::back_inserter(files));
-    judge_targets(targets(request), files, request.force, faults);
+    judge_files(request.files, files, faults);
   });
   const injury::Alignment alignment = alignment_of(request.align);
   judge_pulse(pulse, alignment);
@@ -144,36 +130,29 @@ int compare_with_pulse(const CompareRequest& request, const std::filesystem::pat
   add_intervals_with_progress(input->impact, input->options, solution);
   const injury::PulseComparison comparison = injury::compare_pulses(pulse, solution, impact, alignment);
   const output::PulseComparisonReport report{request.given.file, input->impact, solution, pulse, comparison};
-  const UnitSystem& units = unit_system(request.units);
-  const auto text_of = [&](const Target& target) {
-    if (target.option == "--json") return output::pulse_comparison_json(report);
-    if (is_document(target))
-      return document_text(target, [&](output::Pictures pictures) {
-        return output::pulse_comparison_document(report, units, pictures);
-      });
-    return output::picture(output::pulse_comparison_plot(report, units),
-                           *output::picture_format(target.file));
-  };
-  publish(targets(request), request.force, text_of,
-          output::to_terminal(output::pulse_comparison_document(report, units), output::Detail::main));
+  const UnitSystem& units = unit_system(request.files.units);
+  publish(
+      request.files,
+      [&](output::Pictures pictures) { return output::pulse_comparison_document(report, units, pictures); },
+      {{"--json", [&](const Target&) { return output::pulse_comparison_json(report); }},
+       {"--picture", [&](const Target& target) {
+          return picture_text(output::pulse_comparison_plot(report, units), target);
+        }}});
   return exit_code(solution.summary);
 }
 
 /// Adds --pulse and what goes with it, a group of its own in the help.
 void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time_step) {
   CLI::Option* pulse =
-      sub.add_option("--pulse", request.pulse.file,
-                     "A measured pulse to lay over the computed one: a table, or a test in ISO-MME")
-          ->excludes(time_step)
-          ->type_name("FILE");
+      add_option(sub, "--pulse FILE", request.pulse.file,
+                 "A measured pulse to lay over the computed one: a table, or a test in ISO-MME")
+          ->excludes(time_step);
   const std::vector<CLI::Option*> before = sub.get_options();
   std::vector<std::string> names;
   for (const injury::Alignment alignment : injury::all_alignments)
     names.emplace_back(injury::to_string(alignment));
-  sub.add_option("--align", request.align, "In time: onset (default), peak or none")
-      ->check(CLI::IsMember(names))
-      ->type_name("NAME");
-  add_documents(sub, request.documents);
+  add_option(sub, "--align NAME", request.align, "In time: onset (default), peak or none")
+      ->check(CLI::IsMember(names));
   add_source_options(sub, request.pulse);
   add_processing_options(sub, request.pulse);
   for (CLI::Option* option : sub.get_options())
@@ -182,26 +161,24 @@ void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time
 
 }  // namespace
 
-void add_compare(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+void add_compare(CLI::App& app, Action& action) {
   CLI::App* sub =
       app.add_subcommand("compare", "A case beside a measured pulse, or beside the program of 1984");
   const auto request = std::make_shared<CompareRequest>();
   add_case(*sub, request->given);
-  add_file(*sub, "--picture", request->picture, "Draw the curves over time (.svg, .png, .pdf)");
-  add_file(*sub, "--json", request->json, "Write the table as JSON, SI (- for standard output)");
-  add_units(*sub, request->units);
+  add_file(*sub, request->files, "--picture", "Draw the curves over time (.svg, .png, .pdf)");
+  add_file(*sub, request->files, "--json", "Write the table as JSON, SI (- for standard output)");
+  add_documents(*sub, request->files);
+  add_units(*sub, request->files.units);
   CLI::Option* time_step =
-      sub->add_option("--time-step", request->time_step_ms, "Of the 1984 program, ms (default 0.1)")
-          ->check(CLI::Range(1e-6, 1e3))
-          ->type_name("MS");
-  add_force(*sub, request->force);
-  add_material_folder(*sub, request->materials);
+      add_option(*sub, "--time-step MS", request->time_step_ms, "Of the 1984 program, ms (default 0.1)")
+          ->check(CLI::Range(1e-6, 1e3));
+  add_force(*sub, request->files.force);
+  add_material_folder(*sub, request->given.materials);
   add_pulse_options(*sub, *request, time_step);
   sub->footer(compare_footer);
-  when_named(*sub, action, [request, sub, executable] {
-    const std::filesystem::path materials = chosen_folder(request->materials, executable);
-    return sub->count("--pulse") == 0 ? run_comparison(*request, materials)
-                                      : compare_with_pulse(*request, materials);
+  when_named(*sub, action, [request, sub] {
+    return sub->count("--pulse") == 0 ? run_comparison(*request) : compare_with_pulse(*request);
   });
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <utility>
 
 #include <functional>
 
@@ -70,7 +69,6 @@ struct ExportRequest {
   int first_id = 1;
   std::optional<int> points;
   std::optional<std::string> tolerance;
-  std::string materials;
   bool force = false;
 };
 
@@ -133,12 +131,11 @@ std::string account(const ExportRequest& request, const output::CurveFile& file)
   return text;
 }
 
-int export_curves(const ExportRequest& request, const std::filesystem::path& materials) {
-  const input::CaseFile input =
-      case_to_solve(request.given, materials, request.tolerance, wrong_curves(request),
-                    [&](const auto& files, auto& wrong) {
-                      judge_targets({{"--out", request.out}}, files, request.force, wrong);
-                    });
+int export_curves(const ExportRequest& request) {
+  const input::CaseFile input = case_to_solve(
+      request.given, request.tolerance, wrong_curves(request), [&](const auto& files, auto& wrong) {
+        judge_targets({{"--out", request.out}}, files, request.force, wrong);
+      });
   const Solution solution = solve_with_progress(input.impact, input.options);
   const output::CurveFile file = curves_for(request, input, solution);
   publish(
@@ -152,44 +149,34 @@ void add_options(CLI::App& sub, ExportRequest& request) {
   for (const Format& format : formats) format_names.emplace_back(format.name);
   for (const UnitSystem& system : consistent_systems()) system_names.push_back(system.name);
   add_case(sub, request.given);
-  sub.add_option("--format", request.format, "ls-dyna, radioss, csv or iso-mme")
+  add_option(sub, "--format F", request.format, "ls-dyna, radioss, csv or iso-mme")
       ->required()
-      ->check(CLI::IsMember(format_names))
-      ->type_name("F");
-  sub.add_option("--out", request.out, "Where the curves go (- for standard output)")
-      ->required()
-      ->type_name("FILE");
-  sub.add_option("--curves", request.curves, "Which, with commas between them (default: all)")
+      ->check(CLI::IsMember(format_names));
+  add_option(sub, "--out FILE", request.out, "Where the curves go (- for standard output)")->required();
+  add_option(sub, "--curves LIST", request.curves, "Which, with commas between them (default: all)")
       ->delimiter(',')
-      ->allow_extra_args(false)  // what follows may be CASE
-      ->check(CLI::IsMember(output::curve_names()))
-      ->type_name("LIST");
-  sub.add_option("--system", request.system, "Units of the deck (default: kg-mm-ms)")
-      ->check(CLI::IsMember(system_names))
-      ->type_name("SYSTEM");
-  sub.add_flag("--acceleration-in-g", request.in_g, "Accelerations in g, not in the system's length/time^2")
-      ->disable_flag_override();
-  sub.add_option("--first-id", request.first_id, "Number of the first curve (default: 1)")
-      ->check(CLI::Range(1, output::highest_curve_id))
-      ->type_name("N");
-  sub.add_option("--points", request.points, "Keep at most N points of a curve; says how far off it is then")
-      ->check(CLI::Range(2, most_points))
-      ->type_name("N");
+      ->check(CLI::IsMember(output::curve_names()));
+  add_option(sub, "--system SYSTEM", request.system, "Units of the deck (default: kg-mm-ms)")
+      ->check(CLI::IsMember(system_names));
+  add_flag(sub, "--acceleration-in-g", request.in_g, "Accelerations in g, not in the system's length/time^2");
+  add_option(sub, "--first-id N", request.first_id, "Number of the first curve (default: 1)")
+      ->check(CLI::Range(1, output::highest_curve_id));
+  add_option(sub, "--points N", request.points,
+             "Keep at most N points of a curve; says how far off it is then")
+      ->check(CLI::Range(2, most_points));
   add_tolerance(sub, request.tolerance);
-  sub.add_flag("--force", request.force, "Overwrite an existing file")->disable_flag_override();
-  add_material_folder(sub, request.materials);
+  add_flag(sub, "--force", request.force, "Overwrite an existing file");
+  add_material_folder(sub, request.given.materials);
   sub.footer(export_footer);
 }
 
 }  // namespace
 
-void add_export(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+void add_export(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("export", "Write the curves of one case for other programs' decks");
   const auto request = std::make_shared<ExportRequest>();
   add_options(*sub, *request);
-  when_named(*sub, action, [request, executable] {
-    return export_curves(*request, chosen_folder(request->materials, executable));
-  });
+  when_named(*sub, action, [request] { return export_curves(*request); });
 }
 
 }  // namespace dashpad::app

@@ -11,9 +11,8 @@
 #include "dashpad/output/card_toml.hpp"
 #include "dashpad/output/fit.hpp"
 #include "dashpad/version.hpp"
-#include "documents.hpp"
 #include "input/measurement/measurement_text.hpp"
-#include "output.hpp"
+#include "output_files.hpp"
 #include "progress_line.hpp"
 #include "quantities/text.hpp"
 
@@ -78,12 +77,10 @@ Exit codes: 0 done, 1 a result could not be written, 2 the fit file or its data 
 
 struct FitRequest {
   std::string file;
-  std::optional<std::string> card, fitted_case, json, state;
-  DocumentFiles documents;
+  OutputFiles files;
+  std::optional<std::string> state;
   std::vector<std::string> posterior;  ///< N and FILE
-  std::string units;
   std::string materials;
-  bool force = false;
 };
 
 constexpr std::size_t most_draws = 1'000'000;
@@ -102,11 +99,7 @@ std::size_t draws_of(const FitRequest& request, std::vector<std::string>& wrong)
 }
 
 std::vector<Target> fit_targets(const FitRequest& request) {
-  std::vector<Target> targets = targets_of({{"--output", request.card},
-                                            {"--case", request.fitted_case},
-                                            {"--json", request.json},
-                                            {"--report", request.documents.page},
-                                            {"--markdown", request.documents.markdown}});
+  std::vector<Target> targets = request.files.targets();
   if (request.posterior.size() == 2) targets.push_back({"--posterior", request.posterior.back()});
   return targets;
 }
@@ -167,28 +160,30 @@ int stopped(const FitRequest& request, std::size_t kept) {
 
 /// What no card holds, where the case that would is not asked for.
 std::string kept_by_case(const FitRequest& request, const fit::FitReport& report) {
-  if (request.fitted_case || !report.fitted_case) return "";
+  if (!request.files.of("--case").empty() || !report.fitted_case) return "";
   std::string keys;
   for (const fit::FittedUnknown& of : report.unknowns)
     if (!of.is_nuisance && !fit::is_of_card(of.key)) keys += (keys.empty() ? "" : ", ") + of.key;
   return keys + ": no card holds that; --case FILE keeps it, with the foam.\n";
 }
 
-int fit_material(const FitRequest& request, const std::filesystem::path& materials) {
+int fit_material(const FitRequest& request) {
   // From the reading of the files to the writing of the results: neither is left half done.
   const StopSignal signal;
   std::vector<std::string> wrong;
   const std::size_t draws = draws_of(request, wrong);
-  std::optional<fit::FitFile> input = taken(fit::read_fit(request.file, materials), wrong);
+  std::optional<fit::FitFile> input =
+      taken(fit::read_fit(request.file, chosen_folder(request.materials)), wrong);
   std::vector<Target> targets = fit_targets(request);
   const std::vector<input::InputFile> files =
       input ? input->files : std::vector<input::InputFile>{{"the fit file", request.file}};
-  judge_targets(targets, files, request.force, wrong);
-  if (request.fitted_case && input && !fit::finds_more_than_a_card(input->fit))
+  judge_targets(targets, files, request.files.force, wrong);
+  if (const std::string& file = request.files.of("--case");
+      !file.empty() && input && !fit::finds_more_than_a_card(input->fit))
     wrong.push_back(
         fmt::format("--case {}: no unknown of this fit is one of the case, as support.stiffness; "
                     "a card holds all that it finds (--output)",
-                    *request.fitted_case));
+                    file));
   fit::RunOptions options{.posterior = draws};
   if (request.state && input) {
     options.state = *request.state;
@@ -204,18 +199,16 @@ int fit_material(const FitRequest& request, const std::filesystem::path& materia
   }
   // Without convergence there is no card and no sample.
   if (!report.converged) std::erase_if(targets, [](const Target& of) { return of.option != "--json"; });
+  const auto document = [&](output::Pictures pictures) {
+    return output::fit_document(report, unit_system(request.files.units), pictures);
+  };
   const auto text_of = [&](const Target& target) {
     if (target.option == "--json") return output::fit_json(report);
     if (target.option == "--posterior") return output::posterior_csv(report);
     if (target.option == "--case") return output::fitted_case_toml(report);
-    if (is_document(target))
-      return document_text(target, [&](output::Pictures pictures) {
-        return output::fit_document(report, unit_system(request.units), pictures);
-      });
-    return output::card_toml(report.material);
+    return is_document(target) ? document_text(target, document) : output::card_toml(report.material);
   };
-  std::string account =
-      output::to_terminal(output::fit_document(report, unit_system(request.units)), output::Detail::main);
+  std::string account = output::to_terminal(document(output::Pictures::left_out), output::Detail::main);
   for (const Target& target : targets)
     if (!target.is_standard_output()) account += "written: " + target.file + "\n";
   account += kept_by_case(request, report);
@@ -223,33 +216,31 @@ int fit_material(const FitRequest& request, const std::filesystem::path& materia
     account +=
         "The draws are from the Laplace approximation: normal in the coordinates of the search, cut off at "
         "the bounds.\n";
-  publish(targets, request.force, text_of, account);
+  publish(targets, request.files.force, text_of, account);
   return report.converged ? exit_done : exit_not_trusted;
 }
 
 }  // namespace
 
-void add_fit(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+void add_fit(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("fit", "A material card from measurements, with its uncertainty");
   const auto request = std::make_shared<FitRequest>();
-  sub->add_option("FIT", request->file, "Fit file (TOML)")->required()->type_name("");
-  add_file(*sub, "-o,--output", request->card, "Write the material card (- for standard output)");
-  add_file(*sub, "--case", request->fitted_case,
+  add_option(*sub, "FIT", request->file, "Fit file (TOML)")->required();
+  add_file(*sub, request->files, "-o,--output", "Write the material card (- for standard output)");
+  add_file(*sub, request->files, "--case",
            "Write the case with what was found of it, as a support, and the foam (- for standard output)");
-  add_file(*sub, "--json", request->json, "Write everything as JSON, SI (- for standard output)");
+  add_file(*sub, request->files, "--json", "Write everything as JSON, SI (- for standard output)");
   sub->add_option("--posterior", request->posterior, "Write N draws of the unknowns as CSV")
       ->expected(2)
       ->type_name("N FILE");
-  add_documents(*sub, request->documents);
-  add_file(*sub, "--state", request->state,
-           "Keep finished searches and intervals there, and go on from them");
-  add_units(*sub, request->units);
-  add_force(*sub, request->force);
+  add_documents(*sub, request->files);
+  add_option(*sub, "--state FILE", request->state,
+             "Keep finished searches and intervals there, and go on from them");
+  add_units(*sub, request->files.units);
+  add_force(*sub, request->files.force);
   add_material_folder(*sub, request->materials);
   sub->footer(fit_footer);
-  when_named(*sub, action, [request, executable] {
-    return fit_material(*request, chosen_folder(request->materials, executable));
-  });
+  when_named(*sub, action, [request] { return fit_material(*request); });
 }
 
 }  // namespace dashpad::app

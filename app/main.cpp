@@ -26,7 +26,7 @@ namespace dashpad::app {
 namespace {
 
 constexpr const char* description =
-    "dashpad: the impact of a rigid nose on a foam pad on an elastic support.\n"
+    "dashpad: the impact of a rigid nose on a foam pad and its support.\n"
     "Give it a case file; it answers with peak force, peak acceleration, penetration, rebound and energy.";
 
 constexpr const char* main_footer = R"(Start here:
@@ -55,7 +55,7 @@ Exit codes:
 struct Command {
   std::string_view group;  ///< of the help
   std::string_view name;
-  void (*add)(CLI::App&, Action&, const std::filesystem::path&);
+  void (*add)(CLI::App&, Action&);
   bool only_looks = false;  ///< runs no impact
 };
 
@@ -179,7 +179,6 @@ int command(int argument_count, char** arguments) {
   app.set_version_flag("--version", version_text, "Version, commit, compiler and libraries");
   app.require_subcommand(1);
 
-  const std::filesystem::path executable = running_executable(arguments[0]);
   Action action;
   // The options of one subcommand, where the command line begins with it: those of all take longer to set up
   // than many an impact to solve.
@@ -187,7 +186,7 @@ int command(int argument_count, char** arguments) {
   const bool is_named = std::ranges::find(commands, first, &Command::name) != std::end(commands);
   for (const auto& [group, name, add, only_looks] : commands) {
     if (is_named && name != first) continue;
-    add(app, action, executable);
+    add(app, action);
     app.get_subcommands({}).back()->group(std::string(group));
   }
   try {

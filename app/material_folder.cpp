@@ -2,6 +2,7 @@
 
 #include "command.hpp"
 
+#include <cerrno>
 #include <cstdlib>
 #include <system_error>
 
@@ -17,44 +18,38 @@ struct DataFolder {
   const char* source;
 };
 
-fs::path find(const DataFolder& folder, const fs::path& executable) {
-  if (const char* chosen = std::getenv(folder.variable); chosen != nullptr && *chosen != '\0') return chosen;
+fs::path chosen(const std::string& folder, const DataFolder& of) {
+  if (!folder.empty()) return folder;
+  if (const char* named = std::getenv(of.variable); named != nullptr && *named != '\0') return named;
 
   std::error_code ignored;
   const fs::path installed =
-      (fs::absolute(executable, ignored).parent_path() / folder.installed).lexically_normal();
+      (fs::absolute(running_executable(), ignored).parent_path() / of.installed).lexically_normal();
   if (fs::is_directory(installed, ignored)) return installed;
-
-  const fs::path source{folder.source};
-  if (fs::is_directory(source, ignored)) return source;
-
-  return installed;
+  return fs::is_directory(of.source, ignored) ? of.source : installed;
 }
 
 }  // namespace
 
-fs::path chosen_folder(const std::string& folder, const fs::path& executable) {
-  if (!folder.empty()) return folder;
-  return find({"DASHPAD_MATERIALS", DASHPAD_INSTALLED_DATA "/materials", DASHPAD_SOURCE_DATA "/materials"},
-              executable);
+fs::path chosen_folder(const std::string& folder) {
+  return chosen(folder,
+                {"DASHPAD_MATERIALS", DASHPAD_INSTALLED_DATA "/materials", DASHPAD_SOURCE_DATA "/materials"});
 }
 
-fs::path chosen_standards(const std::string& folder, const fs::path& executable) {
-  if (!folder.empty()) return folder;
-  return find({"DASHPAD_STANDARDS", DASHPAD_INSTALLED_DATA "/standards", DASHPAD_SOURCE_DATA "/standards"},
-              executable);
+fs::path chosen_standards(const std::string& folder) {
+  return chosen(folder,
+                {"DASHPAD_STANDARDS", DASHPAD_INSTALLED_DATA "/standards", DASHPAD_SOURCE_DATA "/standards"});
 }
 
-fs::path validation_data_folder(const fs::path& executable) {
-  return find({"DASHPAD_VALIDATION_DATA", DASHPAD_INSTALLED_DATA "/data/validation",
-               DASHPAD_SOURCE_DATA "/data/validation"},
-              executable);
+fs::path chosen_measured_tests(const std::string& folder) {
+  return chosen(folder, {"DASHPAD_VALIDATION_DATA", DASHPAD_INSTALLED_DATA "/data/validation",
+                         DASHPAD_SOURCE_DATA "/data/validation"});
 }
 
-fs::path running_executable(const char* argument_zero) {
+fs::path running_executable() {
   std::error_code error;
   fs::path executable = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path{argument_zero} : executable;
+  return error ? fs::path{program_invocation_name} : executable;
 }
 
 }  // namespace dashpad::app

@@ -1,7 +1,6 @@
 // dashpad materials: the material cards side by side, or one whole.
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -10,10 +9,9 @@
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/output/materials.hpp"
-#include "documents.hpp"
 #include "input/disk.hpp"
 #include "input/spelling.hpp"
-#include "output.hpp"
+#include "output_files.hpp"
 
 namespace dashpad::app {
 
@@ -38,38 +36,27 @@ cards are listed all the same, and not drawn).)";
 
 struct MaterialsRequest {
   std::string name;
-  std::optional<std::string> picture;
-  DocumentFiles documents;
-  std::string units;
+  OutputFiles files;
   std::string folder;
-  bool force = false;
 };
-
-std::vector<Target> targets(const MaterialsRequest& request) {
-  return targets_of({{"--picture", request.picture},
-                     {"--report", request.documents.page},
-                     {"--markdown", request.documents.markdown}});
-}
 
 /// Throws Refused where the picture cannot be written, before anything is read.
 void judge(const MaterialsRequest& request, const std::vector<fs::path>& cards) {
   std::vector<input::InputFile> files;
   for (const fs::path& card : cards) files.push_back({"the material card", card});
   std::vector<std::string> wrong;
-  judge_targets(targets(request), files, request.force, wrong);
-  judge_picture(request.picture, wrong);
+  judge_files(request.files, files, wrong);
+  judge_picture(request.files, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
 }
 
 /// The document goes to its files, and to people below that heading.
 void publish(const MaterialsRequest& request, const std::vector<Material>& materials,
-             const std::string& heading, const std::function<output::Document(output::Pictures)>& document) {
-  const auto text_of = [&](const Target& target) {
-    if (is_document(target)) return document_text(target, document);
-    return output::picture(output::materials_plot(materials, unit_system(request.units)),
-                           *output::picture_format(target.file));
+             const std::string& heading, const MakeDocument& document) {
+  const auto picture = [&](const Target& target) {
+    return picture_text(output::materials_plot(materials, unit_system(request.files.units)), target);
   };
-  publish(targets(request), request.force, text_of,
+  publish(request.files, document, {{"--picture", picture}},
           heading + output::to_terminal(document(output::Pictures::left_out), output::Detail::all));
 }
 
@@ -78,7 +65,7 @@ int show(const MaterialsRequest& request, const fs::path& folder) {
   judge(request, {card});
   const Material material = input::read_material(card).value();
   publish(request, {material}, "", [&](output::Pictures pictures) {
-    return output::material_document(material, unit_system(request.units), pictures);
+    return output::material_document(material, unit_system(request.files.units), pictures);
   });
   return exit_done;
 }
@@ -92,13 +79,13 @@ int list_all_materials(const MaterialsRequest& request, const fs::path& folder) 
     if (auto material = taken(input::read_material(card), faults)) materials.push_back(*std::move(material));
   const std::string heading = fmt::format("Materials in {}:\n", folder.string());
   const auto document = [&](output::Pictures pictures) {
-    return output::materials_document(materials, unit_system(request.units), pictures);
+    return output::materials_document(materials, unit_system(request.files.units), pictures);
   };
   if (!faults.empty()) {
     write_output(heading + output::to_terminal(document(output::Pictures::left_out), output::Detail::all));
     throw Refused(std::move(faults));
   }
-  if (materials.empty() && request.picture)
+  if (materials.empty() && !request.files.of("--picture").empty())
     throw Refused({fmt::format("--picture: there is no material in {}", folder.string())});
   publish(request, materials, heading, document);
   return exit_done;
@@ -126,25 +113,19 @@ std::optional<fs::path> find_card(const std::string& name, const fs::path& folde
   return std::nullopt;
 }
 
-void add_materials(CLI::App& app, Action& action, const fs::path& executable) {
+void add_materials(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("materials", "List the material cards, or show one");
   const auto request = std::make_shared<MaterialsRequest>();
-  CLI::Option* name = sub->add_option("NAME", request->name, "Card to show in full")->type_name("");
-  add_file(*sub, "--picture", request->picture, "Draw the loading curves (.svg, .png, .pdf)");
-  add_documents(*sub, request->documents);
-  add_units(*sub, request->units);
-  add_force(*sub, request->force);
+  add_option(*sub, "NAME", request->name, "Card to show in full");
+  add_file(*sub, request->files, "--picture", "Draw the loading curves (.svg, .png, .pdf)");
+  add_documents(*sub, request->files);
+  add_units(*sub, request->files.units);
+  add_force(*sub, request->files.force);
   add_material_folder(*sub, request->folder);
   sub->footer(materials_footer);
-  sub->callback([request, &action, executable, name] {
-    const bool is_named = name->count() > 0;
-    action = [request, executable, is_named] {
-      if (is_named && request->name.empty())
-        throw Refused(
-            {"NAME \"\": must be a card, or a file that ends in .toml; without NAME all are listed"});
-      const fs::path folder = chosen_folder(request->folder, executable);
-      return request->name.empty() ? list_all_materials(*request, folder) : show(*request, folder);
-    };
+  when_named(*sub, action, [request] {
+    const fs::path folder = chosen_folder(request->folder);
+    return request->name.empty() ? list_all_materials(*request, folder) : show(*request, folder);
   });
 }
 

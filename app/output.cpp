@@ -119,14 +119,6 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
-std::vector<Target> targets_of(
-    std::initializer_list<std::pair<const char*, const std::optional<std::string>&>> files) {
-  std::vector<Target> targets;
-  for (const auto& [option, file] : files)
-    if (file) targets.push_back({option, *file});
-  return targets;
-}
-
 void judge_targets(const std::vector<Target>& targets, const std::vector<input::InputFile>& inputs,
                    bool force, std::vector<std::string>& wrong) {
   for (auto target = targets.begin(); target != targets.end(); ++target) {

@@ -4,11 +4,8 @@
 
 #include <filesystem>
 #include <functional>
-#include <initializer_list>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "dashpad/input/reading.hpp"
@@ -38,10 +35,6 @@ struct Target {
   std::string file;
   [[nodiscard]] bool is_standard_output() const { return file == "-"; }
 };
-
-/// The files that are wanted, by their options.
-std::vector<Target> targets_of(
-    std::initializer_list<std::pair<const char*, const std::optional<std::string>&>> files);
 
 /// Tells `wrong` what forbids writing to the targets, seen before the run, a line each: a file that exists
 /// (without force), a folder that is missing or closed to us, two targets that are one, standard output or

@@ -9,8 +9,7 @@
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/output/impact.hpp"
-#include "documents.hpp"
-#include "output.hpp"
+#include "output_files.hpp"
 
 namespace dashpad::app {
 
@@ -31,31 +30,23 @@ tolerance or there is no rebound.)";
 
 struct PostImpactRequest {
   GivenCase given;
-  std::optional<std::string> other_mass, other_velocity, json;
-  DocumentFiles documents;
-  std::string units, materials;
-  bool force = false;
+  std::optional<std::string> other_mass, other_velocity;
+  OutputFiles files;
 };
-
-std::vector<Target> targets(const PostImpactRequest& request) {
-  return targets_of({{"--json", request.json},
-                     {"--report", request.documents.page},
-                     {"--markdown", request.documents.markdown}});
-}
 
 struct PostImpactInput {
   input::CaseFile file;
   Body first, second;
 };
 
-PostImpactInput read_and_check(const PostImpactRequest& request, const std::filesystem::path& materials) {
+PostImpactInput read_and_check(const PostImpactRequest& request) {
   std::vector<std::string> wrong;
   PostImpactInput input;
   constexpr double held = std::numeric_limits<double>::infinity();
   input.second.mass = positive_quantity_of("--other-mass", request.other_mass, "kg", wrong).value_or(held);
   input.second.velocity = quantity_of("--other-velocity", request.other_velocity, "m/s", wrong).value_or(0);
-  std::optional<input::CaseFile> file = read_case(request.given, materials, wrong);
-  judge_targets(targets(request), files_of(request.given.file, file), request.force, wrong);
+  std::optional<input::CaseFile> file = read_case(request.given, wrong);
+  judge_files(request.files, files_of(request.given.file, file), wrong);
   if (file) {
     input.file = *std::move(file);
     if (input.file.impact.blows)
@@ -81,8 +72,8 @@ PostImpactInput read_and_check(const PostImpactRequest& request, const std::file
   return input;
 }
 
-int run(const PostImpactRequest& request, const std::filesystem::path& materials) {
-  const PostImpactInput input = read_and_check(request, materials);
+int run(const PostImpactRequest& request) {
+  const PostImpactInput input = read_and_check(request);
   const ImpactCase& impact = input.file.impact;
   const Solution solution = solve_with_progress(impact, input.file.options);
   if (!solution.summary.release) {
@@ -92,37 +83,32 @@ int run(const PostImpactRequest& request, const std::filesystem::path& materials
   }
   const auto document = [&](output::Pictures) {
     return output::post_impact_document(input.first, input.second, impact, solution,
-                                        unit_system(request.units));
+                                        unit_system(request.files.units));
   };
-  publish(
-      targets(request), request.force,
-      [&](const Target& target) {
-        return is_document(target) ? document_text(target, document)
-                                   : output::post_impact_json(input.first, input.second, impact, solution);
-      },
-      output::to_terminal(document(output::Pictures::left_out), output::Detail::main));
+  const auto json = [&](const Target&) {
+    return output::post_impact_json(input.first, input.second, impact, solution);
+  };
+  publish(request.files, document, {{"--json", json}});
   return solution.summary.trustworthy() ? exit_done : exit_not_trusted;
 }
 
 }  // namespace
 
-void add_post_impact(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+void add_post_impact(CLI::App& app, Action& action) {
   CLI::App* sub =
       app.add_subcommand("post-impact", "Velocities of two bodies after the impact, and its energy");
   const auto request = std::make_shared<PostImpactRequest>();
   add_case(*sub, request->given);
-  sub->add_option("--other-mass", request->other_mass, "Mass of the other body (default: held in place)")
-      ->type_name("MASS");
-  sub->add_option("--other-velocity", request->other_velocity, "Its velocity before (default: 0)")
-      ->type_name("SPEED");
-  add_file(*sub, "--json", request->json, "Write the result as JSON, SI (- for standard output)");
-  add_documents(*sub, request->documents);
-  add_units(*sub, request->units);
-  add_force(*sub, request->force);
-  add_material_folder(*sub, request->materials);
+  add_option(*sub, "--other-mass MASS", request->other_mass,
+             "Mass of the other body (default: held in place)");
+  add_option(*sub, "--other-velocity SPEED", request->other_velocity, "Its velocity before (default: 0)");
+  add_file(*sub, request->files, "--json", "Write the result as JSON, SI (- for standard output)");
+  add_documents(*sub, request->files);
+  add_units(*sub, request->files.units);
+  add_force(*sub, request->files.force);
+  add_material_folder(*sub, request->given.materials);
   sub->footer(post_impact_footer);
-  when_named(*sub, action,
-             [request, executable] { return run(*request, chosen_folder(request->materials, executable)); });
+  when_named(*sub, action, [request] { return run(*request); });
 }
 
 }  // namespace dashpad::app

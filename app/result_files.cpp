@@ -4,45 +4,32 @@
 
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/output/impact.hpp"
-#include "output.hpp"
 
 namespace dashpad::app {
 
-namespace {
-
-std::vector<Target> targets(const ResultFiles& files) {
-  return targets_of({{"--json", files.json},
-                     {"--csv", files.csv},
-                     {"--report", files.documents.page},
-                     {"--markdown", files.documents.markdown},
-                     {"--png", files.png},
-                     {"--drawing", files.drawing}});
-}
-
-}  // namespace
-
-void add_result_files(CLI::App& app, ResultFiles& files) {
-  add_file(app, "--json", files.json, "Write the summary as JSON (- for standard output)");
-  add_file(app, "--csv", files.csv, "Write the history, of the last blow, as CSV (- for standard output)");
-  add_documents(app, files.documents);
-  add_file(app, "--png", files.png, "Draw acceleration and hysteresis as a still");
-  add_file(app, "--drawing", files.drawing,
+void add_result_files(CLI::App& app, OutputFiles& files) {
+  add_file(app, files, "--json", "Write the summary as JSON (- for standard output)");
+  add_file(app, files, "--csv", "Write the history, of the last blow, as CSV (- for standard output)");
+  add_documents(app, files);
+  add_file(app, files, "--png", "Draw acceleration and hysteresis as a still");
+  add_file(app, files, "--drawing",
            "Draw nose, pad and support to scale, at first contact and at greatest penetration (.svg, "
            ".png, .pdf)");
   add_units(app, files.units);
   add_all(app, files.detail);
 }
 
-void judge_result_files(const ResultFiles& files, const std::vector<input::InputFile>& inputs,
+void judge_result_files(const OutputFiles& files, const std::vector<input::InputFile>& inputs,
                         std::vector<std::string>& wrong) {
-  judge_targets(targets(files), inputs, files.force, wrong);
-  if (files.drawing && *files.drawing != "-" && !output::picture_format(*files.drawing))
-    wrong.push_back(fmt::format("--drawing {}: must end in .svg, .png or .pdf", *files.drawing));
-  if (files.png && *files.png != "-" && output::picture_format(*files.png) != output::PictureFormat::png)
-    wrong.push_back(fmt::format("--png {}: must end in .png", *files.png));
+  judge_files(files, inputs, wrong);
+  const std::string &drawing = files.of("--drawing"), &png = files.of("--png");
+  if (!drawing.empty() && drawing != "-" && !output::picture_format(drawing))
+    wrong.push_back(fmt::format("--drawing {}: must end in .svg, .png or .pdf", drawing));
+  if (!png.empty() && png != "-" && output::picture_format(png) != output::PictureFormat::png)
+    wrong.push_back(fmt::format("--png {}: must end in .png", png));
 }
 
-void publish(const ResultFiles& files, const SolvedCase& solved, std::string_view heading,
+void publish(const OutputFiles& files, const SolvedCase& solved, std::string_view heading,
              std::string_view after) {
   const ImpactCase& impact = solved.impact;
   const Solution& solution = solved.solution;
@@ -66,7 +53,7 @@ void publish(const ResultFiles& files, const SolvedCase& solved, std::string_vie
   };
   std::string summary =
       std::string{heading} + output::to_terminal(output::impact_document(report, units), files.detail);
-  publish(targets(files), files.force, text_of, summary.append(after));
+  publish(files.targets(), files.force, text_of, summary.append(after));
 }
 
 }  // namespace dashpad::app

@@ -2,7 +2,6 @@
 /// The result of one solved impact, as dashpad run and dashpad study replay give it: files, and a summary for
 /// people.
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,24 +11,15 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/input/reading.hpp"
-#include "documents.hpp"
+#include "output_files.hpp"
 
 namespace dashpad::app {
 
-/// What the user wants written, and how.
-struct ResultFiles {
-  std::optional<std::string> json, csv, png, drawing;
-  DocumentFiles documents;
-  std::string units;
-  output::Detail detail = output::Detail::main;
-  bool force = false;
-};
-
 /// Adds --json, --csv, --report, --markdown, --png, --drawing, --units and --all.
-void add_result_files(CLI::App& app, ResultFiles& files);
+void add_result_files(CLI::App& app, OutputFiles& files);
 
 /// Tells `wrong` what forbids writing them, as judge_targets does.
-void judge_result_files(const ResultFiles& files, const std::vector<input::InputFile>& inputs,
+void judge_result_files(const OutputFiles& files, const std::vector<input::InputFile>& inputs,
                         std::vector<std::string>& wrong);
 
 /// A case, and what came of it.
@@ -42,7 +32,7 @@ struct SolvedCase {
 
 /// Writes the files, then shows the summary between a heading and what follows it. Throws as PendingFile
 /// does.
-void publish(const ResultFiles& files, const SolvedCase& solved, std::string_view heading = "",
+void publish(const OutputFiles& files, const SolvedCase& solved, std::string_view heading = "",
              std::string_view after = "");
 
 }  // namespace dashpad::app

@@ -43,15 +43,14 @@ tolerance, of a pad that did not bottom out.)";
 
 struct RunRequest {
   GivenCase given;
-  ResultFiles files;
+  OutputFiles files;
   std::optional<std::string> tolerance;
-  std::string materials;
   bool no_intervals = false;
 };
 
-int run(const RunRequest& request, const std::filesystem::path& materials) {
+int run(const RunRequest& request) {
   const input::CaseFile input =
-      case_to_solve(request.given, materials, request.tolerance, {},
+      case_to_solve(request.given, request.tolerance, {},
                     [&](const auto& files, auto& wrong) { judge_result_files(request.files, files, wrong); });
   std::vector<Blow> blows = solve_blows_with_progress(input.impact, input.options);
   Solution& solution = blows.back().solution;
@@ -65,7 +64,7 @@ int run(const RunRequest& request, const std::filesystem::path& materials) {
 
 }  // namespace
 
-void add_run(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+void add_run(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("run", "Solve one case and show or write the result");
   const auto request = std::make_shared<RunRequest>();
   add_case(*sub, request->given);
@@ -73,10 +72,9 @@ void add_run(CLI::App& app, Action& action, const std::filesystem::path& executa
   add_tolerance(*sub, request->tolerance);
   add_no_intervals(*sub, request->no_intervals);
   add_force(*sub, request->files.force);
-  add_material_folder(*sub, request->materials);
+  add_material_folder(*sub, request->given.materials);
   sub->footer(run_footer);
-  when_named(*sub, action,
-             [request, executable] { return run(*request, chosen_folder(request->materials, executable)); });
+  when_named(*sub, action, [request] { return run(*request); });
 }
 
 }  // namespace dashpad::app

@@ -13,8 +13,8 @@
 
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
-#include "dashpad/spit1984/run_files.hpp"
-#include "output.hpp"
+#include "dashpad/spit1984/run.hpp"
+#include "output_files.hpp"
 #include "progress_line.hpp"
 
 namespace dashpad::app {
@@ -56,19 +56,11 @@ struct Spit1984Request {
   bool interactive = false;
   std::string arithmetic = "pdp10";
   std::vector<std::string> repair;
-  std::optional<std::string> listing;
-  std::optional<std::string> json;
-  std::optional<std::string> csv;
+  OutputFiles files;
   double time_step_ms = 0.1;
   int print_interval = 10;
   Settings settings;
-  std::string materials;
-  bool force = false;
 };
-
-std::vector<Target> targets(const Spit1984Request& request) {
-  return targets_of({{"--listing", request.listing}, {"--json", request.json}, {"--csv", request.csv}});
-}
 
 Settings settings_of(const Spit1984Request& request) {
   Settings settings = request.settings;
@@ -93,19 +85,19 @@ std::vector<std::string> what_is_no_number(const Spit1984Request& request) {
 
 /// Where the questions go: standard output, unless that is for a result.
 std::ostream& terminal(const Spit1984Request& request) {
-  return std::ranges::any_of(targets(request), &Target::is_standard_output) ? std::cerr : std::cout;
+  return std::ranges::any_of(request.files.options, &Target::is_standard_output) ? std::cerr : std::cout;
 }
 
 /// The deck of the case, or the answers at the terminal. Throws Refused with all that is wrong.
-Deck deck_for(const Spit1984Request& request, const std::filesystem::path& materials) {
+Deck deck_for(const Spit1984Request& request) {
   std::vector<std::string> wrong;
   if (request.interactive == !request.given.file.empty())
     wrong.emplace_back(request.interactive ? "--interactive: asks for everything itself; leave CASE out"
                                            : "CASE is missing; --interactive asks at the terminal instead");
   std::ranges::move(what_is_no_number(request), std::back_inserter(wrong));
   std::optional<input::CaseFile> input;
-  if (!request.given.file.empty()) input = read_case(request.given, materials, wrong);
-  judge_targets(targets(request), files_of(request.given.file, input), request.force, wrong);
+  if (!request.given.file.empty()) input = read_case(request.given, wrong);
+  judge_files(request.files, files_of(request.given.file, input), wrong);
   if (input)
     for (const Violation& violation : what_a_deck_cannot_say(input->impact))
       wrong.push_back(fmt::format("{}: {}: {}", request.given.file, violation.key, violation.rule));
@@ -157,12 +149,12 @@ Run run_with_progress(const Deck& deck, const Settings& settings) {
   });
 }
 
-int run_program(const Spit1984Request& request, const std::filesystem::path& materials) {
-  const Deck deck = deck_for(request, materials);
+int run_program(const Spit1984Request& request) {
+  const Deck deck = deck_for(request);
   const Settings settings = settings_of(request);
   const Run result = run_with_progress(deck, settings);
 
-  const std::string output = publish(targets(request), request.force, [&](const Target& target) {
+  const std::string output = publish(request.files.targets(), request.files.force, [&](const Target& target) {
     if (target.option == "--json") return run_json(deck, settings, result);
     if (target.option == "--csv") return run_csv(result);
     return listing(deck, result, Device::printer);
@@ -175,64 +167,46 @@ int run_program(const Spit1984Request& request, const std::filesystem::path& mat
 
 }  // namespace
 
-void add_spit1984(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+void add_spit1984(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("spit1984", "Run the program of 1984, digit for digit");
   const auto request = std::make_shared<Spit1984Request>();
   std::vector<std::string> repairs{"all"};
   for (const Defect& defect : defects) repairs.emplace_back(defect.name);
   add_case(*sub, request->given)->required(false);
   CLI::Option* interactive =
-      sub->add_flag("--interactive", request->interactive, "Ask at the terminal, as ENSOL did")
-          ->disable_flag_override();
-  sub->add_option("--arithmetic", request->arithmetic, "pdp10 (default), binary32 or binary64")
-      ->check(CLI::IsMember({"pdp10", "binary32", "binary64"}))
-      ->type_name("A");
-  sub->add_option("--repair", request->repair, "Mend a defect of the listing, or all of them")
-      ->allow_extra_args(false)  // what follows may be CASE
-      ->check(CLI::IsMember(repairs))
-      ->type_name("DEFECT");
-  sub->add_option("--listing", request->listing, "Write the line printer's report (- for standard output)")
-      ->type_name("FILE");
-  sub->add_option("--json", request->json, "Write input and results as JSON (- for standard output)")
-      ->type_name("FILE");
-  sub->add_option("--csv", request->csv, "Write the history as CSV, in, lbf and ms (- for standard output)")
-      ->type_name("FILE");
-  sub->add_option("--time-step", request->time_step_ms, "DELT, ms (default 0.1)")
+      add_flag(*sub, "--interactive", request->interactive, "Ask at the terminal, as ENSOL did");
+  add_option(*sub, "--arithmetic A", request->arithmetic, "pdp10 (default), binary32 or binary64")
+      ->check(CLI::IsMember({"pdp10", "binary32", "binary64"}));
+  add_option(*sub, "--repair DEFECT", request->repair, "Mend a defect of the listing, or all of them")
+      ->check(CLI::IsMember(repairs));
+  add_file(*sub, request->files, "--listing", "Write the line printer's report (- for standard output)");
+  add_file(*sub, request->files, "--json", "Write input and results as JSON (- for standard output)");
+  add_file(*sub, request->files, "--csv", "Write the history as CSV, in, lbf and ms (- for standard output)");
+  add_option(*sub, "--time-step MS", request->time_step_ms, "DELT, ms (default 0.1)")
       ->check(CLI::Range(1e-6, 1e3))
-      ->excludes(interactive)
-      ->type_name("MS");
-  sub->add_option("--print-interval", request->print_interval,
-                  "NDEL, time steps to a printed row (default 10)")
+      ->excludes(interactive);
+  add_option(*sub, "--print-interval N", request->print_interval,
+             "NDEL, time steps to a printed row (default 10)")
       ->check(CLI::Range(1, 1'000'000))
-      ->excludes(interactive)
-      ->type_name("N");
-  sub->add_option("--equilibrium-tolerance", request->settings.equilibrium_tolerance,
-                  "TOLMAX, of the force (default 0.02)")
-      ->check(CLI::Range(0.0, 1.0))
-      ->type_name("X");
-  sub->add_option("--precision-tolerance", request->settings.precision_tolerance,
-                  "TOL, of the penetration (default 1e-5)")
-      ->check(CLI::Range(0.0, 1.0))
-      ->type_name("X");
-  sub->add_option("--most-steps", request->settings.most_steps,
-                  "Dimension of the time history (default 1000)")
-      ->check(CLI::Range(4, 1'000'000))
-      ->type_name("N");
-  sub->add_option("--most-stations", request->settings.most_stations,
-                  "Dimension of the contact field (default 1000)")
-      ->check(CLI::Range(2, 1'000'000))
-      ->type_name("N");
-  sub->add_option("--most-iterations", request->settings.most_iterations, "Trials of a step (default 100)")
-      ->check(CLI::Range(1, 100'000))
-      ->type_name("N");
-  add_force(*sub, request->force);
-  add_material_folder(*sub, request->materials);
+      ->excludes(interactive);
+  add_option(*sub, "--equilibrium-tolerance X", request->settings.equilibrium_tolerance,
+             "TOLMAX, of the force (default 0.02)")
+      ->check(CLI::Range(0.0, 1.0));
+  add_option(*sub, "--precision-tolerance X", request->settings.precision_tolerance,
+             "TOL, of the penetration (default 1e-5)")
+      ->check(CLI::Range(0.0, 1.0));
+  add_option(*sub, "--most-steps N", request->settings.most_steps,
+             "Dimension of the time history (default 1000)")
+      ->check(CLI::Range(4, 1'000'000));
+  add_option(*sub, "--most-stations N", request->settings.most_stations,
+             "Dimension of the contact field (default 1000)")
+      ->check(CLI::Range(2, 1'000'000));
+  add_option(*sub, "--most-iterations N", request->settings.most_iterations, "Trials of a step (default 100)")
+      ->check(CLI::Range(1, 100'000));
+  add_force(*sub, request->files.force);
+  add_material_folder(*sub, request->given.materials);
   sub->footer(footer_with_defects());
-  sub->callback([request, &action, executable] {
-    action = [request, executable] {
-      return run_program(*request, chosen_folder(request->materials, executable));
-    };
-  });
+  when_named(*sub, action, [request] { return run_program(*request); });
 }
 
 }  // namespace dashpad::app

@@ -9,8 +9,7 @@
 #include "command.hpp"
 #include "dashpad/input/standard_file.hpp"
 #include "dashpad/output/assessment.hpp"
-#include "documents.hpp"
-#include "output.hpp"
+#include "output_files.hpp"
 
 namespace dashpad::app {
 
@@ -31,19 +30,15 @@ Exit codes: 0 done, 1 a page could not be written, 2 no such preset, or a preset
 
 struct StandardsRequest {
   std::string name;
-  DocumentFiles documents;
-  bool force = false;
-  std::string units;
+  OutputFiles files;
   std::string folder;
 };
 
 int show(const StandardsRequest& request, const fs::path& folder) {
   const input::StandardChoice choice = input::standard_choice(request.name);
   const fs::path file = input::find_standard(choice.name, folder).value();
-  const std::vector<Target> targets =
-      targets_of({{"--report", request.documents.page}, {"--markdown", request.documents.markdown}});
   std::vector<std::string> wrong;
-  judge_targets(targets, {{"the standard", file}}, request.force, wrong);
+  judge_files(request.files, {{"the standard", file}}, wrong);
   if (!wrong.empty()) throw Refused(std::move(wrong));
   injury::Standard standard = input::read_standard(file).value();
   try {
@@ -51,10 +46,9 @@ int show(const StandardsRequest& request, const fs::path& folder) {
   } catch (const std::invalid_argument& error) {
     throw Refused({error.what()});
   }
-  const output::Document document = output::standard_document(standard, unit_system(request.units));
+  const output::Document document = output::standard_document(standard, unit_system(request.files.units));
   publish(
-      targets, request.force,
-      [&](const Target& target) { return document_text(target, [&](output::Pictures) { return document; }); },
+      request.files, [&](output::Pictures) { return document; }, {},
       output::to_terminal(document, output::Detail::all));
   return exit_done;
 }
@@ -73,19 +67,19 @@ int list_all_standards(const fs::path& folder) {
 
 }  // namespace
 
-void add_standards(CLI::App& app, Action& action, const fs::path& executable) {
+void add_standards(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("standards", "List the presets of test standards, or show one");
   const auto request = std::make_shared<StandardsRequest>();
-  sub->add_option("NAME", request->name, "Preset to show in full")->type_name("");
-  add_documents(*sub, request->documents);
-  add_force(*sub, request->force);
-  add_units(*sub, request->units);
+  add_option(*sub, "NAME", request->name, "Preset to show in full");
+  add_documents(*sub, request->files);
+  add_force(*sub, request->files.force);
+  add_units(*sub, request->files.units);
   add_standard_folder(*sub, request->folder);
   sub->footer(standards_footer);
-  when_named(*sub, action, [request, executable] {
-    const fs::path folder = chosen_standards(request->folder, executable);
+  when_named(*sub, action, [request] {
+    const fs::path folder = chosen_standards(request->folder);
     if (!request->name.empty()) return show(*request, folder);
-    if (request->documents.page || request->documents.markdown)
+    if (!request->files.targets().empty())
       throw Refused({"--report, --markdown: are of one preset; give its NAME"});
     return list_all_standards(folder);
   });

@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <csignal>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 
 #include <fcntl.h>

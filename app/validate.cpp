@@ -13,8 +13,7 @@
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/report1986/validation_report.hpp"
-#include "documents.hpp"
-#include "output.hpp"
+#include "output_files.hpp"
 #include "progress_line.hpp"
 
 namespace dashpad::app {
@@ -42,31 +41,18 @@ misses a rule; 1 a result could not be written; 2 refused and nothing was run.)"
 constexpr const char* material = "ensolite-aac-9.toml";
 
 struct ValidateRequest {
-  DocumentFiles documents;
-  std::optional<std::string> json;
+  OutputFiles files;
   std::optional<std::string> figures;
   std::string format = "svg";
   std::string data;
   std::string materials;
-  bool force = false;
   bool strict = false;
-};
-
-struct ValidateFolders {
-  fs::path data;
-  fs::path materials;
 };
 
 struct ValidateInput {
   report1986::ValidationData data;
   Material ensolite;
 };
-
-std::vector<Target> files(const ValidateRequest& request) {
-  return targets_of({{"--report", request.documents.page},
-                     {"--markdown", request.documents.markdown},
-                     {"--json", request.json}});
-}
 
 std::vector<Target> stills(const ValidateRequest& request) {
   std::vector<Target> wanted;
@@ -83,7 +69,7 @@ output::PictureFormat picture_format_of(const ValidateRequest& request) {
 /// What is to be written, as far as it can be judged before the run. `wrong` is told what forbids the folder
 /// of the figures, which need not be there yet.
 std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector<std::string>& wrong) {
-  std::vector<Target> targets = files(request);
+  std::vector<Target> targets = request.files.targets();
   if (!request.figures) return targets;
   const fs::path folder{*request.figures};
   std::error_code error;
@@ -98,17 +84,17 @@ std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector
   return targets;
 }
 
-ValidateInput read_and_check(const ValidateRequest& request, const ValidateFolders& folders) {
+ValidateInput read_and_check(const ValidateRequest& request) {
   std::vector<std::string> wrong;
   const std::vector<Target> targets = targets_to_judge(request, wrong);
 
   ValidateInput input;
   std::vector<input::Fault> faults;
-  input.data = report1986::read_validation_data(folders.data, faults);
+  input.data = report1986::read_validation_data(chosen_measured_tests(request.data), faults);
   add_lines(faults, wrong);
   std::vector<input::InputFile> inputs = input.data.files;
-  inputs.push_back({"the material card", folders.materials / material});
-  judge_targets(targets, inputs, request.force, wrong);
+  inputs.push_back({"the material card", chosen_folder(request.materials) / material});
+  judge_targets(targets, inputs, request.files.force, wrong);
   if (auto card = taken(input::read_material(inputs.back().file), wrong)) input.ensolite = *std::move(card);
   if (!wrong.empty()) throw Refused(std::move(wrong));
   return input;
@@ -143,7 +129,7 @@ std::map<std::string, std::string> texts_of(const ValidateRequest& request, cons
   const auto document = [&](output::Pictures pictures) {
     return report1986::validation_document(study, pictures);
   };
-  for (const Target& target : files(request))
+  for (const Target& target : request.files.targets())
     texts[target.file] =
         is_document(target) ? document_text(target, document) : report1986::validation_json(study);
   if (!request.figures) return texts;
@@ -159,17 +145,17 @@ std::map<std::string, std::string> texts_of(const ValidateRequest& request, cons
 
 void write_results(const ValidateRequest& request, const report1986::Study& study) {
   const std::map<std::string, std::string> texts = texts_of(request, study);
-  std::vector<Target> targets = files(request);
+  std::vector<Target> targets = request.files.targets();
   for (Target& still : stills(request)) targets.push_back(std::move(still));
   const InterruptsHeld held;
   if (request.figures) fs::create_directory(*request.figures);
   publish(
-      targets, request.force, [&](const Target& target) { return texts.at(target.file); },
+      targets, request.files.force, [&](const Target& target) { return texts.at(target.file); },
       output::to_terminal(report1986::validation_document(study), output::Detail::main));
 }
 
-int run_validation(const ValidateRequest& request, const ValidateFolders& folders) {
-  const ValidateInput input = read_and_check(request, folders);
+int run_validation(const ValidateRequest& request) {
+  const ValidateInput input = read_and_check(request);
   const report1986::Study study = study_of(input);
   write_results(request, study);
   return request.strict && !report1986::passes(study) ? exit_not_passed : exit_done;
@@ -177,34 +163,23 @@ int run_validation(const ValidateRequest& request, const ValidateFolders& folder
 
 }  // namespace
 
-void add_validate(CLI::App& app, Action& action, const fs::path& executable) {
+void add_validate(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("validate", "Compare with the validation tests of the 1986 report");
   const auto request = std::make_shared<ValidateRequest>();
-  add_documents(*sub, request->documents);
-  sub->add_option("--json", request->json, "Write everything as JSON (- for standard output)")
-      ->type_name("FILE");
+  add_documents(*sub, request->files);
+  add_file(*sub, request->files, "--json", "Write everything as JSON (- for standard output)");
   CLI::Option* figures =
-      sub->add_option("--figures", request->figures, "Draw the figures as stills in this folder")
-          ->type_name("DIR");
-  sub->add_option("--format", request->format, "Of the stills: svg (default), png or pdf")
+      add_option(*sub, "--figures DIR", request->figures, "Draw the figures as stills in this folder");
+  add_option(*sub, "--format FORMAT", request->format, "Of the stills: svg (default), png or pdf")
       ->check(CLI::IsMember({"svg", "png", "pdf"}))
-      ->needs(figures)
-      ->type_name("FORMAT");
-  sub->add_option("--data", request->data,
-                  "Folder of the measured tests (default: $DASHPAD_VALIDATION_DATA or dashpad's own)")
-      ->type_name("DIR");
-  sub->add_flag("--strict", request->strict, "Exit code 4 if the accurate solver misses a rule")
-      ->disable_flag_override();
-  add_force(*sub, request->force);
+      ->needs(figures);
+  add_option(*sub, "--data DIR", request->data,
+             "Folder of the measured tests (default: $DASHPAD_VALIDATION_DATA or dashpad's own)");
+  add_flag(*sub, "--strict", request->strict, "Exit code 4 if the accurate solver misses a rule");
+  add_force(*sub, request->files.force);
   add_material_folder(*sub, request->materials);
   sub->footer(validate_footer);
-  sub->callback([request, &action, executable] {
-    action = [request, executable] {
-      return run_validation(*request, {.data = request->data.empty() ? validation_data_folder(executable)
-                                                                     : fs::path{request->data},
-                                       .materials = chosen_folder(request->materials, executable)});
-    };
-  });
+  when_named(*sub, action, [request] { return run_validation(*request); });
 }
 
 }  // namespace dashpad::app

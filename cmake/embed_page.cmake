@@ -29,7 +29,7 @@ foreach(text IN ITEMS script style)
 endforeach()
 
 file(WRITE "${OUTPUT}" "// Made by cmake/embed_page.cmake.
-#include \"output/page/frame.hpp\"
+#include \"output/page/html.hpp\"
 
 namespace dashpad::output {
 

@@ -51,10 +51,11 @@ struct ExportMaterialRequest {
   bool force = false;
 };
 
-int export_material(const ExportMaterialRequest& request, const std::filesystem::path& folder) {
+int export_material(const ExportMaterialRequest& request) {
   std::vector<std::string> wrong;
   std::vector<input::InputFile> files;
-  const std::optional<std::filesystem::path> card = find_card(request.card, folder, wrong);
+  const std::optional<std::filesystem::path> card =
+      find_card(request.card, chosen_folder(request.folder), wrong);
   if (card) files.push_back({"the material card", *card});
   std::optional<Material> material = card ? taken(input::read_material(*card), wrong) : std::nullopt;
   output::MaterialDeckOptions options{request.format, consistent_systems().front(), request.first_id};
@@ -80,33 +81,27 @@ int export_material(const ExportMaterialRequest& request, const std::filesystem:
 
 }  // namespace
 
-void add_material_export(CLI::App& material, Action& action, const std::filesystem::path& executable) {
+void add_material_export(CLI::App& material, Action& action) {
   CLI::App* sub = material.add_subcommand("export", "A deck for another solver from a card");
   const auto request = std::make_shared<ExportMaterialRequest>();
   std::vector<std::string> names;
   for (const output::MaterialDeckFormat& format : output::material_deck_formats())
     names.emplace_back(format.name);
-  sub->add_option("CARD", request->card, "Card: its name, or a file")->required()->type_name("");
-  sub->add_option("--format", request->format, "Which material of which solver; see below")
+  add_option(*sub, "CARD", request->card, "Card: its name, or a file")->required();
+  add_option(*sub, "--format F", request->format, "Which material of which solver; see below")
       ->required()
-      ->check(CLI::IsMember(names))
-      ->type_name("F");
+      ->check(CLI::IsMember(names));
   add_deck_units(*sub, request->units);
   sub->get_option("--units")->required();
-  sub->add_option("-o,--out", request->out, "Where the deck goes (default: standard output)")
-      ->type_name("FILE");
-  sub->add_option("--first-id", request->first_id,
-                  "Number of the material and of its first curve (default: 1)")
-      ->check(CLI::Range(1, output::highest_curve_id))
-      ->type_name("N");
-  sub->add_option("--density", request->density, "In place of the card's, such as \"100 kg/m3\"")
-      ->type_name("DENSITY");
+  add_option(*sub, "-o,--out FILE", request->out, "Where the deck goes (default: standard output)");
+  add_option(*sub, "--first-id N", request->first_id,
+             "Number of the material and of its first curve (default: 1)")
+      ->check(CLI::Range(1, output::highest_curve_id));
+  add_option(*sub, "--density DENSITY", request->density, "In place of the card's, such as \"100 kg/m3\"");
   add_force(*sub, request->force);
   add_material_folder(*sub, request->folder);
   sub->footer(export_material_footer);
-  when_named(*sub, action, [request, executable] {
-    return export_material(*request, chosen_folder(request->folder, executable));
-  });
+  when_named(*sub, action, [request] { return export_material(*request); });
 }
 
 }  // namespace dashpad::app

@@ -176,10 +176,9 @@ int import_material(const ImportRequest& request) {
 }  // namespace
 
 void add_deck_units(CLI::App& app, std::string& units) {
-  app.add_option(
-         "--units", units,
-         "Units of the deck: kg-mm-ms (kN, GPa), kg-m-s (N, Pa), t-mm-s (N, MPa), lbf-s2/in-in-s (lbf, psi)")
-      ->type_name("SYSTEM");
+  add_option(
+      app, "--units SYSTEM", units,
+      "Units of the deck: kg-mm-ms (kN, GPa), kg-m-s (N, Pa), t-mm-s (N, MPa), lbf-s2/in-in-s (lbf, psi)");
 }
 
 std::optional<UnitSystem> deck_units_of(const std::string& name, std::vector<std::string>& wrong) {
@@ -191,29 +190,24 @@ std::optional<UnitSystem> deck_units_of(const std::string& name, std::vector<std
   }
 }
 
-void add_material(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+void add_material(CLI::App& app, Action& action) {
   CLI::App* sub =
       app.add_subcommand("material", "Material cards from other programs' files, and decks from cards");
   sub->require_subcommand(1);
   sub->footer(material_footer);
   add_material_import(*sub, action);
-  add_material_export(*sub, action, executable);
+  add_material_export(*sub, action);
 }
 
 void add_material_import(CLI::App& material, Action& action) {
   CLI::App* sub = material.add_subcommand("import", "A card from a solver's deck or a table of tests");
   const auto request = std::make_shared<ImportRequest>();
-  sub->add_option("FILE", request->file, "LS-DYNA or Radioss deck, or a table (.csv)")
-      ->required()
-      ->type_name("");
+  add_option(*sub, "FILE", request->file, "LS-DYNA or Radioss deck, or a table (.csv)")->required();
   add_deck_units(*sub, request->units);
-  sub->add_option("--rate", request->rate, "Strain rate of a table's only test, such as \"0.01 1/s\"")
-      ->type_name("RATE");
-  sub->add_option("--material", request->material, "One foam of a deck, by its number or name")
-      ->type_name("NAME");
-  sub->add_option("-o,--out", request->out,
-                  "Where the card goes: a file, or a folder (default: standard output)")
-      ->type_name("FILE");
+  add_option(*sub, "--rate RATE", request->rate, "Strain rate of a table's only test, such as \"0.01 1/s\"");
+  add_option(*sub, "--material NAME", request->material, "One foam of a deck, by its number or name");
+  add_option(*sub, "-o,--out FILE", request->out,
+             "Where the card goes: a file, or a folder (default: standard output)");
   add_force(*sub, request->force);
   sub->footer(import_footer);
   when_named(*sub, action, [request] { return import_material(*request); });

@@ -239,14 +239,14 @@ int lead(const study::Study& study, study::Store& store, const StudyRequest& req
   return finish_study(store, request, before, taken.count(), complete);
 }
 
-int run_on(const Ranks& ranks, const StudyRequest& request, const std::filesystem::path& materials) {
+int run_on(const Ranks& ranks, const StudyRequest& request) {
   const StopSignal stop;
   std::optional<study::Study> study;
   std::optional<study::Store> store;
   const auto read = [&] {
     if (request.threads > 1)
       throw Refused({"--threads: under mpirun each rank computes on one core; choose the number of ranks"});
-    study = study::read_study(request.study_file, materials).value();
+    study = study::read_study(request.study_file, chosen_folder(request.materials)).value();
   };
   // Silent ranks end well: mpirun ends all at the first exit code that is not 0, and the message must be out.
   if (!is_agreed(ranks, complaints_of(read))) return exit_done;
@@ -265,9 +265,9 @@ int run_on(const Ranks& ranks, const StudyRequest& request, const std::filesyste
 
 }  // namespace
 
-int run_on_ranks(const StudyRequest& request, const std::filesystem::path& materials) {
+int run_on_ranks(const StudyRequest& request) {
   const Ranks ranks;
-  return run_on(ranks, request, materials);
+  return run_on(ranks, request);
 }
 
 }  // namespace dashpad::app

@@ -4,14 +4,10 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include <hdf5.h>
-
-#include "dashpad/study/store.hpp"
 
 namespace dashpad::app {
 

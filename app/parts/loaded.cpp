@@ -22,7 +22,7 @@ namespace {
 
 /// Beside the command where it was built, elsewhere where it was installed.
 fs::path file_of_part(const std::string& name) {
-  const fs::path folder = running_executable("").parent_path();
+  const fs::path folder = running_executable().parent_path();
   std::error_code ignored;
   const fs::path built = folder / "parts" / name;
   return fs::exists(built, ignored) ? built : (folder / DASHPAD_INSTALLED_PARTS / name).lexically_normal();

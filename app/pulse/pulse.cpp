@@ -13,7 +13,7 @@
 #include "dashpad/input/iso_mme/iso_mme.hpp"
 #include "dashpad/input/measurement/tables.hpp"
 #include "dashpad/output/pulse.hpp"
-#include "output.hpp"
+#include "output_files.hpp"
 #include "progress_line.hpp"
 #include "pulse/request.hpp"
 
@@ -67,38 +67,33 @@ is kept unless --force is given. A file is written whole or not at all.
 Exit codes: 0 done, 1 a result could not be written, 2 input or command line refused and nothing written. With
 --standard 4 where a limit is exceeded, else 3 where one lies within the uncertainty of the measurement.)";
 
-std::vector<Target> targets(const PulseRequest& request) {
-  return targets_of({{"--json", request.json},
-                     {"--csv", request.csv},
-                     {"--picture", request.picture},
-                     {"--report", request.documents.page},
-                     {"--markdown", request.documents.markdown}});
-}
-
 /// What was asked for of all files alike.
 struct PulsesRequest {
   std::vector<std::string> files;
   PulseRequest each;
+  OutputFiles written;
   std::string standard;
   std::string standard_folder;
 };
 
 /// Of every file. Throws Refused with all that is wrong with any of them, each complaint once.
-std::vector<injury::PulseReport> reports_of(const PulsesRequest& request,
-                                            const std::filesystem::path& standards) {
+std::vector<injury::PulseReport> reports_of(const PulsesRequest& request) {
   PulseRequest each = request.each;
   std::vector<std::string> wrong;
   const std::optional<double> calibration = calibration_of(each, wrong);
   std::vector<input::InputFile> standard;
-  if (!request.standard.empty()) each.standard = standard_of(request.standard, standards, standard, wrong);
-  if (request.files.size() > 1 && each.csv) wrong.emplace_back("--csv: is of one pulse; give one FILE");
+  if (!request.standard.empty())
+    each.standard = standard_of(request.standard, chosen_standards(request.standard_folder), standard, wrong);
+  judge_picture(request.written, wrong);
+  if (request.files.size() > 1 && !request.written.of("--csv").empty())
+    wrong.emplace_back("--csv: is of one pulse; give one FILE");
   std::vector<injury::PulseReport> reports;
   for (const std::string& file : request.files) {
     each.file = file;
     try {
       reports.push_back(pulse_report(each, wrong, [&](auto files, auto& complaints) {
         files.insert(files.end(), standard.begin(), standard.end());
-        judge_targets(targets(each), files, each.force, complaints);
+        judge_files(request.written, files, complaints);
       }));
     } catch (const Refused& refused) {
       for (const std::string& complaint : refused.complaints())
@@ -114,11 +109,11 @@ std::vector<injury::PulseReport> reports_of(const PulsesRequest& request,
   return reports;
 }
 
-int show_figures(const PulsesRequest& request, const std::filesystem::path& standards) {
-  const std::vector<injury::PulseReport> reports = reports_of(request, standards);
+int show_figures(const PulsesRequest& request) {
+  const std::vector<injury::PulseReport> reports = reports_of(request);
   const injury::PulseReport& report = reports.front();
   const bool are_several = reports.size() > 1;
-  const UnitSystem& units = unit_system(request.each.units);
+  const UnitSystem& units = unit_system(request.written.units);
   const auto document = [&](output::Pictures pictures) {
     return are_several ? output::pulses_document(reports, units, pictures)
                        : output::pulse_document(report, units, pictures);
@@ -129,12 +124,11 @@ int show_figures(const PulsesRequest& request, const std::filesystem::path& stan
       return are_several ? output::pulses_json(reports) : output::pulse_json(report);
     if (is_document(target)) return document_text(target, document);
     if (target.option == "--csv") return output::pulse_csv(report, units_of_files(units));
-    return output::picture(
-        are_several ? output::pulses_plot(reports, units) : output::pulse_plot(report, units),
-        *output::picture_format(target.file));
+    return picture_text(are_several ? output::pulses_plot(reports, units) : output::pulse_plot(report, units),
+                        target);
   };
-  publish(targets(request.each), request.each.force, text_of,
-          output::to_terminal(document(output::Pictures::left_out), request.each.detail));
+  publish(request.written.targets(), request.written.force, text_of,
+          output::to_terminal(document(output::Pictures::left_out), request.written.detail));
   int code = exit_done;
   for (const injury::PulseReport& each : reports)
     if (each.limits) code = std::max<int>(code, exit_code(injury::verdict_of(each.limits->results)));
@@ -170,40 +164,32 @@ int show_list(PulsesRequest request) {
 
 }  // namespace
 
-void add_pulse(CLI::App& app, Action& action, const std::filesystem::path& executable) {
+void add_pulse(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("pulse", "Injury figures of a measured acceleration (CSV, ISO-MME)");
   const auto request = std::make_shared<PulsesRequest>();
   PulseRequest& each = request->each;
-  sub->add_option("FILE", request->files, "Tables, or tests in ISO-MME")->required()->type_name("");
+  add_option(*sub, "FILE", request->files, "Tables, or tests in ISO-MME")->required();
   add_source_options(*sub, each);
-  CLI::Option* list = sub->add_flag("--list", each.list, "Show the columns or channels, and nothing else")
-                          ->disable_flag_override();
+  CLI::Option* list = add_flag(*sub, "--list", each.list, "Show the columns or channels, and nothing else");
   add_processing_options(*sub, each);
   add_figure_options(*sub, each);
-  sub->add_option("--standard", request->standard,
-                  "The limits of a preset beside the figures (dashpad standards lists them)")
-      ->excludes(list)
-      ->type_name("NAME[:VARIANT]");
+  add_option(*sub, "--standard NAME[:VARIANT]", request->standard,
+             "The limits of a preset beside the figures (dashpad standards lists them)")
+      ->excludes(list);
   add_standard_folder(*sub, request->standard_folder);
-  sub->add_option("--json", each.json, "Write figures and processing as JSON (- for standard output)")
-      ->excludes(list)
-      ->type_name("FILE");
-  sub->add_option("--csv", each.csv, "Write the pulse of the figures as CSV (- for standard output)")
-      ->excludes(list)
-      ->type_name("FILE");
-  sub->add_option("--picture", each.picture, "Draw the pulse (.svg, .png, .pdf)")
-      ->excludes(list)
-      ->type_name("FILE");
-  for (CLI::Option* document : add_documents(*sub, each.documents)) document->excludes(list);
-  add_units(*sub, each.units);
-  add_all(*sub, each.detail);
-  add_force(*sub, each.force);
+  OutputFiles& written = request->written;
+  add_file(*sub, written, "--json", "Write figures and processing as JSON (- for standard output)")
+      ->excludes(list);
+  add_file(*sub, written, "--csv", "Write the pulse of the figures as CSV (- for standard output)")
+      ->excludes(list);
+  add_file(*sub, written, "--picture", "Draw the pulse (.svg, .png, .pdf)")->excludes(list);
+  for (CLI::Option* document : add_documents(*sub, written)) document->excludes(list);
+  add_units(*sub, written.units);
+  add_all(*sub, written.detail);
+  add_force(*sub, written.force);
   sub->footer(pulse_footer);
-  when_named(*sub, action, [request, executable] {
-    return request->each.list
-               ? show_list(*request)
-               : show_figures(*request, chosen_standards(request->standard_folder, executable));
-  });
+  when_named(*sub, action,
+             [request] { return request->each.list ? show_list(*request) : show_figures(*request); });
 }
 
 }  // namespace dashpad::app

@@ -4,17 +4,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <stdexcept>
 #include <system_error>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "command.hpp"
 #include "dashpad/injury/metrics.hpp"
 #include "dashpad/input/iso_mme/iso_mme.hpp"
-#include "dashpad/input/measurement/tables.hpp"
 #include "progress_line.hpp"
 
 namespace dashpad::app {

@@ -2,8 +2,6 @@
 
 #include "pulse/request.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "command.hpp"
@@ -133,81 +131,58 @@ std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test)
     say(request.interval && !request.table.time_unit.empty(), "--time-unit", rule);
     say(request.interval && request.table.bridge_gaps, "--bridge-gaps", rule);
   }
-  judge_picture(request.picture, wrong);
   say(request.corner && !request.filter, "--corner", "is for a filter; add --filter");
   say(request.ends && !request.filter, "--ends", "is for a filter; add --filter");
   return wrong;
 }
 
 void add_source_options(CLI::App& sub, PulseRequest& request) {
-  sub.add_option("--time", request.table.time, "Column of the times: its name, or its number from 1")
-      ->type_name("COLUMN");
-  sub.add_option("--acceleration", request.table.acceleration,
-                 "Column of the acceleration; up to three with --resultant")
-      ->allow_extra_args(false)
-      ->type_name("COLUMN");
-  sub.add_option("--time-unit", request.table.time_unit, "Unit of the times, such as ms")->type_name("UNIT");
-  sub.add_option("--acceleration-unit", request.table.acceleration_unit,
-                 "Unit of the acceleration, such as g or m/s2")
-      ->type_name("UNIT");
-  sub.add_flag("--resultant", request.resultant,
-               "Combine two or three directions, each filtered before: sqrt(x^2 + y^2 + z^2)")
-      ->disable_flag_override();
-  sub.add_flag("--bridge-gaps", request.table.bridge_gaps,
-               "Take a straight line where the times tell that samples are missing")
-      ->disable_flag_override();
-  sub.add_option("--interval", request.interval,
-                 "Time between two samples of a table without times, such as \"0.1 ms\"")
-      ->type_name("TIME");
-  sub.add_option("--sensitivity", request.sensitivities,
-                 "What makes accelerations of V or mV, such as \"10 mV/g\"; once, or for each direction")
-      ->allow_extra_args(false)
-      ->type_name("VALUE");
-  sub.add_option("--channel", request.channel,
-                 "Channel of an ISO-MME test: its number, or its code with ? for any character")
-      ->type_name("CODE");
+  add_option(sub, "--time COLUMN", request.table.time, "Column of the times: its name, or its number from 1");
+  add_option(sub, "--acceleration COLUMN", request.table.acceleration,
+             "Column of the acceleration; up to three with --resultant");
+  add_option(sub, "--time-unit UNIT", request.table.time_unit, "Unit of the times, such as ms");
+  add_option(sub, "--acceleration-unit UNIT", request.table.acceleration_unit,
+             "Unit of the acceleration, such as g or m/s2");
+  add_flag(sub, "--resultant", request.resultant,
+           "Combine two or three directions, each filtered before: sqrt(x^2 + y^2 + z^2)");
+  add_flag(sub, "--bridge-gaps", request.table.bridge_gaps,
+           "Take a straight line where the times tell that samples are missing");
+  add_option(sub, "--interval TIME", request.interval,
+             "Time between two samples of a table without times, such as \"0.1 ms\"");
+  add_option(sub, "--sensitivity VALUE", request.sensitivities,
+             "What makes accelerations of V or mV, such as \"10 mV/g\"; once, or for each direction");
+  add_option(sub, "--channel CODE", request.channel,
+             "Channel of an ISO-MME test: its number, or its code with ? for any character");
 }
 
 void add_processing_options(CLI::App& sub, PulseRequest& request) {
-  sub.add_option(
-         "--zero", request.zero,
-         "Take the sensor's offset off first: its mean from BEGIN to END, such as \"0 ms,5 ms\", or \"auto\" "
-         "for the quiet part before the impact")
-      ->type_name("BEGIN,END");
-  sub.add_option("--filter", request.filter, "CFC60, CFC180, CFC600 or CFC1000 (default: none)")
-      ->check(CLI::IsMember({"CFC60", "CFC180", "CFC600", "CFC1000"}))
-      ->type_name("CLASS");
-  sub.add_option("--corner", request.corner, "Of the filter: sae (J211, default) or iso (6487)")
-      ->check(CLI::IsMember({"sae", "iso"}))
-      ->type_name("NAME");
-  sub.add_option("--ends", request.ends,
-                 "Beyond the ends: mirrored (default), held, mirrored-from-mean, negated-before")
-      ->check(CLI::IsMember({"mirrored", "held", "mirrored-from-mean", "negated-before"}))
-      ->type_name("NAME");
-  sub.add_option("--resample", request.resample, "Even samples first, such as \"0.1 ms\"")
-      ->type_name("INTERVAL");
-  sub.add_option("--speed", request.speed,
-                 "Impact speed, such as \"5 m/s\": restitution, and a check of the pulse")
-      ->type_name("SPEED");
-  sub.add_option("--drop-height", request.drop_height, "The same from a free fall, such as \"1.5 m\"")
-      ->type_name("LENGTH");
+  add_option(
+      sub, "--zero BEGIN,END", request.zero,
+      "Take the sensor's offset off first: its mean from BEGIN to END, such as \"0 ms,5 ms\", or \"auto\" "
+      "for the quiet part before the impact");
+  add_option(sub, "--filter CLASS", request.filter, "CFC60, CFC180, CFC600 or CFC1000 (default: none)")
+      ->check(CLI::IsMember({"CFC60", "CFC180", "CFC600", "CFC1000"}));
+  add_option(sub, "--corner NAME", request.corner, "Of the filter: sae (J211, default) or iso (6487)")
+      ->check(CLI::IsMember({"sae", "iso"}));
+  add_option(sub, "--ends NAME", request.ends,
+             "Beyond the ends: mirrored (default), held, mirrored-from-mean, negated-before")
+      ->check(CLI::IsMember({"mirrored", "held", "mirrored-from-mean", "negated-before"}));
+  add_option(sub, "--resample INTERVAL", request.resample, "Even samples first, such as \"0.1 ms\"");
+  add_option(sub, "--speed SPEED", request.speed,
+             "Impact speed, such as \"5 m/s\": restitution, and a check of the pulse");
+  add_option(sub, "--drop-height LENGTH", request.drop_height,
+             "The same from a free fall, such as \"1.5 m\"");
 }
 
 void add_figure_options(CLI::App& sub, PulseRequest& request) {
-  sub.add_option("--calibration", request.calibration,
-                 "Uncertainty of the sensor's calibration, k = 2, such as \"2 %\": for that of the figures")
-      ->type_name("SHARE");
-  sub.add_option("--position", request.position, "Where on the pad it struck, in your words")
-      ->type_name("TEXT");
-  sub.add_option("--date", request.date, "When it was measured, in your words")->type_name("TEXT");
-  sub.add_option("--note", request.note, "What else the page is to say: surface, temperature, operator")
-      ->type_name("TEXT");
-  sub.add_option("--window", request.windows_ms, "One more HIC, with a window of at most MS")
-      ->allow_extra_args(false)
-      ->type_name("MS");
-  sub.add_option("--dwell", request.dwells, "The time above LEVEL, in g (default: 80, 150 and 200)")
-      ->allow_extra_args(false)
-      ->type_name("LEVEL");
+  add_option(sub, "--calibration SHARE", request.calibration,
+             "Uncertainty of the sensor's calibration, k = 2, such as \"2 %\": for that of the figures");
+  add_option(sub, "--position TEXT", request.position, "Where on the pad it struck, in your words");
+  add_option(sub, "--date TEXT", request.date, "When it was measured, in your words");
+  add_option(sub, "--note TEXT", request.note,
+             "What else the page is to say: surface, temperature, operator");
+  add_option(sub, "--window MS", request.windows_ms, "One more HIC, with a window of at most MS");
+  add_option(sub, "--dwell LEVEL", request.dwells, "The time above LEVEL, in g (default: 80, 150 and 200)");
 }
 
 }  // namespace dashpad::app

@@ -14,8 +14,6 @@
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/input/measurement/tables.hpp"
 #include "dashpad/input/reading.hpp"
-#include "dashpad/output/document.hpp"
-#include "documents.hpp"
 
 namespace dashpad::app {
 
@@ -43,13 +41,6 @@ struct PulseRequest {
   std::optional<injury::Standard> standard = {};
   std::vector<double> windows_ms;
   std::vector<std::string> dwells;
-  std::optional<std::string> json;
-  std::optional<std::string> csv;
-  std::optional<std::string> picture;
-  DocumentFiles documents;
-  std::string units;
-  output::Detail detail = output::Detail::main;
-  bool force = false;
 };
 
 /// What the options say beside the file.

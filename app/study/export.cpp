@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <system_error>
 
@@ -12,7 +11,7 @@
 #include <unistd.h>
 
 #include "dashpad/study/store.hpp"
-#include "output.hpp"
+#include "output_files.hpp"
 #include "parts/parts.hpp"
 #include "study/study.hpp"
 
@@ -39,13 +38,8 @@ Exit codes: 0 done, 1 a file could not be written, 2 refused and nothing was wri
 
 struct StudyExportRequest {
   std::string store_file;
-  std::optional<std::string> csv, hdf5;
-  bool force = false;
+  OutputFiles files;
 };
-
-std::vector<Target> targets(const StudyExportRequest& request) {
-  return targets_of({{"--csv", request.csv}, {"--hdf5", request.hdf5}});
-}
 
 void write_csv(const study::Store& store, const fs::path& file, const std::string& shown) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
@@ -79,7 +73,7 @@ bool is_special(const std::string& file) {
 /// The files first, then what goes to standard output.
 void write_files(const study::Store& store, const StudyExportRequest& request) {
   std::vector<PendingFile> files;
-  for (const Target& target : targets(request)) {
+  for (const Target& target : request.files.targets()) {
     if (target.is_standard_output()) continue;
     const bool is_csv = target.option == "--csv";
     files.emplace_back(
@@ -87,24 +81,25 @@ void write_files(const study::Store& store, const StudyExportRequest& request) {
         [&store, is_csv, shown = target.file](const fs::path& file) {
           (is_csv ? write_csv : write_hdf5)(store, file, shown);
         },
-        request.force);
+        request.files.force);
   }
   for (PendingFile& file : files) file.publish();
-  if (request.csv == "-") study::export_csv(store, [](std::string_view text) { write_result(text); });
+  if (request.files.of("--csv") == "-")
+    study::export_csv(store, [](std::string_view text) { write_result(text); });
 }
 
 int run_export(const StudyExportRequest& request) {
   const study::Store store = open_stored(request.store_file);
   std::vector<std::string> wrong;
-  judge_targets(targets(request), files_of_store(request.store_file), request.force, wrong);
-  if (targets(request).empty()) wrong.emplace_back("--csv or --hdf5: one of them is needed");
-  if (request.hdf5 && (*request.hdf5 == "-" || is_special(*request.hdf5)))
-    wrong.push_back(fmt::format("--hdf5 {}: needs the name of a file", *request.hdf5));
+  judge_files(request.files, files_of_store(request.store_file), wrong);
+  if (request.files.targets().empty()) wrong.emplace_back("--csv or --hdf5: one of them is needed");
+  if (const std::string& file = request.files.of("--hdf5"); file == "-" || is_special(file))
+    wrong.push_back(fmt::format("--hdf5 {}: needs the name of a file", file));
   if (!wrong.empty()) throw Refused(std::move(wrong));
   write_files(store, request);
   std::string line = fmt::format("{} rows", store.rows_done());
   if (store.rows_done() < store.rows()) line += fmt::format("; NOT COMPLETE: the study has {}", store.rows());
-  (request.csv == "-" ? write_error : write_output)(line + "\n");
+  (request.files.of("--csv") == "-" ? write_error : write_output)(line + "\n");
   return exit_done;
 }
 
@@ -113,10 +108,10 @@ int run_export(const StudyExportRequest& request) {
 void add_study_export(CLI::App& study, Action& action) {
   CLI::App* sub = study.add_subcommand("export", "Write the rows as CSV or HDF5");
   const auto request = std::make_shared<StudyExportRequest>();
-  sub->add_option("FILE", request->store_file, "The store of a study")->required()->type_name("");
-  add_file(*sub, "--csv", request->csv, "Write a CSV file (- for standard output)");
-  add_file(*sub, "--hdf5", request->hdf5, "Write an HDF5 file");
-  add_force(*sub, request->force);
+  add_option(*sub, "FILE", request->store_file, "The store of a study")->required();
+  add_file(*sub, request->files, "--csv", "Write a CSV file (- for standard output)");
+  add_file(*sub, request->files, "--hdf5", "Write an HDF5 file");
+  add_force(*sub, request->files.force);
   sub->footer(study_export_footer);
   when_named(*sub, action, [request] { return run_export(*request); });
 }

@@ -32,7 +32,7 @@ run, 3 the row misses the tolerance, or its stored responses did not come back.)
 struct StudyReplayRequest {
   std::string store_file;
   std::string row;
-  ResultFiles files;
+  OutputFiles files;
 };
 
 /// A row as it was and as it is now.
@@ -137,8 +137,8 @@ int run_replay(const StudyReplayRequest& request) {
 void add_study_replay(CLI::App& study, Action& action) {
   CLI::App* sub = study.add_subcommand("replay", "Solve one row again, with its full history");
   const auto request = std::make_shared<StudyReplayRequest>();
-  sub->add_option("FILE", request->store_file, "The store of a study")->required()->type_name("");
-  sub->add_option("ROW", request->row, "Which row, from 0")->required()->type_name("");
+  add_option(*sub, "FILE", request->store_file, "The store of a study")->required();
+  add_option(*sub, "ROW", request->row, "Which row, from 0")->required();
   add_result_files(*sub, request->files);
   add_force(*sub, request->files.force);
   sub->footer(study_replay_footer);

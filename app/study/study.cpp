@@ -57,10 +57,10 @@ bool is_one_of_several_ranks() {
   return false;
 }
 
-int run_here(const StudyRequest& request, const fs::path& materials) {
+int run_here(const StudyRequest& request) {
   // Before the store is there: who sees its file may stop the study, and is told how it goes on.
   const StopSignal stop;
-  const study::Study study = study::read_study(request.study_file, materials).value();
+  const study::Study study = study::read_study(request.study_file, chosen_folder(request.materials)).value();
   study::Store store = open_store(study, request.store_file);
   const std::uint64_t before = store.rows_done();
   const auto begin = std::chrono::steady_clock::now();
@@ -74,10 +74,6 @@ int run_here(const StudyRequest& request, const fs::path& materials) {
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return finish_study(store, request, before, seconds, complete);
-}
-
-int run_study(const StudyRequest& request, const fs::path& materials) {
-  return is_one_of_several_ranks() ? run_on_ranks(request, materials) : run_here(request, materials);
 }
 
 }  // namespace
@@ -122,16 +118,15 @@ int finish_study(const study::Store& store, const StudyRequest& request, std::ui
   return doubtful > 0 ? exit_not_trusted : exit_done;
 }
 
-void add_study(CLI::App& app, Action& action, const fs::path& executable) {
+void add_study(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("study", "Many impacts: curves, maps, probabilities");
   const auto request = std::make_shared<StudyRequest>();
-  sub->add_option("STUDY", request->study_file, "Study file (TOML)")->type_name("");
-  sub->add_option("--out", request->store_file, "The store: a new file, or that of this study, to go on")
-      ->type_name("FILE");
-  sub->add_option("--threads", request->threads, "Threads to compute on (default: one a core)")
-      ->check(CLI::Range(1, 4096))
-      ->type_name("N");
-  sub->add_flag("--quiet", request->quiet, "Show no progress")->disable_flag_override();
+  add_option(*sub, "STUDY", request->study_file, "Study file (TOML)");
+  add_option(*sub, "--out FILE", request->store_file,
+             "The store: a new file, or that of this study, to go on");
+  add_option(*sub, "--threads N", request->threads, "Threads to compute on (default: one a core)")
+      ->check(CLI::Range(1, 4096));
+  add_flag(*sub, "--quiet", request->quiet, "Show no progress");
   add_material_folder(*sub, request->materials);
   sub->require_subcommand(0, 1);
   add_study_replay(*sub, action);
@@ -139,13 +134,11 @@ void add_study(CLI::App& app, Action& action, const fs::path& executable) {
   add_study_export(*sub, action);
   sub->footer(study_footer);
   // The callback of a subcommand comes first; STUDY is only needed without one.
-  sub->callback([sub, request, &action, executable] {
+  sub->callback([sub, request, &action] {
     if (!sub->get_subcommands().empty()) return;
     if (request->study_file.empty()) throw CLI::RequiredError("STUDY");
     if (request->store_file.empty()) throw CLI::RequiredError("--out");
-    action = [request, executable] {
-      return run_study(*request, chosen_folder(request->materials, executable));
-    };
+    action = [request] { return is_one_of_several_ranks() ? run_on_ranks(*request) : run_here(*request); };
   });
 }
 

@@ -2,8 +2,6 @@
 /// The subcommands of dashpad study, and what they share.
 
 #include <cstdint>
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +39,6 @@ int finish_study(const study::Store& store, const StudyRequest& request, std::ui
 
 /// As dashpad study on one machine; only rank 0 prints. Returns the exit code. The command itself goes over
 /// to dashpad-mpi, which holds all this; it throws Refused where that is not there.
-int run_on_ranks(const StudyRequest& request, const std::filesystem::path& materials);
+int run_on_ranks(const StudyRequest& request);
 
 }  // namespace dashpad::app

@@ -12,9 +12,8 @@
 #include "dashpad/output/study.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/study/responses.hpp"
-#include "documents.hpp"
 #include "input/measurement/measurement_text.hpp"
-#include "output.hpp"
+#include "output_files.hpp"
 #include "quantities/magnitude_bounds.hpp"
 #include "study/study.hpp"
 
@@ -54,18 +53,8 @@ struct StudySummaryRequest {
   std::string store_file;
   std::vector<std::string> responses;
   std::vector<std::string> limits;
-  std::optional<std::string> json, picture;
-  DocumentFiles documents;
-  std::string units;
-  bool force = false;
+  OutputFiles files;
 };
-
-std::vector<Target> targets(const StudySummaryRequest& request) {
-  return targets_of({{"--json", request.json},
-                     {"--report", request.documents.page},
-                     {"--markdown", request.documents.markdown},
-                     {"--picture", request.picture}});
-}
 
 /// Why the store has no such response; empty if it has.
 std::string response_rule(const std::string& name, const study::Store& store) {
@@ -113,38 +102,36 @@ study::StudyQuestions questions_of(const StudySummaryRequest& request, const stu
 }
 
 /// Drawn before anything is written: one row, or rows that all bottomed out, are no picture.
-std::string picture_of(const StudySummaryRequest& request, const study::StudyAnswers& answers,
-                       const UnitSystem& units) {
-  if (!request.picture) return {};
+std::string picture_of(const OutputFiles& files, const study::StudyAnswers& answers) {
+  const std::string& file = files.of("--picture");
+  if (file.empty()) return {};
   try {
-    return output::picture(output::study_plot(answers, units), *output::picture_format(*request.picture));
+    return output::picture(output::study_plot(answers, unit_system(files.units)),
+                           *output::picture_format(file));
   } catch (const std::invalid_argument&) {
-    throw Refused({fmt::format(
-        "--picture {}: there is nothing to draw; --report has all figures of the study", *request.picture)});
+    throw Refused(
+        {fmt::format("--picture {}: there is nothing to draw; --report has all figures of the study", file)});
   }
 }
 
 int summarise(const StudySummaryRequest& request) {
   const study::Store store = open_stored(request.store_file);
   std::vector<std::string> wrong;
-  judge_targets(targets(request), files_of_store(request.store_file), request.force, wrong);
-  judge_picture(request.picture, wrong);
+  judge_files(request.files, files_of_store(request.store_file), wrong);
+  judge_picture(request.files, wrong);
   const study::StudyQuestions questions = questions_of(request, store, wrong);
   if (wrong.empty() && store.rows_done() == 0)
     wrong.push_back(request.store_file + ": has no rows yet; run dashpad study first");
   if (!wrong.empty()) throw Refused(std::move(wrong));
 
   const study::StudyAnswers answers = study::study_answers(store, questions);
-  const UnitSystem& units = unit_system(request.units);
-  const std::string picture = picture_of(request, answers, units);
-  const auto text_of = [&](const Target& target) {
-    if (target.option == "--json") return output::study_json(answers);
-    if (target.option == "--picture") return picture;
-    return document_text(
-        target, [&](output::Pictures pictures) { return output::study_document(answers, units, pictures); });
+  const std::string picture = picture_of(request.files, answers);
+  const auto document = [&](output::Pictures pictures) {
+    return output::study_document(answers, unit_system(request.files.units), pictures);
   };
-  publish(targets(request), request.force, text_of,
-          output::to_terminal(output::study_document(answers, units), output::Detail::main));
+  publish(request.files, document,
+          {{"--json", [&](const Target&) { return output::study_json(answers); }},
+           {"--picture", [&](const Target&) { return picture; }}});
   return exit_done;
 }
 
@@ -154,21 +141,16 @@ void add_study_summary(CLI::App& study, Action& action) {
   CLI::App* sub =
       study.add_subcommand("summary", "Distributions, probabilities, sensitivities, cushion curves");
   const auto request = std::make_shared<StudySummaryRequest>();
-  sub->add_option("FILE", request->store_file, "The store of a study")->required()->type_name("");
-  sub->add_option("--response", request->responses, "Only this one; may be given again")
-      ->take_all()
-      ->allow_extra_args(false)
-      ->type_name("NAME");
-  sub->add_option("--limit", request->limits,
-                  "Probability of more than this: \"hic15 > 1000\" or hic15=1000; may be given again")
-      ->take_all()
-      ->allow_extra_args(false)
-      ->type_name("LIMIT");
-  add_documents(*sub, request->documents);
-  add_file(*sub, "--json", request->json, "Write all answers as JSON, SI and g (- for standard output)");
-  add_file(*sub, "--picture", request->picture, "Draw the most telling figure (.svg, .png, .pdf)");
-  add_units(*sub, request->units);
-  add_force(*sub, request->force);
+  add_option(*sub, "FILE", request->store_file, "The store of a study")->required();
+  add_option(*sub, "--response NAME", request->responses, "Only this one; may be given again")->take_all();
+  add_option(*sub, "--limit LIMIT", request->limits,
+             "Probability of more than this: \"hic15 > 1000\" or hic15=1000; may be given again")
+      ->take_all();
+  add_documents(*sub, request->files);
+  add_file(*sub, request->files, "--json", "Write all answers as JSON, SI and g (- for standard output)");
+  add_file(*sub, request->files, "--picture", "Draw the most telling figure (.svg, .png, .pdf)");
+  add_units(*sub, request->files.units);
+  add_force(*sub, request->files.force);
   sub->footer(study_summary_footer);
   when_named(*sub, action, [request] { return summarise(*request); });
 }

@@ -220,21 +220,30 @@ class ImpactPrediction {
 }  // namespace
 
 const std::vector<ImpactFigureName>& impact_figure_names() {
-  static const std::vector<ImpactFigureName> names{
-      {ImpactFigure::peak_force, "peak_force", "N"},
-      {ImpactFigure::peak_acceleration, "peak_acceleration", "m/s2"},
-      {ImpactFigure::time_of_peak, "time_of_peak", "s"},
-      {ImpactFigure::rebound_speed, "rebound_speed", "m/s"},
-      {ImpactFigure::peak_penetration, "peak_penetration", "m"},
-      {ImpactFigure::contact_time, "contact_time", "s"},
-      {ImpactFigure::hic15, "hic15", "1"},
-      {ImpactFigure::hic36, "hic36", "1"},
-      {ImpactFigure::hic_unlimited, "hic_unlimited", "1"},
-      {ImpactFigure::clip_3ms, "clip_3ms", "m/s2"},
-      {ImpactFigure::cumulative_3ms, "cumulative_3ms", "m/s2"},
-      {ImpactFigure::velocity_change, "velocity_change", "m/s"},
-  };
+  static const std::vector<ImpactFigureName> names = [] {
+    std::vector<ImpactFigureName> all;
+    const auto add = [&](ImpactFigure figure, const char* key, const char* quantity = nullptr) {
+      all.push_back({figure, key, &result_quantity(quantity ? quantity : key)});
+    };
+    add(ImpactFigure::peak_force, "peak_force");
+    add(ImpactFigure::peak_acceleration, "peak_acceleration");
+    add(ImpactFigure::time_of_peak, "time_of_peak", "time_to_peak_force");
+    add(ImpactFigure::rebound_speed, "rebound_speed");
+    add(ImpactFigure::peak_penetration, "peak_penetration");
+    add(ImpactFigure::contact_time, "contact_time", "contact_end");
+    add(ImpactFigure::hic15, "hic15");
+    add(ImpactFigure::hic36, "hic36");
+    add(ImpactFigure::hic_unlimited, "hic_unlimited");
+    add(ImpactFigure::clip_3ms, "clip_3ms");
+    add(ImpactFigure::cumulative_3ms, "cumulative_3ms");
+    add(ImpactFigure::velocity_change, "velocity_change");
+    return all;
+  }();
   return names;
+}
+
+const ImpactFigureName& name_of(ImpactFigure figure) {
+  return *std::ranges::find(impact_figure_names(), figure, &ImpactFigureName::figure);
 }
 
 std::optional<Pulse> smooth_pulse(const Solution& solution) {

@@ -61,13 +61,15 @@ std::optional<injury::MeasuredImpact> read_impact_of_pulse(TableReader& table) {
 
 MeasuredFigure read_figure(TableReader& table, const ImpactFigureName& name) {
   MeasuredFigure figure{name.figure, 0, 0};
-  figure.value = value_in(table, "value", name.unit);
+  figure.value = value_in(table, "value", name.quantity->si_unit);
   if (figure.value < 0)
     table.fault("value", "must not be below 0: all figures are magnitudes");
   else if (std::isfinite(figure.value))
-    if (std::string rule = rule_of(measured_magnitudes(name.unit), figure.value, name.unit); !rule.empty())
+    if (std::string rule =
+            rule_of(measured_magnitudes(name.quantity->si_unit), figure.value, name.quantity->si_unit);
+        !rule.empty())
       table.fault("value", std::move(rule));
-  figure.deviation = value_or_share(table, "deviation", name.unit, figure.value);
+  figure.deviation = value_or_share(table, "deviation", name.quantity->si_unit, figure.value);
   table.refuse_others();
   return figure;
 }

@@ -93,8 +93,7 @@ void add_misses(const FitReport& report, Sentences& all) {
         worst = &of;
     if (worst && std::abs(*worst->share()) > worth_saying)
       all.push_back(fmt::format("Of {} the {} by the model is {} % {} what was measured.", worst->file,
-                                title_in_sentence(result_quantity(name.key)),
-                                brief(100 * std::abs(*worst->share()), 2),
+                                title_in_sentence(*name.quantity), brief(100 * std::abs(*worst->share()), 2),
                                 *worst->share() < 0 ? "below" : "above"));
   }
 }

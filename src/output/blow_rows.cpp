@@ -1,4 +1,4 @@
-#include "output/blow_rows.hpp"
+#include "output/result_rows.hpp"
 
 #include <cmath>
 #include <limits>

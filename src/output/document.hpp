@@ -8,6 +8,7 @@
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/output/document.hpp"
+#include "dashpad/output/text/table.hpp"
 
 namespace dashpad::output {
 
@@ -47,5 +48,11 @@ inline constexpr std::size_t most_key_figures = 6;
 
 /// Whether a section is shown where people see that much.
 bool is_seen(const Section& section, Detail detail);
+
+/// "12.5", "-3e-4", "< 0.1 %", "4.1 ± 0.2"; or what says that there is none: "-", "none".
+bool is_number_or_none(const std::string& cell);
+
+/// All cells are, and one at least is a number.
+bool is_column_of_numbers(const Table& table, std::size_t column);
 
 }  // namespace dashpad::output

@@ -6,9 +6,15 @@
 #include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
+#include "dashpad/impact/interval.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/figures.hpp"
+#include "dashpad/output/document.hpp"
+#include "dashpad/output/impact.hpp"
+#include "dashpad/output/text/table.hpp"
+#include "dashpad/quantities/unit_system.hpp"
 #include "output/document.hpp"
+#include "output/text/table.hpp"
 
 namespace dashpad::output {
 
@@ -41,5 +47,38 @@ std::string numbers_text(const Summary& summary);
 
 /// "from 5.847 to 20.12 ms", with 0 for what is 0 up to rounding.
 std::string stretch(double begin, double end, const UnitSystem& units, int digits);
+
+/// How the peaks grow from the first blow to the last; why they do not where the pad recovers.
+std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>& blows);
+
+/// A row a blow.
+Table blow_table(const ImpactCase& impact, const std::vector<BlowResult>& blows, const UnitSystem& units,
+                 Detail detail);
+
+/// The flags of blows before the last that the last does not have, and which blows have them: a line each.
+std::vector<std::string> reservations(const std::vector<BlowResult>& blows);
+
+/// "980 to 1010", "34.1 to 38.2 g"; "231 g or more" where there is no bound. Three digits, and as many as it
+/// takes to tell the ends apart.
+std::string range_words(double low, double high, const std::string& si_unit, const UnitSystem& units);
+/// Of a figure as a whole.
+std::string interval_words(const FigureInterval& of, const UnitSystem& units);
+
+/// "what columns leave out ...: 861 to 1120 alone": what moves a figure, largest first.
+std::vector<std::string> source_words(const FigureInterval& of, const Intervals& intervals,
+                                      const UnitSystem& units);
+
+/// Beside each row its interval, where it has one.
+void add_intervals(std::vector<ValueRow>& rows, const Summary& summary, const UnitSystem& units);
+
+/// A figure a row, those that are asked for first: with all that is not known together, then with each source
+/// alone.
+Table interval_table(const Summary& summary, const UnitSystem& units, std::vector<std::string> asked = {});
+/// The sources in words, and why one gives no interval.
+std::string source_paragraph(const Intervals& intervals);
+
+/// The interval of the figure that is asked for first, by what it is, and what is in none; a paragraph each,
+/// none without intervals.
+std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units);
 
 }  // namespace dashpad::output

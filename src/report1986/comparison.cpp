@@ -8,11 +8,12 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/output/text/case.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/spit1984/run.hpp"
 #include "dashpad/version.hpp"
 #include "json/json_values.hpp"
+#include "output/document.hpp"
+#include "output/documents/basis.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::report1986 {
@@ -103,20 +104,32 @@ std::string deviation(std::optional<double> value, std::optional<double> referen
   return std::abs(percent) < 1000 ? fmt::format("{:+.2f}", percent) : "far off";
 }
 
-using Row = std::vector<std::string>;
+/// "The program of 1984 has a peak force 5.3 % above that of the same equations", or that it has no end.
+std::string answer(const Comparison& comparison) {
+  const ComparedRun& program = comparison.runs[Comparison::program];
+  const std::string off = deviation(program.peak_force, comparison.runs[Comparison::reference].peak_force);
+  if (!program.finished || off.empty()) return "The program of 1984 does not come to the end of the impact";
+  return fmt::format("The peak force of the program of 1984 is {} % off the solution of its equations", off);
+}
 
-std::string laid_out(const std::vector<Row>& rows) {
-  std::vector<std::size_t> width(rows.front().size());
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < width.size(); ++i) width[i] = std::max(width[i], row[i].size());
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line = fmt::format("{:<{}}", row[0], width[0]);
-    for (std::size_t i = 1; i < width.size(); ++i) line += fmt::format("  {:>{}}", row[i], width[i]);
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
+output::Table table_of(const Comparison& comparison, const UnitSystem& units) {
+  const auto in_unit = [&](const char* what, const char* si_unit) {
+    return fmt::format("{} ({})", what, shown_unit(unit_for(units, si_unit)));
+  };
+  const ComparedRun& reference = comparison.runs[Comparison::reference];
+  output::Table table{.columns = {"Run", in_unit("Peak force", "N"), "% off", in_unit("at", "s"),
+                                  in_unit("Peak penetration", "m"), in_unit("Peak motion", "m"),
+                                  in_unit("End speed", "m/s"), "% off", in_unit("End", "s")}};
+  for (const ComparedRun& run : comparison.runs) {
+    const bool is_reference = &run == &reference;
+    table.rows.push_back({run.name, shown(run.peak_force, "N", units),
+                          is_reference ? "" : deviation(run.peak_force, reference.peak_force),
+                          shown(run.time_of_peak_force, "s", units), shown(run.peak_penetration, "m", units),
+                          shown(run.peak_motion, "m", units), shown(run.end_speed, "m/s", units),
+                          is_reference ? "" : deviation(run.end_speed, reference.end_speed),
+                          shown(run.end_time, "s", units)});
   }
-  return text;
+  return table;
 }
 
 /// A column of all runs over time in the units shown, each up to twice the reference's peak: an ABEND may
@@ -132,10 +145,8 @@ output::Panel panel(const Comparison& comparison, const char* title, const char*
     if (&run == &comparison.runs.front()) continue;  // not to be told from the reference at this scale
     output::Series& drawn = panel.series.emplace_back();
     drawn.label = run.name;
-    for (std::size_t i = 0; i < run.time.size() && std::abs((run.*values)[i]) <= 2 * peak; ++i) {
-      drawn.x.push_back(value_in(units, run.time[i], "s"));
-      drawn.y.push_back(value_in(units, (run.*values)[i], si_unit));
-    }
+    for (std::size_t i = 0; i < run.time.size() && std::abs((run.*values)[i]) <= 2 * peak; ++i)
+      drawn.add(value_in(units, run.time[i], "s"), value_in(units, (run.*values)[i], si_unit));
   }
   return panel;
 }
@@ -178,32 +189,29 @@ Comparison compare(const ImpactCase& impact, const Options& options, double time
   return comparison;
 }
 
-std::string comparison_text(const Comparison& comparison, const ImpactCase& impact, const UnitSystem& units) {
-  const auto unit = [&](const char* si_unit) { return shown_unit(unit_for(units, si_unit)); };
-  std::vector<Row> rows{{"", "peak", "", "at", "peak", "peak", "end", "", "end"},
-                        {"", "force", "", "time", "penetration", "motion", "speed", "", "time"},
-                        {"", unit("N"), "%", unit("s"), unit("m"), unit("m"), unit("m/s"), "%", unit("s")}};
-  const ComparedRun& reference = comparison.runs[Comparison::reference];
-  std::string remarks;
-  for (const ComparedRun& run : comparison.runs) {
-    const bool is_reference = &run == &reference;
-    rows.push_back({run.name, shown(run.peak_force, "N", units),
-                    is_reference ? "" : deviation(run.peak_force, reference.peak_force),
-                    shown(run.time_of_peak_force, "s", units), shown(run.peak_penetration, "m", units),
-                    shown(run.peak_motion, "m", units), shown(run.end_speed, "m/s", units),
-                    is_reference ? "" : deviation(run.end_speed, reference.end_speed),
-                    shown(run.end_time, "s", units)});
-    if (!run.remark.empty()) remarks += run.name + ": " + run.remark + "\n";
-  }
-  if (!remarks.empty()) remarks = "\n" + remarks;
-  return output::case_text(impact, units) + "\n" + laid_out(rows) + remarks + "\n%: deviation from \"" +
-         reference.name +
-         "\", the solution of the same equations with 17.64 in/s\n"
-         "to the mile per hour and 386.4 in/s2, as the program of 1984 counts. The end is when the force "
-         "falls\n"
-         "below the sphere's weight on rebound. Figures of a run with an ABEND may have lost their meaning "
-         "some time\n"
-         "before it.\n";
+output::Document comparison_document(const Comparison& comparison, const ImpactCase& impact,
+                                     const UnitSystem& units, output::Pictures pictures) {
+  output::Document document{.title = impact.title, .lead = output::Lead{.answer = answer(comparison)}};
+  for (const ComparedRun& run : comparison.runs)
+    if (!run.remark.empty()) document.warnings.push_back(run.name + ": " + run.remark);
+  document.lead->subject = {one_line(impact.title)};
+  if (pictures == output::Pictures::drawn)
+    document.lead->curve = output::untitled(comparison_plot(comparison, impact, units));
+  document.sections = {
+      {.heading = "The runs",
+       .seen = output::Seen::always,
+       .paragraphs =
+           {fmt::format(
+                "% off: from \"{}\", the solution of the same equations with 17.64 in/s to the mile per "
+                "hour and 386.4 in/s2, as the program of 1984 counts.",
+                comparison.runs[Comparison::reference].name),
+            "The end is when the force falls below the sphere's weight on rebound. Figures of a run with an "
+            "ABEND may have lost their meaning some time before it."},
+       .tables = {table_of(comparison, units)}},
+      {.heading = output::basis_heading,
+       .seen = output::Seen::always,
+       .paragraphs = output::case_lines(impact, units)}};
+  return document;
 }
 
 std::string comparison_json(const Comparison& comparison) {

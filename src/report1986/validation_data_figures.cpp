@@ -31,7 +31,7 @@ Series interval_band(const FittedConstant& constant, const std::string& label, s
 
 Panel measured_time_panel(const Study& study, const char* title, TestGroup group) {
   Panel panel = speed_panel(title, Quantity::time_to_peak);
-  add(panel,
+  panel.add(
       predicted_lines(study, {Program::accurate, Program::printed_1984}, group, Quantity::time_to_peak));
   // T = travel / V, in ms for in and mph.
   const double inch_per_s = study.data.constant("inch_per_s_of_mph");
@@ -73,8 +73,7 @@ Series energy_points(const Study& study, Projectile projectile, const char* labe
   Series points{.label = label, .style = SeriesStyle::points, .turn = turn};
   for (const MeasuredTest& test : study.data.measured.tests) {
     if (test.projectile != projectile || !test.peak_force_lb) continue;
-    points.x.push_back(test.energy_in_lb);
-    points.y.push_back(*test.peak_force_lb);
+    points.add(test.energy_in_lb, *test.peak_force_lb);
   }
   return points;
 }
@@ -87,10 +86,7 @@ Drawing support_curves(const Study& study) {
                    .x = {0},
                    .y = {0},
                    .turn = turn::accurate};
-  for (const StaticPoint& point : study.data.load_cell) {
-    load_cell.x.push_back(point.deflection_in);
-    load_cell.y.push_back(point.force_lb);
-  }
+  for (const StaticPoint& point : study.data.load_cell) load_cell.add(point.deflection_in, point.force_lb);
   constexpr double farthest = 0.6;
   const double stiffness = study.data.plate_stiffness_lb_per_in;
   Panel panel{
@@ -119,8 +115,7 @@ Drawing nominal_stress(const Study& study) {
   Interval forces = nowhere;
   for (const NominalStressPoint& point : fit.points) {
     Series& series = point.test == 0 ? placed : certain;
-    series.x.push_back(point.force_lb);
-    series.y.push_back(point.stress_psi);
+    series.add(point.force_lb, point.stress_psi);
     forces.include(point.force_lb);
   }
   Panel panel{.x = {.label = "Peak force (lb)", .logarithmic = true},
@@ -223,8 +218,8 @@ Drawing force_over_energy(const Study& study) {
 Drawing curves_a_and_b(const Study& study) {
   Panel panel = speed_panel("", Quantity::peak_force);
   panel.y.high = 6000;
-  add(panel, curve_a(study, Projectile::aluminium, turn::accurate));
-  add(panel, curve_b(study, Projectile::aluminium, turn::printed_1984));
+  panel.add(curve_a(study, Projectile::aluminium, turn::accurate));
+  panel.add(curve_b(study, Projectile::aluminium, turn::printed_1984));
   panel.series.push_back(measured_points(study, test_group::aluminium, Quantity::peak_force,
                                          "measured on the load cell", turn::measured));
   return {{panel},

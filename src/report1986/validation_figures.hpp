@@ -66,8 +66,6 @@ Panel speed_panel(const std::string& title, Quantity quantity);
 /// One for each projectile on the load cell.
 std::vector<Panel> both_projectiles(const std::function<Panel(const char* title, TestGroup group)>& panel_of);
 
-void add(Panel& panel, std::vector<Series> series);
-
 /// The certain readings over speed.
 Series measured_points(const Study& study, TestGroup group, Quantity quantity, const std::string& label,
                        std::size_t turn);

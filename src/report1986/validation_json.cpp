@@ -11,13 +11,6 @@ namespace dashpad::report1986 {
 
 namespace {
 
-template <class Values, class ToJson>
-Json array(const Values& values, ToJson to_json) {
-  Json all = Json::array();
-  for (const auto& value : values) all.push_back(to_json(value));
-  return all;
-}
-
 Json interval(const Interval& of) { return {{"low", number(of.low)}, {"high", number(of.high)}}; }
 
 Json measured_test_json(const MeasuredTest& test) {
@@ -60,12 +53,12 @@ Json constant_json(const FittedConstant& constant) {
 }
 
 Json nominal_stress_json(const NominalStressFit& fit) {
-  return {{"points", array(fit.points,
-                           [](const NominalStressPoint& point) -> Json {
-                             return {{"test", point.test == 0 ? Json(nullptr) : Json(point.test)},
-                                     {"stress_psi", number(point.stress_psi)},
-                                     {"force_lbf", number(point.force_lb)}};
-                           })},
+  return {{"points", array_of(fit.points,
+                              [](const NominalStressPoint& point) -> Json {
+                                return {{"test", point.test == 0 ? Json(nullptr) : Json(point.test)},
+                                        {"stress_psi", number(point.stress_psi)},
+                                        {"force_lbf", number(point.force_lb)}};
+                              })},
           {"area_in2", number(fit.area_in2)},
           {"area_over_placings_in2", interval(fit.area_over_placings)},
           {"scatter", number(fit.scatter)},
@@ -109,7 +102,7 @@ Json verdict_json(const Verdict& verdict) {
           {"radii", verdict.radii},
           {"passed", score.passed},
           {"missing", score.missing},
-          {"errors", array(score.errors, error_json)}};
+          {"errors", array_of(score.errors, error_json)}};
 }
 
 Json placed_json(const PlacedScore& placed) {
@@ -149,7 +142,7 @@ Json held_out_json(const HeldOut& held_out) {
   Json result{{"note", seen_data},
               {"radius_in", number(held_out_radius_in)},
               {"foam", foam_json(held_out.foam)},
-              {"folds", array(held_out.folds, foam_json)}};
+              {"folds", array_of(held_out.folds, foam_json)}};
   for (const HeldOutScore& score : held_out.scores)
     result[score.name] = {{"bias", score.errors.empty() ? Json(nullptr) : number(score.bias)},
                           {"standard_error", number(score.standard_error)},
@@ -157,7 +150,7 @@ Json held_out_json(const HeldOut& held_out) {
                           {"tests", score.errors.size()},
                           {"missing", score.missing},
                           {"passed", score.passed},
-                          {"errors", array(score.errors, error_json)}};
+                          {"errors", array_of(score.errors, error_json)}};
   return result;
 }
 
@@ -208,29 +201,29 @@ std::string validation_json(const Study& study) {
   const Json result{{"source", "Crash Padding Research, Volume III (1986), sections 3 and 4"},
                     {"favoured_radius_in", number(study.radius.favoured_in())},
                     {"passed", passes(study)},
-                    {"verdicts", array(study.verdicts, verdict_json)},
+                    {"verdicts", array_of(study.verdicts, verdict_json)},
                     {"radius_of_the_report_in", number(study.radius.of_the_report_in())},
-                    {"verdicts_at_the_reports_radius", array(study.at_the_reports_radius, verdict_json)},
-                    {"verdicts_by_projectile", array(study.by_projectile, verdict_json)},
-                    {"lost_readings_placed", array(study.placed, placed_json)},
-                    {"rebounds", array(study.rebounds, rebound_json)},
+                    {"verdicts_at_the_reports_radius", array_of(study.at_the_reports_radius, verdict_json)},
+                    {"verdicts_by_projectile", array_of(study.by_projectile, verdict_json)},
+                    {"lost_readings_placed", array_of(study.placed, placed_json)},
+                    {"rebounds", array_of(study.rebounds, rebound_json)},
                     {"anomaly",
-                     {{"trends", array(anomaly.trends, trend_json)},
+                     {{"trends", array_of(anomaly.trends, trend_json)},
                       {"first_slope_gives_the_fall", anomaly.first_slope_gives_the_fall},
                       {"curve_removes_the_fall", anomaly.curve_removes_the_fall},
                       {"slope_halves", anomaly.slope_halves},
                       {"the_support_defect", words(anomaly.explanation)}}},
                     {"radius",
                      {{"radii_in", numbers(study.radius.radii_in)},
-                      {"criteria", array(study.radius.criteria, criterion_json)}}},
+                      {"criteria", array_of(study.radius.criteria, criterion_json)}}},
                     {"held_out", held_out_json(study.held_out)},
-                    {"constants", array(study.constants, constant_json)},
+                    {"constants", array_of(study.constants, constant_json)},
                     {"nominal_stress", nominal_stress_json(study.nominal_stress)},
-                    {"claims", array(check_claims(study.data), claim_json)},
-                    {"tests", array(study.data.measured.tests, measured_test_json)},
-                    {"lost_readings", array(study.data.measured.unplaced, unplaced_json)},
-                    {"predictions_of_the_tests", array(study.at_tests, prediction_json)},
-                    {"predictions_over_speed", array(study.on_curves, prediction_json)},
+                    {"claims", array_of(check_claims(study.data), claim_json)},
+                    {"tests", array_of(study.data.measured.tests, measured_test_json)},
+                    {"lost_readings", array_of(study.data.measured.unplaced, unplaced_json)},
+                    {"predictions_of_the_tests", array_of(study.at_tests, prediction_json)},
+                    {"predictions_over_speed", array_of(study.on_curves, prediction_json)},
                     {"program", program_json()}};
   return result_json_text(result);
 }

@@ -1,7 +1,6 @@
 // Whether Dashpad meets the tests of 1986, on top of the page.
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -77,10 +76,7 @@ output::ValueRow bias_figure(const Study& study, const HeldOutScore& score) {
 /// Predicted over measured of each test, in one colour.
 Series compared(const std::string& label, std::size_t turn, const std::vector<TestError>& errors) {
   Series points{.label = label, .style = SeriesStyle::points, .turn = turn};
-  for (const TestError& error : errors) {
-    points.x.push_back(error.measured);
-    points.y.push_back(error.predicted);
-  }
+  for (const TestError& error : errors) points.add(error.measured, error.predicted);
   return points;
 }
 

@@ -18,7 +18,7 @@ const std::vector<Program> programs_on_plate{Program::accurate, Program::printed
 
 Panel predicted_time_panel(const Study& study, const char* title, TestGroup group) {
   Panel panel = speed_panel(title, Quantity::time_to_peak);
-  add(panel, predicted_lines(study, programs, group, Quantity::time_to_peak));
+  panel.add(predicted_lines(study, programs, group, Quantity::time_to_peak));
   for (const auto& [name, turn] :
        {std::pair{"travel_in", turn::report}, std::pair{"expected_travel_in", turn::second}}) {
     const double travel = study.data.constant(name);
@@ -32,8 +32,8 @@ Panel predicted_time_panel(const Study& study, const char* title, TestGroup grou
 Panel force_panel(const Study& study, const char* title, TestGroup group) {
   Panel panel = speed_panel(title, Quantity::peak_force);
   panel.y.high = 10'000;
-  add(panel, predicted_lines(study, programs, group, Quantity::peak_force));
-  add(panel, curve_a(study, group.projectile, turn::report));
+  panel.add(predicted_lines(study, programs, group, Quantity::peak_force));
+  panel.add(curve_a(study, group.projectile, turn::report));
   panel.series.push_back(measured_points(study, group, Quantity::peak_force, "measured", turn::measured));
   return panel;
 }
@@ -74,8 +74,7 @@ Series printed_expectation(const Study& study, Projectile projectile) {
   Series points{.label = "example printed in Table 3-2", .style = SeriesStyle::points, .turn = turn::second};
   for (const ExpectationExample& example : study.data.table_3_2) {
     if (example.projectile != projectile) continue;
-    points.x.push_back(example.speed_mph);
-    points.y.push_back(example.rebound_mph);
+    points.add(example.speed_mph, example.rebound_mph);
   }
   return points;
 }
@@ -83,7 +82,7 @@ Series printed_expectation(const Study& study, Projectile projectile) {
 Panel rebound_panel(const Study& study, const char* title, TestGroup group) {
   Panel panel = speed_panel(title, Quantity::rebound_speed);
   const bool plate = group.support == TestSupport::plate;
-  add(panel, predicted_lines(study, plate ? programs_on_plate : programs, group, Quantity::rebound_speed));
+  panel.add(predicted_lines(study, plate ? programs_on_plate : programs, group, Quantity::rebound_speed));
   const double ratio = study.data.constant(plate ? "rebound_ratio_plate" : "rebound_ratio_load_cell");
   panel.series.push_back(speed_line(fmt::format("report: {} V", brief(ratio)), turn::report,
                                     [&](double speed) { return ratio * speed; }));
@@ -109,8 +108,8 @@ Drawing predicted_force_on_load_cell(const Study& study) {
 
 Drawing predicted_force_on_plate(const Study& study) {
   Panel panel = speed_panel("", Quantity::peak_force);
-  add(panel, predicted_lines(study, programs_on_plate, test_group::on_plate, Quantity::peak_force));
-  add(panel, curve_b(study, Projectile::aluminium, turn::report));
+  panel.add(predicted_lines(study, programs_on_plate, test_group::on_plate, Quantity::peak_force));
+  panel.add(curve_b(study, Projectile::aluminium, turn::report));
   return {{panel},
           radius_note(study) + curve_note +
               "No force was measured on the plate: curve B is the report's estimate."};

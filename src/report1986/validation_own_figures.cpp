@@ -23,8 +23,7 @@ Series ratios(const Study& study, Program program, Projectile projectile, std::s
     for (const TestError& error : score.errors) {
       const MeasuredTest& test = test_of(study, error.test);
       if (test.projectile != projectile) continue;
-      points.x.push_back(test.speed_mph);
-      points.y.push_back(error.predicted / error.measured);
+      points.add(test.speed_mph, error.predicted / error.measured);
     }
   }
   return points;
@@ -39,10 +38,8 @@ Panel ratio_panel(const Study& study, const char* title, Projectile projectile) 
                 .style = SeriesStyle::dashed_line,
                 .turn = turn::measured};
   for (const PrintedRatio& printed : printed_ratios)
-    if (printed.projectile == projectile) {
-      report.x.push_back(printed.speed_mph);
-      report.y.push_back(study.data.constant(printed.constant));
-    }
+    if (printed.projectile == projectile)
+      report.add(printed.speed_mph, study.data.constant(printed.constant));
   panel.series = {{.label = "bias that the rule admits",
                    .style = SeriesStyle::band,
                    .x = {least_speed, greatest_speed},

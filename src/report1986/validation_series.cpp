@@ -43,10 +43,7 @@ std::vector<Series> lines_of(const Study& study, Program program, TestGroup grou
   const auto line_of = [&](const std::map<double, double>& values, double radius, SeriesStyle drawn) {
     Series line{
         .label = fmt::format("{}, {:.2f} in", to_string(program), radius), .style = drawn, .turn = turn};
-    for (const auto& [speed, value] : values) {
-      line.x.push_back(speed);
-      line.y.push_back(value);
-    }
+    for (const auto& [speed, value] : values) line.add(speed, value);
     return line;
   };
   const Series line = line_of(at_the_reports_radius, of_the_report, style);
@@ -56,8 +53,7 @@ std::vector<Series> lines_of(const Study& study, Program program, TestGroup grou
               .style = SeriesStyle::band,
               .turn = turn};
   for (const auto& [speed, span] : over_radii) {
-    band.x.push_back(speed);
-    band.y.push_back(span.low);
+    band.add(speed, span.low);
     band.y2.push_back(span.high);
   }
   if (favoured == of_the_report) return {band, line};
@@ -92,18 +88,13 @@ std::vector<Panel> both_projectiles(
           panel_of("Steel projectile, 7.7 lb", test_group::steel)};
 }
 
-void add(Panel& panel, std::vector<Series> series) {
-  for (Series& one : series) panel.series.push_back(std::move(one));
-}
-
 Series measured_points(const Study& study, TestGroup group, Quantity quantity, const std::string& label,
                        std::size_t turn) {
   Series points{.label = label, .style = SeriesStyle::points, .turn = turn};
   for (const MeasuredTest& test : study.data.measured.tests) {
     const std::optional<double> value = measured(test, quantity);
     if (!value || test.projectile != group.projectile || test.support != group.support) continue;
-    points.x.push_back(test.speed_mph);
-    points.y.push_back(*value);
+    points.add(test.speed_mph, *value);
   }
   return points;
 }
@@ -121,8 +112,8 @@ Series function_line(const std::string& label, std::size_t turn, double low, dou
   constexpr int steps = 100;
   Series line{.label = label, .style = style, .turn = turn};
   for (int i = 0; i <= steps; ++i) {
-    line.x.push_back(low + (high - low) * i / steps);
-    line.y.push_back(value(line.x.back()));
+    const double x = low + (high - low) * i / steps;
+    line.add(x, value(x));
   }
   return line;
 }

@@ -1,7 +1,6 @@
 #include "dashpad/result/result_quantity.hpp"
 
 #include <stdexcept>
-#include <string_view>
 #include <unordered_map>
 
 namespace dashpad {

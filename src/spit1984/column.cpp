@@ -1,4 +1,4 @@
-#include "dashpad/spit1984/column.hpp"
+#include "dashpad/spit1984/run.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <vector>
 
 #include "spit1984/contact.hpp"
 #include "spit1984/support_secant.hpp"

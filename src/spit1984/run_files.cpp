@@ -1,4 +1,4 @@
-#include "dashpad/spit1984/run_files.hpp"
+#include "dashpad/spit1984/run.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -65,15 +65,15 @@ TEST_F(CompareTest, ShowsSixRowsAndRemarks) {
   for (const std::string& name : run_names) EXPECT_THAT(outcome.out, HasSubstr("\n" + name + " "));
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("\n1984, binary64: ABEND 900 (too many iterations) at "),
-                    HasSubstr("\n1984, binary32: PRECISION LIMIT: "), HasSubstr("%: deviation from")));
+                    HasSubstr("\n1984, binary32: PRECISION LIMIT: "), HasSubstr("% off: from ")));
   EXPECT_THAT(other_files(), IsEmpty());
 }
 
 TEST_F(CompareTest, ShowsEachSystemOfUnits) {
   EXPECT_THAT(dashpad({"compare", nine, "--units", "us"}).out,
-              AllOf(HasSubstr(" lbf "), HasSubstr(" mph "), HasSubstr(" in ")));
+              AllOf(HasSubstr("(lbf)"), HasSubstr("(mph)"), HasSubstr("(in)")));
   EXPECT_THAT(dashpad({"compare", nine, "--units", "si"}).out,
-              AllOf(HasSubstr(" N "), HasSubstr(" m/s "), HasSubstr(" mm ")));
+              AllOf(HasSubstr("(N)"), HasSubstr("(m/s)"), HasSubstr("(mm)")));
   EXPECT_THAT(refused({nine, "--units", "imperial"}).err, HasSubstr("--units"));
 }
 
@@ -120,6 +120,14 @@ TEST_F(CompareTest, DrawsAPicture) {
   EXPECT_TRUE(json::accept(read_file(file("a.json"))));
   ASSERT_EQ(dashpad({"compare", nine, "--picture", file("b.SVG"), "--units", "us"}).exit_code, 0);
   EXPECT_THAT(read_file(file("b.SVG")), AllOf(HasSubstr(">Force (lbf)<"), HasSubstr(">Penetration (in)<")));
+}
+
+TEST_F(CompareTest, WritesAPageAndMarkdown) {
+  ASSERT_EQ(dashpad({"compare", nine, "--report", file("a.html"), "--markdown", file("a.md")}).exit_code, 0);
+  for (const char* name : {"a.html", "a.md"})
+    EXPECT_THAT(read_file(file(name)), AllOf(HasSubstr("The peak force of the program of 1984 is "),
+                                             HasSubstr("1984, mended, binary64"), HasSubstr("ABEND 900")));
+  EXPECT_THAT(read_file(file("a.html")), HasSubstr("<svg"));
 }
 
 TEST_F(CompareTest, TheEndingSaysWhatThePictureBecomes) {

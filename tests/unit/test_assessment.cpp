@@ -543,6 +543,8 @@ TEST(assessment_text, says_what_was_replaced_and_how_large_the_margin_is) {
                     HasSubstr("Kept from the case: radius (76.2 mm), pad, support, solver.")));
   EXPECT_THAT(text, AllOf(HasSubstr("fail by 20 g (25.0 %)"), HasSubstr("\nREPLACED: "),
                           HasSubstr(output::assessment_caveat())));
+  // Also true of an assessment that keeps the nose of the case.
+  EXPECT_THAT(output::assessment_caveat(), HasSubstr("one rigid nose on a flat pad"));
 }
 
 TEST(assessment_text, an_unqualified_pass_has_no_reservations) {

@@ -17,7 +17,7 @@
 #include "dashpad/output/text/case.hpp"
 #include "dashpad/spit1984/deck.hpp"
 #include "impact_text.hpp"
-#include "output/blow_rows.hpp"
+#include "output/result_rows.hpp"
 #include "output/text/case_toml.hpp"
 #include "sample_case.hpp"
 #include "shared/samples.hpp"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "output/plot/labels.hpp"
+#include "output/plot/panel_svg.hpp"
 
 namespace dashpad {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "output/text/factor_words.hpp"
+#include "output/text/study_words.hpp"
 
 namespace dashpad {
 namespace {

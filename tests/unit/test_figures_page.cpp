@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/output/document.hpp"
-#include "output/page/check.hpp"
+#include "output/page/html.hpp"
 
 namespace dashpad::test {
 

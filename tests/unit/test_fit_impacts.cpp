@@ -425,6 +425,18 @@ TEST(FittedUnknown, MayEndAtANaturalBound) {
   EXPECT_TRUE(friction.wants_beyond());
 }
 
+TEST(ImpactFigureName, NamesAQuantityThatTheTablesShow) {
+  for (const ImpactFigureName& name : impact_figure_names()) {
+    FitReport report;
+    MetFigure& met = report.figures.emplace_back();
+    met.figure = name.figure;
+    met.measured = met.deviation = 1;
+    const output::Table table = output::table_of_figures(report, unit_systems().front());
+    EXPECT_EQ(table.rows.front()[1], name.quantity->title) << name.key;
+    EXPECT_EQ(&name_of(name.figure), &name);
+  }
+}
+
 TEST(DurationWords, AreReadable) {
   EXPECT_EQ(output::duration_words(0.1234), "0.12 s");
   EXPECT_EQ(output::duration_words(912), "15 min");

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "dashpad/report1986/validation/held_out.hpp"
+#include "dashpad/report1986/validation/study.hpp"
 
 namespace dashpad::report1986 {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "dashpad/output/impact.hpp"
 #include "example_result.hpp"
-#include "output/drawing/annotations.hpp"
+#include "output/drawing/pictures.hpp"
 #include "output/drawing/scene.hpp"
 #include "output/svg/svg.hpp"
 #include "quantities/text.hpp"

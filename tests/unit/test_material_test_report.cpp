@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dashpad/output/materials.hpp"
-#include "dashpad/spit1984/column.hpp"
+#include "dashpad/spit1984/run.hpp"
 #include "laboratory/arc.hpp"
 
 namespace dashpad {

@@ -1,6 +1,6 @@
 /// The search for the nose radius, on residuals and on strains made with a known radius.
 
-#include "dashpad/report1986/validation/nose_radius.hpp"
+#include "dashpad/report1986/validation/trends.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,11 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "output/page/digest.hpp"
-#include "output/page/frame.hpp"
+#include "output/document.hpp"
 #include "output/page/html.hpp"
-#include "output/page/inline_svgs.hpp"
-#include "output/text/cell.hpp"
+#include "output/page/html_elements.hpp"
 
 namespace dashpad::output {
 

@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/output/plot/plot.hpp"
+#include "output/plot/axis_ticks.hpp"
 #include "output/plot/drawing.hpp"
-#include "output/plot/rows.hpp"
 #include "output/plot/svg_plot.hpp"
 #include "svg_elements.hpp"
 

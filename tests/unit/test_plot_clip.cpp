@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "output/plot/lines.hpp"
+#include "output/plot/series_svg.hpp"
 
 namespace dashpad {
 namespace {

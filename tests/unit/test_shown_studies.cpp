@@ -10,7 +10,7 @@
 
 #include "example_result.hpp"
 #include "output/plot/study_figures.hpp"
-#include "output/text/study_tables.hpp"
+#include "output/text/study_answer.hpp"
 #include "shown_values.hpp"
 
 namespace dashpad::test {

@@ -17,9 +17,9 @@
 #include "dashpad/output/materials.hpp"
 #include "dashpad/output/pulse.hpp"
 #include "dashpad/report1986/comparison.hpp"
-#include "dashpad/spit1984/column.hpp"
+#include "dashpad/spit1984/run.hpp"
 #include "distinct_numbers.hpp"
-#include "output/documents/pulse_comparison.hpp"
+#include "output/documents/pulse.hpp"
 #include "output/plot/foam_figures.hpp"
 #include "output/plot/impact_figures.hpp"
 #include "sample_case.hpp"
@@ -352,7 +352,7 @@ TEST(ShownValues, OfTheComparisonWith1984AreThoseOfItsRuns) {
   const report1986::ComparedRun& reference = comparison.runs[report1986::Comparison::reference];
   const ImpactCase impact = impacts()[0].impact;
   for (const UnitSystem& units : unit_systems()) {
-    const std::string text = comparison_text(comparison, impact, units);
+    const std::string text = to_terminal(comparison_document(comparison, impact, units), Detail::main);
     const Plot plot = comparison_plot(comparison, impact, units);
     for (const report1986::ComparedRun& run : comparison.runs) {
       const std::string line = text.substr(text.find("\n" + run.name + " ") + 1 + run.name.size());

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "dashpad/spit1984/column.hpp"
+#include "dashpad/spit1984/run.hpp"
 
 namespace dashpad::test {
 namespace {

@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dashpad/spit1984/run_files.hpp"
+#include "dashpad/spit1984/run.hpp"
 
 namespace dashpad::spit1984 {
 namespace {
@@ -22,7 +22,6 @@ using testing::Not;
 using testing::StartsWith;
 
 constexpr const char* first_page = R"(SPHERE/PAD IMPACT TRACKER
-
 
 SPHERE PARMS:
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/laboratory/cushioning.hpp"
-#include "dashpad/spit1984/column.hpp"
+#include "dashpad/spit1984/run.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {

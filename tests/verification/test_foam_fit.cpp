@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dashpad/report1986/validation/held_out.hpp"
+#include "dashpad/report1986/validation/study.hpp"
 
 namespace dashpad::report1986 {
 namespace {

@@ -14,6 +14,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/pulse_report.hpp"
 #include "dashpad/input/reading.hpp"
+#include "dashpad/result/result_quantity.hpp"
 
 namespace dashpad::fit {
 
@@ -130,10 +131,11 @@ struct Fit {
 /// Name in fit files and results, and SI unit.
 struct ImpactFigureName {
   ImpactFigure figure;
-  const char* key;
-  const char* unit;
+  const char* key;                 ///< in fit files
+  const ResultQuantity* quantity;  ///< with its title and its SI unit
 };
 const std::vector<ImpactFigureName>& impact_figure_names();
+const ImpactFigureName& name_of(ImpactFigure figure);
 
 /// Whether a card holds that number: one of the law, or the scale that goes into its stresses.
 bool is_of_card(const std::string& key);

@@ -1,7 +1,7 @@
 #pragma once
 /// Test standards as plain values, and what a solved impact says about their limits.
 ///
-/// An assessment is a computation with one rigid sphere on a flat pad. It is no certification, and no test.
+/// An assessment is a computation with one rigid nose on a flat pad. It is no certification, and no test.
 
 #include <functional>
 #include <optional>

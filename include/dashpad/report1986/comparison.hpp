@@ -9,7 +9,7 @@
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/output/plot/plot.hpp"
+#include "dashpad/output/document.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
 namespace dashpad::report1986 {
@@ -36,7 +36,7 @@ struct Comparison {
   /// rest is compared with; the program of 1984 in pdp10, binary32 and binary64 arithmetic; the program with
   /// its defects mended, in binary64.
   std::vector<ComparedRun> runs;
-  static constexpr std::size_t reference = 1;
+  static constexpr std::size_t reference = 1, program = 2;
   double time_step = 0;  ///< of the 1984 program, s
   int dimension = 0;     ///< of its time history and its contact field
 };
@@ -50,8 +50,10 @@ using ComparisonProgress = std::function<void(std::size_t done, std::size_t all)
 Comparison compare(const ImpactCase& impact, const Options& options, double time_step,
                    const ComparisonProgress& progress = {});
 
-/// The table, with remarks below.
-std::string comparison_text(const Comparison& comparison, const ImpactCase& impact, const UnitSystem& units);
+/// How far the program of 1984 is off, what to beware of in each run, and a row a run.
+output::Document comparison_document(const Comparison& comparison, const ImpactCase& impact,
+                                     const UnitSystem& units,
+                                     output::Pictures pictures = output::Pictures::left_out);
 
 /// The table as JSON, SI.
 std::string comparison_json(const Comparison& comparison);

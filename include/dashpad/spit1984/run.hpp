@@ -1,9 +1,11 @@
 #pragma once
-/// The impact as subroutines SPIT and PAD Version 2 (December 1984) computed it.
+/// The impact as subroutines SPIT and PAD Version 2 (December 1984) computed it, PAD alone, and what is
+/// written of a run.
 
 #include <array>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "dashpad/spit1984/deck.hpp"
@@ -135,5 +137,40 @@ using Progress = std::function<void(int step)>;
 /// violations() of the deck, fewer than 3 time steps or fewer than 2 stations. Memory is taken for the
 /// dimensions at once.
 Run run(const Deck& deck, const Settings& settings = {}, const Progress& progress = {});
+
+/// The stress of one station at the end of each step, psi, positive in compression (the program's own sign is
+/// negative). `strains` are positive in compression and begin with 0, that of first contact; one stress each,
+/// the first 0. `step` in s, > 0. Law 5 takes its time at the end of a step, as in the program.
+///
+/// The stress may be tensile, below zero: it is SPIT, not PAD, that looks for tension. On the way back to
+/// strain zero laws 4 and 5 divide by the strain; the last stresses there mean nothing.
+///
+/// Throws std::invalid_argument for parameters that violations(Deck) refuses, fewer than two strains, a first
+/// one that is not 0, or strains outside [0, 1).
+std::vector<double> column_stresses(PadKey pad, const std::array<double, 21>& parameters,
+                                    const std::vector<double>& strains, double step,
+                                    Arithmetic arithmetic = Arithmetic::pdp10);
+
+/// The same of a material of one of the five laws, in Pa. Throws std::invalid_argument for a material that no
+/// deck of the program can hold.
+std::vector<double> stresses_of_update(const Material& material, const std::vector<double>& strains,
+                                       double step);
+
+/// The two devices that the listing writes to. The line printer (unit 21) printed Appendix C. Only the
+/// terminal (unit 5) is told of iterations stopped at the precision limit and of ABENDs 903 and 904.
+enum class Device { printer, terminal };
+
+/// The report in the layout of the report's Appendix C: FORMAT statements 6000 and 601 to 613. Lines end in
+/// '\n'. The first character of each Fortran record is carriage control and becomes what it did: '1' a form
+/// feed, '0' an empty line before.
+std::string listing(const Deck& deck, const Run& run, Device device);
+
+/// The deck, how it was run and what came out, as JSON. Keys name the units; forces are negative in
+/// compression, the rebound speed is negative. A number that is not finite is null.
+std::string run_json(const Deck& deck, const Settings& settings, const Run& run);
+
+/// The time history, every step of it, as CSV: time_ms, force_lbf, acceleration_g, speed_in_per_s, motion_in,
+/// penetration_in. Numbers read back as the very same double; one that is not finite is an empty field.
+std::string run_csv(const Run& run);
 
 }  // namespace dashpad::spit1984

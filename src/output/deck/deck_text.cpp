@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/output/deck/exports.hpp"
 #include "dashpad/output/text/case.hpp"
 #include "dashpad/version.hpp"
 #include "quantities/text.hpp"

@@ -18,7 +18,6 @@
 #include "output/result_rows.hpp"
 #include "output/text/capitals.hpp"
 #include "output/text/case_toml.hpp"
-#include "output/text/interval_words.hpp"
 #include "output/text/standard_words.hpp"
 #include "quantities/text.hpp"
 
@@ -145,8 +144,7 @@ std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
     return is_cut(summary) ? "Undecided: the run ends before the impact does"
                            : "Undecided: the pulse says too little";
   const std::string name = injury::title_of(next->criterion);
-  const std::string margin =
-      brief_quantity(std::abs(*next->margin), injury::quantity_of(next->criterion.metric).si_unit, units, 3);
+  const std::string margin = margin_words(*next, units, 3);
   switch (assessment.verdict) {
     case injury::Verdict::pass:
       return fmt::format("Passes: {} has {} to spare{}", name, margin, doubt_about_pass(report));
@@ -164,9 +162,7 @@ std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
 
 /// How far a criterion is from its limit. Of a lower bound the distance can only shrink, or grow beyond it.
 std::string distance(const injury::CriterionResult& result, const UnitSystem& units, int digits) {
-  return fmt::format("{} ({:.1f} %)",
-                     brief_quantity(std::abs(*result.margin),
-                                    injury::quantity_of(result.criterion.metric).si_unit, units, digits),
+  return fmt::format("{} ({:.1f} %)", margin_words(result, units, digits),
                      100 * std::abs(*result.relative_margin));
 }
 
@@ -188,29 +184,23 @@ std::vector<ValueRow> criteria(const AssessmentReport& report, const UnitSystem&
 
 /// Figures to judge the impact by whatever the standard limits.
 std::vector<ValueRow> figures_of(const AssessmentReport& report, const UnitSystem& units, Detail detail) {
-  const injury::KeyFigures& of = report.assessment.figures;
   std::vector<ValueRow> rows = bottoming_figures(report.assessed, report.solution.summary, units);
-  const auto add = [&](const char* key, const injury::Figure& figure, const char* remark = "") {
+  const char* const on_strain = report.assessed.pad.layers.empty()
+                                    ? "1 is a pad that is fully compressed"
+                                    : "of all layers together; 1 is a pad that is fully compressed";
+  for (const auto& [key, member] : figures_of_assessment) {
+    const injury::Figure& figure = report.assessment.figures.*member;
     const ResultQuantity& quantity = result_quantity(key);
     const auto is_limited = [&](const injury::CriterionResult& result) {
       return injury::title_of(result.criterion) == quantity.title;
     };
-    if (!figure.value || std::ranges::any_of(report.assessment.results, is_limited)) return;
+    if (!figure.value || std::ranges::any_of(report.assessment.results, is_limited)) continue;
     rows.push_back({.key = key,
                     .label = quantity.title,
                     .value = (figure.lower_bound ? "≥ " : "") +
                              brief_quantity(*figure.value, quantity.si_unit, units, digits_of(detail)),
-                    .remark = remark});
-  };
-  add("peak_acceleration", of.peak_acceleration);
-  add("peak_strain", of.peak_strain,
-      report.assessed.pad.layers.empty() ? "1 is a pad that is fully compressed"
-                                         : "of all layers together; 1 is a pad that is fully compressed");
-  add("hic15", of.hic15);
-  add("contact_end", of.contact_end);
-  add("rebound_speed", of.rebound_speed);
-  add("hic36", of.hic36);
-  add("restitution", of.restitution);
+                    .remark = member == &injury::KeyFigures::peak_strain ? on_strain : ""});
+  }
   add_intervals(rows, report.solution.summary, units);
   return rows;
 }
@@ -301,6 +291,11 @@ void add_pictures(Document& document, const AssessmentReport& report, const Unit
 
 }  // namespace
 
+std::string margin_words(const injury::CriterionResult& result, const UnitSystem& units, int digits) {
+  return brief_quantity(std::abs(*result.margin), injury::quantity_of(result.criterion.metric).si_unit, units,
+                        digits);
+}
+
 const injury::CriterionResult* closest(const std::vector<injury::CriterionResult>& results) {
   const injury::CriterionResult* least = nullptr;
   for (const injury::CriterionResult& result : results)
@@ -355,14 +350,13 @@ std::vector<Series> acceleration_limits(const std::vector<injury::CriterionResul
 
 Plot deciding_curve(const AssessmentReport& report, const UnitSystem& units) {
   Panel panel = deceleration_panel(report.solution, injury::whole_pulse_figures(report.solution), units);
-  for (Series& line : acceleration_limits(report.assessment.results, units))
-    panel.series.push_back(std::move(line));
+  panel.add(acceleration_limits(report.assessment.results, units));
   return {.panels = {std::move(panel)}};
 }
 
 const std::string& assessment_caveat() {
   static const std::string caveat =
-      "A computation with one rigid sphere on a flat pad: no test to the standard and no certification.";
+      "A computation with one rigid nose on a flat pad: no test to the standard and no certification.";
   return caveat;
 }
 

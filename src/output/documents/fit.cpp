@@ -1,7 +1,6 @@
 // What is said of a fit: how well it meets the data, what was found and how sure it is.
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,9 +16,9 @@
 #include "output/plot/foam_figures.hpp"
 #include "output/text/capitals.hpp"
 #include "output/text/case_toml.hpp"
-#include "output/text/factor_words.hpp"
 #include "output/text/fit_words.hpp"
 #include "output/text/foam_words.hpp"
+#include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/injury/figures.hpp"
-#include "output/blow_rows.hpp"
 #include "output/document.hpp"
 #include "output/documents/basis.hpp"
 #include "output/page/html.hpp"
@@ -19,7 +16,6 @@
 #include "output/text/capitals.hpp"
 #include "output/text/case_toml.hpp"
 #include "output/text/foam_words.hpp"
-#include "output/text/interval_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include <fmt/format.h>
 

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -16,7 +14,6 @@
 #include "output/documents/basis.hpp"
 #include "output/plot/foam_figures.hpp"
 #include "output/text/foam_words.hpp"
-#include "output/text/material_test_answer.hpp"
 #include "output/text/material_test_words.hpp"
 #include "quantities/text.hpp"
 

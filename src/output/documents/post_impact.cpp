@@ -3,9 +3,7 @@
 #include "dashpad/output/impact.hpp"
 
 #include <cmath>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "dashpad/injury/standard.hpp"
-#include "dashpad/output/pulse.hpp"
 #include "dashpad/result/result_quantity.hpp"
 #include "dashpad/version.hpp"
 #include "injury/pulse_words.hpp"
@@ -130,8 +129,7 @@ std::string limits_answer(const injury::PulseLimits& limits, const UnitSystem& u
   const injury::CriterionResult* const next = closest(limits.results);
   if (next == nullptr) return "Undecided: the pulse is cut, and its figures can only grow";
   const std::string name = injury::title_of(next->criterion);
-  const std::string margin =
-      brief_quantity(std::abs(*next->margin), injury::quantity_of(next->criterion.metric).si_unit, units, 3);
+  const std::string margin = margin_words(*next, units, 3);
   switch (verdict) {
     case injury::Verdict::pass: return fmt::format("Within the limits: {} has {} to spare", name, margin);
     case injury::Verdict::fail: return fmt::format("Above a limit: {} is {} above it", name, margin);

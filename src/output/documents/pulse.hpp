@@ -1,11 +1,13 @@
 #pragma once
-/// The parts of a pulse's document that its plot, a comparison and JSON share.
+/// The parts of the documents of pulses that plots, JSON and each other share.
 
 #include <string>
 #include <vector>
 
 #include "dashpad/injury/pulse_report.hpp"
 #include "dashpad/output/document.hpp"
+#include "dashpad/output/pulse.hpp"
+#include "dashpad/output/text/table.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 
 namespace dashpad::output {
@@ -25,5 +27,18 @@ std::vector<std::string> reservations(const injury::PulseReport& report);
 
 /// Where the pulse comes from and what was done to it: a row each, what and how.
 std::vector<std::vector<std::string>> pulse_basis(const injury::PulseReport& report, const UnitSystem& units);
+
+/// "The case predicts a peak 12 % above that of the measured pulse, 8 % later; HIC15 is 31 % higher."
+std::string comparison_answer(const PulseComparisonReport& report);
+
+/// What to beware of in the case and in the pulse, a line each.
+std::vector<std::string> comparison_reservations(const PulseComparisonReport& report,
+                                                 const UnitSystem& units);
+
+/// A figure a row: measured, computed, difference, its share of the measured, error of the computed.
+Table comparison_table(const PulseComparisonReport& report, const UnitSystem& units);
+
+/// How the figures are meant, a sentence each.
+std::vector<std::string> comparison_notes(const PulseComparisonReport& report, const UnitSystem& units);
 
 }  // namespace dashpad::output

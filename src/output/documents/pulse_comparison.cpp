@@ -7,7 +7,6 @@
 #include "dashpad/output/impact.hpp"
 #include "output/documents/basis.hpp"
 #include "output/documents/pulse.hpp"
-#include "output/documents/pulse_comparison.hpp"
 #include "output/result_rows.hpp"
 #include "quantities/text.hpp"
 

@@ -125,14 +125,11 @@ Plot pulses_plot(const std::vector<injury::PulseReport>& reports, const UnitSyst
     for (std::size_t i = 0; i < report.pulse.time.size(); ++i) {
       const double time = report.pulse.time[i] - report.contact.begin;
       if (time < -0.2 * length || time > 1.5 * length) continue;
-      series.x.push_back(time_factor * time);
-      series.y.push_back(report.pulse.acceleration[i] / standard_gravity);
+      series.add(time_factor * time, report.pulse.acceleration[i] / standard_gravity);
     }
     panel.series.push_back(std::move(series));
   }
-  if (reports.front().limits)
-    for (Series& line : acceleration_limits(reports.front().limits->results, units))
-      panel.series.push_back(std::move(line));
+  if (reports.front().limits) panel.add(acceleration_limits(reports.front().limits->results, units));
   return {.panels = {std::move(panel)}};
 }
 

@@ -11,7 +11,6 @@
 #include "output/documents/study_key_figures.hpp"
 #include "output/plot/study_figures.hpp"
 #include "output/text/study_answer.hpp"
-#include "output/text/study_tables.hpp"
 #include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
 

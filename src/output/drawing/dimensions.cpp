@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "output/drawing/annotations.hpp"
+#include "output/drawing/pictures.hpp"
 #include "output/svg/svg.hpp"
 #include "quantities/text.hpp"
 

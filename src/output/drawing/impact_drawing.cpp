@@ -1,12 +1,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "dashpad/output/impact.hpp"
-#include "output/drawing/annotations.hpp"
 #include "output/drawing/pictures.hpp"
 #include "quantities/text.hpp"
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "output/drawing/annotations.hpp"
+#include "output/drawing/pictures.hpp"
 #include "output/svg/svg.hpp"
 #include "output/text/capitals.hpp"
 #include "quantities/text.hpp"

@@ -1,4 +1,4 @@
-#include "dashpad/output/assessment.hpp"
+#include "output/documents/assessment.hpp"
 #include "dashpad/output/impact.hpp"
 #include "dashpad/result/result_quantity.hpp"
 #include "json/json_values.hpp"
@@ -62,22 +62,16 @@ Json criterion(const injury::CriterionResult& result) {
           {"note", of.origin.note}};
 }
 
-Json key_figures(const injury::KeyFigures& of) {
+Json figures_json(const injury::KeyFigures& of) {
   Json all;
-  const auto add = [&](const char* key, const injury::Figure& figure) {
+  for (const auto& [key, member] : figures_of_assessment) {
+    const injury::Figure& figure = of.*member;
     const ResultQuantity& quantity = result_quantity(key);
     const double scale = scaled_unit(quantity.si_unit, plain_si()).scale;
     const auto shown = [&](double value) { return number(scale * value); };
     all[key_with_unit(quantity)] = {{"value", made_of(figure.value, shown)},
                                     {"lower_bound", figure.lower_bound}};
-  };
-  add("peak_acceleration", of.peak_acceleration);
-  add("hic15", of.hic15);
-  add("hic36", of.hic36);
-  add("peak_strain", of.peak_strain);
-  add("contact_end", of.contact_end);
-  add("rebound_speed", of.rebound_speed);
-  add("restitution", of.restitution);
+  }
   return all;
 }
 
@@ -109,7 +103,7 @@ Json assessment(const AssessmentReport& report) {
   json["impactor"] = impactor(report);
   json["other_choices"] = other_choices(report.others);
   json["criteria"] = criteria_json(report.assessment.results);
-  json["figures"] = key_figures(report.assessment.figures);
+  json["figures"] = figures_json(report.assessment.figures);
   json["result"] = Json::parse(
       result_json(report.assessed, report.solution.summary, injury::whole_pulse_figures(report.solution)));
   return json;

@@ -2,9 +2,9 @@
 
 #include "dashpad/output/fit.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "dashpad/fit/fit.hpp"
 #include "json/json_values.hpp"
 #include "output/json/parts.hpp"
 
@@ -52,16 +52,11 @@ Json met_test_json(const fit::MetTest& of) {
           {"computed_stress_Pa", numbers(of.computed)}};
 }
 
-const fit::ImpactFigureName& name_of(fit::ImpactFigure figure) {
-  const auto& names = fit::impact_figure_names();
-  return *std::ranges::find(names, figure, &fit::ImpactFigureName::figure);
-}
-
 Json comparison_json(const fit::ImpactComparison& of) {
   const fit::ImpactFigureName& name = name_of(of.figure);
   return {{"case", of.file},
           {"figure", name.key},
-          {"unit", name.unit},
+          {"unit", name.quantity->si_unit},
           {"held_out", of.is_held_out},
           {"from_pulse", of.is_of_pulse},
           {"measured", number(of.measured)},
@@ -73,7 +68,7 @@ Json met_figure_json(const fit::MetFigure& of) {
   const fit::ImpactFigureName& name = name_of(of.figure);
   return {{"case", of.file},
           {"figure", name.key},
-          {"unit", name.unit},
+          {"unit", name.quantity->si_unit},
           {"held_out", of.is_held_out},
           {"measured", number(of.measured)},
           {"deviation", number(of.deviation)},

@@ -4,7 +4,6 @@
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/result/result_quantity.hpp"
 #include "output/documents/pulse.hpp"
-#include "output/documents/pulse_comparison.hpp"
 #include "output/json/parts.hpp"
 
 namespace dashpad::output {

@@ -1,11 +1,11 @@
-#include "output/page/check.hpp"
+#include "output/page/html.hpp"
 
 #include <cstddef>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "output/plot/rows.hpp"
+#include "output/plot/axis_ticks.hpp"
 #include "output/svg/svg.hpp"
 
 namespace dashpad::output {

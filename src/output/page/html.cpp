@@ -9,9 +9,7 @@
 
 #include "dashpad/version.hpp"
 #include "output/document.hpp"
-#include "output/page/check.hpp"
 #include "output/page/html_elements.hpp"
-#include "output/page/inline_svgs.hpp"
 #include "output/svg/svg.hpp"
 #include "quantities/text.hpp"
 

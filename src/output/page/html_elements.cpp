@@ -9,7 +9,6 @@
 
 #include "output/document.hpp"
 #include "output/svg/svg.hpp"
-#include "output/text/cell.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

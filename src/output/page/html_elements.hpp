@@ -1,10 +1,12 @@
 #pragma once
-/// Texts, figures, bars and tables as HTML. Whatever text a user has given is text there, too.
+/// Texts, figures, bars, tables and SVGs as HTML. Whatever text a user has given is text there, too.
 
+#include <set>
 #include <string>
 #include <vector>
 
 #include "dashpad/output/document.hpp"
+#include "dashpad/output/plot/plot.hpp"
 
 namespace dashpad::output {
 
@@ -24,5 +26,28 @@ std::string key_figure_html(const ValueRow& figure);
 std::string warning_html(const std::string& line);
 std::string range_html(const RangeBar& of);
 std::string table_html(const Table& of);
+
+/// SVGs on their way into one page. Their styles are for its head, once each: a drawing in other units takes
+/// the place of the first one, and must not take its style away.
+class InlineSvgs {
+ public:
+  /// The element without its style.
+  std::string add(std::string svg);
+  /// The same of a plot, `width` px wide; a sentence if there is nothing to draw.
+  std::string add(const Plot& plot, double width);
+  /// A drawing with two pictures, and below it each half by itself: which of the two is shown is for the
+  /// style of the page to say.
+  std::string add_with_halves(std::string svg);
+  /// The texts of all styles so far.
+  [[nodiscard]] const std::set<std::string>& styles() const { return styles_; }
+
+ private:
+  std::set<std::string> styles_;
+};
+
+/// The texts of an SVG that this library has made, in their order, its description first.
+std::vector<std::string> texts_in(const std::string& svg);
+/// Whether two of them differ in nothing but their texts.
+bool differ_in_texts_only(const std::string& one, const std::string& other);
 
 }  // namespace dashpad::output

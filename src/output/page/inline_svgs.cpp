@@ -1,4 +1,4 @@
-#include "output/page/inline_svgs.hpp"
+#include "output/page/html_elements.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "output/plot/axis_ticks.hpp"
 #include "output/plot/drawing.hpp"
-#include "output/plot/rows.hpp"
 #include "output/plot/svg_plot.hpp"
 #include "output/svg/svg.hpp"
 #include "quantities/text.hpp"

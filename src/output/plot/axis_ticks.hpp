@@ -1,14 +1,55 @@
 #pragma once
-/// Where axes end, and the marks on them: at 1, 2 and 5 times powers of ten.
+/// The points of a series that the picture needs, whether a panel can be drawn at all, where axes end, and
+/// the marks on them: at 1, 2 and 5 times powers of ten.
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "dashpad/output/plot/plot.hpp"
-#include "output/plot/rows.hpp"
 
 namespace dashpad::output {
+
+struct PlotRow {
+  double x = 0;
+  double y = 0;
+  double y2 = 0;  ///< of bands; otherwise as y
+};
+
+/// A part of a series without a gap.
+using PlotRun = std::vector<PlotRow>;
+
+/// From the lowest to the highest of the numbers that it includes; none at first.
+struct Span {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void include(double value);
+  [[nodiscard]] bool is_empty() const { return low > high; }
+};
+
+/// Whether the axis has a place for the number, disregarding its ends.
+bool is_drawable(double value, const Axis& axis);
+/// Whether it lies within the ends that are given.
+bool is_within_limits(double value, const Axis& axis);
+
+/// Throws std::invalid_argument if columns of a series differ in length, or if an axis cannot have its
+/// limits.
+void check(const Panel& panel);
+
+/// The parts of a line, a band or points that can be drawn on these axes and are not wholly beyond their
+/// ends.
+std::vector<PlotRun> drawable_runs(const Series& series, const Axis& x, const Axis& y);
+
+/// Leaves out of a line or band what makes no difference to the picture: of neighbours within half a pixel in
+/// x, the first, last, lowest and highest stay. `span` is what the x axis shows.
+PlotRun thinned_line(const PlotRun& run, const Axis& x, const Span& span);
+
+/// Leaves out of many points those that lie on others: of all points within the same square of one and a half
+/// pixels, the first stays.
+PlotRun thinned_points(const PlotRun& run, const Axis& x, const Span& x_span, const Axis& y,
+                       const Span& y_span);
 
 struct Tick {
   double value = 0;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dashpad/output/plot/plot.hpp"
-#include "output/plot/rows.hpp"
+#include "output/plot/axis_ticks.hpp"
 
 namespace dashpad::output {
 

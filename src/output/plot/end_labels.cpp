@@ -1,8 +1,7 @@
-#include "output/plot/labels.hpp"
+#include "output/plot/panel_svg.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include <fmt/format.h>
 

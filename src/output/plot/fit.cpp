@@ -20,11 +20,6 @@ Series data_points(const char* label, std::size_t turn) {
   return series;
 }
 
-void add_point(Series& series, double x, double y) {
-  series.x.push_back(x);
-  series.y.push_back(y);
-}
-
 Series zero_line() {
   Series series{.style = SeriesStyle::horizontal_line};
   series.y = {0};
@@ -42,10 +37,10 @@ void add_model(Panel& panel, const fit::MetTest& test, const UnitSystem& units) 
     Series& own = test.course[i] > 0 ? up : down;
     if (i > 0 && test.course[i] != test.course[i - 1]) {
       // The turning point belongs to both; what was drawn of this way before is another cycle.
-      add_point(own, NAN, NAN);
-      add_point(own, test.strain[i - 1], value_in(units, test.computed[i - 1] + offset, "Pa"));
+      own.add(NAN, NAN);
+      own.add(test.strain[i - 1], value_in(units, test.computed[i - 1] + offset, "Pa"));
     }
-    add_point(own, test.strain[i], stress);
+    own.add(test.strain[i], stress);
   }
   for (Series* series : {&up, &down})
     if (!series->x.empty()) panel.series.push_back(std::move(*series));
@@ -62,9 +57,9 @@ CaptionedPlot fit_test_figure(const fit::MetTest& test, const UnitSystem& units)
   Series off_up = up, off_down = down;
   const double offset = test.offset.value_or(0);
   for (std::size_t i = 0; i < test.strain.size(); ++i) {
-    add_point(test.course[i] > 0 ? up : down, test.strain[i], value_in(units, test.measured[i], "Pa"));
-    add_point(test.course[i] > 0 ? off_up : off_down, test.strain[i],
-              value_in(units, test.computed[i] + offset - test.measured[i], "Pa"));
+    (test.course[i] > 0 ? up : down).add(test.strain[i], value_in(units, test.measured[i], "Pa"));
+    (test.course[i] > 0 ? off_up : off_down)
+        .add(test.strain[i], value_in(units, test.computed[i] + offset - test.measured[i], "Pa"));
   }
   off.series.push_back(zero_line());
   for (Series* series : {&up, &down})
@@ -92,10 +87,10 @@ CaptionedPlot fit_pulse_figure(const fit::MetPulse& pulse, const UnitSystem& uni
   Series rest = measured;
   for (std::size_t i = 0; i < pulse.time.size(); ++i) {
     const double time = value_in(units, pulse.time[i], "s");
-    add_point(measured, time, pulse.measured[i] / standard_gravity);
+    measured.add(time, pulse.measured[i] / standard_gravity);
     if (pulse.computed.empty()) continue;
-    add_point(model, time, pulse.computed[i] / standard_gravity);
-    add_point(rest, time, (pulse.computed[i] - pulse.measured[i]) / standard_gravity);
+    model.add(time, pulse.computed[i] / standard_gravity);
+    rest.add(time, (pulse.computed[i] - pulse.measured[i]) / standard_gravity);
   }
   over_time.series.push_back(std::move(measured));
   CaptionedPlot figure;

@@ -1,4 +1,4 @@
-#include "output/plot/lines.hpp"
+#include "output/plot/series_svg.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "output/plot/labels.hpp"
+#include "output/plot/panel_svg.hpp"
 #include "output/plot/svg_plot.hpp"
 
 namespace dashpad::output {

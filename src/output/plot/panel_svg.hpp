@@ -1,13 +1,63 @@
 #pragma once
-/// A panel as SVG: axes, marks, series and their names.
+/// A panel as SVG: axes, marks, series, and the names of what it shows, written in it and to the right of it.
+/// Places are in px from the upper left corner of the axes.
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
-#include "output/plot/labels.hpp"
+#include "output/plot/series_svg.hpp"
 
 namespace dashpad::output {
+
+/// From the axes to the names of lines at their right, px.
+inline constexpr double beside_axes = 18;
+
+/// A name at the right of a panel, beside the end of its line.
+struct EndLabel {
+  const SeriesDrawing* series;
+  std::vector<std::string> lines;  ///< of text
+  Place line_end = {};             ///< of a line that goes forth and back, where it turns
+  double height = 0;               ///< of the middle of the text
+};
+
+/// The names that are to stand there, not placed yet: those that series ask for, and the labels of lines if
+/// these are few enough and short enough to be read beside a plot of that width.
+std::vector<EndLabel> end_labels_of(const PanelDrawing& panel, double plot_width);
+
+/// Sets all places.
+void place(std::vector<EndLabel>& labels, const PanelScale& scale);
+
+/// Sets the heights so that no text lies on another and each is as near to the end of its line as that allows
+/// (least squares); on the way down the order of the ends stays. `height`: of the axes.
+void make_room(std::vector<EndLabel>& labels, double height);
+
+/// What lines and texts take, in px.
+double width_beside_axes(const std::vector<EndLabel>& labels);
+
+std::string end_labels_svg(const std::vector<EndLabel>& labels, const PanelScale& scale);
+
+enum class TextAnchor { start, middle, end };
+
+struct TextPlace {
+  Place at;  ///< of the base line
+  TextAnchor anchor = TextAnchor::start;
+};
+
+/// The name of a line across a panel, a bracket, a contour, a single point or a line that ends early, beside
+/// it within the axes.
+struct MarkLabel {
+  const SeriesDrawing* series;
+  TextPlace place;
+};
+
+/// Those that have a place within the axes where they lie neither on each other nor on a line or a point.
+/// `ends`: placed, since their leaders are lines too. Names of lines that end far from the right of the axes
+/// are taken from there if they have room beside that end.
+std::vector<MarkLabel> mark_labels_of(const PanelDrawing& panel, std::vector<EndLabel>& ends,
+                                      const PanelScale& scale);
+
+std::string mark_labels_svg(const std::vector<MarkLabel>& labels);
 
 /// Around a plot, px.
 inline constexpr double plot_edge = 16;

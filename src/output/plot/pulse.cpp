@@ -1,7 +1,10 @@
-// The picture of a pulse.
+// The pictures of a pulse, and of one over the computed one.
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
+#include "dashpad/output/pulse.hpp"
 #include "dashpad/result/result_quantity.hpp"
 #include "dashpad/version.hpp"
 #include "output/documents/assessment.hpp"
@@ -14,15 +17,17 @@ namespace dashpad::output {
 
 namespace {
 
+constexpr std::size_t turn_of_computed = 0, turn_of_measured = 6;
+constexpr double room = 0.1;  // of the contact, beside it
 constexpr std::size_t turn_of_filtered = 0, turn_of_raw = 3, turn_of_hic15 = 1, turn_of_hic36 = 2;
 
-Series line(const std::string& label, const Pulse& pulse, std::size_t turn, const UnitSystem& units) {
+/// The pulse, `shift` s later; `side` -1 turns it over.
+Series line(const std::string& label, const Pulse& pulse, std::size_t turn, const UnitSystem& units,
+            double side = 1, double shift = 0) {
   Series series{.label = label, .style = SeriesStyle::solid_line, .turn = turn};
   const double time_factor = value_in(units, 1, "s");
-  for (std::size_t i = 0; i < pulse.time.size(); ++i) {
-    series.x.push_back(time_factor * pulse.time[i]);
-    series.y.push_back(pulse.acceleration[i] / standard_gravity);
-  }
+  for (std::size_t i = 0; i < pulse.time.size(); ++i)
+    series.add(time_factor * (pulse.time[i] + shift), side * pulse.acceleration[i] / standard_gravity);
   return series;
 }
 
@@ -58,13 +63,39 @@ void show_impact(Axis& x, const injury::PulseReport& report, const UnitSystem& u
 
 }  // namespace
 
+Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem& units) {
+  const injury::PulseComparison& of = report.comparison;
+  double begin = of.measured.contact.begin + of.shift, end = of.measured.contact.end + of.shift;
+  if (!of.computed_pulse.time.empty()) {
+    begin = std::min(begin, of.computed ? of.computed->contact.begin : of.computed_pulse.time.front());
+    end = std::max(end, of.computed ? of.computed->contact.end : of.computed_pulse.time.back());
+  }
+  Panel panel{.x = axis_of("time", units), .y = axis_of("deceleration", units)};
+  if (of.computed)
+    panel.title = fmt::format("The computed peak is {} g, the measured one {} g",
+                              brief(of.computed->peak.magnitude / standard_gravity, 3),
+                              brief(of.measured.peak.magnitude / standard_gravity, 3));
+  else
+    panel.y.high = 1.5 * of.measured.peak.magnitude / standard_gravity;
+  panel.x.low = value_in(units, begin - room * (end - begin), "s");
+  panel.x.high = value_in(units, end + room * (end - begin), "s");
+  panel.series = {
+      line("computed", of.computed_pulse, turn_of_computed, units, of.computed ? of.computed->side : -1),
+      line("measured", report.pulse.pulse, turn_of_measured, units, of.measured.side, of.shift)};
+  return {.title = one_line(report.impact.title.empty() ? report.case_file : report.impact.title),
+          .panels = {std::move(panel)},
+          .source = fmt::format("dashpad {}; {} over {}; filter of both: {}; alignment: {}", version(),
+                                one_line(report.pulse.file), one_line(report.case_file),
+                                report.pulse.filter ? filter_words(*report.pulse.filter) : "none",
+                                injury::to_string(of.alignment))};
+}
+
 Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units) {
   const double side = side_of_peak(report);
   const injury::InjuryFigures& figures = report.figures;
   Panel panel{.title = "The acceleration " + peak_words(figures),
               .x = axis_of("time", units),
-              .y = axis_of("acceleration", units),
-              .series = {}};
+              .y = axis_of("acceleration", units)};
   const double peak = side * figures.peak.magnitude / standard_gravity;
   if (figures.hic36.begin != figures.hic15.begin || figures.hic36.end != figures.hic15.end)
     panel.series.push_back(window("hic36", figures.hic36, peak, turn_of_hic36, 1, units));

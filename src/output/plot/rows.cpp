@@ -1,9 +1,8 @@
-#include "output/plot/rows.hpp"
+#include "output/plot/axis_ticks.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <set>
 #include <stdexcept>
 #include <utility>

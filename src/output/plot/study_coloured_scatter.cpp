@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "output/plot/study_figures.hpp"
-#include "output/text/factor_words.hpp"
 #include "output/text/study_words.hpp"
 
 namespace dashpad::output {
@@ -69,8 +68,7 @@ std::vector<Series> classes(const Rows& rows, const std::vector<double>& levels,
     const auto above = std::ranges::upper_bound(levels, rows.value[row]) - levels.begin();
     const auto place = std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(list) - 1);
     Series& of = list[static_cast<std::size_t>(place)];
-    of.x.push_back(rows.x[row]);
-    of.y.push_back(rows.y[row]);
+    of.add(rows.x[row], rows.y[row]);
   }
   std::erase_if(list, [](const Series& series) { return series.x.empty(); });
   return list;

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "output/plot/study_figures.hpp"
-#include "output/text/factor_words.hpp"
 #include "output/text/study_words.hpp"
 
 namespace dashpad::output {
@@ -30,8 +29,7 @@ Series distribution_function(std::vector<double> values, double scale) {
   const std::size_t points = std::min(count, most_steps);
   for (std::size_t i = 0; i < points; ++i) {
     const std::size_t place = points < 2 ? 0 : i * (count - 1) / (points - 1);
-    series.x.push_back(scale * values[place]);
-    series.y.push_back(100 * static_cast<double>(place + 1) / all);
+    series.add(scale * values[place], 100 * static_cast<double>(place + 1) / all);
   }
   return series;
 }
@@ -54,8 +52,7 @@ Panel distribution_panel(const study::StudyAnswers& answers, std::size_t i, cons
   const ScaledUnit shown = shown_as(unit, units);
   Panel panel{.title = title_of(name),
               .x = {.label = label(name, unit, units)},
-              .y = {.label = "Rows at or below (%)", .low = 0, .high = 100},
-              .series = {}};
+              .y = {.label = "Rows at or below (%)", .low = 0, .high = 100}};
   for (std::size_t group = 0; group < std::min(answers.groups.size(), most_lines_drawn); ++group) {
     const study::Group& of = answers.groups[group].group;
     const std::vector<double> values =
@@ -68,8 +65,7 @@ Panel distribution_panel(const study::StudyAnswers& answers, std::size_t i, cons
       panel.series.push_back(*std::move(rest));
     }
   }
-  for (Series& line : limit_lines(answers, name, SeriesStyle::vertical_line, units))
-    panel.series.push_back(std::move(line));
+  panel.add(limit_lines(answers, name, SeriesStyle::vertical_line, units));
   return panel;
 }
 
@@ -80,8 +76,7 @@ Panel scatter_panel(const study::StudyAnswers& answers, std::size_t factor, std:
   const ScaledUnit x = shown_as(of.unit, units), y = shown_as(si_unit_of(name), units);
   Panel panel{.title = fmt::format("{} over {}", title_of(name), factor_words(of.key)),
               .x = axis_of_factor(of, units),
-              .y = {.label = label(name, si_unit_of(name), units)},
-              .series = {}};
+              .y = {.label = label(name, si_unit_of(name), units)}};
   const std::size_t groups = std::min(answers.groups.size(), most_lines_drawn);
   Series struck = struck_through_marks();
   for (std::size_t i = 0; i < groups; ++i) {
@@ -91,8 +86,7 @@ Panel scatter_panel(const study::StudyAnswers& answers, std::size_t factor, std:
     Series points{.label = words_of_levels(answers, group, units), .style = SeriesStyle::points, .turn = i};
     for (const std::size_t k : rows_drawn(places.size(), most_plain_dots / groups)) {
       Series& of_row = std::isinf(values[k]) ? struck : points;
-      of_row.x.push_back(x.scale * answers.records.factors[factor][places[k]]);
-      of_row.y.push_back(y.scale * values[k]);
+      of_row.add(x.scale * answers.records.factors[factor][places[k]], y.scale * values[k]);
     }
     panel.series.push_back(std::move(points));
   }

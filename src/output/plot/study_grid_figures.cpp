@@ -8,7 +8,6 @@
 
 #include "output/plot/drawing.hpp"
 #include "output/plot/study_figures.hpp"
-#include "output/text/factor_words.hpp"
 #include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
 
@@ -68,8 +67,7 @@ Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
   const study::Factor& across = answers.study.factors[plane.across];
   Panel panel{.title = title_of(name),
               .x = axis_of_factor(across, units),
-              .y = {.label = label(name, si_unit_of(name), units)},
-              .series = {}};
+              .y = {.label = label(name, si_unit_of(name), units)}};
   const std::size_t count = plane.values.size(), lines = std::min(count, most_lines_drawn);
   const std::vector<double> x = scaled(plane.across_levels, shown_as(across.unit, units).scale);
   const double y_scale = shown_as(si_unit_of(name), units).scale;
@@ -89,14 +87,13 @@ Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
                               .turn = i,
                               .of = panel.series.back().label});
   }
-  std::vector<Series> limits = limit_lines(answers, name, SeriesStyle::horizontal_line, units);
-  panel.series.insert(panel.series.end(), limits.begin(), limits.end());
+  panel.add(limit_lines(answers, name, SeriesStyle::horizontal_line, units));
   std::vector<Series> struck = struck_through_above(panel.series);
   std::size_t rows_struck = 0;
   for (const Series& marks : struck) rows_struck += marks.x.size();
   if (rows_struck == rows_in(panel.series))
     panel.y = {.label = panel.y.label, .has_numbers = false, .low = -1, .high = 0.1 * double(struck.size())};
-  panel.series.insert(panel.series.end(), struck.begin(), struck.end());
+  panel.add(std::move(struck));
   return {.title = fmt::format("{} over {}", title_of(name), factor_words(across.key)),
           .panels = {panel},
           .source = study_source(answers)};
@@ -108,10 +105,7 @@ Plot map_of(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
   const study::Factor &across = answers.study.factors[plane.across],
                       &up = answers.study.factors[*plane.lines];
   const ScaledUnit shown = shown_as(si_unit_of(name), units);
-  Panel panel{.title = title_of(name),
-              .x = axis_of_factor(across, units),
-              .y = axis_of_factor(up, units),
-              .series = {}};
+  Panel panel{.title = title_of(name), .x = axis_of_factor(across, units), .y = axis_of_factor(up, units)};
   std::vector<std::vector<double>> values;
   double least = HUGE_VAL, greatest = -HUGE_VAL;
   for (const std::vector<double>& line : plane.values) {
@@ -146,10 +140,7 @@ Plot map_of(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
   Series struck = struck_through_marks();
   for (std::size_t line = 0; line < y.size(); ++line)
     for (std::size_t place = 0; place < x.size(); ++place)
-      if (std::isinf(values[line][place])) {
-        struck.x.push_back(x[place]);
-        struck.y.push_back(y[line]);
-      }
+      if (std::isinf(values[line][place])) struck.add(x[place], y[line]);
   if (!struck.x.empty()) panel.series.push_back(std::move(struck));
   return {.title = fmt::format("{} over {} and {}", title_of(name), factor_words(across.key),
                                factor_words(up.key)),
@@ -167,8 +158,7 @@ Panel cushion_panel(const study::CushionCurves::Drop& drop, bool whole_cushion, 
                         whole_cushion ? "area of the cushion" : "contact area at the largest penetration",
                         stress.unit),
                     .logarithmic = true},
-              .y = {.label = "Peak acceleration (g)", .low = 0},
-              .series = {}};
+              .y = {.label = "Peak acceleration (g)", .low = 0}};
   for (std::size_t i = 0; i < drop.curves.size(); ++i)
     panel.series.push_back(
         {.label = fmt::format("thickness {} {}", four_digits(height.scale * drop.curves[i].thickness),
@@ -216,8 +206,7 @@ std::vector<CaptionedPlot> cushion_figures(const study::StudyAnswers& answers, c
   for (const study::CushionCurves::Drop& drop : answers.cushion_curves->drops)
     plot.panels.push_back(cushion_panel(drop, answers.cushion_curves->whole_cushion, units));
   for (Panel& panel : plot.panels)
-    for (Series& line : limit_lines(answers, "peak_acceleration", SeriesStyle::horizontal_line, units))
-      panel.series.push_back(std::move(line));
+    panel.add(limit_lines(answers, "peak_acceleration", SeriesStyle::horizontal_line, units));
   if (answers.cushion_curves->whole_cushion)
     return {{"", std::move(plot),
              "In the manner of ASTM D1596, of " + nose +

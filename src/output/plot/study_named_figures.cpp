@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "output/plot/study_figures.hpp"
-#include "output/text/factor_words.hpp"
 #include "output/text/study_words.hpp"
 
 namespace dashpad::output {
@@ -67,11 +66,9 @@ Panel panel_of(const study::StudyAnswers& answers, const std::string& name, cons
          .turn = 0,
          .end_label = fmt::format("{}: {}", bars[i].name, three_digits(name, bars[i].value, units))});
     if (is_finite) continue;
-    struck.x.push_back(end);
-    struck.y.push_back(height);
+    struck.add(end, height);
   }
-  for (Series& line : limit_lines(answers, name, SeriesStyle::vertical_line, units))
-    panel.series.push_back(std::move(line));
+  panel.add(limit_lines(answers, name, SeriesStyle::vertical_line, units));
   if (!struck.x.empty()) panel.series.push_back(std::move(struck));
   return panel;
 }

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "model/parameter_values.hpp"
-#include "output/text/toml_text.hpp"
+#include "output/text/case_toml.hpp"
 
 namespace dashpad::output {
 

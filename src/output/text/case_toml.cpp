@@ -1,10 +1,11 @@
 #include "output/text/case_toml.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "dashpad/output/card_toml.hpp"
 #include "model/parameter_values.hpp"
-#include "output/text/toml_text.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::output {
 
@@ -72,6 +73,40 @@ std::string pad_toml(const Pad& pad) {
 }
 
 }  // namespace
+
+std::string toml_string(const std::string& text) {
+  // What JSON writes, but for what TOML forbids.
+  return nlohmann::json(one_line(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string toml_value(double number, const std::string& unit) {
+  return unit == "1" ? fmt::format("{}", number) : fmt::format("\"{} {}\"", number, unit);
+}
+
+std::string toml_line(const std::string& key, double number, const std::string& unit) {
+  return fmt::format("{} = {}\n", key, toml_value(number, unit));
+}
+
+std::string toml_line(const std::string& key, const std::string& text) {
+  return fmt::format("{} = {}\n", key, toml_string(text));
+}
+
+std::string toml_line(const std::string& key, const std::vector<double>& numbers) {
+  constexpr std::size_t widest = 110;
+  std::string text;
+  std::string line = key + " = [";
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::string number = fmt::format("{}{}", numbers[i], i + 1 < numbers.size() ? "," : "]");
+    const bool begins = line.ends_with('[');
+    if (!begins && line.size() + 1 + number.size() > widest) {
+      text += line + "\n";
+      line = "  " + number;
+    } else {
+      line += (begins ? "" : " ") + number;
+    }
+  }
+  return text + line + (numbers.empty() ? "]\n" : "\n");
+}
 
 std::string case_toml(const ImpactCase& impact, const Options& options) {
   std::string text;

@@ -1,21 +1,14 @@
 // The tables of a fit.
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
-#include "dashpad/result/result_quantity.hpp"
+#include "dashpad/fit/fit.hpp"
 #include "output/text/fit_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
 
 namespace {
-
-const fit::ImpactFigureName& name_of(fit::ImpactFigure figure) {
-  const auto& names = fit::impact_figure_names();
-  return *std::ranges::find(names, figure, &fit::ImpactFigureName::figure);
-}
 
 constexpr double width_of_95 = 1.96;  ///< of a normal distribution, in deviations
 
@@ -64,10 +57,10 @@ Table table_of_figures(const fit::FitReport& report, const UnitSystem& units) {
   for (const fit::MetFigure& of : report.figures) {
     const fit::ImpactFigureName& name = name_of(of.figure);
     const auto shown = [&](double value, int digits) {
-      return brief_quantity(value, name.unit, units, digits);
+      return brief_quantity(value, name.quantity->si_unit, units, digits);
     };
     table.rows.push_back(
-        {of.file, result_quantity(name.key).title, shown(of.measured, 4), shown(of.deviation, 2),
+        {of.file, name.quantity->title, shown(of.measured, 4), shown(of.deviation, 2),
          of.computed ? shown(*of.computed, 4) : "none",
          of.prediction_deviation ? "± " + shown(width_of_95 * *of.prediction_deviation, 2) : "",
          of.computed ? fmt::format("{:+.1f} deviations", (*of.computed - of.measured) / of.deviation) : "",
@@ -80,8 +73,8 @@ Table table_of_comparison(const fit::FitReport& report, const UnitSystem& units)
   Table table{.columns = {"impact", "figure", "measured", "model", "off by", ""}};
   for (const fit::ImpactComparison& of : report.comparison) {
     const fit::ImpactFigureName& name = name_of(of.figure);
-    const auto shown = [&](double value) { return brief_quantity(value, name.unit, units, 4); };
-    table.rows.push_back({of.file, result_quantity(name.key).title, shown(of.measured),
+    const auto shown = [&](double value) { return brief_quantity(value, name.quantity->si_unit, units, 4); };
+    table.rows.push_back({of.file, name.quantity->title, shown(of.measured),
                           of.computed ? shown(*of.computed) : "none",
                           of.computed ? fmt::format("{:+.1f} %", 100 * *of.share()) : "",
                           of.is_held_out ? "held out: predicted" : "fitted"});

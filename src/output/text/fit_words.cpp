@@ -15,6 +15,14 @@ std::string count_of(std::size_t count, const char* one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
+/// "a, b and c".
+std::string listed(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return text;
+}
+
 void grow(std::optional<double>& most, double value) { most = std::max(most.value_or(0), value); }
 
 std::string words_of(const Misses& of) {
@@ -26,10 +34,7 @@ std::string words_of(const Misses& of) {
     parts.push_back(fmt::format("the figures by at most {:.2g} of their deviations", *of.figures));
   if (of.pulses)
     parts.push_back(fmt::format("the pulses by {:.2g} % of their peak (root mean square)", 100 * *of.pulses));
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
-  return text;
+  return listed(parts);
 }
 
 /// Of the unknowns of the material.
@@ -108,9 +113,7 @@ std::string fit_answer(const fit::FitReport& report) {
   if (pulses > 0)
     data.push_back(count_of(points_of_pulses, "point") + " of " + count_of(pulses, "pulse") + " of impacts");
   if (report.priors > 0) data.push_back(count_of(report.priors, "prior"));
-  std::string text = count_of(of.all, "unknown") + " from ";
-  for (std::size_t i = 0; i < data.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == data.size() ? " and " : ", ") + data[i];
+  std::string text = count_of(of.all, "unknown") + " from " + listed(data);
   text += of.by_data == of.all ? ": the data determine all of them. "
                                : fmt::format(": the data determine {}{}. ", of.by_data, beside_data(of));
   if (report.starts_at_best == 0)
@@ -147,13 +150,9 @@ std::string duration_words(double seconds) {
 
 std::vector<std::string> open_matters(const fit::FitReport& report) {
   std::vector<std::string> all;
-  for (const std::vector<std::string>& keys : report.flat_directions) {
-    std::string names;
-    for (std::size_t i = 0; i < keys.size(); ++i)
-      names += (i == 0 ? "" : i + 1 == keys.size() ? " and " : ", ") + keys[i];
-    all.push_back(keys.size() == 1 ? names + " is not determined by these data."
-                                   : names + " are not told apart by these data.");
-  }
+  for (const std::vector<std::string>& keys : report.flat_directions)
+    all.push_back(listed(keys) + (keys.size() == 1 ? " is not determined by these data."
+                                                   : " are not told apart by these data."));
   for (const fit::StrongCorrelation& of : report.correlations)
     all.push_back(fmt::format("The errors of {} and {} go together: correlation {:.3f}.", of.first, of.second,
                               of.value));

@@ -1,8 +1,5 @@
 #include "output/text/foam_words.hpp"
 
-#include <set>
-#include <utility>
-
 #include <fmt/format.h>
 
 #include "output/text/capitals.hpp"

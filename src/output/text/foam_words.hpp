@@ -2,7 +2,6 @@
 /// A foam in words: where it comes from, and how far it is known.
 
 #include <string>
-#include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/model/pad/material.hpp"

@@ -1,4 +1,4 @@
-#include "output/text/interval_words.hpp"
+#include "output/result_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,8 +82,7 @@ void add_intervals(std::vector<ValueRow>& rows, const Summary& summary, const Un
 
 Table interval_table(const Summary& summary, const UnitSystem& units, std::vector<std::string> asked) {
   const Intervals& intervals = *summary.intervals;
-  Table table{
-      .caption = "By what each figure may be otherwise", .columns = {"Figure", "All together"}, .rows = {}};
+  Table table{.caption = "By what each figure may be otherwise", .columns = {"Figure", "All together"}};
   std::vector<Source> open;
   for (const OpenSource& of : intervals.sources)
     if (of.why_not.empty() && std::ranges::find(open, of.source) == open.end()) open.push_back(of.source);

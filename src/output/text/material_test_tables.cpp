@@ -47,8 +47,7 @@ Table figures_table(const laboratory::MaterialTestReport& report, const Cells& c
   Table table{.caption = "Figures",
               .columns = {"Rate (1/s)", cells.in_stress("Peak stress"), "at strain",
                           cells.in_energy("Energy in"), cells.in_energy("Energy returned"), "Hysteresis (%)",
-                          "Best efficiency", "at strain", cells.in_stress("at stress"), "Ideality there"},
-              .rows = {}};
+                          "Best efficiency", "at strain", cells.in_stress("at stress"), "Ideality there"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
     const laboratory::CushionFigures& of = run.figures;
     table.rows.push_back({rate_cell(run), cells.stress(of.peak_stress), significant(of.strain_at_peak),
@@ -63,8 +62,7 @@ Table figures_table(const laboratory::MaterialTestReport& report, const Cells& c
 Table limits_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
   Table table{.caption = "Cushioning at a stress limit",
               .columns = {"Rate (1/s)", cells.in_stress("Limit"), "reached at strain",
-                          cells.in_energy("Energy"), "Efficiency", "Ideality"},
-              .rows = {}};
+                          cells.in_energy("Energy"), "Efficiency", "Ideality"}};
   for (const laboratory::MaterialTestRun& run : report.runs)
     for (std::size_t i = 0; i < run.at_limits.size(); ++i) {
       Row row{rate_cell(run), cells.stress(report.test.stress_limits[i])};
@@ -84,8 +82,7 @@ Table relaxation_table(const laboratory::MaterialTestReport& report, const Cells
   };
   Table table{.caption = "Relaxation",
               .columns = {"Rate (1/s)", cells.in_stress("Stress at the end of the ramp"),
-                          after(0.1 * report.test.hold), after(report.test.hold), "left (%)"},
-              .rows = {}};
+                          after(0.1 * report.test.hold), after(report.test.hold), "left (%)"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
     const laboratory::RelaxedStress& of = *run.relaxed;
     table.rows.push_back({rate_cell(run), cells.stress(of.at_end_of_ramp), cells.stress(of.after_tenth),
@@ -97,8 +94,7 @@ Table relaxation_table(const laboratory::MaterialTestReport& report, const Cells
 Table creep_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
   Table table{.caption = "Creep",
               .columns = {"Rate (1/s)", "Strain at the end of loading",
-                          "Strain after " + brief_quantity(report.test.hold, "s", cells.units), "crept"},
-              .rows = {}};
+                          "Strain after " + brief_quantity(report.test.hold, "s", cells.units), "crept"}};
   for (const laboratory::MaterialTestRun& run : report.runs)
     table.rows.push_back({rate_cell(run), significant(run.crept->at_end_of_loading),
                           significant(run.crept->after_hold),
@@ -111,8 +107,7 @@ Table table_of_1984(const laboratory::MaterialTestReport& report, const Cells& c
       .caption = fmt::format("The update of 1984, {} steps to the first loading", *report.test.steps_of_1984),
       .columns = {"Rate (1/s)", fmt::format("Step ({})", shown_unit(cells.units.time)), "Stress",
                   cells.in_stress("last of loading"), cells.in_stress("one step later"),
-                  cells.in_stress("Jump"), "Jump (%)"},
-      .rows = {}};
+                  cells.in_stress("Jump"), "Jump (%)"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
     const laboratory::UpdateOf1984& of = *run.update_of_1984;
     const auto add = [&](const char* name, const std::optional<laboratory::StressAtTurn>& turn) {
@@ -146,8 +141,7 @@ Table events_table(const laboratory::MaterialTestReport& report, const Cells& ce
   Table table{
       .caption = "Events",
       .columns = {"Rate (1/s)", "Event", "at strain", fmt::format("Time ({})", shown_unit(cells.units.time)),
-                  cells.in_stress("Stress before"), cells.in_stress("Stress after")},
-      .rows = {}};
+                  cells.in_stress("Stress before"), cells.in_stress("Stress after")}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
     const auto& events = run.column.events;
     for (std::size_t i = 0; i < events.size() && i < most_events; ++i) {

@@ -2,20 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "output/text/capitals.hpp"
-#include "output/text/factor_words.hpp"
-#include "output/text/study_limit_words.hpp"
 #include "output/text/study_words.hpp"
-#include "quantities/text.hpp"
 
 namespace dashpad::output {
 

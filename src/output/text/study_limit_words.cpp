@@ -1,18 +1,14 @@
-#include "output/text/study_limit_words.hpp"
+#include "output/text/study_answer.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "output/text/capitals.hpp"
-#include "output/text/factor_words.hpp"
 #include "output/text/study_words.hpp"
 
 namespace dashpad::output {

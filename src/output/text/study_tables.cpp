@@ -1,13 +1,11 @@
-#include "output/text/study_tables.hpp"
+#include "output/text/study_answer.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "dashpad/study/responses.hpp"
-#include "output/text/factor_words.hpp"
 #include "output/text/study_words.hpp"
-#include "quantities/text.hpp"
 
 namespace dashpad::output {
 
@@ -162,7 +160,7 @@ std::vector<Table> study_tables(const study::StudyAnswers& answers, const UnitSy
 }
 
 Table factor_table(const study::StudyAnswers& answers, const UnitSystem& units) {
-  Table table{.caption = "Factors", .columns = {"Factor", "Varies"}, .rows = {}};
+  Table table{.caption = "Factors", .columns = {"Factor", "Varies"}};
   for (std::size_t i = 0; i < answers.study.factors.size(); ++i) {
     const study::Factor& factor = answers.study.factors[i];
     std::string text = spread_text(answers, i, units);

@@ -1,5 +1,5 @@
 #pragma once
-/// Factors and responses of a study in the units of people.
+/// Factors and responses of a study: what they are called, and their values in the units of people.
 
 #include <string>
 #include <vector>
@@ -49,5 +49,12 @@ std::string factor_at(const study::Study& study, std::size_t factor, double valu
 /// "impact speed 5 m/s, thickness of the pad 30 mm"; "" without levels.
 std::string words_of_levels(const study::StudyAnswers& answers, const study::Group& group,
                             const UnitSystem& units);
+
+/// "thickness of the pad" of pad.thickness, "plateau stress of the foam" of pad.curve.plateau_stress; a key
+/// that is no quantity of a case stays as it is.
+std::string factor_words(const std::string& key);
+
+/// The same, to begin a text with: "Thickness of the pad".
+std::string factor_title(const std::string& key);
 
 }  // namespace dashpad::output

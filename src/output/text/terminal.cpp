@@ -4,11 +4,8 @@
 #include <numeric>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "output/document.hpp"
 #include "output/svg/svg.hpp"
-#include "output/text/cell.hpp"
 #include "output/text/table.hpp"
 #include "quantities/text.hpp"
 

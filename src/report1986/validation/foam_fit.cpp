@@ -8,7 +8,7 @@
 
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/quantities/quantity.hpp"
-#include "dashpad/report1986/validation/held_out.hpp"
+#include "dashpad/report1986/validation/study.hpp"
 #include "fit/problem.hpp"
 #include "fit/solve.hpp"
 

@@ -1,4 +1,4 @@
-#include "dashpad/report1986/validation/held_out.hpp"
+#include "dashpad/report1986/validation/study.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include <map>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,5 @@
-#include "dashpad/report1986/validation/nose_radius.hpp"
+#include "dashpad/report1986/validation/trends.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>

@@ -75,6 +75,10 @@ struct Panel {
   Axis x = {};
   Axis y = {};
   std::vector<Series> series = {};
+
+  void add(std::vector<Series> more) {
+    for (Series& one : more) series.push_back(std::move(one));
+  }
 };
 
 /// Panels one below the other, with one legend below the last for what the panels do not name: lines have

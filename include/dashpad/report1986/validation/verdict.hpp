@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/report1986/validation/nose_radius.hpp"
 #include "dashpad/report1986/validation/simulations.hpp"
 #include "dashpad/report1986/validation/trends.hpp"
 

@@ -1,20 +1,59 @@
-// The options of dashpad material-test.
-
-#include "material_test/request.hpp"
+// dashpad material-test: a pad material in the laboratory.
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <initializer_list>
+#include <memory>
+#include <optional>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "command.hpp"
 #include "dashpad/input/measurement/tables.hpp"
+#include "dashpad/output/materials.hpp"
 #include "dashpad/quantities/quantity.hpp"
+#include "dashpad/spit1984/run.hpp"
+#include "output_files.hpp"
+#include "progress_line.hpp"
 
 namespace dashpad::app {
 
 namespace {
+
+constexpr const char* material_test_footer = R"(Examples:
+  dashpad material-test ensolite-aac-9                    up and down at constant rate, 1 and 100 per second
+  dashpad material-test ensolite-aac-9 --test parabolic --explicit-1984 --picture figure-2-9.svg
+  dashpad material-test ensolite-aac-21 --rate 1,10,100 --stress-limit "50 kPa,100 kPa"
+  dashpad material-test ensolite-aac-21 --test relaxation --strain 0.5 --hold "2 s"
+  dashpad material-test ensolite-aac-9 --test creep --stress "50 kPa" --hold "100 ms"
+  dashpad material-test ensolite-aac-9 --test cyclic --strain 0.6 --low 0.2 --cycles 3 --csv cycles.csv
+  dashpad material-test ./my-foam.toml --test history --history my-strains.csv --report my-foam.html
+
+A single pad column is driven through the test; its stress is exact up to quadrature. Figures: peak stress,
+energy per volume, hysteresis, efficiency and ideality, and with --stress-limit how much the foam takes below
+a stress. --explicit-1984 adds what the program of 1984 makes of it. docs/laboratory.md explains them all.
+
+MATERIAL is the name of a card, as dashpad materials lists them, or a file that ends in .toml. A history is a
+table with a header line that names its units: time_s,strain or "time [ms];strain [%]".
+
+Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file
+is kept unless --force is given. A file is written whole or not at all.
+
+Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was run.)";
+
+/// As on the command line; absent where not given.
+struct MaterialTestRequest {
+  std::string material;
+  std::string test = "constant-rate";
+  std::vector<std::string> rates, stress_limits;
+  std::optional<std::string> strain, hold, stress, low, history;
+  std::optional<int> cycles, steps;
+  bool explicit_1984 = false;
+  OutputFiles files;
+  std::string materials;
+};
 
 constexpr double lowest_rate = 1e-12;  // 1/s; a test that takes 30,000 years
 constexpr double highest_rate = 1e9;   // 1/s, as in cards
@@ -116,8 +155,7 @@ void read_history(const std::string& file, laboratory::MaterialTest& test, Wrong
   }
 }
 
-}  // namespace
-
+/// The test. Adds to `wrong` all that is wrong with it, the rows of the history among it.
 laboratory::MaterialTest test_of(const MaterialTestRequest& request, Wrong& wrong) {
   laboratory::MaterialTest test;
   test.kind = kind_of(request.test);
@@ -142,41 +180,81 @@ laboratory::MaterialTest test_of(const MaterialTestRequest& request, Wrong& wron
   return test;
 }
 
+/// Adds --test and all that describes it.
 void add_test_options(CLI::App& sub, MaterialTestRequest& request) {
   std::vector<std::string> kinds;
   for (const laboratory::TestKind kind : laboratory::all_test_kinds) kinds.emplace_back(to_string(kind));
-  sub.add_option("--test", request.test,
-                 "constant-rate (default), parabolic, relaxation, creep, cyclic or history")
-      ->check(CLI::IsMember(kinds))
-      ->type_name("KIND");
-  sub.add_option("--rate", request.rates, "Strain rates of loading, 1/s or with unit (default: 1,100)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("LIST");
-  sub.add_option("--strain", request.strain, "Largest strain, below 1 (default: 0.95)")->type_name("X");
-  sub.add_option("--hold", request.hold,
-                 "How long to hold, such as \"1 s\" (relaxation, creep; default: 1 s)")
-      ->type_name("TIME");
-  sub.add_option("--stress", request.stress, "Stress to hold, such as \"50 kPa\" (creep)")
-      ->type_name("STRESS");
-  sub.add_option("--low", request.low, "Strain to unload to (cyclic; default: 0)")->type_name("X");
-  sub.add_option("--cycles", request.cycles, "How many (cyclic; default: 3)")
-      ->check(CLI::Range(1, 1000))
-      ->type_name("N");
-  sub.add_option("--history", request.history, "Table of times and strains, CSV (history)")
-      ->type_name("FILE");
-  sub.add_option(
-         "--stress-limit", request.stress_limits,
-         "Energy and efficiency where the stress reaches this, such as \"100 kPa\"; several with commas")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("LIST");
-  sub.add_flag("--explicit-1984", request.explicit_1984,
-               "The explicit update of 1984 beside the exact stress (not creep)")
-      ->disable_flag_override();
-  sub.add_option("--steps", request.steps, "Of the update of 1984, to the first loading (default: 20)")
-      ->check(CLI::Range(1, 10000))
-      ->type_name("N");
+  add_option(sub, "--test KIND", request.test,
+             "constant-rate (default), parabolic, relaxation, creep, cyclic or history")
+      ->check(CLI::IsMember(kinds));
+  add_option(sub, "--rate LIST", request.rates, "Strain rates of loading, 1/s or with unit (default: 1,100)")
+      ->delimiter(',');
+  add_option(sub, "--strain X", request.strain, "Largest strain, below 1 (default: 0.95)");
+  add_option(sub, "--hold TIME", request.hold,
+             "How long to hold, such as \"1 s\" (relaxation, creep; default: 1 s)");
+  add_option(sub, "--stress STRESS", request.stress, "Stress to hold, such as \"50 kPa\" (creep)");
+  add_option(sub, "--low X", request.low, "Strain to unload to (cyclic; default: 0)");
+  add_option(sub, "--cycles N", request.cycles, "How many (cyclic; default: 3)")->check(CLI::Range(1, 1000));
+  add_option(sub, "--history FILE", request.history, "Table of times and strains, CSV (history)");
+  add_option(sub, "--stress-limit LIST", request.stress_limits,
+             "Energy and efficiency where the stress reaches this, such as \"100 kPa\"; several with commas")
+      ->delimiter(',');
+  add_flag(sub, "--explicit-1984", request.explicit_1984,
+           "The explicit update of 1984 beside the exact stress (not creep)");
+  add_option(sub, "--steps N", request.steps, "Of the update of 1984, to the first loading (default: 20)")
+      ->check(CLI::Range(1, 10000));
+}
+
+/// Throws Refused with all that is wrong.
+laboratory::MaterialTestReport run_test(const MaterialTestRequest& request) {
+  std::vector<std::string> wrong;
+  const std::optional<std::filesystem::path> card =
+      find_card(request.material, chosen_folder(request.materials), wrong);
+  std::vector<input::InputFile> files;
+  if (card) files.push_back({"the material card", *card});
+  if (request.history) files.push_back({"the strain history", *request.history});
+  judge_files(request.files, files, wrong);
+  judge_picture(request.files, wrong);
+  const laboratory::MaterialTest test = test_of(request, wrong);
+  const std::optional<Material> material = card ? taken(input::read_material(*card), wrong) : std::nullopt;
+  if (!wrong.empty()) throw Refused(std::move(wrong));
+  try {
+    const ProgressLine line{"Testing the material"};
+    return laboratory::run_material_test(*material, test, spit1984::stresses_of_update);
+  } catch (const std::invalid_argument& error) {
+    throw Refused({fmt::format("--test {}: {}", request.test, error.what())});
+  }
+}
+
+int show(const MaterialTestRequest& request) {
+  const laboratory::MaterialTestReport report = run_test(request);
+  const UnitSystem& units = unit_system(request.files.units);
+  publish(request.files,
+          [&](output::Pictures pictures) { return output::material_test_document(report, units, pictures); },
+          {{"--json", [&](const Target&) { return output::material_test_json(report); }},
+           {"--csv", [&](const Target&) { return output::material_test_csv(report, units_of_files(units)); }},
+           {"--picture", [&](const Target& target) {
+              return picture_text(output::material_test_plot(report, units), target);
+            }}});
+  return exit_done;
+}
+
+}  // namespace
+
+void add_material_test(CLI::App& app, Action& action) {
+  CLI::App* sub = app.add_subcommand("material-test", "Test a pad material in the laboratory");
+  const auto request = std::make_shared<MaterialTestRequest>();
+  add_option(*sub, "MATERIAL", request->material, "Card: its name, or a file")->required();
+  add_test_options(*sub, *request);
+  add_file(*sub, request->files, "--json", "Write everything as JSON, SI (- for standard output)");
+  add_file(*sub, request->files, "--csv", "Write the stresses as CSV (- for standard output)");
+  add_documents(*sub, request->files);
+  add_file(*sub, request->files, "--picture", "Draw stress and efficiency (.svg, .png, .pdf)");
+  add_units(*sub, request->files.units);
+  add_force(*sub, request->files.force);
+  add_material_folder(*sub, request->materials);
+  sub->footer(material_test_footer);
+  when_named(*sub, action, [request] { return show(*request); });
 }
 
 }  // namespace dashpad::app
