@@ -54,7 +54,7 @@ HWY_INLINE Lanes work_beyond(const FoamCurve::Rows& base, Lanes strain, Lanes co
   return work_beyond(base.beyond, strain, complement, inverse_power(base.beyond, complement));
 }
 
-/// m - 1 and its rise with ln u.
+/// m - 1 and its derivative, as Over.
 HWY_INLINE Over<Lanes> over_at(const FoamStress::Rows& of, Lanes strain, const Places& at) {
   const auto& [by_power, exponent, exponent_slope, linear, before, next] = of.overstress;
   if (by_power) return over_by_power(exponent, exponent_slope, of.rate.log_rate, strain);
