@@ -395,7 +395,7 @@ class March {
     if (if_over == Ending::released && !was_in_flight) figures_.release = Moment{now_.time, now_.velocity};
   }
 
-  // ------------------------------------------------------------------ what is left of a run
+  // ------------------------------------------------------------------ the record of a run
 
   void record(Track& track) {
     add_entry(track);

@@ -63,7 +63,7 @@ class RateTrend {
 
 class Predictor {
  public:
-  /// `speed` at first contact, m/s; `stiffness` of the pad there, N/m.
+  /// Starts at first contact with `speed`, m/s, and the `stiffness` of the pad, N/m.
   void start(double speed, double stiffness) {
     *this = {};
     pad_rate_ = speed;

@@ -16,7 +16,7 @@ namespace dashpad {
 struct ParameterValue {
   std::string key;
   std::string symbol;
-  std::string unit;  ///< SI; "1" for a pure number
+  std::string unit;  ///< SI unit; "1" for a pure number
   double value = 0;  ///< value in `unit`
   std::string meaning;
 };

@@ -29,12 +29,12 @@ bool leaves_a_known_pad(const Summary& summary);
 /// Whether a series of blows ends early with this one.
 bool is_series_cut(const Summary& summary);
 
-/// Whether the pad and the support gave back more energy than they took, by more than the error estimates.
+/// Whether the pad gave back more energy than it took, by more than the error estimate and the residual.
 bool gained_energy(const Summary& summary);
 
-/// How a flag affects the figures of its result.
+/// Effect of a flag on the figures of its result.
 enum class Severity {
-  unusable,  ///< they are not an answer
+  unusable,  ///< the figures are no answer
   doubtful,  ///< their errors may exceed estimates and intervals, or they are those of a part
   note       ///< they are valid, with a remark
 };

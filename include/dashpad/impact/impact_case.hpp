@@ -17,7 +17,7 @@ namespace dashpad {
 struct Impactor {
   double mass = 0;   ///< kg, > 0
   Nose nose = {};    ///< part that meets the pad
-  double speed = 0;  ///< m/s at first contact, towards the pad, > 0
+  double speed = 0;  ///< speed at first contact, towards the pad, m/s, > 0
   /// Gravity along the motion, m/s2, >= 0; with 0 the weight does no work.
   double gravity = 0;
 
@@ -44,7 +44,7 @@ inline constexpr std::array<Parameter<PadLayer>, 1> PadLayer::parameters{{
     {"thickness", "L", "m", &PadLayer::thickness, positive, "thickness of the layer"},
 }};
 
-/// How the back of a pad is held by what it lies on.
+/// Floor on which the back of a pad lies.
 enum class Floor {
   bonded,        ///< it does not slip
   resting,       ///< it does not slip, and may lift off

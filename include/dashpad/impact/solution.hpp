@@ -48,7 +48,7 @@ enum class Status {
   released,           ///< the impactor left the pad
   bottomed_out,       ///< pad fully compressed on a support that does not yield at once: no finite force
   time_limit,         ///< still in contact at Options::time_limit
-  tolerance_not_met,  ///< finished, but an error estimate or the energy residual is above the tolerance
+  tolerance_not_met,  ///< error estimates or energy residual above the tolerance, or no run got through
   at_rest,            ///< under its weight the impactor came to rest on the pad
 };
 /// "released", "bottomed out", "time limit", "tolerance not met", "at rest", "not run".
@@ -152,7 +152,7 @@ struct Summary {
   std::optional<double> rebound_speed;  ///< at release, m/s; 0 if the impactor still moves on
   /// Speed of separation over impact speed; of separation from the body behind the support, if there is one.
   std::optional<double> restitution;
-  /// For supports that are more than an elastic curve on the ground.
+  /// Figures of a support that is more than an elastic curve on the ground; else absent.
   std::optional<SupportFigures> support;
   double energy_absorbed_fraction = 0;  ///< share absorbed by the pad until the end of the run
   EnergyLedger energy;

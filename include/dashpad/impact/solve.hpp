@@ -37,7 +37,7 @@ class Solver {
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;
 
-  /// As solve(); the solution stays valid until the next call.
+  /// Solves one impact as solve() does; the solution stays valid until the next call.
   const Solution& solve(const ImpactCase& impact, const Options& options = {});
 
   /// Called with each blow of a series in order: its case, with the pad as that blow meets it, and its

@@ -583,7 +583,7 @@ class FoamContact {
   double thickness_;
   Sections nose_;
   double factor_ = 1;
-  ColumnMath math_;  ///< how nodes of the integral are computed
+  ColumnMath math_;  ///< computation of the integral's nodes
   const FoamNodeMath* vectors_;
   NodeValues values_;
   std::vector<SectionPiece> pieces_;  ///< pieces of a shape

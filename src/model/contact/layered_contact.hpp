@@ -33,7 +33,7 @@ class LayerColumns {
     double* stress = nullptr;       ///< Pa; below 0 where the column is free of stress
     double* y = nullptr;            ///< shortening, m
     double* flexibility = nullptr;  ///< dy/d(stress) over the step, m/Pa
-    /// For each layer.
+    /// Arrays for each layer.
     std::array<double*, most_layers> strain{}, largest{}, rate{}, memory{}, layer_flexibility{};
   };
 

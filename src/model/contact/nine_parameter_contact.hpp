@@ -104,7 +104,7 @@ class NineParameterContact {
   bool was_unloaded_ = false;
   bool has_columns_ = false;  ///< columns are laid for the accepted state
   std::size_t updates_ = 0;
-  NineParameter::TimePart time_part_{};  ///< of the last trial
+  NineParameter::TimePart time_part_{};  ///< time part of the last trial
   PadTrial last_;                        ///< step 0: no trial from the accepted state
   LoadingTrial trial_;
   LoadingForce loading_;

@@ -108,7 +108,7 @@ class ColumnStorage {
   std::size_t size_ = 0;
 };
 
-/// How columns are computed: by vectors, or one by one.
+/// Computation of columns: in vectors, or one by one.
 enum class ColumnMath { vector, plain };
 
 /// Data common to all columns of a step. Lengths in m.

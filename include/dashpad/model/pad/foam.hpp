@@ -3,7 +3,7 @@
 /// done.
 ///
 ///   stress = (1 - f) s(e) D(W(e) / W(e*)) + s(e) q(e, u)                   (theory.md, Eq. 32)
-///   D(x)   = 1 - (1 - HU) (1 - x^SHAPE),  or what an unloading curve says
+///   D(x)   = 1 - (1 - HU) (1 - x^SHAPE),  or by an unloading curve
 ///   q      = f u / (|u| + 2 u0) + m(e, u) - 1  for u >= 0,  - k (m(e, |u|) - 1) for u < 0   (Eq. 33)
 ///
 /// s is the base curve, the loading curve of the slowest test; W its area; e* the largest strain so far; m

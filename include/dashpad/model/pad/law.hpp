@@ -70,7 +70,7 @@ concept SharesSlip = IsPadLaw<L> && requires(const L law) {
   { law.curves } -> std::same_as<const FoamCurves&>;
 };
 
-/// What a blow leaves in a pad for the next one (theory.md, Eqs. 46 to 48).
+/// Memory that a blow leaves in a pad for the next one (theory.md, Eqs. 46 to 48).
 enum class BlowMemory {
   none,            ///< the pad recovers by its law, as if it had not been struck
   largest_strain,  ///< columns keep it, and load more softly up to it

@@ -114,7 +114,7 @@ std::vector<Violation> violations(const Material& material);
 /// The same without the rules of the law, for one that is known to keep them.
 std::vector<Violation> violations_beside_law(const Material& material);
 
-/// In what respect a result is extrapolated. Beyond the tested strain the stress is a guess, beyond the
+/// Respect in which a result is extrapolated. Beyond the tested strain the stress is a guess, beyond the
 /// tested rates it follows a law.
 enum class Beyond { strain, rate, other };
 /// Name of the flag: "EXTRAPOLATED STRAIN", "EXTRAPOLATED RATE", "EXTRAPOLATED".

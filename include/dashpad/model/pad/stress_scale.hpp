@@ -3,7 +3,7 @@
 ///
 ///   factor = scale (density / density of the card)^exponent t(temperature)          (theory.md, Eq. 39)
 ///
-/// Every stress of a law is multiplied, loading and unloading alike; strains, rates and times stay.
+/// Every stress of a law is multiplied, loading and unloading alike; strains, rates and times are unchanged.
 
 #include <array>
 #include <optional>

@@ -27,7 +27,7 @@ struct TwentyOneParameter {
   double compaction_exponent = 0;       ///< n, in [0, 4]
   double relaxation_exponent = 0;       ///< a, in (0, 1]
   double relaxation_scale = 0;          ///< b, s^a, > 0
-  double relaxation_strain_base = 0;    ///< c, > 0
+  double relaxation_strain_base = 0;    ///< c, [0.001, 1000]
   double rate_stress = 0;               ///< S_r, Pa at 1/s, >= 0
   double rate_exponent = 0;             ///< R, in (0, 1]
   double rate_strain_exponent = 0;      ///< U, in (0, 10]

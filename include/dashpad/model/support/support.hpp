@@ -1,5 +1,5 @@
 #pragma once
-/// The support of the pad: its curve of force over deflection, and what it has beside that curve.
+/// The support of the pad: its curve of force over deflection, and its parts beside that curve.
 ///
 ///   F = Fs(Xs), piecewise linear through the origin and any number of points, increasing; beyond the last
 ///   point the last slope continues; below the origin the force is 0        (theory.md, Eq. 4; report, Eq. 6)
@@ -52,8 +52,8 @@ class Support {
   [[nodiscard]] std::size_t segment_of_force(double force) const;
 
   std::vector<Point> points_;
-  std::vector<double> stiffness_;  ///< of each segment, N/m
-  std::vector<double> energy_;     ///< at the lower end of each segment, J
+  std::vector<double> stiffness_;  ///< slope of each segment, N/m
+  std::vector<double> energy_;     ///< energy at the lower end of each segment, J
   std::vector<double> corners_;
 };
 
