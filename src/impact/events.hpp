@@ -106,7 +106,7 @@ inline double support_goes_on(const Sight& s) {
 inline bool is_crushing(const Sight& s) { return s.foundation.is_crushing(s.now.back, s.now.force); }
 inline double is_apart(const Sight& s) { return s.is_pressed ? -1 : 1; }
 /// Excess of the speed at which the panel can still return, or still moves away, over the least awaited one
-/// in flight, m/s. The largest values of the support are reached only at the end of its way.
+/// in flight, m/s. The support may reach its largest values until then.
 inline double speed_to_wait_for(const Foundation& foundation, const State& state, double least) {
   return std::max(foundation.fastest_return(state.back) + state.velocity, state.back.rate) - least;
 }

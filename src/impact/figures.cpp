@@ -88,7 +88,7 @@ Moment where_force_falls_below(double level, const Track& track, std::size_t i, 
   return {time, h.velocity[i] - impulse / impactor.mass + impactor.gravity * duration};
 }
 
-/// Integral of a force over a way, both given at the entries of a track.
+/// Integral of a force over a displacement, J, both given at the entries of a track.
 double work_of(const Track& track, const std::vector<double>& force, const std::vector<double>& way) {
   const std::vector<double>& time = track.history.time;
   double sum = 0;
@@ -154,7 +154,7 @@ void read_peaks(const Track& track, Figures& figures) {
     figures.peak_deflection = peak_of(h.support_deflection, track).value;
   }
   figures.peak_penetration = *std::max_element(h.penetration.begin(), h.penetration.end());
-  // An impactor that leaves a pad on a free body may move on behind it for ever.
+  // An impactor that leaves a pad on a free body may move on behind it forever.
   const auto left =
       figures.release ? std::upper_bound(h.time.begin(), h.time.end(), figures.release->time) : h.time.end();
   figures.peak_motion = *std::max_element(h.motion.begin(), h.motion.begin() + (left - h.time.begin()));

@@ -59,7 +59,7 @@ struct Figures {
   std::optional<Moment> release;
   std::optional<Moment> bottomed;
   std::optional<Moment> rest;
-  double left_to_sink = 0;  ///< way that an impactor at rest on a creeping pad would still sink, m
+  double left_to_sink = 0;  ///< distance that an impactor at rest on a creeping pad would still sink, m
   /// Largest speeds of an impactor that came to rest, m/s: in its last swing, and in the slowest one before.
   double last_swing = 0, slowest_swing = 0;
   double final_velocity = 0;

@@ -23,7 +23,7 @@ constexpr Bounds stiffnesses = wide(1e-3, 1e15);
 constexpr Bounds dampings = wide(1e-6, 1e12);
 constexpr Bounds forces = wide(1e-6, 1e12);
 
-/// Adds a violation if the value is out of bounds; NaN always is. `must`: begin of the rule.
+/// Adds a violation if the value is out of bounds; NaN always is. `must`: first words of the rule.
 void check(std::vector<Violation>& broken, std::string key, double value, const Bounds& bounds,
            std::string_view unit, const std::string& must = "must be ") {
   constexpr std::string_view begin = "must be ";

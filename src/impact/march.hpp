@@ -183,7 +183,7 @@ class March {
     return sight;
   }
 
-  /// Whether a panel is about to land, whereupon the pad turns and no loading step may reach so far.
+  /// Whether a panel is about to land: the pad turns with it, so no loading step may reach that far.
   [[nodiscard]] bool lands_now() const {
     const double soon = numerics.event_precision * resolution_ * resolution_ * control_.usual();
     return phase_ == Phase::loading && foundation_.time_to_stop(now_.back) < soon;

@@ -133,7 +133,7 @@ class Motion {
     return end.penetration +
            (foundation_.is_plain() ? foundation_.deflection(end.force) : end.back.motion()) - end.motion;
   }
-  /// Way of the impactor towards the back of the pad in a step at constant force, or without force if
+  /// Travel of the impactor towards the back of the pad in a step at constant force, or without force if
   /// `unhindered`, m.
   [[nodiscard]] double approach(double step, bool unhindered) const {
     const double force = unhindered ? 0 : now_.force;
@@ -158,8 +158,8 @@ class Motion {
   }
 
  private:
-  /// Learns dF/dY of a pad with a sheet at the end of a step; not below 0, whatever the rounding in a short
-  /// step.
+  /// Updates dF/dY of a pad with a sheet at the end of a step; never below 0, for all rounding in short
+  /// steps.
   void learn_stiffness(const State& end, double step) {
     const double advance = end.penetration - now_.penetration;
     is_held_ = advance == 0;
@@ -200,7 +200,7 @@ class Motion {
     const double bend = share_of_bend(step) * (rise - force_rate_ * step);
     return {now_.force, force, now_.force + rise / 2 - bend / 6, now_.force / 2 + rise / 6 - bend / 12, step};
   }
-  /// Learns way and work of pad and support up to now, common to all trials from here.
+  /// Updates the travel and work of pad and support up to now, common to all trials from here.
   void learn_work() {
     if constexpr (HasEnergy<Contact>) {
       if (!foundation_.is_elastic()) return;

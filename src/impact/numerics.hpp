@@ -178,7 +178,7 @@ struct Numerics {
   double lightest_panel = 0.05;
 
   /// Largest work of all runs of an impact, s, times (1e-3 / t)^(7/8) for a tolerance t below 1e-3, at most
-  /// `most_patience`. A run that would exceed it is not begun.
+  /// `most_patience`. A run that would exceed it is not started.
   double most_work = 1.7;
   double most_patience = 15;
   /// Largest number of consecutive runs given up: some stall where finer ones get through.

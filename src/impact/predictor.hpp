@@ -70,7 +70,7 @@ class Predictor {
     pad_stiffness_ = stiffness_to_resolve_ = spring_ = stiffness;
   }
 
-  /// Mean rate of the penetration over the last step, or that at the begin of a new phase, m/s.
+  /// Mean rate of the penetration over the last step, or that at the start of a new phase, m/s.
   [[nodiscard]] double pad_rate() const { return pad_rate_; }
   /// dF/dY over the last step, N/m; next_stiffness() is a guess of that over the next.
   [[nodiscard]] double pad_stiffness() const { return pad_stiffness_; }
@@ -91,12 +91,12 @@ class Predictor {
     return rate + (tried_rate_ - rate) * step / tried_step_;
   }
 
-  /// Learns from a trial, which may not be accepted.
+  /// Records a trial, which may not be accepted.
   void learn_from_try(const Trial& trial) {
     if (trial.obstacle == Event::none && trial.pad.advance != 0)
       tried_step_ = trial.step, tried_rate_ = trial.pad_rate();
   }
-  /// Learns from an accepted trial, which began at the state `before` and ends with `event`.
+  /// Records an accepted trial, which began at the state `before` and ends with `event`.
   void learn(Phase phase, const State& before, const Trial& trial, Event event) {
     const double rate = trial.pad_rate();
     tried_step_ = 0;

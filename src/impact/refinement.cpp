@@ -141,7 +141,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
     return error(m.velocity, m_before.velocity, m_run.velocity,
                  std::max(std::abs(m.velocity), numerics.least_speed * speed_));
   };
-  // The larger one of the errors of time and velocity.
+  // The larger of the errors of time and velocity.
   const auto moment = [&](const std::optional<Moment>& m, const std::optional<Moment>& m_before,
                           const std::optional<Moment>& m_run) {
     if (!m) return 0.0;

@@ -15,8 +15,8 @@ namespace dashpad {
 /// Follows the speed from one turn of the impactor to the next.
 class Swing {
  public:
-  /// If the impactor has come to rest, the way that it would still sink if its speed decays exponentially as
-  /// now, m; else nothing. `before`: its velocity at the state before `now`, m/s, `step` s ago.
+  /// If the impactor has come to rest, the distance that it would still sink with its speed decaying
+  /// exponentially, m; else nothing. `before`: its velocity at the state before `now`, m/s, `step` s ago.
   std::optional<double> rest(double before, const State& now, double step, const Impactor& impactor) {
     const double slow = numerics.speed_at_rest * impactor.speed;
     const bool turns = (before > 0) != (now.velocity > 0);

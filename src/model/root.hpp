@@ -216,7 +216,7 @@ IncreasingRoot increasing_root(F&& f, const IncreasingRootSearch& s) {
     double step = slope > 0 ? -value / slope : std::copysign(stride, -value);
     if (slope > 0 && is_close_to_root(step, chord, s.precision))
       return {std::clamp(x + step, bracket.low, bracket.high), slope};
-    // A step too short to determine the slope would be repeated for ever.
+    // A step too short to determine the slope would be repeated forever.
     if (std::abs(step) < root_numerics.probe * s.precision && !is_close_to_root(0, chord, s.precision))
       step = std::copysign(root_numerics.probe * s.precision, step);
     if (bracket.low_known && bracket.high_known && is_narrow(bracket.low, bracket.high)) break;

@@ -68,11 +68,11 @@ struct ErrorEstimates {
   double peak_penetration = 0;
   /// Relative to the rebound speed, or to 1e-3 of the impact speed where that is more.
   double rebound_speed = 0;
-  double contact_end = 0;         ///< larger one of time and velocity at the end of contact
-  double force_below_weight = 0;  ///< larger one of time and velocity at that moment
-  double bottomed = 0;            ///< larger one of time and velocity at bottoming
+  double contact_end = 0;         ///< larger error of time and velocity at the end of contact
+  double force_below_weight = 0;  ///< larger error of time and velocity at that moment
+  double bottomed = 0;            ///< larger error of time and velocity at bottoming
   double energy_absorbed = 0;     ///< error of the absorbed fraction, relative to the impact energy
-  double support = 0;             ///< largest one of SupportFigures; of speeds relative to the impact speed
+  double support = 0;             ///< largest error of SupportFigures; of speeds relative to the impact speed
 };
 
 /// Energies at the end of the run, J. impact + weight = kinetic + support + support_loss + moving + pad +

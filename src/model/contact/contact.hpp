@@ -16,12 +16,12 @@ namespace dashpad {
 /// A step tried with a given advance of the penetration, and the force at its end.
 struct PadTrial {
   double advance = 0;  ///< advance of the penetration, m; may be far below its rounding
-  double from = 0;     ///< begin of the step, s
+  double from = 0;     ///< start of the step, s
   double step = 0;     ///< length of the step, s
   double force = 0;    ///< force of the pad at its end, N
 
   [[nodiscard]] double end() const { return from + step; }
-  /// Whether begin and length agree, so that what depends on time alone is the same.
+  /// Whether start and length agree, so that what depends on time alone is the same.
   [[nodiscard]] bool shares_time_with(const PadTrial& other) const {
     return from == other.from && step == other.step;
   }
@@ -37,7 +37,7 @@ template <class C>
 concept IsContact = requires(C contact, const C fixed, const PadTrial& trial, double x) {
   /// Starts a run at rest. Arguments: resolution, and expected largest penetration, m.
   contact.start(x, x);
-  /// Arguments: advance, m; begin and length of the step, s.
+  /// Arguments: advance, m; start and length of the step, s.
   { contact.trial(x, x, x) } -> std::same_as<PadTrial>;
   /// dF/dt if the penetration were held from the end of the trial on, N/s (theory.md, Eq. 26).
   { contact.force_rate_when_held(trial) } -> std::same_as<double>;

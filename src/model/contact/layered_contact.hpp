@@ -162,7 +162,7 @@ class LayeredContact {
   double last_step_ = 0;     ///< length of the last step, s; 0: there was none
   std::size_t touched_ = 0;  ///< columns that the nose has reached so far
   PadTrial last_;            ///< step 0: no trial from the accepted state
-  bool has_trial_ = false;   ///< whether the last trial had the same begin and length
+  bool has_trial_ = false;   ///< whether the last trial had the same start and length
   double trial_penetration_ = 0;
   std::size_t trial_touched_ = 0;
   std::size_t trial_live_ = 0;  ///< columns under the nose at the end of the trial

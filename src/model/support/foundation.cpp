@@ -228,7 +228,7 @@ BackState Foundation::after_swing(const BackState& now, const StepForce& force, 
   const double free_way =
       now.deflection + dt * (now.rate + dt * (force.moment * inverse_mass -
                                               inverse / 4 * (now.transmitted + damping_ * free_rate)));
-  const double give = dt * dt * inverse / 4 * slowed;  // derivative of the way by the spring's force
+  const double give = dt * dt * inverse / 4 * slowed;  // derivative of the deflection by the spring's force
   BackState end;
   end.deflection = balanced(1 / give, free_way / give);
   const double pushed = spring(end.deflection);

@@ -31,7 +31,7 @@ struct BackState {
 };
 
 /// The force over a step, N: at both ends, its mean, and its first moment about the end over the step
-/// squared. A body of mass m gains the velocity mean dt / m and the way moment dt^2 / m.
+/// squared. A body of mass m gains the velocity mean dt / m and the distance moment dt^2 / m.
 struct StepForce {
   double now = 0;
   double end = 0;
@@ -40,7 +40,7 @@ struct StepForce {
   double step = 0;
 };
 
-/// Way of the impactor over a step, m, and its velocity at the end, m/s.
+/// Travel of the impactor over a step, m, and its velocity at the end, m/s.
 struct Strike {
   double way = 0;
   double velocity = 0;

@@ -17,7 +17,7 @@
 
 namespace dashpad {
 
-/// State at the begin of the continuation, and the numbers of Eq. 37.
+/// State at the start of the continuation, and the numbers of Eq. 37.
 struct Continuation {
   double exponent = 2;
   double strain = 1;  ///< last tested strain
